@@ -1,0 +1,37 @@
+#include <cstdio>
+
+#include "app/command_options.h"
+#include "sim/error.h"
+#include "sim/scene/scene_reader.h"
+#include "sim/world/world.h"
+
+namespace griffith::app {
+namespace {
+
+/// All problems of the file; where it reads well, the first one of its meshes.
+std::vector<InputError> problems_of(const std::filesystem::path& path) {
+  std::vector<InputError> problems = check_scene(path);
+  if (!problems.empty()) return problems;
+  try {
+    const World world(read_scene(path));
+  } catch (const InputError& error) {
+    problems.push_back(error);
+  }
+  return problems;
+}
+
+}  // namespace
+
+int check_command(const CheckOptions& options) {
+  int count = 0;
+  for (const std::filesystem::path& path : options.scenes) {
+    const std::vector<InputError> problems = problems_of(path);
+    for (const InputError& problem : problems) std::fprintf(stderr, "%s\n", problem.what());
+    if (problems.empty()) std::printf("%s: good\n", path.c_str());
+    count += static_cast<int>(problems.size());
+  }
+  if (count > 0) std::fprintf(stderr, "%d %s\n", count, count == 1 ? "problem" : "problems");
+  return count;
+}
+
+}  // namespace griffith::app

@@ -1,0 +1,163 @@
+#include "app/command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <memory>
+
+#include "app/command_options.h"
+#include "sim/error.h"
+#include "sim/parallel.h"
+
+namespace griffith::app {
+namespace {
+
+constexpr int kMostFrames = 10'000'000, kMostPixels = 16384, kMostThreads = 1024;
+
+struct Options {
+  EditorOptions editor;
+  RenderOptions render;
+  SimulateOptions simulate;
+  CheckOptions check;
+  int threads = 0;  ///< 0: as many as the machine has
+};
+
+void add_threads(CLI::App& command, Options& options) {
+  command.add_option("--threads", options.threads, "Threads to use; results do not depend on them")
+      ->check(CLI::Range(1, kMostThreads))
+      ->type_name("T");
+}
+
+/// "1280x720" into two numbers.
+std::string read_size(const std::string& text, RenderOptions& options) {
+  char rest = 0;
+  const bool good = std::sscanf(text.c_str(), "%dx%d%c", &options.width, &options.height, &rest) == 2;
+  const auto possible = [](int pixels) { return pixels >= 16 && pixels <= kMostPixels; };
+  if (good && possible(options.width) && possible(options.height)) return {};
+  return "--size: \"" + text + "\" is not a size: write WIDTHxHEIGHT, such as 1280x720, each from 16 to 16384";
+}
+
+void add_editor(CLI::App& program, Options& options) {
+  program.add_option("SCENE", options.editor.scene, "Scene to open in the editor")->type_name("FILE");
+  program.add_option("--exit-after", options.editor.exit_after)->check(CLI::Range(1, kMostFrames))->group("");
+  program.add_option("--screenshot", options.editor.screenshot)->group("");
+  add_threads(program, options);
+}
+
+void add_render(CLI::App& program, Options& options) {
+  CLI::App* command = program.add_subcommand("render", "Draw a scene into PNG files, without a window");
+  RenderOptions& render = options.render;
+  command->add_option("SCENE", render.scene, "Scene file")->required()->type_name("FILE");
+  command->add_option("--frame", render.frame, "Time steps before the picture")
+      ->check(CLI::Range(0, kMostFrames))
+      ->type_name("N");
+  command->add_option("-o,--output", render.output, "PNG file to write")->required()->type_name("FILE");
+  command->add_option("--every", render.every, "A numbered picture every K steps, from 0 to N")
+      ->check(CLI::Range(1, kMostFrames))
+      ->type_name("K");
+  command
+      ->add_option_function<std::string>(
+          "--size",
+          [&render](const std::string& text) {
+            const std::string problem = read_size(text, render);
+            if (!problem.empty()) throw CLI::ValidationError(problem);
+          },
+          "Size of the picture, 1280x720 if not given")
+      ->type_name("WxH");
+  command->add_option("--samples", render.samples, "Samples per pixel, 4 if not given; 1 has no smoothed edges")
+      ->check(CLI::Range(1, 16))
+      ->type_name("S");
+  command->add_option("--view", render.view, "Quantity to colour by, the scene's if not given")->type_name("NAME");
+  command->add_option("--camera", render.camera, "Camera of the scene, the first if not given")->type_name("NAME");
+  command->add_flag("--ui", render.interface, "Draw the editor's panels into the picture");
+  command->add_flag("--legend,!--no-legend", render.legend, "Draw the legend of the colours; on if not given");
+  command->add_option("--egl-device", render.egl_device, "Graphics device to use, as EGL counts them")
+      ->check(CLI::Range(0, 64))
+      ->type_name("N");
+  add_threads(*command, options);
+  command->footer(
+      "Examples:\n"
+      "  griffith render scenes/wall.json --frame 60 -o wall.png\n"
+      "  griffith render scenes/wall.json --frame 240 --every 4 -o wall.png    wall_0000.png, wall_0004.png, ...\n"
+      "  griffith render scenes/wall.json --frame 30 --view margin --size 1920x1080 -o margin.png");
+}
+
+void add_simulate(CLI::App& program, Options& options) {
+  CLI::App* command = program.add_subcommand("simulate", "Step a scene without any graphics");
+  command->add_option("SCENE", options.simulate.scene, "Scene file")->required()->type_name("FILE");
+  command->add_option("--frames", options.simulate.frames, "Time steps to make")
+      ->required()
+      ->check(CLI::Range(0, kMostFrames))
+      ->type_name("N");
+  command->add_option("--stats", options.simulate.stats, "Write what happened as JSON instead of a summary")
+      ->type_name("FILE");
+  add_threads(*command, options);
+  command->footer(
+      "Examples:\n"
+      "  griffith simulate scenes/wall.json --frames 600\n"
+      "  griffith simulate scenes/wall.json --frames 600 --threads 1 --stats wall.stats.json");
+}
+
+void add_check(CLI::App& program, Options& options) {
+  CLI::App* command = program.add_subcommand("check", "List every problem of scene files");
+  command->add_option("SCENE", options.check.scenes, "Scene files")->required()->type_name("FILE");
+  command->footer("Example:\n  griffith check scenes/*.json");
+}
+
+/// The message that CLI11 makes for --help, --version and bad usage; nothing where the arguments are good.
+std::optional<int> parse(CLI::App& program, int argc, const char* const* argv) {
+  try {
+    program.parse(argc, argv);
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    return program.exit(error) == 0 ? kDone : kBadInput;
+  }
+}
+
+int dispatch(const CLI::App& program, const Options& options) {
+  std::unique_ptr<ThreadLimit> limit;
+  if (options.threads > 0) limit = std::make_unique<ThreadLimit>(options.threads);
+  if (program.got_subcommand("check")) return check_command(options.check) == 0 ? kDone : kBadInput;
+  if (program.got_subcommand("simulate")) {
+    simulate_command(options.simulate);
+  } else if (program.got_subcommand("render")) {
+    render_command(options.render);
+  } else {
+    run_editor(options.editor);
+  }
+  return kDone;
+}
+
+void explain(const InputError& error) {
+  std::fprintf(stderr, "griffith: %s: %s\n", error.where().c_str(), error.problem().c_str());
+  if (!error.remedy().empty()) std::fprintf(stderr, "  %s\n", error.remedy().c_str());
+}
+
+}  // namespace
+
+int run(int argc, const char* const* argv) {
+  try {
+    Options options;
+    CLI::App program("Griffith, a workbench for brittle fracture: opens SCENE in the editor, or carries out a command.",
+                     "griffith");
+    program.set_version_flag("--version", "griffith " GRIFFITH_VERSION);
+    program.require_subcommand(0, 1);
+    add_editor(program, options);
+    add_render(program, options);
+    add_simulate(program, options);
+    add_check(program, options);
+    program.footer(
+        "Examples:\n  griffith scenes/wall.json\n  griffith render --help\n\n"
+        "Exit code: 0 done, 1 the work failed, 2 bad usage or bad input.");
+    if (const std::optional<int> code = parse(program, argc, argv)) return *code;
+    return dispatch(program, options);
+  } catch (const InputError& error) {
+    explain(error);
+    return kBadInput;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "griffith: %s\n", error.what());
+    return kFailed;
+  }
+}
+
+}  // namespace griffith::app

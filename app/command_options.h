@@ -1,0 +1,50 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace griffith::app {
+
+/// The editor in a window.
+struct EditorOptions {
+  std::filesystem::path scene;       ///< empty: a scene to start with
+  int exit_after = 0;                ///< pictures after which the program ends by itself; 0: never
+  std::filesystem::path screenshot;  ///< written at that end, if not empty
+};
+
+/// Pictures without a window.
+struct RenderOptions {
+  std::filesystem::path scene, output;
+  int frame = 0;                   ///< steps before the (last) picture
+  int every = 0;                   ///< a picture each so many steps from 0 on, numbered; 0: one picture
+  int width = 1280, height = 720;  ///< [pixels]
+  int samples = 4;                 ///< per pixel
+  std::string view, camera;        ///< empty: the scene's
+  bool interface = false;          ///< draw the editor's panels too
+  bool legend = true;
+  std::optional<int> egl_device;
+};
+
+/// Steps without pictures.
+struct SimulateOptions {
+  std::filesystem::path scene;
+  int frames = 0;
+  std::filesystem::path stats;  ///< empty: a summary on stdout
+};
+
+struct CheckOptions {
+  std::vector<std::filesystem::path> scenes;
+};
+
+/// Opens the window and returns when it is closed. Throws std::runtime_error when there is no display.
+void run_editor(const EditorOptions& options);
+/// Throws InputError for a bad scene, quantity or camera, RenderError when there are no graphics.
+void render_command(const RenderOptions& options);
+/// Throws InputError for a bad scene.
+void simulate_command(const SimulateOptions& options);
+/// Prints every problem of every scene; returns how many there are.
+int check_command(const CheckOptions& options);
+
+}  // namespace griffith::app

@@ -1,0 +1,158 @@
+#include "app/editor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/scene_camera.h"
+#include "app/scene_files.h"
+#include "app/scene_legend.h"
+
+namespace griffith::app {
+namespace {
+
+constexpr double kSmoothing = 0.1;
+constexpr std::size_t kMostLogLines = 500;
+/// The picture's size before the panels were laid out [pixels].
+constexpr int kFirstWidth = 640, kFirstHeight = 480;
+
+ProjectileBurst first_shot(const Scene& scene) {
+  ProjectileBurst shot = scene.projectiles.empty() ? ProjectileBurst{} : scene.projectiles.front();
+  shot.count = 1;
+  return shot;
+}
+
+}  // namespace
+
+Editor::Editor(Scene scene, std::filesystem::path path) : history_(scene), world_(scene) {
+  show_scene(std::move(scene), std::move(path));
+}
+
+void Editor::show_scene(Scene scene, std::filesystem::path path) {
+  state_.running = false;
+  state_.view = scene.view;
+  state_.shot = first_shot(scene);
+  state_.selected_body = 0;
+  history_ = ui::EditHistory(std::move(scene));
+  path_ = std::move(path);
+  scene_files_ = scene_files(path_);
+  restart();
+  use_camera("");
+  log(ui::LogLevel::info, "Opened \"" + history_.scene().name + "\". Press Space to run, right-click to fire.");
+}
+
+void Editor::restart() {
+  initial_faces_ = surface_faces(world_.frame());
+  state_.selected_tet = {};
+  pacer_.reset();
+  step_seconds_ = 0;
+  ++world_count_;
+  picture_ = draw_scene_from_frame(world_.frame(), initial_faces_, history_.scene(), state_.view, {});
+}
+
+void Editor::use_camera(const std::string& name) { camera_ = scene_camera(history_.scene(), name, picture_, aspect()); }
+
+void Editor::advance(double elapsed) {
+  if (elapsed > 0) picture_seconds_ += kSmoothing * (elapsed - picture_seconds_);
+  if (!state_.running) return;
+  const int steps = pacer_.steps_due(elapsed, state_.speed, history_.scene().simulation.time_step, step_seconds_);
+  for (int i = 0; i < steps; ++i) step();
+}
+
+void Editor::step() {
+  world_.step();
+  const Frame frame = world_.frame();
+  const double seconds = frame.report.milliseconds.step / 1000;
+  step_seconds_ = step_seconds_ == 0 ? seconds : step_seconds_ + kSmoothing * (seconds - step_seconds_);
+  if (frame.report.non_finite_values > 0) {
+    log(ui::LogLevel::error, "Step " + std::to_string(frame.step) + ": values are not finite, bodies were frozen.");
+  }
+}
+
+Editor::PictureKey Editor::picture_key() const {
+  const Frame frame = world_.frame();
+  const bool laid_out = state_.viewport_size.x > 0;
+  return {world_count_,
+          frame.step,
+          frame.projectiles.size(),
+          laid_out ? static_cast<int>(std::lround(state_.viewport_size.x)) : kFirstWidth,
+          laid_out ? static_cast<int>(std::lround(state_.viewport_size.y)) : kFirstHeight,
+          state_.view,
+          state_.selected_tet.value,
+          camera_.position,
+          camera_.target};
+}
+
+void Editor::draw_picture(int samples) {
+  const PictureKey key = picture_key();
+  if (key == drawn_) return;
+  drawn_ = key;
+  picture_ = draw_scene_from_frame(world_.frame(), initial_faces_, history_.scene(), state_.view, state_.selected_tet);
+  render::RenderOptions options;
+  options.width = key.width;
+  options.height = key.height;
+  options.samples = samples;
+  options.edges = state_.view.edges;
+  renderer_.render(picture_, picture_camera(), options);
+}
+
+void Editor::draw_panels(const ui::Fonts& fonts) {
+  ui::EditorInput input;
+  input.frame = world_.frame();
+  input.fonts = fonts;
+  input.picture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(renderer_.color_texture()));
+  input.legend = scene_legend(picture_, state_.view.range.has_value());
+  input.scene_files = scene_files_;
+  input.scene_path = path_;
+  input.time_step = history_.scene().simulation.time_step;
+  input.step_milliseconds = 1000 * step_seconds_;
+  input.frames_per_second = picture_seconds_ > 0 ? 1 / picture_seconds_ : 0;
+  input.reached_speed = pacer_.reached_speed();
+  input.falling_behind = pacer_.falling_behind();
+  for (const ui::Command& command : ui::draw_editor(input, state_, history_, tags_)) execute(command);
+  follow_materials();
+  move_camera();
+}
+
+void Editor::follow_materials() {
+  const std::vector<BodyDescription>& bodies = history_.scene().bodies;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const bool same = world_.frame().materials[i] == bodies[i].material;
+    if (!same) world_.set_material(static_cast<int>(i), bodies[i].material);
+  }
+}
+
+void Editor::move_camera() {
+  const ui::CameraMotion motion = state_.camera_motion;
+  state_.camera_motion = {};
+  camera_ = render::orbit(camera_, motion.yaw, motion.pitch);
+  camera_ = render::pan(camera_, motion.pan_right, motion.pan_up);
+  camera_ = render::zoom(camera_, motion.zoom);
+}
+
+float Editor::aspect() const {
+  const PictureKey key = picture_key();
+  return static_cast<float>(key.width) / static_cast<float>(key.height);
+}
+
+render::Camera Editor::picture_camera() const {
+  constexpr float kWide = 16.0f / 9, kHalfDegree = 3.14159265f / 360, kWidest = 120;
+  render::Camera camera = camera_;
+  if (aspect() >= kWide) return camera;
+  const float half_height = std::tan(kHalfDegree * camera.vertical_fov) * kWide / aspect();
+  camera.vertical_fov = std::min(std::atan(half_height) / kHalfDegree, std::max(kWidest, camera.vertical_fov));
+  return camera;
+}
+
+void Editor::log(ui::LogLevel level, std::string text) {
+  if (state_.log.size() >= kMostLogLines) state_.log.erase(state_.log.begin());
+  state_.log.push_back({level, std::move(text)});
+}
+
+std::string Editor::title() const {
+  return history_.scene().name + (history_.modified() ? " * - Griffith" : " - Griffith");
+}
+
+bool Editor::take_screenshot_request() { return std::exchange(screenshot_wanted_, false); }
+
+}  // namespace griffith::app

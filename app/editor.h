@@ -1,0 +1,93 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/draw_scene_from_frame.h"
+#include "app/step_pacer.h"
+#include "renderer/camera.h"
+#include "renderer/renderer.h"
+#include "sim/error.h"
+#include "sim/world/world.h"
+#include "ui/editor_layout.h"
+
+namespace griffith::app {
+
+/// The editor but for its window: scene, world, camera, picture and panels. Needs a current OpenGL context; each drawn
+/// frame is advance(), draw_picture(), draw_panels().
+class Editor {
+ public:
+  /// Throws InputError when the scene can't be built.
+  Editor(Scene scene, std::filesystem::path path);
+
+  /// Makes the time steps that are due after `elapsed` [s] of real time, if the simulation runs.
+  void advance(double elapsed);
+  /// Makes one time step.
+  void step();
+
+  /// Draws the scene in the size that the panels left for it, if anything in it changed. `samples`: per pixel.
+  void draw_picture(int samples);
+  /// Draws the panels into the current ImGui frame and carries out what the user asked for.
+  void draw_panels(const ui::Fonts& fonts);
+
+  /// Opens a scene; a problem is shown and leaves everything as it was.
+  void open(const std::filesystem::path& path);
+  /// Looks through that camera of the scene. Throws InputError when there is none.
+  void use_camera(const std::string& name);
+  void log(ui::LogLevel level, std::string text);
+
+  ui::EditorState& state() { return state_; }
+  const ui::WidgetTags& tags() const { return tags_; }
+  std::string title() const;
+  bool wants_to_quit() const { return wants_to_quit_; }
+  /// True once after a screenshot was asked for.
+  bool take_screenshot_request();
+
+ private:
+  void show_scene(Scene scene, std::filesystem::path path);
+  void restart();
+  void follow_materials();
+  void execute(const ui::Command& command);
+  void show_error(const InputError& error);
+  void fire(const Vec2& cursor);
+  void pick(const Vec2& cursor);
+  void save(std::filesystem::path path);
+  void frame_all();
+  void toggle_range_lock();
+  void move_camera();
+  float aspect() const;
+  /// The camera, opened so far that a narrow view shows as much across as a wide one.
+  render::Camera picture_camera() const;
+
+  /// What the picture depends on: an equal one need not be drawn again.
+  struct PictureKey {
+    std::int64_t world = -1, step = -1;
+    std::size_t projectiles = 0;
+    int width = 0, height = 0;
+    ViewSettings view;
+    std::int32_t selected = -1;
+    Eigen::Vector3f position = Eigen::Vector3f::Zero(), target = Eigen::Vector3f::Zero();
+    bool operator==(const PictureKey&) const = default;
+  };
+  PictureKey picture_key() const;
+
+  ui::EditHistory history_;
+  ui::EditorState state_;
+  ui::WidgetTags tags_;
+  std::filesystem::path path_;
+  std::vector<std::filesystem::path> scene_files_;
+  World world_;
+  std::int64_t world_count_ = 0;  ///< worlds made so far
+  SurfaceFaces initial_faces_;
+  render::Camera camera_;
+  render::Renderer renderer_;
+  render::DrawScene picture_;
+  PictureKey drawn_;
+  StepPacer pacer_;
+  double step_seconds_ = 0, picture_seconds_ = 0;  ///< smoothed
+  bool wants_to_quit_ = false, screenshot_wanted_ = false;
+};
+
+}  // namespace griffith::app

@@ -1,0 +1,121 @@
+#include <algorithm>
+
+#include "app/editor.h"
+#include "app/shooting.h"
+#include "sim/scene/scene_reader.h"
+#include "sim/scene/scene_writer.h"
+
+namespace griffith::app {
+
+using ui::CommandId;
+
+void Editor::execute(const ui::Command& command) {
+  try {
+    switch (command.id) {
+      case CommandId::toggle_run:
+        state_.running = !state_.running;
+        return pacer_.reset();
+      case CommandId::step:
+        state_.running = false;
+        return step();
+      case CommandId::reset:
+        world_ = World(history_.scene());
+        return restart();
+      case CommandId::fire:
+        return fire(command.cursor);
+      case CommandId::pick:
+        return pick(command.cursor);
+      case CommandId::open_dialog:
+        state_.show_open = true;
+        return;
+      case CommandId::open:
+        return open(command.path);
+      case CommandId::save:
+        return save(command.path.empty() ? path_ : command.path);
+      case CommandId::undo:
+        return history_.undo();
+      case CommandId::redo:
+        return history_.redo();
+      case CommandId::frame_all:
+        return frame_all();
+      case CommandId::toggle_edges:
+        state_.view.edges = !state_.view.edges;
+        return;
+      case CommandId::toggle_range_lock:
+        return toggle_range_lock();
+      case CommandId::screenshot:
+        screenshot_wanted_ = true;
+        return;
+      case CommandId::help:
+        state_.show_help = !state_.show_help;
+        return;
+      case CommandId::quit:
+        wants_to_quit_ = true;
+        return;
+    }
+  } catch (const InputError& error) {
+    show_error(error);
+  }
+}
+
+void Editor::show_error(const InputError& error) {
+  state_.running = false;
+  state_.error = ui::ErrorMessage{error.where(), error.problem(), error.remedy()};
+  log(ui::LogLevel::error, error.what());
+}
+
+void Editor::open(const std::filesystem::path& path) {
+  try {
+    Scene scene = read_scene(path);
+    world_ = World(scene);
+    show_scene(std::move(scene), path);
+  } catch (const InputError& error) {
+    show_error(error);
+  }
+}
+
+void Editor::save(std::filesystem::path path) {
+  if (path.empty()) path = history_.scene().name + ".json";
+  write_scene(history_.scene(), path);
+  history_.finish();
+  history_.mark_saved();
+  path_ = path;
+  log(ui::LogLevel::info, "Saved " + path.string());
+}
+
+void Editor::fire(const Vec2& cursor) {
+  const PictureKey key = picture_key();
+  const render::Ray ray = render::pixel_ray(picture_camera(), static_cast<float>(cursor.x() * key.width),
+                                            static_cast<float>(cursor.y() * key.height), key.width, key.height);
+  const Vec3 direction = ray.direction.cast<double>(), eye = ray.origin.cast<double>();
+  const double way = surface_hit(world_.frame(), history_.scene().ground, eye, direction)
+                         .value_or((camera_.target - camera_.position).norm());
+  // It leaves from beneath the eye, far enough ahead not to cover the picture.
+  const double ahead = std::min(4 * state_.shot.radius, way / 2);
+  const Vec3 muzzle = eye + ahead * direction - 2 * state_.shot.radius * Vec3::UnitY();
+  world_.fire(aimed_shot(state_.shot, muzzle, eye + way * direction, history_.scene().gravity));
+  if (!state_.running) log(ui::LogLevel::info, "Fired. The simulation is paused: press Space to run it.");
+}
+
+void Editor::pick(const Vec2& cursor) {
+  const std::int32_t id =
+      renderer_.id_at(static_cast<int>(cursor.x() * drawn_.width), static_cast<int>(cursor.y() * drawn_.height));
+  state_.selected_tet = TetId(id);
+  if (id < 0) return;
+  const Frame frame = world_.frame();
+  const BodyId body = frame.tet_bodies[static_cast<std::size_t>(id)];
+  state_.selected_body = frame.bodies[static_cast<std::size_t>(body.value)].scene_body;
+}
+
+void Editor::frame_all() { camera_ = render::frame_bounds(camera_, render::bounds(picture_), aspect()); }
+
+void Editor::toggle_range_lock() {
+  if (state_.view.range) {
+    state_.view.range.reset();
+  } else if (!picture_.surface.scalars.empty()) {
+    const render::ScalarStyle& style = picture_.surface.scalar_style;
+    state_.view.range = Vec2(style.minimum, style.maximum);
+  }
+}
+
+}  // namespace griffith::app

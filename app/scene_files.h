@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace griffith::app {
+
+/// The scene files to offer, sorted: those beside `current` if it is a file, else those of a folder named scenes in the
+/// working folder or above the program.
+std::vector<std::filesystem::path> scene_files(const std::filesystem::path& current);
+
+/// "griffith_0001.png" in the working folder, with the first number that is free.
+std::filesystem::path free_screenshot_path();
+
+}  // namespace griffith::app

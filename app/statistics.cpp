@@ -1,0 +1,148 @@
+#include "app/statistics.h"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "sim/error.h"
+
+namespace griffith::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::array<const char*, 5> kPhases = {"step", "contact", "elasticity", "separation", "fracture"};
+
+std::array<double, 5> phase_times(const StepTimings& t) {
+  return {t.step, t.contact, t.elasticity, t.separation, t.fracture};
+}
+
+struct TimeSummary {
+  double median = 0, p99 = 0, max = 0, total = 0;
+};
+
+TimeSummary summarize(std::vector<double> times) {
+  if (times.empty()) return {};
+  std::sort(times.begin(), times.end());
+  const auto at = [&times](double share) {
+    return times[static_cast<std::size_t>(share * static_cast<double>(times.size() - 1) + 0.5)];
+  };
+  TimeSummary summary{at(0.5), at(0.99), times.back(), 0};
+  for (const double time : times) summary.total += time;
+  return summary;
+}
+
+std::int64_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
+}
+
+std::string hash_text(std::uint64_t hash) {
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
+Json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+void add_counters(Json& json, const StepReport& sums, const StepReport& largest) {
+  json["substeps"] = sums.substeps;
+  json["contacts"] = sums.contacts;
+  json["cracks_postponed"] = sums.cracks_postponed;
+  json["cracks_suppressed"] = sums.cracks_suppressed;
+  json["unconverged_solves"] = sums.unconverged_solves;
+  json["max_penetration"] = largest.max_penetration;
+  json["max_relative_residual"] = largest.max_relative_residual;
+  json["solver_iterations"] = largest.solver_iterations;
+  json["inverted_tets"] = largest.inverted_tets;
+  json["non_finite_values"] = largest.non_finite_values;
+}
+
+void add_totals(Json& json, const Totals& totals, double initial_mass) {
+  json["mass"] = totals.mass;
+  json["initial_mass"] = initial_mass;
+  json["momentum"] = vector_json(totals.momentum);
+  json["angular_momentum"] = vector_json(totals.angular_momentum);
+  json["kinetic_energy"] = totals.kinetic_energy;
+  json["elastic_energy"] = totals.elastic_energy;
+}
+
+}  // namespace
+
+RunStatistics::RunStatistics(const Frame& start, double time_step, int threads)
+    : time_step_(time_step), threads_(threads), initial_mass_(start.totals.mass) {
+  sums_.substeps = 0;
+  largest_.substeps = 0;
+}
+
+void RunStatistics::add(const Frame& frame) {
+  const StepReport& report = frame.report;
+  sums_.substeps += report.substeps;
+  sums_.contacts += report.contacts;
+  sums_.cracks_postponed += report.cracks_postponed;
+  sums_.cracks_suppressed += report.cracks_suppressed;
+  sums_.unconverged_solves += report.unconverged_solves;
+  largest_.max_penetration = std::max(largest_.max_penetration, report.max_penetration);
+  largest_.max_relative_residual = std::max(largest_.max_relative_residual, report.max_relative_residual);
+  largest_.solver_iterations = std::max(largest_.solver_iterations, report.solver_iterations);
+  largest_.inverted_tets = std::max(largest_.inverted_tets, report.inverted_tets);
+  largest_.non_finite_values = std::max(largest_.non_finite_values, report.non_finite_values);
+  const std::array<double, 5> times = phase_times(report.milliseconds);
+  for (std::size_t i = 0; i < times.size(); ++i) milliseconds_[i].push_back(times[i]);
+}
+
+std::string RunStatistics::json(const Frame& frame, std::uint64_t state_hash) const {
+  Json json;
+  json["frames"] = frame.step;
+  json["dt"] = time_step_;
+  json["tets"] = frame.tets.size();
+  json["nodes"] = frame.positions.size();
+  json["bodies"] = frame.bodies.size();
+  json["fragments"] = frame.fragments;
+  json["crack_events"] = frame.crack_events.size();
+  add_totals(json, frame.totals, initial_mass_);
+  add_counters(json, sums_, largest_);
+  json["state_hash"] = hash_text(state_hash);
+  json["threads"] = threads_;
+  json["peak_memory_bytes"] = peak_memory_bytes();
+  for (std::size_t i = 0; i < kPhases.size(); ++i) {
+    const TimeSummary times = summarize(milliseconds_[i]);
+    json["ms"][kPhases[i]] = {{"median", times.median}, {"p99", times.p99}, {"max", times.max}, {"total", times.total}};
+  }
+  return json.dump(2) + "\n";
+}
+
+std::string RunStatistics::summary(const Frame& frame, std::uint64_t state_hash) const {
+  const TimeSummary times = summarize(milliseconds_[0]);
+  const StepReport& l = largest_;
+  char text[1024];
+  std::snprintf(text, sizeof text,
+                "%lld steps of %.4g ms: %zu tetrahedra, %zu nodes, %zu pieces (%d fragments), %zu crack events\n"
+                "step time: median %.2f ms, 99 %% below %.2f ms, longest %.2f ms\n"
+                "solver: at most %d iterations, relative residual at most %.1e, %d unconverged\n"
+                "trouble: %d cracks postponed, %d suppressed, %d inverted tetrahedra, %d values not finite\n"
+                "state hash %s\n",
+                static_cast<long long>(frame.step), 1e3 * time_step_, frame.tets.size(), frame.positions.size(),
+                frame.bodies.size(), frame.fragments, frame.crack_events.size(), times.median, times.p99, times.max,
+                l.solver_iterations, l.max_relative_residual, sums_.unconverged_solves, sums_.cracks_postponed,
+                sums_.cracks_suppressed, l.inverted_tets, l.non_finite_values, hash_text(state_hash).c_str());
+  return text;
+}
+
+void write_text_file(const std::filesystem::path& path, const std::string& text) {
+  std::filesystem::path beside = path;
+  beside += ".part";
+  std::ofstream file(beside, std::ios::binary);
+  file << text;
+  file.close();
+  std::error_code error;
+  if (file) std::filesystem::rename(beside, path, error);
+  if (!file || error)
+    throw InputError(path.string(), "can't be written", "check that the folder exists and is writable");
+}
+
+}  // namespace griffith::app

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/world/frame.h"
+
+namespace griffith::app {
+
+/// What happened over a run: counters over all steps, the times of each.
+class RunStatistics {
+ public:
+  /// `start`: the frame before the first step. `time_step` [s].
+  RunStatistics(const Frame& start, double time_step, int threads);
+
+  /// Takes in the step that led to `frame`.
+  void add(const Frame& frame);
+
+  /// One JSON object. SI units, times in milliseconds. Totals describe `frame`, the last one; `max_penetration`,
+  /// `max_relative_residual`, `solver_iterations`, `inverted_tets` and `non_finite_values` are the largest of any step,
+  /// `substeps`, `contacts`, `cracks_postponed`, `cracks_suppressed` and `unconverged_solves` sums over all steps.
+  std::string json(const Frame& frame, std::uint64_t state_hash) const;
+
+  /// The same for a person, a few lines.
+  std::string summary(const Frame& frame, std::uint64_t state_hash) const;
+
+ private:
+  double time_step_;
+  int threads_;
+  double initial_mass_;
+  StepReport sums_, largest_;
+  std::array<std::vector<double>, 5> milliseconds_;  ///< of step, contact, elasticity, separation, fracture
+};
+
+/// Writes beside `path` first and renames, so that an interrupted run loses nothing. Throws InputError naming the path.
+void write_text_file(const std::filesystem::path& path, const std::string& text);
+
+}  // namespace griffith::app

@@ -1,0 +1,157 @@
+#include <backends/imgui_impl_glfw.h>
+#include <epoxy/gl.h>
+// After the GL loader.
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "app/command_options.h"
+#include "app/editor.h"
+#include "app/interface.h"
+#include "app/scene_files.h"
+#include "app/starting_scene.h"
+#include "renderer/error.h"
+#include "renderer/image.h"
+#include "sim/scene/scene_reader.h"
+
+namespace griffith::app {
+namespace {
+
+static_assert(ui::key::kSpace == GLFW_KEY_SPACE && ui::key::kEscape == GLFW_KEY_ESCAPE &&
+              ui::key::kHome == GLFW_KEY_HOME && ui::key::kF1 == GLFW_KEY_F1 && ui::key::kF12 == GLFW_KEY_F12);
+
+constexpr int kWidth = 1500, kHeight = 940, kSamples = 4;
+constexpr double kLongestFrame = 0.25;  // seconds; what is longer was an interruption
+
+/// GLFW and its one window, with its OpenGL context current.
+class Window {
+ public:
+  Window() {
+    if (!glfwInit()) fail();
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    window_ = glfwCreateWindow(kWidth, kHeight, "Griffith", nullptr, nullptr);
+    if (!window_) fail();
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(1);
+  }
+  ~Window() {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+  }
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  GLFWwindow* handle() const { return window_; }
+
+  /// Screen pixels per design pixel, in the units in which the window counts.
+  float scale() const {
+    float content = 1;
+    int window_width = 1, buffer_width = 1;
+    glfwGetWindowContentScale(window_, &content, nullptr);
+    glfwGetWindowSize(window_, &window_width, nullptr);
+    glfwGetFramebufferSize(window_, &buffer_width, nullptr);
+    return content * static_cast<float>(std::max(window_width, 1)) / static_cast<float>(std::max(buffer_width, 1));
+  }
+
+ private:
+  [[noreturn]] static void fail() {
+    const char* reason = nullptr;
+    glfwGetError(&reason);
+    const std::string text = std::string("no window can be opened") + (reason ? std::string(": ") + reason : "") +
+                             ". Without a display, use: griffith render SCENE --frame N -o OUT.png";
+    glfwTerminate();
+    throw std::runtime_error(text);
+  }
+
+  GLFWwindow* window_ = nullptr;
+};
+
+/// ImGui's ear for the window.
+class WindowInput {
+ public:
+  explicit WindowInput(const Window& window) { ImGui_ImplGlfw_InitForOpenGL(window.handle(), true); }
+  ~WindowInput() { ImGui_ImplGlfw_Shutdown(); }
+  WindowInput(const WindowInput&) = delete;
+  WindowInput& operator=(const WindowInput&) = delete;
+};
+
+/// What is in the window now.
+render::Image window_image(const Window& window) {
+  render::Image image;
+  glfwGetFramebufferSize(window.handle(), &image.width, &image.height);
+  const std::size_t row = static_cast<std::size_t>(image.width) * 4;
+  image.rgba.resize(row * static_cast<std::size_t>(image.height));
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  for (int y = 0; y < image.height / 2; ++y) {  // OpenGL counts rows from below
+    const auto top = image.rgba.begin() + static_cast<std::ptrdiff_t>(row) * y;
+    const auto bottom = image.rgba.begin() + static_cast<std::ptrdiff_t>(row) * (image.height - 1 - y);
+    std::swap_ranges(top, top + static_cast<std::ptrdiff_t>(row), bottom);
+  }
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
+  return image;
+}
+
+void save_screenshot(Editor& editor, const Window& window) {
+  const std::filesystem::path path = free_screenshot_path();
+  try {
+    save_png(path, window_image(window));
+    editor.log(ui::LogLevel::info, "Saved " + path.string());
+  } catch (const render::RenderError& error) {
+    editor.log(ui::LogLevel::error, error.what());
+  }
+}
+
+void draw_frame(Editor& editor, Interface& interface, const Window& window) {
+  editor.draw_picture(kSamples);
+  ImGui_ImplGlfw_NewFrame();
+  interface.begin_frame();
+  editor.draw_panels(interface.fonts());
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window.handle(), &width, &height);
+  glViewport(0, 0, width, height);
+  glClearColor(0, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  interface.end_frame();
+}
+
+void loop(Editor& editor, Interface& interface, const Window& window, int exit_after) {
+  double last = glfwGetTime();
+  for (int drawn = 1; !glfwWindowShouldClose(window.handle()) && !editor.wants_to_quit(); ++drawn) {
+    glfwPollEvents();
+    const double now = glfwGetTime();
+    editor.advance(std::min(now - last, kLongestFrame));
+    last = now;
+    draw_frame(editor, interface, window);
+    if (editor.take_screenshot_request()) save_screenshot(editor, window);
+    if (drawn == exit_after) return;
+    glfwSetWindowTitle(window.handle(), editor.title().c_str());
+    glfwSwapBuffers(window.handle());
+  }
+}
+
+}  // namespace
+
+void run_editor(const EditorOptions& options) {
+  const bool named = !options.scene.empty();
+  Scene scene = named ? read_scene(options.scene) : starting_scene();
+  const Window window;
+  Editor editor(std::move(scene), options.scene);
+  glfwSetWindowUserPointer(window.handle(), &editor);
+  glfwSetDropCallback(window.handle(), [](GLFWwindow* handle, int count, const char** paths) {
+    if (count > 0) static_cast<Editor*>(glfwGetWindowUserPointer(handle))->open(paths[0]);
+  });
+  Interface interface(window.scale());
+  const WindowInput input(window);
+  loop(editor, interface, window, options.exit_after);
+  if (!options.screenshot.empty()) save_png(options.screenshot, window_image(window));
+}
+
+}  // namespace griffith::app

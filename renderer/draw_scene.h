@@ -1,0 +1,95 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "renderer/color.h"
+#include "renderer/color_map.h"
+
+namespace griffith::render {
+
+/// The id of what can't be picked: background, ground, and anything whose id was not given.
+inline constexpr std::int32_t kNoId = -1;
+
+/// Bits of Surface::flags.
+enum TriangleFlag : std::uint8_t {
+  kEdge0 = 1 << 0,  ///< draw the edge opposite corner 0 (from corner 1 to 2)
+  kEdge1 = 1 << 1,  ///< draw the edge opposite corner 1
+  kEdge2 = 1 << 2,  ///< draw the edge opposite corner 2
+  kAllEdges = kEdge0 | kEdge1 | kEdge2,
+  kCrackFace = 1 << 3,  ///< made by fracture: darker and warmer where no scalar is shown
+  kSelected = 1 << 4,   ///< highlighted
+};
+
+/// How Surface::scalars become colours, and what the legend says about them.
+struct ScalarStyle {
+  ColorMap color_map = ColorMap::kViridis;
+  float minimum = 0, maximum = 1;  ///< values of the map's two ends; minimum < maximum
+  std::string quantity, unit;      ///< for the legend, e.g. "largest principal stress", "Pa"
+};
+
+/// Triangles with data per corner or per triangle. Everything but `positions` may be empty. Front faces are
+/// counterclockwise; both sides are drawn.
+struct Surface {
+  std::vector<Eigen::Vector3f> positions;  ///< 3 per triangle, world frame [m]
+  std::vector<float> scalars;              ///< 1 per triangle or 3 per triangle (interpolated); shown by scalar_style
+  std::vector<Rgb> colors;                 ///< 1 per triangle, instead of `color`; used where there are no scalars
+  std::vector<std::int32_t> ids;           ///< 1 per triangle, for picking
+  std::vector<std::uint8_t> flags;         ///< 1 per triangle: TriangleFlag bits; none if empty
+  ScalarStyle scalar_style;
+  Rgb color = {0.74f, 0.77f, 0.80f};
+};
+
+struct Sphere {
+  Eigen::Vector3f center = Eigen::Vector3f::Zero();  ///< [m]
+  float radius = 1;                                  ///< [m]
+  Rgb color = {0.85f, 0.40f, 0.25f};
+  std::int32_t id = kNoId;
+};
+
+/// A line of DrawScene::line_width pixels.
+struct Line {
+  Eigen::Vector3f start = Eigen::Vector3f::Zero(), end = Eigen::Vector3f::Zero();  ///< [m]
+  Rgb color = {0.1f, 0.1f, 0.1f};
+  std::int32_t id = kNoId;
+};
+
+/// A round dot of a fixed size on the screen.
+struct Point {
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< [m]
+  float diameter = 6;                                  ///< [pixels]
+  Rgb color = {0.1f, 0.1f, 0.1f};
+  std::int32_t id = kNoId;
+};
+
+/// A horizontal plane with a grid that shows the scale and catches shadows.
+struct Ground {
+  float height = 0;        ///< y of the plane [m]
+  float grid_spacing = 1;  ///< between the thin lines [m]; every tenth is stronger
+  Rgb color = {0.86f, 0.87f, 0.88f};
+};
+
+/// A vertical gradient.
+struct Background {
+  Rgb top = {0.80f, 0.85f, 0.90f}, bottom = {0.95f, 0.96f, 0.97f};
+};
+
+/// What must be drawn, as plain data. The renderer knows nothing else about the world.
+struct DrawScene {
+  Surface surface;
+  std::vector<Sphere> spheres;
+  std::vector<Line> lines;
+  std::vector<Point> points;
+  float line_width = 1.5f;  ///< [pixels]
+  std::optional<Ground> ground;
+  Background background;
+};
+
+/// The box around everything but the ground; empty for an empty scene. Places that are not finite don't count.
+Eigen::AlignedBox3f bounds(const DrawScene& scene);
+
+}  // namespace griffith::render

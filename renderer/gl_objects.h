@@ -1,0 +1,83 @@
+#pragma once
+
+#include <epoxy/gl.h>
+
+#include <utility>
+
+namespace griffith::render {
+
+/// Owns one OpenGL object. A null object (made by GlObject(nullptr)) has id 0. Needs a current context from
+/// construction to destruction.
+template <class Kind>
+class GlObject {
+ public:
+  GlObject() { Kind::create(&id_); }
+  explicit GlObject(std::nullptr_t) {}
+  ~GlObject() {
+    if (id_ != 0) Kind::destroy(&id_);
+  }
+  GlObject(GlObject&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
+  GlObject& operator=(GlObject&& other) noexcept {
+    std::swap(id_, other.id_);
+    return *this;
+  }
+
+  GLuint id() const { return id_; }
+
+ private:
+  GLuint id_ = 0;
+};
+
+struct TextureKind {
+  static void create(GLuint* id) { glGenTextures(1, id); }
+  static void destroy(GLuint* id) { glDeleteTextures(1, id); }
+};
+struct BufferKind {
+  static void create(GLuint* id) { glGenBuffers(1, id); }
+  static void destroy(GLuint* id) { glDeleteBuffers(1, id); }
+};
+struct FramebufferKind {
+  static void create(GLuint* id) { glGenFramebuffers(1, id); }
+  static void destroy(GLuint* id) { glDeleteFramebuffers(1, id); }
+};
+struct RenderbufferKind {
+  static void create(GLuint* id) { glGenRenderbuffers(1, id); }
+  static void destroy(GLuint* id) { glDeleteRenderbuffers(1, id); }
+};
+struct VertexArrayKind {
+  static void create(GLuint* id) { glGenVertexArrays(1, id); }
+  static void destroy(GLuint* id) { glDeleteVertexArrays(1, id); }
+};
+struct ProgramKind {
+  static void create(GLuint* id) { *id = glCreateProgram(); }
+  static void destroy(GLuint* id) { glDeleteProgram(*id); }
+};
+
+using Texture = GlObject<TextureKind>;
+using Buffer = GlObject<BufferKind>;
+using Framebuffer = GlObject<FramebufferKind>;
+using Renderbuffer = GlObject<RenderbufferKind>;
+using VertexArray = GlObject<VertexArrayKind>;
+using Program = GlObject<ProgramKind>;
+
+/// Restores, at its end, the framebuffers that were bound and the viewport.
+class BoundFramebuffer {
+ public:
+  BoundFramebuffer() {
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw_);
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_);
+    glGetIntegerv(GL_VIEWPORT, viewport_);
+  }
+  ~BoundFramebuffer() {
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(draw_));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read_));
+    glViewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
+  }
+  BoundFramebuffer(const BoundFramebuffer&) = delete;
+  BoundFramebuffer& operator=(const BoundFramebuffer&) = delete;
+
+ private:
+  GLint draw_ = 0, read_ = 0, viewport_[4] = {};
+};
+
+}  // namespace griffith::render

@@ -1,0 +1,150 @@
+#include "renderer/renderer.h"
+
+#include <algorithm>
+#include <cassert>
+#include <optional>
+
+#include "renderer/background_pass.h"
+#include "renderer/ground_pass.h"
+#include "renderer/shadow_map.h"
+#include "renderer/sphere_pass.h"
+#include "renderer/stroke_pass.h"
+#include "renderer/surface_pass.h"
+#include "renderer/target.h"
+#include "renderer/view.h"
+
+namespace griffith::render {
+namespace {
+
+/// What matters in the picture: the scene or, if far-flung pieces make it too large, what is around the target.
+Focus focus_of(const Eigen::AlignedBox3f& box, const Camera& camera) {
+  constexpr float kSmallest = 1e-3f, kLargest = 4;  // [m], and in distances to the target
+  const float limit = kLargest * (camera.position - camera.target).norm();
+  if (box.isEmpty()) return {camera.target, limit};
+  const float radius = std::max(0.5f * box.sizes().norm(), kSmallest);
+  return radius <= limit ? Focus{box.center(), radius} : Focus{camera.target, limit};
+}
+
+/// The ground fades out at this distance from the focus.
+float ground_radius(const Focus& focus) { return 9 * focus.radius; }
+
+/// The scene's box and the ground that is seen.
+Eigen::AlignedBox3f visible_box(const DrawScene& scene, const Focus& focus, Eigen::AlignedBox3f box) {
+  if (!scene.ground) return box;
+  const float reach = ground_radius(focus);
+  box.extend(Eigen::Vector3f(focus.center.x() - reach, scene.ground->height, focus.center.z() - reach));
+  box.extend(Eigen::Vector3f(focus.center.x() + reach, scene.ground->height, focus.center.z() + reach));
+  return box;
+}
+
+ViewBlock picture_view(const Camera& camera, const Eigen::AlignedBox3f& box, const Target& target,
+                       const ViewBlock& shadow_view) {
+  const float width = static_cast<float>(target.width()), height = static_cast<float>(target.height());
+  ViewBlock block = shadow_view;
+  block.view_projection = projection_matrix(camera, width / height, box) * view_matrix(camera);
+  block.eye << camera.position, 1;
+  block.viewport << width, height, static_cast<float>(target.samples()), 0;
+  return block;
+}
+
+/// Everything the passes rely on, whoever drew before.
+void set_state() {
+  for (const GLenum off : {GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB,
+                           GL_SAMPLE_ALPHA_TO_COVERAGE, GL_PRIMITIVE_RESTART}) {
+    glDisable(off);
+  }
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LESS);
+  glDepthMask(GL_TRUE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+}
+
+}  // namespace
+
+struct Renderer::Passes {
+  ViewBuffer shadow_view, picture_view;
+  ShadowMap shadow_map;
+  BackgroundPass background;
+  SurfacePass surface;
+  SpherePass spheres;
+  StrokePass strokes;
+  GroundPass ground;
+  Target target{1, 1};
+  int requested_samples = 1;  // target.samples() may be fewer
+
+  void resize(const RenderOptions& options);
+  void upload(const DrawScene& scene);
+  void draw_shadow_map(const ViewBlock& view, bool shadows) const;
+  void draw_picture(const DrawScene& scene, const Camera& camera, const Focus& focus,
+                    const RenderOptions& options) const;
+};
+
+void Renderer::Passes::resize(const RenderOptions& options) {
+  assert(options.width > 0 && options.height > 0 && options.samples > 0);
+  if (target.width() == options.width && target.height() == options.height && requested_samples == options.samples) {
+    return;
+  }
+  target = Target(options.width, options.height, options.samples);
+  requested_samples = options.samples;
+}
+
+void Renderer::Passes::upload(const DrawScene& scene) {
+  surface.upload(scene.surface);
+  spheres.upload(scene.spheres);
+  strokes.upload(scene);
+}
+
+void Renderer::Passes::draw_shadow_map(const ViewBlock& view, bool shadows) const {
+  shadow_map.begin();
+  if (!shadows) return;
+  shadow_view.bind(view);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(1.5f, 2);  // against self-shadowing
+  surface.draw_shadow();
+  spheres.draw_shadow();
+  glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void Renderer::Passes::draw_picture(const DrawScene& scene, const Camera& camera, const Focus& focus,
+                                    const RenderOptions& options) const {
+  target.bind();
+  target.clear(scene.background.bottom);
+  shadow_map.bind();
+  background.draw(scene.background);
+  glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);  // the picture is opaque; alpha only blends
+  surface.draw(scene.surface, options);
+  spheres.draw();
+  if (scene.ground) {
+    const bool from_below = camera.position.y() < scene.ground->height;
+    ground.draw(*scene.ground, focus.center, ground_radius(focus), from_below);
+  }
+  strokes.draw();
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  target.resolve();
+}
+
+Renderer::Renderer() : passes_(std::make_unique<Passes>()) {}
+Renderer::~Renderer() = default;
+
+void Renderer::render(const DrawScene& scene, const Camera& camera, const RenderOptions& options) {
+  const BoundFramebuffer previous;
+  const Eigen::AlignedBox3f box = bounds(scene);
+  const Focus focus = focus_of(box, camera);
+  const ViewBlock shadow_view = ShadowMap::view(focus);
+  set_state();
+  passes_->resize(options);
+  passes_->upload(scene);
+  passes_->draw_shadow_map(shadow_view, options.shadows);
+  passes_->picture_view.bind(picture_view(camera, visible_box(scene, focus, box), passes_->target, shadow_view));
+  passes_->draw_picture(scene, camera, focus, options);
+}
+
+unsigned Renderer::color_texture() const { return passes_->target.color_texture(); }
+
+Image Renderer::image() const { return passes_->target.image(); }
+
+std::int32_t Renderer::id_at(int x, int y) const { return passes_->target.id_at(x, y); }
+
+}  // namespace griffith::render

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "renderer/camera.h"
+#include "renderer/draw_scene.h"
+#include "renderer/image.h"
+
+namespace griffith::render {
+
+struct RenderOptions {
+  int width = 1280, height = 720;  ///< [pixels]
+  int samples = 1;                 ///< per pixel; 4 on screen, 1 for reproducible headless images
+  bool edges = true;               ///< draw the edges that Surface::flags marks
+  bool shadows = true;
+  bool unlit_scalars = false;  ///< a scalar's pixel is the legend's colour to the byte: no shading, no shadow
+  float edge_width = 1.1f;     ///< [pixels]
+};
+
+/// Draws a DrawScene into its own target. Construct and use it while one OpenGL 3.3 core context (or newer) is current.
+/// The same input gives the same bytes. Throws RenderError if the driver rejects a shader.
+class Renderer {
+ public:
+  Renderer();
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  /// Leaves the framebuffer binding and viewport as they were.
+  void render(const DrawScene& scene, const Camera& camera, const RenderOptions& options = {});
+
+  /// The last picture: a GL_TEXTURE_2D whose first row is the bottom one (ImGui::Image: uv0 = (0, 1), uv1 = (1, 0)).
+  unsigned color_texture() const;
+
+  /// The last picture, read back.
+  Image image() const;
+
+  /// The id drawn at a pixel of the last picture, counted from the top left; kNoId where nothing is or outside.
+  std::int32_t id_at(int x, int y) const;
+
+ private:
+  struct Passes;
+  std::unique_ptr<Passes> passes_;
+};
+
+}  // namespace griffith::render

@@ -1,0 +1,58 @@
+#include "renderer/shader_program.h"
+
+#include <utility>
+
+#include "renderer/error.h"
+#include "renderer/shaders.h"
+#include "renderer/view.h"
+
+namespace griffith::render {
+namespace {
+
+template <class GetParameter, class GetLog>
+std::string read_log(GLuint object, GetParameter get_parameter, GetLog get_log) {
+  GLint length = 0;
+  get_parameter(object, GL_INFO_LOG_LENGTH, &length);
+  std::string log(static_cast<std::size_t>(length), '\0');
+  if (length > 0) get_log(object, length, nullptr, log.data());
+  return log.c_str();
+}
+
+void attach_stage(GLuint program, GLenum stage, const std::string& name, const char* source) {
+  const char* parts[] = {"#version 330 core\n", shaders::common_glsl, "#line 1 1\n", source};
+  const GLuint shader = glCreateShader(stage);
+  glShaderSource(shader, 4, parts, nullptr);
+  glCompileShader(shader);
+  GLint compiled = 0;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+  const std::string log = compiled ? "" : read_log(shader, glGetShaderiv, glGetShaderInfoLog);
+  glAttachShader(program, shader);
+  glDeleteShader(shader);  // lives on as long as the program
+  if (!compiled) {
+    throw RenderError("the driver rejects the " + std::string(stage == GL_VERTEX_SHADER ? "vertex" : "fragment") +
+                      " shader of " + name + ":\n" + log);
+  }
+}
+
+}  // namespace
+
+ShaderProgram::ShaderProgram(const std::string& name, const char* vertex_source, const char* fragment_source) {
+  attach_stage(program_.id(), GL_VERTEX_SHADER, name, vertex_source);
+  attach_stage(program_.id(), GL_FRAGMENT_SHADER, name, fragment_source);
+  glLinkProgram(program_.id());
+  GLint linked = 0;
+  glGetProgramiv(program_.id(), GL_LINK_STATUS, &linked);
+  if (!linked) {
+    throw RenderError("the driver can't link " + name + ":\n" +
+                      read_log(program_.id(), glGetProgramiv, glGetProgramInfoLog));
+  }
+  const GLuint block = glGetUniformBlockIndex(program_.id(), "View");
+  if (block != GL_INVALID_INDEX) glUniformBlockBinding(program_.id(), block, kViewBinding);
+  use();
+  const std::pair<const char*, int> samplers[] = {{"shadow_map", kShadowUnit}, {"color_table", kColorTableUnit},
+                                                  {"scalars", kScalarsUnit},   {"colors", kColorsUnit},
+                                                  {"ids", kIdsUnit},           {"flags", kFlagsUnit}};
+  for (const auto& [sampler, unit] : samplers) set(sampler, unit);
+}
+
+}  // namespace griffith::render

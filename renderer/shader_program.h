@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+#include "renderer/color.h"
+#include "renderer/gl_objects.h"
+
+namespace griffith::render {
+
+/// The texture units of all programs; every sampler is bound to the unit of its name.
+enum TextureUnit : int { kShadowUnit, kColorTableUnit, kScalarsUnit, kColorsUnit, kIdsUnit, kFlagsUnit };
+
+/// A vertex and a fragment shader, each preceded by shaders/common.glsl, linked. Throws RenderError with `name`, the
+/// stage and the driver's log if one is rejected.
+class ShaderProgram {
+ public:
+  ShaderProgram(const std::string& name, const char* vertex_source, const char* fragment_source);
+
+  void use() const { glUseProgram(program_.id()); }
+
+  // The program must be in use; a name that the linker dropped is ignored.
+  void set(const char* uniform, int value) const { glUniform1i(location(uniform), value); }
+  void set(const char* uniform, float value) const { glUniform1f(location(uniform), value); }
+  void set(const char* uniform, float x, float y) const { glUniform2f(location(uniform), x, y); }
+  void set(const char* uniform, const Rgb& color) const { glUniform3f(location(uniform), color.r, color.g, color.b); }
+  void set(const char* uniform, float x, float y, float z) const { glUniform3f(location(uniform), x, y, z); }
+
+ private:
+  GLint location(const char* uniform) const { return glGetUniformLocation(program_.id(), uniform); }
+
+  Program program_;
+};
+
+}  // namespace griffith::render

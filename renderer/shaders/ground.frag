@@ -1,0 +1,23 @@
+uniform vec3 center, color;
+uniform float radius, grid_spacing;  // [m]
+uniform float opacity;
+in vec3 position;
+layout(location = 0) out vec4 pixel_color;
+
+// 1 on the lines of a square grid of unit spacing, one pixel wide; fades out before lines crowd into moiré.
+float grid(vec2 place) {
+  vec2 dx = dFdx(place), dy = dFdy(place);
+  vec2 per_pixel = max(sqrt(dx * dx + dy * dy), 1e-6);
+  vec2 pixels = abs(fract(place - 0.5) - 0.5) / per_pixel;
+  vec2 lines = (1.0 - clamp(pixels - 0.1, 0.0, 1.0)) * (1.0 - smoothstep(0.1, 0.35, per_pixel));
+  return max(lines.x, lines.y);
+}
+
+void main() {
+  vec2 place = position.xz / grid_spacing;
+  float lines = max(0.45 * grid(place), 0.9 * grid(place / 10.0));
+  float shade = mix(0.55, 1.0, light_visibility(position, vec3(0, 1, 0)));
+  vec3 ground = linear_from_srgb(color) * shade * (1.0 - 0.35 * lines);
+  float fade = 1.0 - smoothstep(0.2, 1.0, length(position.xz - center.xz) / radius);
+  pixel_color = vec4(srgb_from_linear(ground), fade * opacity);
+}

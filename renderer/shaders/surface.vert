@@ -1,0 +1,14 @@
+uniform samplerBuffer scalars;
+uniform int scalars_per_triangle;  // 0: none; 1; 3: one per corner
+layout(location = 0) in vec3 corner;
+out vec3 position;
+out vec3 barycentric;
+out float scalar;
+
+void main() {
+  int k = gl_VertexID % 3;
+  position = corner;
+  barycentric = vec3(k == 0, k == 1, k == 2);
+  scalar = scalars_per_triangle == 3 ? texelFetch(scalars, gl_VertexID).r : 0.0;
+  gl_Position = view_projection * vec4(corner, 1.0);
+}

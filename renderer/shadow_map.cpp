@@ -1,0 +1,63 @@
+#include "renderer/shadow_map.h"
+
+#include <Eigen/Geometry>
+
+#include "renderer/shader_program.h"
+
+namespace griffith::render {
+namespace {
+
+using Eigen::Vector3f;
+
+constexpr int kSize = 2048;  // [texels]
+
+}  // namespace
+
+ShadowMap::ShadowMap() {
+  glActiveTexture(GL_TEXTURE0 + kShadowUnit);
+  glBindTexture(GL_TEXTURE_2D, depth_.id());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kSize, kSize, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
+  const GLfloat lit[] = {1, 1, 1, 1};  // outside of the map
+  glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, lit);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  const BoundFramebuffer previous;
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.id(), 0);
+  glDrawBuffer(GL_NONE);
+  glReadBuffer(GL_NONE);
+}
+
+void ShadowMap::begin() const {
+  const GLfloat depth = 1;
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  glViewport(0, 0, kSize, kSize);
+  glClearBufferfv(GL_DEPTH, 0, &depth);
+}
+
+void ShadowMap::bind() const {
+  glActiveTexture(GL_TEXTURE0 + kShadowUnit);
+  glBindTexture(GL_TEXTURE_2D, depth_.id());
+}
+
+ViewBlock ShadowMap::view(const Focus& focus) {
+  const Vector3f light = Vector3f(0.45f, 0.85f, 0.55f).normalized();
+  const Vector3f right = Vector3f::UnitY().cross(light).normalized();
+  Eigen::Matrix3f axes;
+  axes << right.transpose(), light.cross(right).transpose(), -light.transpose();
+  ViewBlock block;
+  block.view_projection.topLeftCorner<3, 3>() = axes / focus.radius;
+  block.view_projection.topRightCorner<3, 1>() = -axes * focus.center / focus.radius;
+  Mat4 to_unit_cube = Vec4(0.5f, 0.5f, 0.5f, 1).asDiagonal();
+  to_unit_cube.topRightCorner<3, 1>().setConstant(0.5f);
+  block.shadow_matrix = to_unit_cube * block.view_projection;
+  block.eye << light, 0;
+  block.light << light, 2 * focus.radius / kSize;
+  block.viewport = Vec4(kSize, kSize, 1, 0);
+  return block;
+}
+
+}  // namespace griffith::render

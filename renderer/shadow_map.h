@@ -1,0 +1,35 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "renderer/gl_objects.h"
+#include "renderer/view.h"
+
+namespace griffith::render {
+
+/// A ball that holds what matters in the picture: what casts and receives shadows.
+struct Focus {
+  Eigen::Vector3f center = Eigen::Vector3f::Zero();  ///< [m]
+  float radius = 1;                                  ///< [m]
+};
+
+/// The lamp's picture of a Focus: depth by parallel projection along the light.
+class ShadowMap {
+ public:
+  ShadowMap();
+
+  /// Clears the map and makes it what is drawn into. With nothing drawn all is lit.
+  void begin() const;
+
+  /// Makes the map what shaders look up.
+  void bind() const;
+
+  /// The view to draw the map with; its shadow_matrix and light serve for the picture's own view.
+  static ViewBlock view(const Focus& focus);
+
+ private:
+  Texture depth_;
+  Framebuffer framebuffer_;
+};
+
+}  // namespace griffith::render

@@ -1,0 +1,45 @@
+#include "renderer/sphere_pass.h"
+
+#include <type_traits>
+
+#include "renderer/shaders.h"
+#include "renderer/vertex_attribute.h"
+
+namespace griffith::render {
+
+static_assert(std::is_standard_layout_v<Sphere>, "uploaded as it is");
+
+SpherePass::SpherePass()
+    : program_("sphere", shaders::sphere_vert, shaders::sphere_frag),
+      shadow_program_("sphere shadow", shaders::sphere_vert, shaders::sphere_depth_frag) {
+  glBindVertexArray(vertices_.id());
+  glBindBuffer(GL_ARRAY_BUFFER, spheres_.id());
+  instance_floats(0, 3, sizeof(Sphere), offsetof(Sphere, center));
+  instance_floats(1, 1, sizeof(Sphere), offsetof(Sphere, radius));
+  instance_floats(2, 3, sizeof(Sphere), offsetof(Sphere, color));
+  instance_integer(3, sizeof(Sphere), offsetof(Sphere, id));
+}
+
+void SpherePass::upload(const std::vector<Sphere>& spheres) {
+  count_ = static_cast<GLsizei>(spheres.size());
+  spheres_.upload(spheres);
+}
+
+void SpherePass::draw_shadow() const {
+  shadow_program_.use();
+  draw_squares();
+}
+
+void SpherePass::draw() const {
+  program_.use();
+  glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);  // smooth outlines; nothing happens with one sample
+  draw_squares();
+  glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+}
+
+void SpherePass::draw_squares() const {
+  glBindVertexArray(vertices_.id());
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count_);
+}
+
+}  // namespace griffith::render

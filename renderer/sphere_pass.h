@@ -1,0 +1,26 @@
+#pragma once
+
+#include "renderer/draw_scene.h"
+#include "renderer/shader_program.h"
+#include "renderer/stream_buffer.h"
+
+namespace griffith::render {
+
+/// Spheres, each a square in which the fragment shader finds the exact sphere; one instanced draw call.
+class SpherePass {
+ public:
+  SpherePass();
+  void upload(const std::vector<Sphere>& spheres);
+  void draw_shadow() const;
+  void draw() const;
+
+ private:
+  void draw_squares() const;
+
+  ShaderProgram program_, shadow_program_;
+  VertexArray vertices_;
+  StreamBuffer spheres_;
+  GLsizei count_ = 0;
+};
+
+}  // namespace griffith::render

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "renderer/draw_scene.h"
+#include "renderer/shader_program.h"
+#include "renderer/stream_buffer.h"
+
+namespace griffith::render {
+
+/// Lines and points of fixed width on the screen, anti-aliased, in one instanced draw call. They cast no shadow.
+class StrokePass {
+ public:
+  StrokePass();
+  void upload(const DrawScene& scene);
+  void draw() const;
+
+ private:
+  /// A point is a stroke of no length.
+  struct Stroke {
+    Eigen::Vector3f start, end;  // [m]
+    Rgb color;
+    float width;  // [pixels]
+    std::int32_t id;
+  };
+
+  ShaderProgram program_;
+  VertexArray vertices_;
+  StreamBuffer buffer_;
+  std::vector<Stroke> strokes_;
+};
+
+}  // namespace griffith::render

@@ -1,0 +1,89 @@
+#include "renderer/surface_pass.h"
+
+#include <cassert>
+
+#include "renderer/shaders.h"
+
+namespace griffith::render {
+namespace {
+
+/// 0, 1 or 3.
+int scalars_per_triangle(const Surface& surface) {
+  const std::size_t triangles = surface.positions.size() / 3;
+  return triangles == 0 ? 0 : static_cast<int>(surface.scalars.size() / triangles);
+}
+
+void check_sizes([[maybe_unused]] const Surface& surface) {
+  [[maybe_unused]] const std::size_t triangles = surface.positions.size() / 3;
+  assert(surface.positions.size() == 3 * triangles);
+  assert(surface.scalars.empty() || surface.scalars.size() == triangles || surface.scalars.size() == 3 * triangles);
+  assert(surface.colors.empty() || surface.colors.size() == triangles);
+  assert(surface.ids.empty() || surface.ids.size() == triangles);
+  assert(surface.flags.empty() || surface.flags.size() == triangles);
+}
+
+void upload_color_table(const Texture& texture, const ColorTable& table) {
+  glBindTexture(GL_TEXTURE_2D, texture.id());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kColorTableSize, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, table.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+}  // namespace
+
+SurfacePass::SurfacePass()
+    : program_("surface", shaders::surface_vert, shaders::surface_frag),
+      shadow_program_("surface shadow", shaders::surface_vert, shaders::depth_frag) {
+  glActiveTexture(GL_TEXTURE0 + kColorTableUnit);
+  for (const ColorMap map : kColorMaps) {
+    upload_color_table(color_tables_[static_cast<std::size_t>(map)], color_table(map));
+  }
+  glBindVertexArray(vertices_.id());
+  glBindBuffer(GL_ARRAY_BUFFER, positions_.id());
+  glEnableVertexAttribArray(0);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Eigen::Vector3f), nullptr);
+}
+
+void SurfacePass::upload(const Surface& surface) {
+  check_sizes(surface);
+  corners_ = static_cast<GLsizei>(surface.positions.size());
+  positions_.upload(surface.positions);
+  scalars_.upload(surface.scalars);
+  colors_.upload(surface.colors, 3);
+  ids_.upload(surface.ids);
+  flags_.upload(surface.flags);
+}
+
+void SurfacePass::draw_shadow() const {
+  shadow_program_.use();
+  draw_triangles();
+}
+
+void SurfacePass::draw(const Surface& surface, const RenderOptions& options) const {
+  const ScalarStyle& style = surface.scalar_style;
+  program_.use();
+  program_.set("scalars_per_triangle", scalars_per_triangle(surface));
+  program_.set("scalar_range", style.minimum, style.maximum);
+  program_.set("has_colors", !surface.colors.empty());
+  program_.set("has_ids", !surface.ids.empty());
+  program_.set("has_flags", !surface.flags.empty());
+  program_.set("plain_color", surface.color);
+  program_.set("nan_color", kNanColor);
+  program_.set("draw_edges", options.edges);
+  program_.set("edge_width", options.edge_width);
+  program_.set("unlit", options.unlit_scalars);
+  glActiveTexture(GL_TEXTURE0 + kColorTableUnit);
+  glBindTexture(GL_TEXTURE_2D, color_tables_[static_cast<std::size_t>(style.color_map)].id());
+  draw_triangles();
+}
+
+void SurfacePass::draw_triangles() const {
+  scalars_.bind(kScalarsUnit);
+  colors_.bind(kColorsUnit);
+  ids_.bind(kIdsUnit);
+  flags_.bind(kFlagsUnit);
+  glBindVertexArray(vertices_.id());
+  glDrawArrays(GL_TRIANGLES, 0, corners_);
+}
+
+}  // namespace griffith::render

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "renderer/gl_objects.h"
+
+namespace griffith::render {
+
+inline constexpr GLuint kViewBinding = 0;
+
+using Mat4 = Eigen::Matrix<float, 4, 4, Eigen::DontAlign>;  // packed as in std140
+using Vec4 = Eigen::Matrix<float, 4, 1, Eigen::DontAlign>;
+
+/// What all shaders know about the picture: the uniform block `View` of shaders/common.glsl, std140.
+struct ViewBlock {
+  Mat4 view_projection = Mat4::Identity();
+  Mat4 shadow_matrix = Mat4::Identity();
+  Vec4 eye = Vec4::UnitW();
+  Vec4 light = Vec4::UnitY();
+  Vec4 viewport = Vec4::Zero();
+};
+static_assert(sizeof(ViewBlock) == (2 * 16 + 3 * 4) * sizeof(float));
+
+/// A ViewBlock on the device.
+class ViewBuffer {
+ public:
+  /// Uploads and makes it the block that programs read.
+  void bind(const ViewBlock& block) const;
+
+ private:
+  Buffer buffer_;
+};
+
+}  // namespace griffith::render

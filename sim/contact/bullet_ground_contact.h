@@ -1,0 +1,35 @@
+#pragma once
+
+// Private to sim/contact.
+
+#include <btBulletDynamicsCommon.h>
+
+namespace griffith::contact {
+
+/// Contacts of a hull with a plane: every corner near the plane at once, where Bullet's own algorithm finds one a step.
+class HullGroundAlgorithm final : public btCollisionAlgorithm {
+ public:
+  HullGroundAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* hull,
+                      const btCollisionObjectWrapper* plane, bool plane_first);
+  ~HullGroundAlgorithm() override;
+  void processCollision(const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second,
+                        const btDispatcherInfo&, btManifoldResult* result) override;
+  btScalar calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&,
+                                 btManifoldResult*) override {
+    return 1;
+  }
+  void getAllContactManifolds(btManifoldArray& manifolds) override { manifolds.push_back(manifold_); }
+
+  /// Makes the algorithm for (hull, plane) and, with `m_swapped`, for (plane, hull).
+  struct Factory final : btCollisionAlgorithmCreateFunc {
+    btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
+                                                   const btCollisionObjectWrapper* first,
+                                                   const btCollisionObjectWrapper* second) override;
+  };
+
+ private:
+  btPersistentManifold* manifold_;
+  bool plane_first_;
+};
+
+}  // namespace griffith::contact

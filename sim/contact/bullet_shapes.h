@@ -1,0 +1,56 @@
+#pragma once
+
+// Private to sim/contact: the collision shapes of the contact world.
+
+#include <btBulletDynamicsCommon.h>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "sim/contact/contact_world.h"
+
+namespace griffith::contact {
+
+inline btVector3 to_bullet(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+inline Vec3 from_bullet(const btVector3& v) { return {v.x(), v.y(), v.z()}; }
+inline btTransform to_bullet(const Pose& pose) {
+  const Quat& q = pose.rotation;
+  return btTransform(btQuaternion(q.x(), q.y(), q.z(), q.w()), to_bullet(pose.translation));
+}
+
+/// A contact begins when a gap is smaller than this share of the smaller object's radius.
+inline constexpr double kContactReach = 0.02;
+
+/// A convex hull whose rounded surface is the true surface: the corners are moved inward by the margin that the narrow
+/// phase adds again. Overlaps up to twice the margin are then found by the distance algorithm, quickly and smoothly.
+class HullShape final : public btConvexHullShape {
+ public:
+  explicit HullShape(const ConvexPart& corners);
+  /// The true corners, for contacts with the ground.
+  const std::vector<btVector3>& corners() const { return corners_; }
+  /// Wider by the distance at which contacts begin, so that the parts of a compound meet in time.
+  void getAabb(const btTransform& transform, btVector3& minimum, btVector3& maximum) const override;
+  btScalar getContactBreakingThreshold(btScalar) const override { return contact_reach_; }
+
+ private:
+  std::vector<btVector3> corners_;
+  btScalar contact_reach_;
+};
+
+/// What an object is made of: one convex part, several in a compound, or a plane and no part.
+struct Shape {
+  std::vector<std::unique_ptr<btConvexShape>> parts;  ///< in the object's own frame
+  std::unique_ptr<btCollisionShape> whole;            ///< the compound or the plane
+  double radius = 0;  ///< of a sphere round the object's origin that holds all parts [m]
+
+  btCollisionShape* root() const { return whole ? whole.get() : parts.front().get(); }
+};
+
+Shape sphere_shape(double radius);
+/// The half space below `height`, for an object at the origin.
+Shape ground_shape(double height);
+/// Hulls of the parts, turned by `rotation` (body frame to the frame of the principal axes of inertia).
+Shape hull_shape(std::span<const ConvexPart> parts, const Quat& rotation);
+
+}  // namespace griffith::contact

@@ -1,0 +1,220 @@
+#include "sim/contact/bullet_world.h"
+
+#include <Eigen/Eigenvalues>
+#include <cassert>
+
+namespace griffith {
+
+using namespace contact;
+
+namespace {
+
+constexpr int kMovingGroup = 1, kFixedGroup = 2;
+constexpr int kRetired = -1;
+
+[[maybe_unused]] bool is_valid(const RigidState& state) {
+  return state.pose.translation.allFinite() && state.pose.rotation.coeffs().allFinite() && state.velocity.allFinite() &&
+         state.angular_velocity.allFinite();
+}
+
+bool is_retired(const btBroadphaseProxy* proxy) {
+  return static_cast<const btCollisionObject*>(proxy->m_clientObject)->getUserIndex() == kRetired;
+}
+
+struct DeletePairs final : btOverlapCallback {
+  bool all = false;
+  bool processOverlap(btBroadphasePair& pair) override {
+    return all || is_retired(pair.m_pProxy0) || is_retired(pair.m_pProxy1);
+  }
+};
+
+/// Principal moments [kg·m²] and the rotation from the principal axes to the object's frame.
+struct PrincipalInertia {
+  Vec3 moments;
+  Quat axes;
+};
+
+PrincipalInertia principal_inertia(const Mat3& inertia) {
+  const Eigen::SelfAdjointEigenSolver<Mat3> eigen(inertia);
+  Mat3 axes = eigen.eigenvectors();
+  if (axes.determinant() < 0) axes.col(2) = -axes.col(2);
+  return {eigen.eigenvalues(), Quat(axes)};
+}
+
+}  // namespace
+
+namespace contact {
+
+void CollisionWorld::updateAabbs() {
+  for (int i = 0; i < m_collisionObjects.size(); ++i) {
+    const btCollisionObject* object = m_collisionObjects[i];
+    btBroadphaseProxy* proxy = m_collisionObjects[i]->getBroadphaseHandle();
+    btVector3 minimum, maximum;
+    object->getCollisionShape()->getAabb(object->getWorldTransform(), minimum, maximum);
+    if (!object->getCollisionShape()->isInfinite()) {
+      const btScalar reach = object->getCollisionShape()->getContactBreakingThreshold(kContactReach);
+      minimum -= btVector3(reach, reach, reach);
+      maximum += btVector3(reach, reach, reach);
+    }
+    if (minimum != proxy->m_aabbMin || maximum != proxy->m_aabbMax)
+      tree_->setAabbForceUpdate(proxy, minimum, maximum, getDispatcher());
+  }
+}
+
+}  // namespace contact
+
+ContactWorld::Impl::Impl(const Vec3& world_gravity)
+    : gravity(world_gravity),
+      dispatcher(&configuration),
+      broadphase(&pairs),
+      world(&dispatcher, &broadphase, &configuration) {
+  assert(gravity.allFinite());
+  broadphase.m_cupdates = 100;  // drop pairs as soon as they part
+  ground_hull.m_swapped = true;
+  dispatcher.registerCollisionCreateFunc(CONVEX_HULL_SHAPE_PROXYTYPE, STATIC_PLANE_PROXYTYPE, &hull_ground);
+  dispatcher.registerCollisionCreateFunc(STATIC_PLANE_PROXYTYPE, CONVEX_HULL_SHAPE_PROXYTYPE, &ground_hull);
+  dispatcher.registerCollisionCreateFunc(CONVEX_HULL_SHAPE_PROXYTYPE, CONVEX_HULL_SHAPE_PROXYTYPE, &hull_hull);
+  // Unlike the special one for two spheres, the general algorithm sees them before they overlap.
+  dispatcher.registerCollisionCreateFunc(
+      SPHERE_SHAPE_PROXYTYPE, SPHERE_SHAPE_PROXYTYPE,
+      configuration.getCollisionAlgorithmCreateFunc(CONVEX_HULL_SHAPE_PROXYTYPE, CONVEX_HULL_SHAPE_PROXYTYPE));
+  settings.m_solverMode =
+      SOLVER_USE_WARMSTARTING | SOLVER_USE_2_FRICTION_DIRECTIONS | SOLVER_ENABLE_FRICTION_DIRECTION_CACHING;
+  settings.m_warmstartingFactor = 1;
+  settings.m_numIterations = 30;
+  settings.m_leastSquaresResidualThreshold = 1e-16;  // [m²/s²], ends early
+  settings.m_splitImpulse = true;
+  settings.m_restitutionVelocityThreshold = kQuietSpeed;
+  settings.m_splitImpulsePenetrationThreshold = 0;
+}
+
+ContactWorld::Impl::~Impl() {
+  DeletePairs delete_pairs;
+  delete_pairs.all = true;
+  pairs.processAllOverlappingPairs(&delete_pairs, &dispatcher);
+}
+
+ProxyId ContactWorld::Impl::add(Object object, const RigidMass& mass) {
+  const ProxyId id(objects.size());
+  objects.push_back(std::move(object));
+  attach(id, mass);
+  return id;
+}
+
+void ContactWorld::Impl::attach(ProxyId id, const RigidMass& mass) {
+  Object& object = objects[id];
+  const bool is_free = object.mobility == Mobility::free;
+  assert(!is_free || (mass.mass > 0 && mass.inertia.allFinite()));
+  const btVector3 moments = is_free ? to_bullet(principal_inertia(mass.inertia).moments) : btVector3(0, 0, 0);
+  object.body = std::make_unique<btRigidBody>(is_free ? mass.mass : 0, nullptr, object.shape.root(), moments);
+  object.body->setUserIndex(id);
+  object.body->setFlags(0);  // no gyroscopic torque: the owner of a stand-in knows its rotation
+  object.body->setActivationState(DISABLE_DEACTIVATION);
+  if (object.kind != Kind::ground && !is_free) object.body->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+  place(object);
+  world.addCollisionObject(object.body.get(), is_free ? kMovingGroup : kFixedGroup,
+                           is_free ? kMovingGroup | kFixedGroup : kMovingGroup);
+  object.fresh = true;
+}
+
+void ContactWorld::Impl::retire(Object& object) {
+  object.body->setUserIndex(kRetired);
+  retired.push_back({std::move(object.shape), std::move(object.body)});
+  manifolds.clear();
+  contacts.clear();
+}
+
+void ContactWorld::Impl::delete_retired() {
+  if (retired.empty()) return;
+  DeletePairs delete_pairs;
+  pairs.processAllOverlappingPairs(&delete_pairs, &dispatcher);
+  for (Retired& object : retired) world.removeCollisionObject(object.body.get());
+  retired.clear();
+}
+
+void ContactWorld::Impl::place(Object& object) {
+  assert(is_valid(object.state));
+  Pose pose = object.state.pose;
+  pose.rotation = pose.rotation * object.principal;
+  object.body->setWorldTransform(to_bullet(pose));
+  object.body->setLinearVelocity(to_bullet(object.state.velocity));
+  object.body->setAngularVelocity(to_bullet(object.state.angular_velocity));
+  object.body->updateInertiaTensor();
+}
+
+ContactWorld::ContactWorld(const Vec3& gravity) : impl_(std::make_unique<Impl>(gravity)) {}
+ContactWorld::~ContactWorld() = default;
+ContactWorld::ContactWorld(ContactWorld&&) noexcept = default;
+ContactWorld& ContactWorld::operator=(ContactWorld&&) noexcept = default;
+
+ProxyId ContactWorld::add_ground(double height, const SurfaceProperties& surface) {
+  impl_->ground_height = height;
+  return impl_->add(
+      {.kind = Kind::ground, .mobility = Mobility::held, .shape = ground_shape(height), .surface = surface}, {});
+}
+
+ProxyId ContactWorld::add_sphere(double radius, double mass, const RigidState& state,
+                                 const SurfaceProperties& surface) {
+  const RigidMass rigid_mass{mass, 0.4 * mass * radius * radius * Mat3::Identity()};
+  return impl_->add({.kind = Kind::sphere,
+                     .mobility = Mobility::free,
+                     .shape = sphere_shape(radius),
+                     .state = state,
+                     .surface = surface},
+                    rigid_mass);
+}
+
+ProxyId ContactWorld::add_stand_in(std::span<const ConvexPart> parts, const RigidMass& mass, Mobility mobility,
+                                   const RigidState& state, const SurfaceProperties& surface) {
+  const Quat principal = principal_inertia(mass.inertia).axes;
+  return impl_->add({.kind = Kind::stand_in,
+                     .mobility = mobility,
+                     .shape = hull_shape(parts, principal.conjugate()),
+                     .state = state,
+                     .principal = principal,
+                     .surface = surface},
+                    mass);
+}
+
+void ContactWorld::reshape(ProxyId stand_in, std::span<const ConvexPart> parts, const RigidMass& mass,
+                           Mobility mobility, const RigidState& state) {
+  Object& object = impl_->objects[stand_in];
+  assert(object.kind == Kind::stand_in && object.body);
+  impl_->retire(object);
+  object.mobility = mobility;
+  object.state = state;
+  object.principal = principal_inertia(mass.inertia).axes;
+  object.shape = hull_shape(parts, object.principal.conjugate());
+  impl_->attach(stand_in, mass);
+}
+
+void ContactWorld::remove(ProxyId object) {
+  assert(impl_->objects[object].body);
+  impl_->retire(impl_->objects[object]);
+}
+
+void ContactWorld::set_state(ProxyId object, const RigidState& state) {
+  Object& changed = impl_->objects[object];
+  assert(changed.kind != Kind::ground && changed.body);
+  changed.state = state;
+  impl_->place(changed);
+}
+
+void ContactWorld::set_surface(ProxyId object, const SurfaceProperties& surface) {
+  impl_->objects[object].surface = surface;
+}
+
+RigidState ContactWorld::state(ProxyId object) const { return impl_->objects[object].state; }
+void ContactWorld::detect() { impl_->detect(); }
+std::span<Contact> ContactWorld::contacts() { return impl_->contacts; }
+std::span<const Contact> ContactWorld::contacts() const { return impl_->contacts; }
+void ContactWorld::solve(double dt) { impl_->solve(dt); }
+ContactWorld::Correction ContactWorld::position_correction(ProxyId stand_in) const {
+  return impl_->objects[stand_in].correction;
+}
+bool ContactWorld::impact_expected(double dt, double minimum_speed) const {
+  return impl_->impact_expected(dt, minimum_speed);
+}
+double ContactWorld::max_penetration() const { return impl_->max_penetration; }
+
+}  // namespace griffith

@@ -1,0 +1,43 @@
+#include "sim/elasticity/polar_decomposition.h"
+
+#include <Eigen/SVD>
+#include <cmath>
+
+namespace griffith {
+namespace {
+
+Mat3 cofactor(const Mat3& m) {
+  Mat3 c;
+  c.col(0) = m.col(1).cross(m.col(2));
+  c.col(1) = m.col(2).cross(m.col(0));
+  c.col(2) = m.col(0).cross(m.col(1));
+  return c;
+}
+
+Mat3 polar_rotation_by_svd(const Mat3& m) {
+  const Eigen::JacobiSVD<Mat3> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Mat3 u = svd.matrixU();
+  if ((u * svd.matrixV().transpose()).determinant() < 0) u.col(2) = -u.col(2);
+  return u * svd.matrixV().transpose();
+}
+
+}  // namespace
+
+Mat3 polar_rotation(const Mat3& deformation_gradient) {
+  // Newton's iteration Q <- (Q + Q^-T)/2 (Higham 1986): two or three rounds for the small strains of stiff bodies.
+  constexpr int kMaxIterations = 12;
+  constexpr double kTolerance = 1e-30;  // of the squared change: convergence is quadratic
+  Mat3 q = deformation_gradient;
+  for (int i = 0; i < kMaxIterations; ++i) {
+    const Mat3 c = cofactor(q);
+    const double determinant = q.col(0).dot(c.col(0));
+    if (!(determinant > 1e-3)) break;
+    const Mat3 next = 0.5 * (q + c / determinant);
+    const double change = (next - q).squaredNorm();
+    q = next;
+    if (change < kTolerance) return q;
+  }
+  return polar_rotation_by_svd(deformation_gradient);
+}
+
+}  // namespace griffith

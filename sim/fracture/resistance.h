@@ -1,0 +1,13 @@
+#pragma once
+
+#include "sim/elasticity/material.h"
+
+namespace griffith {
+
+/// What a node withstands: the tensile strength, and at a crack front no more than the stress that the mesh shows at
+/// distance h from a crack at its critical load, c·K_Ic/√(2πh) (Irwin 1957; c = 1.3 measured on edge cracks of 4 to 64
+/// elements, ±20 %). With the force criterion it is the separation toughness [N].
+///   element_size  h, local edge length [m]
+double resistance(const Material& material, bool at_crack_front, double element_size);
+
+}  // namespace griffith

@@ -1,0 +1,120 @@
+#include "sim/fracture/split.h"
+
+#include <algorithm>
+#include <cassert>
+#include <set>
+
+#include "sim/mesh/topology.h"
+
+namespace griffith {
+namespace {
+
+struct CutFace {
+  TetId tet;
+  int face;
+  TetId neighbour;
+};
+
+Vec3 centroid(const TetMesh& mesh, std::span<const Vec3> positions, TetId tet) {
+  Vec3 sum = Vec3::Zero();
+  for (NodeId corner : mesh.tets[tet]) sum += positions[corner];
+  return sum / 4;
+}
+
+int face_towards(const TetMesh& mesh, TetId tet, TetId neighbour) {
+  const auto& links = mesh.neighbours[tet];
+  return static_cast<int>(std::find(links.begin(), links.end(), neighbour) - links.begin());
+}
+
+/// Faces at the node that join tets on opposite sides of the plane, each once.
+std::vector<CutFace> faces_across(const TetMesh& mesh, std::span<const Vec3> positions, NodeId node,
+                                  const Vec3& normal) {
+  const auto above = [&](TetId tet) { return normal.dot(centroid(mesh, positions, tet) - positions[node]) > 0; };
+  std::vector<CutFace> faces;
+  for (TetId tet : mesh.stars[node]) {
+    if (!above(tet)) continue;
+    for (int face = 0; face < 4; ++face) {
+      const TetId neighbour = mesh.neighbours[tet][face];
+      const bool at_node = mesh.tets[tet][face] != node;
+      if (at_node && neighbour.valid() && !above(neighbour)) faces.push_back({tet, face, neighbour});
+    }
+  }
+  return faces;
+}
+
+void cut(TetMesh& mesh, const std::vector<CutFace>& faces) {
+  for (const CutFace& cut_face : faces) {
+    mesh.neighbours[cut_face.neighbour][face_towards(mesh, cut_face.neighbour, cut_face.tet)] = TetId();
+    mesh.neighbours[cut_face.tet][cut_face.face] = TetId();
+  }
+}
+
+/// Undoes cut(): the faces still match because no node has been copied yet.
+void join(TetMesh& mesh, const std::vector<CutFace>& faces) {
+  for (const CutFace& cut_face : faces) {
+    mesh.neighbours[cut_face.tet][cut_face.face] = cut_face.neighbour;
+    const auto& corners = mesh.tets[cut_face.neighbour];
+    for (int i = 0; i < 4; ++i)
+      if (local_corner(mesh, cut_face.tet, corners[i]) < 0) mesh.neighbours[cut_face.neighbour][i] = cut_face.tet;
+  }
+}
+
+/// Whether the face-connected piece of `start` has at least `count` tets; looks no further.
+bool piece_has(const TetMesh& mesh, TetId start, int count) {
+  std::vector<TetId> piece = {start};
+  for (std::size_t next = 0; next < piece.size() && static_cast<int>(piece.size()) < count; ++next)
+    for (TetId neighbour : mesh.neighbours[piece[next]])
+      if (neighbour.valid() && std::find(piece.begin(), piece.end(), neighbour) == piece.end())
+        piece.push_back(neighbour);
+  return static_cast<int>(piece.size()) >= count;
+}
+
+/// Gives every component of the node's star but the first a copy of the node.
+void part_node(TetMesh& mesh, NodeId node, SplitResult& result) {
+  std::vector<std::vector<TetId>> components = star_components(mesh, node);
+  std::stable_sort(components.begin(), components.end(),
+                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  for (std::size_t i = 1; i < components.size(); ++i) {
+    const NodeId copy(mesh.node_count());
+    mesh.rest_positions.push_back(Vec3(mesh.rest_positions[node]));
+    for (TetId tet : components[i]) std::replace(mesh.tets[tet].begin(), mesh.tets[tet].end(), node, copy);
+    mesh.stars.push_back(std::move(components[i]));
+    result.copies.push_back({node, copy});
+  }
+  if (components.size() > 1) {
+    mesh.stars[node] = std::move(components.front());
+  } else {
+    result.front.push_back(node);
+  }
+}
+
+}  // namespace
+
+SplitResult split_node(TetMesh& mesh, std::span<const Vec3> positions, NodeId node, const Vec3& normal,
+                       int min_fragment_tets) {
+  SplitResult result;
+  const std::vector<CutFace> faces = faces_across(mesh, positions, node, normal);
+  if (faces.empty()) return result;
+
+  cut(mesh, faces);
+  for (const CutFace& face : faces)
+    for (TetId tet : {face.tet, face.neighbour})
+      if (min_fragment_tets > 1 && !piece_has(mesh, tet, min_fragment_tets)) {
+        join(mesh, faces);
+        result.too_small = true;
+        return result;
+      }
+
+  std::set<NodeId> touched = {node};
+  std::set<TetId> changed;
+  for (const CutFace& face : faces) {
+    changed.insert({face.tet, face.neighbour});
+    for (int i = 0; i < 4; ++i)
+      if (i != face.face) touched.insert(mesh.tets[face.tet][i]);
+  }
+  for (NodeId touched_node : touched) part_node(mesh, touched_node, result);
+  result.changed_tets.assign(changed.begin(), changed.end());
+  return result;
+}
+
+}  // namespace griffith

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace griffith {
+
+// Unaligned types: they pack tightly in arrays and are safe members of any value type.
+using Vec2 = Eigen::Vector2d;
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+using Quat = Eigen::Quaternion<double, Eigen::DontAlign>;
+
+/// A rigid placement: world = rotation · local + translation [m].
+struct Pose {
+  Vec3 translation = Vec3::Zero();
+  Quat rotation = Quat::Identity();
+
+  Vec3 to_world(const Vec3& local) const { return rotation * local + translation; }
+  Vec3 to_local(const Vec3& world) const { return rotation.conjugate() * (world - translation); }
+};
+
+}  // namespace griffith

@@ -1,0 +1,78 @@
+#include <algorithm>
+#include <map>
+
+#include "sim/mesh/topology.h"
+
+namespace griffith {
+namespace {
+
+constexpr std::size_t kMaxFindings = 20;
+
+class Findings {
+ public:
+  /// Notes "`what` `index` `problem`" unless it holds or the list is full.
+  void require(bool holds, const char* what, int index, const char* problem) {
+    if (!holds && list.size() < kMaxFindings)
+      list.push_back(std::string(what) + " " + std::to_string(index) + " " + problem);
+  }
+  std::vector<std::string> list;
+};
+
+std::array<NodeId, 3> sorted_face(const TetMesh& mesh, TetId tet, int face) {
+  auto nodes = face_nodes(mesh, tet, face);
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+void check_tets(const TetMesh& mesh, Findings& findings) {
+  for (int tet = 0; tet < mesh.tet_count(); ++tet) {
+    for (NodeId node : mesh.tets[tet])
+      findings.require(node >= 0 && node < mesh.node_count(), "tet", tet, "has a corner that does not exist");
+    for (TetId other : mesh.neighbours[tet])
+      findings.require(other < mesh.tet_count(), "tet", tet, "has a neighbour that does not exist");
+    if (findings.list.empty())
+      findings.require(rest_volume(mesh, TetId(tet)) > 0, "tet", tet, "has no positive volume");
+  }
+}
+
+/// The tets at each face, by the face's nodes: links must say the same.
+void check_links(const TetMesh& mesh, Findings& findings) {
+  std::map<std::array<NodeId, 3>, std::vector<TetId>> tets_of_face;
+  for (int tet = 0; tet < mesh.tet_count(); ++tet)
+    for (int face = 0; face < 4; ++face) tets_of_face[sorted_face(mesh, TetId(tet), face)].push_back(TetId(tet));
+  for (int tet = 0; tet < mesh.tet_count(); ++tet)
+    for (int face = 0; face < 4; ++face) {
+      const auto& sharing = tets_of_face[sorted_face(mesh, TetId(tet), face)];
+      findings.require(sharing.size() <= 2, "tet", tet, "has a face shared by more than two tets");
+      const TetId other = sharing.size() < 2 ? TetId() : sharing[0] == tet ? sharing[1] : sharing[0];
+      findings.require(mesh.neighbours[tet][face] == other, "tet", tet,
+                       "has a link that disagrees with the shared nodes");
+    }
+}
+
+void check_stars(const TetMesh& mesh, Findings& findings) {
+  std::vector<std::vector<TetId>> stars(mesh.rest_positions.size());
+  for (int tet = 0; tet < mesh.tet_count(); ++tet)
+    for (NodeId node : mesh.tets[tet]) stars[node].push_back(TetId(tet));
+  for (int node = 0; node < mesh.node_count(); ++node) {
+    findings.require(!stars[node].empty(), "node", node, "belongs to no tet");
+    findings.require(mesh.stars[node] == stars[node], "node", node, "has a wrong star");
+    findings.require(star_components(mesh, NodeId(node)).size() <= 1, "node", node,
+                     "joins parts that share no face there");
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> check_invariants(const TetMesh& mesh) {
+  if (mesh.neighbours.size() != mesh.tets.size()) return {"neighbours and tets differ in number"};
+  if (mesh.stars.size() != mesh.rest_positions.size()) return {"stars and nodes differ in number"};
+  Findings findings;
+  check_tets(mesh, findings);
+  if (!findings.list.empty()) return findings.list;
+  check_links(mesh, findings);
+  check_stars(mesh, findings);
+  return findings.list;
+}
+
+}  // namespace griffith

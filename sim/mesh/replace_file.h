@@ -1,0 +1,12 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace griffith {
+
+/// Writes `content` beside `path`, then renames it to `path`: an interrupted write leaves the old file as it was.
+/// Throws InputError when the file cannot be written.
+void replace_file(const std::filesystem::path& path, std::string_view content);
+
+}  // namespace griffith

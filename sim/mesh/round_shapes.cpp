@@ -1,0 +1,200 @@
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "sim/error.h"
+#include "sim/mesh/box_mesh.h"
+#include "sim/mesh/hex_mesh.h"
+#include "sim/mesh/shapes.h"
+
+namespace griffith {
+namespace {
+
+// The core's corners lie at this part of the radius, and its sides bulge half-way to a circle: cells of even shape.
+constexpr double kCoreRadius = 0.6;
+constexpr double kCoreBulge = 0.5;
+
+/// The point of the unit circle (z = 0) or sphere over the point `q` ≠ 0 of the square or cube: equal steps on a side
+/// give equal angles (Ronchi, Iacono and Paolucci 1996, the equiangular cubed sphere).
+Vec3 radial_direction(const Vec3& q) {
+  const Vec3 angles = std::numbers::pi / 4 * q / q.cwiseAbs().maxCoeff();
+  return angles.array().tan().matrix().normalized();
+}
+
+/// The image in a unit ball of dimension `dimensions` of core point q (in [−1, 1]³), moved outwards by `outwards` in
+/// 0..1.
+Vec3 ball_point(const Vec3& q, double outwards, int dimensions) {
+  if (q.isZero()) return q;
+  const Vec3 direction = radial_direction(q);
+  const Vec3 bulged = q.cwiseAbs().maxCoeff() * direction;
+  const Vec3 core = kCoreRadius * ((1 - kCoreBulge) / std::sqrt(dimensions) * q + kCoreBulge * bulged);
+  return (1 - outwards) * core + outwards * direction;
+}
+
+struct BallCells {
+  int core, shells;
+};
+
+BallCells ball_cells(double radius, double element_size, int dimensions, const char* what) {
+  const BallCells cells = {std::max(2, cell_count(1.2 * radius, element_size, what)),
+                           cell_count(0.45 * radius, element_size, what)};
+  const double total = std::pow(cells.core, dimensions - 1) * (cells.core + 2.0 * dimensions * cells.shells);
+  if (total > kMaxCells) throw InputError(what, "the element size asks for too many cells", "make the elements larger");
+  return cells;
+}
+
+/// A node of a planar mesh: lattice point and layer, the numbers a HexMeshBuilder knows it by.
+struct PlanarNode {
+  int i, j, layer;
+};
+/// Corner c lies at the local coordinates (c & 1, c >> 1).
+using PlanarCell = std::array<PlanarNode, 4>;
+
+/// The lattice points round a rectangle of nx × ny cells, in turn.
+std::vector<PlanarNode> perimeter(int nx, int ny) {
+  std::vector<PlanarNode> loop;
+  for (int i = 0; i < nx; ++i) loop.push_back({i, 0, 0});
+  for (int j = 0; j < ny; ++j) loop.push_back({nx, j, 0});
+  for (int i = nx; i > 0; --i) loop.push_back({i, ny, 0});
+  for (int j = ny; j > 0; --j) loop.push_back({0, j, 0});
+  return loop;
+}
+
+void add_lattice(std::vector<PlanarCell>& cells, int first_i, int last_i, int first_j, int last_j) {
+  for (int j = first_j; j < last_j; ++j)
+    for (int i = first_i; i < last_i; ++i)
+      cells.push_back({{{i, j, 0}, {i + 1, j, 0}, {i, j + 1, 0}, {i + 1, j + 1, 0}}});
+}
+
+/// `layers` rings of cells on a closed loop.
+void add_rings(std::vector<PlanarCell>& cells, const std::vector<PlanarNode>& loop, int layers) {
+  for (std::size_t s = 0; s < loop.size(); ++s) {
+    const PlanarNode a = loop[s], b = loop[(s + 1) % loop.size()];
+    for (int layer = 0; layer < layers; ++layer)
+      cells.push_back({{{a.i, a.j, layer}, {b.i, b.j, layer}, {a.i, a.j, layer + 1}, {b.i, b.j, layer + 1}}});
+  }
+}
+
+/// Sweeps planar cells along z, from −length/2 to length/2.
+HexMesh sweep(const std::vector<PlanarCell>& cells, const std::function<Vec2(const PlanarNode&)>& position,
+              double length, int levels) {
+  if (double(cells.size()) * levels > kMaxCells)
+    throw InputError("swept shape", "the element size asks for too many cells", "make the elements larger");
+  HexMeshBuilder builder;
+  for (int level = 0; level < levels; ++level)
+    for (const PlanarCell& cell : cells) {
+      std::array<int, 8> corners;
+      for (int c = 0; c < 8; ++c) {
+        const PlanarNode& node = cell[c & 3];
+        const int k = level + (c >> 2);
+        const Vec2 planar = position(node);
+        corners[c] = builder.node({k, node.layer, node.j, node.i},
+                                  Vec3(planar.x(), planar.y(), length * (2 * k - levels) / (2.0 * levels)));
+      }
+      builder.add_cell(corners);
+    }
+  return builder.take();
+}
+
+/// Adds the cells over one face of the core: `corner(a, b)` is the core's lattice point there.
+void add_shells(HexMeshBuilder& builder, const BallCells& cells, double radius,
+                const std::function<std::array<int, 3>(int a, int b)>& corner) {
+  for (int layer = 0; layer < cells.shells; ++layer)
+    for (int b = 0; b < cells.core; ++b)
+      for (int a = 0; a < cells.core; ++a) {
+        std::array<int, 8> corners;
+        for (int c = 0; c < 8; ++c) {
+          const auto [i, j, k] = corner(a + (c & 1), b + (c >> 1 & 1));
+          const Vec3 q = Vec3(2 * i - cells.core, 2 * j - cells.core, 2 * k - cells.core) / cells.core;
+          const int shell = layer + (c >> 2);
+          corners[c] = builder.node({k, j, i, shell}, radius * ball_point(q, double(shell) / cells.shells, 3));
+        }
+        builder.add_cell(corners);
+      }
+}
+
+void add_core(HexMeshBuilder& builder, int core, double radius) {
+  const HexMesh cube = make_box_hexes(Vec3::Constant(2), {core, core, core});
+  for (const auto& cell : cube.cells) {
+    std::array<int, 8> corners;
+    for (int c = 0; c < 8; ++c) {
+      const int node = cell[c], side = core + 1;
+      corners[c] = builder.node({node / (side * side), node / side % side, node % side, 0},
+                                radius * ball_point(cube.points[node], 0, 3));
+    }
+    builder.add_cell(corners);
+  }
+}
+
+}  // namespace
+
+TetSoup make_cylinder(double radius, double length, const Vec2& element_size, BoxPattern pattern) {
+  const auto [core, shells] = ball_cells(radius, element_size.x(), 2, "cylinder, radius");
+  const int levels = cell_count(length, element_size.y(), "cylinder, length");
+  std::vector<PlanarCell> cells;
+  add_lattice(cells, 0, core, 0, core);
+  add_rings(cells, perimeter(core, core), shells);
+  const auto position = [&](const PlanarNode& node) -> Vec2 {
+    const Vec3 q = Vec3(2 * node.i - core, 2 * node.j - core, 0) / core;
+    return radius * ball_point(q, double(node.layer) / shells, 2).head<2>();
+  };
+  return cut_into_tets(sweep(cells, position, length, levels), pattern);
+}
+
+TetSoup make_sphere(double radius, double element_size, BoxPattern pattern) {
+  const BallCells cells = ball_cells(radius, element_size, 3, "sphere, radius");
+  HexMeshBuilder builder;
+  add_core(builder, cells.core, radius);
+  for (int end : {0, cells.core}) {
+    add_shells(builder, cells, radius, [=](int a, int b) { return std::array{end, a, b}; });
+    add_shells(builder, cells, radius, [=](int a, int b) { return std::array{a, end, b}; });
+    add_shells(builder, cells, radius, [=](int a, int b) { return std::array{a, b, end}; });
+  }
+  return cut_into_tets(builder.take(), pattern);
+}
+
+TetSoup make_plate_with_hole(const Vec3& size, double hole_radius, const Vec2& element_size, BoxPattern pattern) {
+  const int levels = cell_count(size.z(), element_size.y(), "plate, thickness");
+  const double side = std::min(size.x(), size.y());
+  // Rings fill the middle square, lattices what is left at two ends, unless that is less than half a cell.
+  const Vec2 rest = (size.head<2>() - Vec2::Constant(side)) / 2;
+  const auto cells_beyond = [&](double length) {
+    return length < element_size.x() / 2 ? 0 : cell_count(length, element_size.x(), "plate");
+  };
+  const int beyond_x = cells_beyond(rest.x()), beyond_y = cells_beyond(rest.y());
+  const Vec2 middle(beyond_x > 0 ? side : size.x(), beyond_y > 0 ? side : size.y());
+  const int nx = cell_count(middle.x(), element_size.x(), "plate, x"),
+            ny = cell_count(middle.y(), element_size.x(), "plate, y");
+  if (!(hole_radius > 0 && hole_radius < 0.5 * side))
+    throw InputError("plate with hole", "hole radius " + std::to_string(hole_radius) + " m",
+                     "more than 0 and less than half the smaller side");
+  // As many rings as make cells about square when they grow with their distance from the hole.
+  const double growth = std::log(0.5 * side / hole_radius);
+  const double rings = std::max(1.0, std::round(2 / std::numbers::pi * std::max(nx, ny) * growth));
+  if (rings * (nx + ny) * 2 * levels > kMaxCells)
+    throw InputError("plate with hole", "the element size asks for too many cells", "make the elements larger");
+
+  const auto position = [&](const PlanarNode& node) -> Vec2 {
+    const auto along = [](int i, int n, double length, double beyond, int beyond_cells) {
+      const double inside = length * (2 * std::clamp(i, 0, n) - n) / (2.0 * n);
+      return inside + (beyond_cells > 0 ? beyond / beyond_cells * (i - std::clamp(i, 0, n)) : 0.0);
+    };
+    const Vec2 outer(along(node.i, nx, middle.x(), rest.x(), beyond_x),
+                     along(node.j, ny, middle.y(), rest.y(), beyond_y));
+    if (node.layer == 0) return outer;
+    const Vec3 q(2.0 * node.i / nx - 1, 2.0 * node.j / ny - 1, 0);
+    const Vec2 inner = hole_radius * radial_direction(q).head<2>();
+    const double outwards = std::expm1(growth * (1 - node.layer / rings)) / std::expm1(growth);
+    return inner + outwards * (outer - inner);
+  };
+  std::vector<PlanarCell> cells;
+  add_rings(cells, perimeter(nx, ny), static_cast<int>(rings));
+  add_lattice(cells, -beyond_x, 0, 0, ny);
+  add_lattice(cells, nx, nx + beyond_x, 0, ny);
+  add_lattice(cells, 0, nx, -beyond_y, 0);
+  add_lattice(cells, 0, nx, ny, ny + beyond_y);
+  return cut_into_tets(sweep(cells, position, size.z(), levels), pattern);
+}
+
+}  // namespace griffith

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "sim/mesh/mesh_formats.h"
+
+namespace griffith {
+
+/// A list of VTK cells: cell i has the type types[i] and the points connectivity[offsets[i−1]] ...
+/// connectivity[offsets[i]−1], where offsets[−1] is 0.
+struct VtkCells {
+  std::span<const std::int64_t> types, offsets, connectivity;
+};
+
+/// Adds the tets of `cells` (second and higher order: their corners) to `file`, counting other cells. Points are
+/// numbered from `first_point`, of which there are `point_count`. Returns what is wrong, or nothing.
+std::string add_vtk_cells(const VtkCells& cells, int first_point, std::int64_t point_count, MeshFile& file);
+
+}  // namespace griffith

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim/mesh/tet_mesh.h"
+
+namespace griffith {
+
+/// A named array of numbers, vectors or tensors. The values stay the caller's.
+struct MeshField {
+  std::string name;
+  std::variant<std::span<const double>, std::span<const std::int32_t>, std::span<const Vec3>, std::span<const Mat3>>
+      values;
+};
+
+/// What is known on a mesh: one value a node, one value a tet.
+struct VtuFields {
+  std::vector<MeshField> per_node, per_tet;
+};
+
+/// Writes a VTK XML unstructured grid (.vtu, raw appended, little-endian, uncompressed): exact to the last bit. Tensors
+/// have nine components, row by row. Each field must have as many values as there are nodes or tets. The file is
+/// written beside `path` and renamed; throws InputError when that fails.
+void write_vtu(const std::filesystem::path& path, std::span<const Vec3> positions,
+               std::span<const std::array<NodeId, 4>> tets, const VtuFields& fields = {});
+
+/// Writes Gmsh MSH 2.2 as text, with as many digits as read back exactly; all tets belong to physical group 1. Files
+/// are replaced as by write_vtu().
+void write_gmsh(const std::filesystem::path& path, const TetSoup& soup);
+
+}  // namespace griffith

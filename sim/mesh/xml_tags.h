@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "sim/mesh/file_cursor.h"
+
+namespace griffith {
+
+/// A start tag, an end tag or both in one (`<a/>`).
+struct XmlTag {
+  std::string name;
+  std::vector<std::pair<std::string, std::string>> attributes;
+  bool closes = false;    ///< </name>
+  bool is_empty = false;  ///< <name/>
+  std::size_t begin = 0;  ///< offset of its <
+  std::size_t end = 0;    ///< offset behind its >
+
+  /// An attribute's value, or `fallback`.
+  std::string attribute(std::string_view key, std::string_view fallback = "") const;
+};
+
+/// Reads the next tag at or after the cursor, which moves behind it; passes over text, comments and declarations.
+/// Returns false when there is none. As much of XML as VTK writes: no entities, no CDATA.
+bool next_xml_tag(FileCursor& cursor, XmlTag& tag);
+
+}  // namespace griffith

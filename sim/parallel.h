@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+namespace griffith {
+
+/// Limits the threads that the simulation uses, for as long as it lives. Results do not depend on the number.
+class ThreadLimit {
+ public:
+  /// `threads` >= 1.
+  explicit ThreadLimit(int threads);
+  ~ThreadLimit();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Threads in use where no limit is set.
+int default_thread_count();
+
+/// Calls body(begin, end) on ranges that together cover [0, count), each at least `grain` long, in any order and on any
+/// thread. The body writes to its own range alone, so results do not depend on the threads.
+void parallel_for(int count, int grain, const std::function<void(int begin, int end)>& body);
+
+/// The sum of block(begin, end) over consecutive blocks of fixed length, added in order: the same bits for any number
+/// of threads.
+double parallel_sum(int count, const std::function<double(int begin, int end)>& block);
+
+}  // namespace griffith

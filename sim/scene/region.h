@@ -1,0 +1,36 @@
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "sim/linear_algebra.h"
+
+namespace griffith {
+
+/// Part of a body, in the body's rest space (before its position and rotation are applied) [m].
+struct BoxRegion {
+  Vec3 minimum = Vec3::Zero(), maximum = Vec3::Zero();
+  bool operator==(const BoxRegion&) const = default;
+};
+struct SphereRegion {
+  Vec3 center = Vec3::Zero();
+  double radius = 0;
+  bool operator==(const SphereRegion&) const = default;
+};
+/// The points x with dot(x − point, normal) >= 0.
+struct HalfSpaceRegion {
+  Vec3 point = Vec3::Zero(), normal = Vec3::UnitY();
+  bool operator==(const HalfSpaceRegion&) const = default;
+};
+/// Nodes by their index in the body's mesh as built or read.
+struct NodeListRegion {
+  std::vector<int> nodes;
+  bool operator==(const NodeListRegion&) const = default;
+};
+using Region = std::variant<BoxRegion, SphereRegion, HalfSpaceRegion, NodeListRegion>;
+
+/// Whether the node at rest position `point` with index `node` lies in the region. Boundaries belong to it, with a
+/// tolerance of `tolerance` [m].
+bool contains(const Region& region, const Vec3& point, int node, double tolerance);
+
+}  // namespace griffith

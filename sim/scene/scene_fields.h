@@ -1,0 +1,208 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "sim/scene/field.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/view_quantity.h"
+
+// The table of all fields of a scene: name, member, values and meaning. An archive (the reader, the writer, the
+// maker of the schema) is handed to describe() with a value and gets a call per field:
+//   archive.field(name, member, values, description)
+//   archive.alternative<T>(name, variant, values, description, projection): the variant may hold a T, whose
+//     `projection` (itself, unless given) is what the file shows
+//   archive.require(holds, name, problem, remedy): what must hold beyond the field's own values
+// A field that a file leaves out keeps the default of its struct.
+
+namespace griffith {
+
+/// The format that this program reads and writes.
+inline constexpr int kSceneVersion = 1;
+/// More cells than this in one box are refused: a slip of the element size, not a wish.
+inline constexpr double kMaxBoxCells = 2e6;
+
+inline constexpr Numbers kPlace = between(-1e6, 1e6, "m");
+inline constexpr Numbers kDirection = {.minimum = -1e6, .maximum = 1e6, .unit = "-", .nonzero = true};
+
+/// Whether T may be absent, which a file shows as null.
+template <class T>
+inline constexpr bool kIsOptional = false;
+template <class T>
+inline constexpr bool kIsOptional<std::optional<T>> = true;
+
+template <class Archive>
+void describe_properties(Archive& archive, Material& m) {
+  archive.field("young_modulus", m.young_modulus, between(1, 1e13, "Pa"), "Young's modulus E: stiffness");
+  archive.field("poisson_ratio", m.poisson_ratio, between(0, 0.495, "-"), "Poisson's ratio ν");
+  archive.field("density", m.density, between(0.01, 1e6, "kg/m³"), "Density ρ");
+  archive.field("tensile_strength", m.tensile_strength, between(1e-3, 1e13, "Pa"),
+                "Tensile strength σ_t: a node separates above it (criterion \"strength\")");
+  archive.field("fracture_toughness", m.fracture_toughness, between(1e-3, 1e13, "Pa·√m"),
+                "Fracture toughness K_Ic: lowers the resistance at a crack's front");
+  archive.field("separation_toughness", m.separation_toughness, between(1e-6, 1e15, "N"),
+                "Separation toughness τ: used by the criterion \"separation_force\" alone");
+  archive.field("criterion", m.criterion, OneOf{{"strength", "separation_force"}},
+                "What is compared with the resistance: a stress (the same on every mesh) or the raw eigenvalue");
+  archive.field("friction", m.friction, between(0, 10, "-"), "Coulomb's coefficient of friction");
+  archive.field("restitution", m.restitution, between(0, 1, "-"), "Coefficient of restitution: 1 bounces back fully");
+  archive.field("mass_damping", m.mass_damping, between(0, 1e6, "1/s"), "Rayleigh damping α, in proportion to mass");
+  archive.field("stiffness_damping", m.stiffness_damping, between(0, 1e3, "s"),
+                "Rayleigh damping β, in proportion to stiffness");
+}
+
+template <class Archive>
+void describe(Archive& archive, Material& m) {
+  archive.field("name", m.name, Text{1}, "Name of the material");
+  describe_properties(archive, m);
+}
+
+template <class Archive>
+void describe(Archive& archive, BoxShape& box) {
+  Numbers element_size = between(1e-5, 1e5, "m");
+  element_size.uniform = true;
+  archive.field("size", box.size, between(1e-4, 1e5, "m"), "Edge lengths along x, y, z");
+  archive.field("element_size", box.element_size, element_size,
+                "Wanted cell edge, one number or one each for x, y, z; rounded to fit the box");
+  archive.field("pattern", box.pattern, OneOf{{"kuhn", "five_tet", "bcc"}}, "How a cell is cut into tetrahedra");
+  archive.require((box.size.array() / box.element_size.array()).round().max(1).prod() <= kMaxBoxCells, "element_size",
+                  "cuts the box into more than 2 million cells", "take a larger element_size or a smaller size");
+}
+
+template <class Archive>
+void describe(Archive& archive, MeshFileShape& mesh) {
+  archive.field("path", mesh.path, MeshPath{},
+                "Mesh file, or the folder that holds verts.csv and tets.csv; relative to the scene file's folder");
+  archive.field("scale", mesh.scale, between(1e-9, 1e6, "m"), "Metres per unit of the file");
+}
+
+template <class Archive>
+void describe(Archive& archive, Shape& shape) {
+  archive.template alternative<BoxShape>("box", shape, Parts{}, "A box centred on the body's origin");
+  archive.template alternative<MeshFileShape>("mesh", shape, Parts{}, "A tetrahedral mesh from a file");
+}
+
+template <class Archive>
+void describe(Archive& archive, BoxRegion& box) {
+  archive.field("minimum", box.minimum, kPlace, "Lower corner");
+  archive.field("maximum", box.maximum, kPlace, "Upper corner");
+  archive.require((box.minimum.array() <= box.maximum.array()).all(), "maximum", "lies below the minimum",
+                  "each component of maximum has to be at least that of minimum");
+}
+
+template <class Archive>
+void describe(Archive& archive, SphereRegion& sphere) {
+  archive.field("center", sphere.center, kPlace, "Centre");
+  archive.field("radius", sphere.radius, between(0, 1e6, "m"), "Radius");
+}
+
+template <class Archive>
+void describe(Archive& archive, HalfSpaceRegion& half_space) {
+  archive.field("point", half_space.point, kPlace, "A point of the bounding plane");
+  archive.field("normal", half_space.normal, kDirection, "Into the region; any length but 0");
+}
+
+template <class Archive>
+void describe(Archive& archive, Region& region) {
+  archive.template alternative<BoxRegion>("box", region, Parts{}, "A box along the axes of the body's rest space");
+  archive.template alternative<SphereRegion>("sphere", region, Parts{}, "A ball");
+  archive.template alternative<HalfSpaceRegion>("half_space", region, Parts{}, "Everything on one side of a plane");
+  archive.template alternative<NodeListRegion>("nodes", region, between(0, 2147483647),
+                                               "Nodes by their index in the body's mesh", &NodeListRegion::nodes);
+}
+
+template <class Archive>
+void describe(Archive& archive, Support& support) {
+  archive.field("region", support.region, Parts{}, "The nodes that are held, in the body's rest space");
+}
+
+template <class Archive>
+void describe(Archive& archive, BodyDescription& body) {
+  archive.field("name", body.name, Text{1}, "Name, different from every other body's");
+  archive.field("shape", body.shape, Parts{}, "Geometry");
+  archive.field("position", body.position, kPlace, "Where the shape's origin stands");
+  archive.field("rotation_degrees", body.rotation_degrees, between(-1e6, 1e6, "degrees"),
+                "Rotation about the fixed x, then y, then z axis");
+  archive.field("velocity", body.velocity, between(-1e5, 1e5, "m/s"), "Velocity at the start");
+  archive.field("angular_velocity", body.angular_velocity, between(-1e5, 1e5, "rad/s"),
+                "Angular velocity at the start, about the centre of mass");
+  archive.field("material", body.material, MaterialChoice{},
+                "Name of a preset or of one of the scene's materials, or an object with its properties");
+  archive.field("supports", body.supports, Parts{}, "Regions held in place");
+}
+
+template <class Archive>
+void describe(Archive& archive, ProjectileBurst& burst) {
+  archive.field("count", burst.count, between(1, 10000), "Number of spheres");
+  archive.field("interval", burst.interval, between(0, 1e4, "s"), "Time between two spheres");
+  archive.field("start", burst.start, between(0, 1e6, "s"), "When the first sphere is launched");
+  archive.field("position", burst.position, kPlace, "Where a sphere's centre starts");
+  archive.field("direction", burst.direction, kDirection, "Direction of flight; any length but 0");
+  archive.field("speed", burst.speed, between(0, 1e5, "m/s"), "Speed at launch");
+  archive.field("mass", burst.mass, between(1e-6, 1e9, "kg"), "Mass of a sphere");
+  archive.field("radius", burst.radius, between(1e-4, 1e4, "m"), "Radius of a sphere");
+}
+
+template <class Archive>
+void describe(Archive& archive, Ground& ground) {
+  archive.field("height", ground.height, kPlace, "Height of the plane; everything below is solid");
+  archive.field("friction", ground.friction, between(0, 10, "-"), "Coulomb's coefficient of friction");
+  archive.field("restitution", ground.restitution, between(0, 1, "-"), "Coefficient of restitution");
+}
+
+template <class Archive>
+void describe(Archive& archive, SimulationSettings& settings) {
+  archive.field("time_step", settings.time_step, between(1e-5, 0.1, "s"), "Time step");
+  archive.field("impact_substeps", settings.impact_substeps, between(1, 256),
+                "Substeps of a step in which something strikes");
+  archive.field("relative_residual", settings.relative_residual, between(1e-12, 0.1, "-"),
+                "The linear solver stops at this residual, relative to the right-hand side");
+  archive.field("max_solver_iterations", settings.max_solver_iterations, between(1, 100000),
+                "The linear solver stops after as many iterations, per body and substep");
+  archive.field("fracture", settings.fracture, Flag{}, "Whether bodies break");
+  archive.field("max_cracks_per_step", settings.max_cracks_per_step, between(1, 1000000),
+                "Most nodes split in a step; what is over waits for the next step");
+  archive.field("min_fragment_tets", settings.min_fragment_tets, between(1, 1000),
+                "A split that would part off fewer tetrahedra does not happen");
+}
+
+template <class Archive>
+void describe(Archive& archive, Camera& camera) {
+  archive.field("name", camera.name, Text{1}, "Name, different from every other camera's");
+  archive.field("position", camera.position, kPlace, "Where the eye is");
+  archive.field("target", camera.target, kPlace, "What it looks at");
+  archive.field("field_of_view_degrees", camera.field_of_view_degrees, between(5, 120, "degrees"),
+                "Vertical angle of view");
+  archive.require(camera.position != camera.target, "target", "is the camera's own position",
+                  "move the target or the position");
+}
+
+template <class Archive>
+void describe(Archive& archive, ViewSettings& view) {
+  Numbers range = between(-1e15, 1e15);
+  range.ascending = true;
+  OneOf quantities;
+  for (const ViewQuantity& quantity : view_quantities()) quantities.names.push_back(quantity.key);
+  const auto maps = color_map_names();
+  archive.field("quantity", view.quantity, quantities, "What the colours show");
+  archive.field("color_map", view.color_map, OneOf{{maps.begin(), maps.end()}}, "Colours from low to high");
+  archive.field("range", view.range, range,
+                "Values at the two ends of the colours, in the quantity's unit; null: automatic");
+  archive.field("edges", view.edges, Flag{}, "Whether element edges are drawn");
+}
+
+template <class Archive>
+void describe(Archive& archive, Scene& scene) {
+  archive.field("name", scene.name, Text{}, "Name of the scene");
+  archive.field("description", scene.description, Text{}, "What the scene shows");
+  archive.field("gravity", scene.gravity, between(-1e4, 1e4, "m/s²"), "Gravity; y is up");
+  archive.field("ground", scene.ground, Parts{}, "A horizontal plane; null: none");
+  archive.field("bodies", scene.bodies, Parts{}, "What can break");
+  archive.field("projectiles", scene.projectiles, Parts{}, "Bursts of rigid spheres");
+  archive.field("simulation", scene.simulation, Parts{}, "How a step is carried out");
+  archive.field("cameras", scene.cameras, Parts{}, "Views; the first is used unless another is named");
+  archive.field("view", scene.view, Parts{}, "What is shown at first; nothing here influences the simulation");
+}
+
+}  // namespace griffith

@@ -1,0 +1,401 @@
+#include "sim/scene/scene_reader.h"
+
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <type_traits>
+#include <utility>
+
+#include "sim/scene/json_document.h"
+#include "sim/scene/scene_fields.h"
+
+namespace griffith {
+namespace {
+
+/// What the parts of a document share while it is read.
+struct Document {
+  std::string file;
+  std::filesystem::path folder;
+  bool look_for_meshes = true;
+  std::map<std::string, Material, std::less<>> materials;  // the scene's own, by name
+  std::vector<InputError> problems;
+};
+
+/// A value of the document and where it stands.
+struct Place {
+  Document& document;
+  const Json& json;
+  std::string pointer;
+
+  Place child(std::string_view key, const Json& value) const { return {document, value, json_pointer(pointer, key)}; }
+  void report(std::string problem, std::string remedy) const {
+    document.problems.emplace_back(json_place(document.file, pointer), std::move(problem), std::move(remedy));
+  }
+  /// Reports that the value is not what was `expected`.
+  void reject(const std::string& expected) const {
+    constexpr std::size_t kLongestExcerpt = 40;
+    std::string excerpt = json.is_object() ? "an object" : json.dump();
+    if (excerpt.size() > kLongestExcerpt) excerpt = json.is_array() ? "an array" : "a long text";
+    report("is " + excerpt, "expected " + expected);
+  }
+};
+
+template <class T>
+  requires(!kIsOptional<T>)
+void read(const Place& place, T& value, Parts);
+
+// --- Plain values -------------------------------------------------------------------------------------------------
+
+void read(const Place& place, bool& value, Flag) {
+  if (!place.json.is_boolean()) return place.reject("true or false");
+  value = place.json.get<bool>();
+}
+
+bool in_range(const Json& json, const Numbers& numbers) {
+  return json.is_number() && json.get<double>() >= numbers.minimum && json.get<double>() <= numbers.maximum;
+}
+
+void read(const Place& place, double& value, const Numbers& numbers) {
+  if (!in_range(place.json, numbers)) return place.reject("a number " + range_text(numbers));
+  value = place.json.get<double>();
+}
+
+void read(const Place& place, int& value, const Numbers& numbers) {
+  const bool whole = place.json.is_number() && std::trunc(place.json.get<double>()) == place.json.get<double>();
+  if (!whole || !in_range(place.json, numbers)) return place.reject("a whole number " + range_text(numbers));
+  value = static_cast<int>(place.json.get<double>());
+}
+
+/// Reports the components that are no numbers of the range, each at its own place.
+bool check_components(const Place& place, const Numbers& numbers) {
+  const std::size_t before = place.document.problems.size();
+  for (std::size_t i = 0; i < place.json.size(); ++i) {
+    double ignored = 0;
+    read(place.child(std::to_string(i), place.json[i]), ignored, numbers);
+  }
+  return place.document.problems.size() == before;
+}
+
+template <int N>
+void read(const Place& place, Eigen::Matrix<double, N, 1>& value, const Numbers& numbers) {
+  const std::string one_number = numbers.uniform ? " (or one number)" : "";
+  if (numbers.uniform && place.json.is_number()) {
+    double component = 0;
+    read(place, component, numbers);
+    value.setConstant(component);
+    return;
+  }
+  if (!place.json.is_array() || place.json.size() != N) {
+    return place.reject("an array of " + std::to_string(N) + " numbers" + one_number + ", each " + range_text(numbers));
+  }
+  if (!check_components(place, numbers)) return;
+  Eigen::Matrix<double, N, 1> vector;
+  for (int i = 0; i < N; ++i) vector[i] = place.json[i].template get<double>();
+  // Squares of components below 1e-100 vanish.
+  if (numbers.nonzero && vector.template lpNorm<Eigen::Infinity>() < 1e-100) {
+    return place.reject("a direction: at least one component other than 0");
+  }
+  if (numbers.ascending && !(vector[0] < vector[N - 1])) return place.reject("[low, high] with low less than high");
+  value = vector;
+}
+
+void read(const Place& place, std::vector<int>& values, const Numbers& numbers) {
+  if (!place.json.is_array()) return place.reject("an array of whole numbers, each " + range_text(numbers));
+  values.assign(place.json.size(), 0);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    read(place.child(std::to_string(i), place.json[i]), values[i], numbers);
+  }
+}
+
+void read(const Place& place, std::string& value, const Text& text) {
+  const bool fits =
+      place.json.is_string() && std::ssize(place.json.get_ref<const std::string&>()) >= text.minimum_length;
+  if (!fits) return place.reject(text.minimum_length > 0 ? "a text that is not empty" : "a text");
+  value = place.json.get<std::string>();
+}
+
+/// The index in `names` of the name that stands here, or -1, reported.
+int read_name(const Place& place, std::span<const std::string_view> names) {
+  if (!place.json.is_string()) return place.reject("one of " + quoted_list(names)), -1;
+  const auto found = std::ranges::find(names, std::string_view(place.json.get_ref<const std::string&>()));
+  if (found != names.end()) return static_cast<int>(found - names.begin());
+  place.report("is the unknown name " + place.json.dump(), suggestion(place.json.get_ref<const std::string&>(), names));
+  return -1;
+}
+
+void read(const Place& place, std::string& value, const OneOf& one_of) {
+  if (const int index = read_name(place, one_of.names); index >= 0) value = one_of.names[index];
+}
+
+template <class Enum>
+requires std::is_enum_v<Enum>
+void read(const Place& place, Enum& value, const OneOf& one_of) {
+  if (const int index = read_name(place, one_of.names); index >= 0) value = static_cast<Enum>(index);
+}
+
+void read(const Place& place, std::filesystem::path& value, MeshPath) {
+  std::string text;
+  const std::size_t before = place.document.problems.size();
+  read(place, text, Text{1});
+  if (place.document.problems.size() > before) return;
+  value = text;
+  const auto tried = (place.document.folder / value).lexically_normal();
+  std::error_code ignored;
+  if (place.document.look_for_meshes && !std::filesystem::exists(tried, ignored)) {
+    place.report("names the mesh \"" + text + "\", but there is no \"" + tried.generic_string() + "\"",
+                 "put the mesh there or correct the path, which starts at the scene file's folder");
+  }
+}
+
+template <class T, class Values>
+void read(const Place& place, std::optional<T>& value, const Values& values) {
+  if (place.json.is_null()) {
+    value.reset();
+    return;
+  }
+  const std::size_t before = place.document.problems.size();
+  T present{};
+  read(place, present, values);
+  if (place.document.problems.size() == before) value = std::move(present);
+}
+
+// --- Objects --------------------------------------------------------------------------------------------------------
+
+/// The archive that fills a value from an object; fields that the object lacks keep what the value had.
+class ObjectReader {
+ public:
+  explicit ObjectReader(const Place& place) : place_(place), problems_before_(place.document.problems.size()) {}
+
+  template <class T, class Values>
+  void field(std::string_view name, T& member, const Values& values, std::string_view) {
+    if (const Json* json = find(name)) {
+      read(place_.child(name, *json), member, values);
+    } else if (std::is_same_v<Values, MeshPath>) {
+      place_.report("lacks \"" + std::string(name) + "\"", "add it: nothing else says which mesh is meant");
+    }
+  }
+
+  template <class T, class Variant, class Values, class Projection = std::identity>
+  void alternative(std::string_view name, Variant& variant, const Values& values, std::string_view,
+                   Projection projection = {}) {
+    has_alternatives_ = true;
+    if (const Json* json = find(name)) {
+      ++alternatives_found_;
+      T value{};
+      read(place_.child(name, *json), std::invoke(projection, value), values);
+      variant = std::move(value);
+    }
+  }
+
+  /// Judges only what was read without a problem: a value that was refused has left its default behind.
+  void require(bool holds, std::string_view name, const char* problem, const char* remedy) {
+    if (holds || place_.document.problems.size() > problems_before_) return;
+    const Json* json = find(name);
+    (json ? place_.child(name, *json) : place_).report(json ? problem : std::string(name) + " " + problem, remedy);
+  }
+
+  /// The field's value, if there; from now on it counts as known.
+  const Json* find(std::string_view name) {
+    known_.push_back(name);
+    const auto found = place_.json.find(name);
+    return found == place_.json.end() ? nullptr : &*found;
+  }
+
+  /// Call last: reports fields that nobody asked for, and a choice that was not made.
+  void finish() {
+    for (const auto& [name, value] : place_.json.items()) {
+      if (std::ranges::find(known_, name) != known_.end()) continue;
+      place_.child(name, value).report("is no known field", suggestion(name, known_));
+    }
+    if (has_alternatives_ && alternatives_found_ != 1 && place_.document.problems.size() == problems_before_) {
+      place_.report("has " + std::to_string(alternatives_found_) + " of the fields " + quoted_list(known_),
+                    "expected exactly one of them");
+    }
+  }
+
+ private:
+  const Place& place_;
+  std::size_t problems_before_;
+  std::vector<std::string_view> known_;
+  bool has_alternatives_ = false;
+  int alternatives_found_ = 0;
+};
+
+template <class T>
+  requires(!kIsOptional<T>)
+void read(const Place& place, T& value, Parts) {
+  if (!place.json.is_object()) return place.reject("an object { ... }");
+  ObjectReader reader(place);
+  describe(reader, value);
+  reader.finish();
+}
+
+/// Reports the items whose name an earlier item has.
+template <class T>
+void check_names(const Place& place, const std::vector<T>& items) {
+  std::map<std::string_view, std::size_t> first;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const auto [earlier, is_new] = first.emplace(items[i].name, i);
+    if (is_new) continue;
+    place.child(std::to_string(i), place.json[i])
+        .report("has the name \"" + items[i].name + "\", as item " + std::to_string(earlier->second) + " has",
+                "give every item a \"name\" of its own");
+  }
+}
+
+template <class T>
+void read(const Place& place, std::vector<T>& items, Parts parts) {
+  if (!place.json.is_array()) return place.reject("an array [ ... ]");
+  items.assign(place.json.size(), T{});
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    read(place.child(std::to_string(i), place.json[i]), items[i], parts);
+  }
+  if constexpr (requires(T item) { item.name; }) check_names(place, items);
+}
+
+// --- Materials ------------------------------------------------------------------------------------------------------
+
+std::vector<std::string_view> preset_names() {
+  std::vector<std::string_view> names;
+  for (const MaterialPreset& preset : material_presets()) names.push_back(preset.key);
+  return names;
+}
+
+/// Starts from the material that the object's "preset" names, if it has one.
+void read_preset(const Place& place, ObjectReader& reader, Material& material) {
+  const Json* json = reader.find("preset");
+  if (!json) return;
+  const int index = read_name(place.child("preset", *json), preset_names());
+  if (index >= 0) material = material_presets()[index].material;
+}
+
+void read(const Place& place, Material& material, MaterialChoice) {
+  if (place.json.is_object()) {
+    ObjectReader reader(place);
+    read_preset(place, reader, material);
+    describe(reader, material);
+    return reader.finish();
+  }
+  std::vector<std::string_view> names = preset_names();
+  for (const auto& [name, own] : place.document.materials) names.push_back(name);
+  if (!place.json.is_string()) return place.reject("a material's name, or an object with its properties");
+  const int index = read_name(place, names);
+  if (index < 0) return;
+  const auto preset = find_material_preset(names[index]);
+  material = preset ? *preset : place.document.materials.find(names[index])->second;
+}
+
+/// The scene's own materials, by name, for its bodies to use.
+void read_materials(const Place& scene, ObjectReader& reader) {
+  const Json* json = reader.find("materials");
+  if (!json) return;
+  const Place place = scene.child("materials", *json);
+  if (!json->is_object()) return place.reject("an object { \"name\": { ... } }");
+  for (const auto& [name, properties] : json->items()) {
+    const Place entry = place.child(name, properties);
+    Material& material = scene.document.materials[name];
+    if (name.empty() || find_material_preset(name)) {
+      entry.report("has a name that is empty or a preset's", "choose another name for this material");
+    }
+    if (!properties.is_object()) {
+      entry.reject("an object { ... } with the material's properties");
+      continue;
+    }
+    ObjectReader entry_reader(entry);
+    read_preset(entry, entry_reader, material);
+    material.name = name;
+    describe_properties(entry_reader, material);
+    entry_reader.finish();
+  }
+}
+
+// --- The document ---------------------------------------------------------------------------------------------------
+
+/// Whether the document is of this program's format; if not, its fields mean nothing to it.
+bool check_version(const Place& place, ObjectReader& reader) {
+  const Json* json = reader.find("version");
+  if (!json) {
+    place.child("version", Json()).report("is missing", "add \"version\": " + std::to_string(kSceneVersion));
+    return true;
+  }
+  const Place version = place.child("version", *json);
+  if (*json == kSceneVersion) return true;
+  if (json->is_number() && json->get<double>() > kSceneVersion) {
+    version.report("is " + json->dump() + ", newer than this program",
+                   "this program reads version " + std::to_string(kSceneVersion) + "; update it");
+    return false;
+  }
+  return version.reject("the number " + std::to_string(kSceneVersion)), true;
+}
+
+Scene read_document(Document& document, std::string_view text) {
+  Scene scene;
+  scene.folder = document.folder;
+  const Json json = parse_json(text, document.file, document.problems);
+  if (json.is_null() && !document.problems.empty()) return scene;
+  const Place place{document, json, ""};
+  if (!json.is_object()) return place.reject("an object { \"version\": 1, ... }"), scene;
+
+  ObjectReader reader(place);
+  std::string schema;  // for editors, which complete and check by it
+  reader.field("$schema", schema, Text{}, "");
+  if (!check_version(place, reader)) return scene;
+  read_materials(place, reader);
+  describe(reader, scene);
+  reader.finish();
+  return scene;
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  std::error_code ignored;
+  std::ifstream stream(path, std::ios::binary);
+  if (!std::filesystem::is_regular_file(path, ignored) || !stream) {
+    throw InputError(path.generic_string(), "cannot be read", "name a scene file that exists and may be read");
+  }
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+Document document_of_file(const std::filesystem::path& path) {
+  Document document;
+  document.file = path.generic_string();
+  document.folder = std::filesystem::absolute(path).lexically_normal().parent_path();
+  return document;
+}
+
+Scene first_problem_thrown(Document document, std::string_view text) {
+  Scene scene = read_document(document, text);
+  if (!document.problems.empty()) throw document.problems.front();
+  return scene;
+}
+
+}  // namespace
+
+Scene read_scene(const std::filesystem::path& path) {
+  return first_problem_thrown(document_of_file(path), read_text(path));
+}
+
+Scene scene_from_json(std::string_view text, const std::string& where, const std::filesystem::path& folder) {
+  Document document;
+  document.file = where;
+  document.folder = folder;
+  return first_problem_thrown(std::move(document), text);
+}
+
+std::vector<InputError> check_scene(const std::filesystem::path& path) try {
+  Document document = document_of_file(path);
+  read_document(document, read_text(path));
+  return document.problems;
+} catch (const InputError& unreadable) {
+  return {unreadable};
+}
+
+std::vector<InputError> check_scene_text(std::string_view text, const std::string& where) {
+  Document document;
+  document.file = where;
+  document.look_for_meshes = false;
+  read_document(document, text);
+  return document.problems;
+}
+
+}  // namespace griffith

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/error.h"
+#include "sim/scene/scene.h"
+
+namespace griffith {
+
+// The format is described in scenes/README.md and by scenes/scene.schema.json; scene_fields.h is its table.
+
+/// Reads a scene file. Throws InputError with the first problem: at file#/json/pointer, or at file:line:column when the
+/// text is not JSON.
+Scene read_scene(const std::filesystem::path& path);
+
+/// Reads a scene from text. `where` names the text in errors; relative mesh paths start at `folder` (if empty, at the
+/// current one), which becomes Scene::folder. Throws InputError with the first problem.
+Scene scene_from_json(std::string_view text, const std::string& where = "scene",
+                      const std::filesystem::path& folder = {});
+
+/// Every problem of a scene file, in the order of the document's parts; empty when read_scene() would succeed.
+std::vector<InputError> check_scene(const std::filesystem::path& path);
+
+/// Every problem of a scene's text, but without a look for its mesh files.
+std::vector<InputError> check_scene_text(std::string_view text, const std::string& where);
+
+}  // namespace griffith

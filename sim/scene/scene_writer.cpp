@@ -1,0 +1,157 @@
+#include "sim/scene/scene_writer.h"
+
+#include <fstream>
+#include <functional>
+#include <map>
+
+#include "sim/error.h"
+#include "sim/scene/json_values.h"
+#include "sim/scene/scene_fields.h"
+#include "sim/scene/scene_reader.h"
+
+namespace griffith {
+namespace {
+
+/// The scene's own materials, as its bodies are written.
+struct Library {
+  std::vector<Material> materials;
+};
+
+template <class T>
+  requires(!kIsOptional<T>)
+Json write(Library& library, const T& value, Parts);
+
+template <class T, class Values>
+Json write(Library&, const T& value, const Values& values) {
+  return value_json(value, values);
+}
+
+template <class T, class Values>
+Json write(Library& library, const std::optional<T>& value, const Values& values) {
+  return value ? write(library, *value, values) : Json();
+}
+
+template <class T>
+Json write(Library& library, const std::vector<T>& items, Parts parts) {
+  Json array = Json::array();
+  for (const T& item : items) array.push_back(write(library, item, parts));
+  return array;
+}
+
+Json write(Library& library, const Material& material, MaterialChoice);
+
+/// The archive that makes an object of a value.
+class ObjectWriter {
+ public:
+  explicit ObjectWriter(Library& library) : library_(library) {}
+
+  template <class T, class Values>
+  void field(std::string_view name, const T& member, const Values& values, std::string_view) {
+    object[std::string(name)] = write(library_, member, values);
+  }
+
+  template <class T, class Variant, class Values, class Projection = std::identity>
+  void alternative(std::string_view name, const Variant& variant, const Values& values, std::string_view,
+                   Projection projection = {}) {
+    const T* held = std::get_if<T>(&variant);
+    if (held) object[std::string(name)] = write(library_, std::invoke(projection, *held), values);
+    has_alternatives = true;
+  }
+
+  void require(bool, std::string_view, const char*, const char*) {}
+
+  Json object = Json::object();
+  bool has_alternatives = false;
+
+ private:
+  Library& library_;
+};
+
+template <class T>
+ObjectWriter described(Library& library, T value) {
+  ObjectWriter writer(library);
+  describe(writer, value);
+  return writer;
+}
+
+template <class T>
+  requires(!kIsOptional<T>)
+Json write(Library& library, const T& value, Parts) {
+  ObjectWriter writer = described(library, value);
+  if (writer.has_alternatives) return writer.object;
+  Library ignored;
+  const Json defaults = described(ignored, T{}).object;
+  Json object = Json::object();
+  for (const auto& [name, member] : writer.object.items()) {
+    if (member != defaults.at(name)) object[name] = std::move(member);
+  }
+  return object;
+}
+
+/// By name where that says everything; else the properties, in the scene's own materials if the name is free there.
+Json write(Library& library, const Material& material, MaterialChoice) {
+  for (const MaterialPreset& preset : material_presets()) {
+    if (preset.material == material) return preset.key;
+  }
+  const auto namesake = std::ranges::find(library.materials, material.name, &Material::name);
+  const bool name_is_free =
+      namesake == library.materials.end() && !material.name.empty() && !find_material_preset(material.name);
+  if (name_is_free) library.materials.push_back(material);
+  if (name_is_free || (namesake != library.materials.end() && *namesake == material)) return material.name;
+  return described(library, material).object;
+}
+
+Json library_json(const Library& library) {
+  Json object = Json::object();
+  for (Material material : library.materials) {
+    Library ignored;
+    ObjectWriter writer(ignored);
+    describe_properties(writer, material);
+    object[material.name] = std::move(writer.object);
+  }
+  return object;
+}
+
+Scene with_mesh_paths_from(Scene scene, const std::filesystem::path& folder) {
+  for (BodyDescription& body : scene.bodies) {
+    auto* mesh = std::get_if<MeshFileShape>(&body.shape);
+    if (!mesh || mesh->path.is_absolute() || scene.folder == folder) continue;
+    mesh->path = std::filesystem::absolute(scene.folder / mesh->path).lexically_normal().lexically_proximate(folder);
+  }
+  return scene;
+}
+
+void replace_file(const std::filesystem::path& path, const std::string& text) {
+  std::filesystem::path beside = path;
+  beside += ".part";
+  std::error_code error;
+  const bool written = bool(std::ofstream(beside, std::ios::binary) << text << std::flush);
+  if (written) std::filesystem::rename(beside, path, error);
+  if (written && !error) return;
+  std::error_code ignored;
+  std::filesystem::remove(beside, ignored);
+  throw InputError(path.generic_string(), "cannot be written", "choose a folder that exists and may be written to");
+}
+
+}  // namespace
+
+std::string scene_to_json(const Scene& scene) {
+  Library library;
+  const Json fields = write(library, scene, Parts{});
+  Json document = {{"version", kSceneVersion}};
+  for (const auto& [name, value] : fields.items()) {
+    if (name == "bodies" && !library.materials.empty()) document["materials"] = library_json(library);
+    document[name] = value;
+  }
+  return pretty_text(document);
+}
+
+void write_scene(const Scene& scene, const std::filesystem::path& path) {
+  const auto folder = std::filesystem::absolute(path).lexically_normal().parent_path();
+  const std::string text = scene_to_json(with_mesh_paths_from(scene, folder));
+  const auto problems = check_scene_text(text, path.generic_string());
+  if (!problems.empty()) throw problems.front();
+  replace_file(path, text);
+}
+
+}  // namespace griffith

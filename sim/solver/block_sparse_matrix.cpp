@@ -1,0 +1,35 @@
+#include "sim/solver/block_sparse_matrix.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "sim/parallel.h"
+
+namespace griffith {
+
+int BlockSparseMatrix::slot(int row, int column) const {
+  const auto begin = columns.begin() + row_starts[row], end = columns.begin() + row_starts[row + 1];
+  const auto found = std::lower_bound(begin, end, column);
+  assert(found != end && *found == column);
+  return static_cast<int>(found - columns.begin());
+}
+
+void multiply(const BlockSparseMatrix& a, const NodeVectors& x, NodeVectors& y) {
+  assert(x.cols() == a.rows());
+  y.resize(3, a.rows());
+  parallel_for(a.rows(), 1024, [&](int begin, int end) {
+    for (int row = begin; row < end; ++row) {
+      Vec3 sum = Vec3::Zero();
+      for (int k = a.row_starts[row]; k < a.row_starts[row + 1]; ++k) sum.noalias() += a.blocks[k] * x.col(a.columns[k]);
+      y.col(row) = sum;
+    }
+  });
+}
+
+double dot(const NodeVectors& x, const NodeVectors& y) {
+  return parallel_sum(static_cast<int>(x.cols()), [&](int begin, int end) {
+    return x.middleCols(begin, end - begin).cwiseProduct(y.middleCols(begin, end - begin)).sum();
+  });
+}
+
+}  // namespace griffith

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "sim/solver/block_sparse_matrix.h"
+
+namespace griffith {
+
+/// Mass, momentum and the rigid motion that carries them, of a set of nodes.
+struct RigidMotion {
+  double mass = 0;                       ///< [kg]
+  Vec3 center = Vec3::Zero();            ///< of mass [m]
+  Mat3 inertia = Mat3::Zero();           ///< about the centre, world frame [kg·m²]
+  Vec3 velocity = Vec3::Zero();          ///< [m/s]
+  Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
+
+  Vec3 velocity_at(const Vec3& position) const { return velocity + angular_velocity.cross(position - center); }
+};
+
+/// The rigid motion with the linear and angular momentum of these nodes: one column or entry a node [m], [m/s], [kg].
+/// They must not all lie on one line.
+RigidMotion rigid_motion(const NodeVectors& positions, const NodeVectors& velocities, const Eigen::VectorXd& masses);
+
+}  // namespace griffith

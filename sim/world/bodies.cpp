@@ -1,0 +1,142 @@
+#include <algorithm>
+
+#include "sim/elasticity/polar_decomposition.h"
+#include "sim/mesh/topology.h"
+#include "sim/world/phases.h"
+
+namespace griffith {
+namespace {
+
+/// A body's nodes as columns.
+NodeVectors gather(const std::vector<Vec3>& values, const std::vector<NodeId>& nodes) {
+  NodeVectors gathered(3, nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) gathered.col(i) = values[nodes[i]];
+  return gathered;
+}
+
+Eigen::VectorXd gather(const std::vector<double>& values, const std::vector<NodeId>& nodes) {
+  Eigen::VectorXd gathered(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) gathered[i] = values[nodes[i]];
+  return gathered;
+}
+
+std::vector<NodeId> nodes_of(const TetMesh& mesh, const std::vector<TetId>& tets) {
+  std::vector<NodeId> nodes;
+  for (TetId tet : tets) nodes.insert(nodes.end(), mesh.tets[tet].begin(), mesh.tets[tet].end());
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
+RigidMotion motion_of(const WorldState& world, const Body& body) {
+  return rigid_motion(gather(world.nodes.positions, body.nodes), gather(world.nodes.velocities, body.nodes),
+                      gather(world.nodes.masses, body.nodes));
+}
+
+/// Convex parts of the body's present shape, relative to its centre of mass.
+std::vector<ConvexPart> collision_parts(const WorldState& world, const Body& body) {
+  std::vector<Vec3> points;
+  for (NodeId node : body.nodes) points.push_back(world.nodes.positions[node] - body.motion.center);
+  std::vector<std::array<int, 4>> tets;
+  for (TetId tet : body.tets) {
+    std::array<int, 4> corners;
+    for (int i = 0; i < 4; ++i)
+      corners[i] = static_cast<int>(
+          std::lower_bound(body.nodes.begin(), body.nodes.end(), world.mesh.tets[tet][i]) - body.nodes.begin());
+    tets.push_back(corners);
+  }
+  return convex_parts(points, tets);
+}
+
+void place_stand_in(WorldState& world, Body& body) {
+  const std::vector<ConvexPart> parts = collision_parts(world, body);
+  const RigidMass mass{body.motion.mass, body.motion.inertia};
+  const Mobility mobility = body.supported() ? Mobility::held : Mobility::free;
+  const RigidState state{{body.motion.center, body.orientation}, body.motion.velocity, body.motion.angular_velocity};
+  if (body.stand_in.valid()) {
+    world.contact_world.reshape(body.stand_in, parts, mass, mobility, state);
+    return;
+  }
+  const Material& material = world.material_of(body);
+  body.stand_in =
+      world.contact_world.add_stand_in(parts, mass, mobility, state, {material.friction, material.restitution});
+  if (static_cast<std::size_t>(body.stand_in) >= world.body_of_proxy.size())
+    world.body_of_proxy.resize(body.stand_in + 1);
+  world.body_of_proxy[body.stand_in] = body.id;
+}
+
+void clear_stress(WorldState& world, const Body& body) {
+  for (TetId tet : body.tets) {
+    world.elements.states[tet].stress.setZero();
+    world.elements.states[tet].energy_density = 0;
+    world.elements.tensile_stresses[tet].setZero();
+    world.elements.stresses[tet].setZero();
+  }
+  for (NodeId node : body.nodes) world.nodes.separations[node] = {};
+}
+
+/// The component that goes on as the body itself: a supported one before a free one, then the largest.
+std::size_t heir(const WorldState& world, const std::vector<std::vector<TetId>>& components) {
+  const auto rank = [&](const std::vector<TetId>& tets) {
+    const bool held = std::any_of(tets.begin(), tets.end(), [&](TetId tet) {
+      const auto& corners = world.mesh.tets[tet];
+      return std::any_of(corners.begin(), corners.end(), [&](NodeId node) { return world.nodes.held[node] != 0; });
+    });
+    return std::pair(held, tets.size());
+  };
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < components.size(); ++i)
+    if (rank(components[i]) > rank(components[best])) best = i;
+  return best;
+}
+
+}  // namespace
+
+void update_motion(WorldState& world, Body& body) {
+  body.motion = motion_of(world, body);
+  Mat3 correlation = Mat3::Zero();
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+    const NodeId node = body.nodes[i];
+    correlation += world.nodes.masses[node] * (world.nodes.positions[node] - body.motion.center) *
+                   body.reference_arms.col(i).transpose();
+  }
+  body.orientation = Quat(polar_rotation(correlation / correlation.norm())).normalized();
+}
+
+void rebuild_body(WorldState& world, Body& body) {
+  body.nodes = nodes_of(world.mesh, body.tets);
+  body.surface.clear();
+  for (TetId tet : body.tets) {
+    world.elements.bodies[tet] = body.id;
+    for (int face = 0; face < 4; ++face)
+      if (!world.mesh.neighbours[tet][face].valid()) body.surface.push_back({tet, face});
+  }
+  body.system = std::make_unique<ElasticSystem>(world.mesh, body.tets, world.nodes.held, world.nodes.rows);
+  body.motion = motion_of(world, body);
+  body.reference_arms = gather(world.nodes.positions, body.nodes).colwise() - body.motion.center;
+  body.orientation.setIdentity();
+  // A single tet cannot break any further: it is debris from the start.
+  body.rigid = body.tets.size() == 1 && !body.supported();
+  body.calm_steps = 0;
+  if (body.rigid) clear_stress(world, body);
+  place_stand_in(world, body);
+}
+
+void part_body(WorldState& world, BodyId id) {
+  std::vector<std::vector<TetId>> components = connected_components(world.mesh, world.bodies[id].tets);
+  const std::size_t kept = heir(world, components);
+  world.bodies[id].tets = std::move(components[kept]);
+  rebuild_body(world, world.bodies[id]);
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    if (i == kept) continue;
+    Body piece;
+    piece.id = BodyId(static_cast<std::int64_t>(world.bodies.size()));
+    piece.parent = id;
+    piece.scene_body = world.bodies[id].scene_body;
+    piece.tets = std::move(components[i]);
+    world.bodies.push_back(std::move(piece));
+    rebuild_body(world, world.bodies.back());
+  }
+}
+
+}  // namespace griffith

@@ -1,0 +1,147 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sim/fracture/separation_tensor.h"
+#include "sim/mesh/topology.h"
+#include "sim/parallel.h"
+#include "sim/world/phases.h"
+
+namespace griffith {
+namespace {
+
+Corners current_corners(const WorldState& world, TetId tet) {
+  Corners corners;
+  for (int i = 0; i < 4; ++i) corners.col(i) = world.nodes.positions[world.mesh.tets[tet][i]];
+  return corners;
+}
+
+void update_element(WorldState& world, const ElasticModuli& moduli, TetId tet) {
+  ElementArrays& elements = world.elements;
+  elements.states[tet] = corotational_state(elements.rests[tet], moduli, current_corners(world, tet));
+  const ElementState& state = elements.states[tet];
+  elements.tensile_stresses[tet] = tensile_part(state.stress);
+  elements.stresses[tet] = state.rotation * state.stress * state.rotation.transpose();
+}
+
+ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt) {
+  const Material& material = world.material_of(body);
+  const SimulationSettings& settings = world.scene.simulation;
+  return {dt, material.mass_damping, material.stiffness_damping, settings.relative_residual,
+          settings.max_solver_iterations};
+}
+
+/// Elastic plus external force of the body's nodes, per node of the mesh; only the body's own entries are written.
+void add_elastic_forces(const WorldState& world, const Body& body, std::vector<Vec3>& forces) {
+  const ElementArrays& elements = world.elements;
+  parallel_for(static_cast<int>(body.nodes.size()), 1024, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const NodeId node = body.nodes[i];
+      for (TetId tet : world.mesh.stars[node]) {
+        const int corner = local_corner(world.mesh, tet, node);
+        const Vec3 traction = elements.states[tet].stress * elements.rests[tet].shape_gradients.col(corner);
+        forces[node] -= elements.rests[tet].volume * (elements.states[tet].rotation * traction);
+      }
+    }
+  });
+}
+
+/// The momentum-conserving rigid motion under the external forces; the shape stays as it is.
+void advance_rigid(WorldState& world, Body& body, const std::vector<Vec3>& forces, double dt) {
+  if (body.supported()) return;  // frozen by freeze(): its supports hold it
+  const double damping = 1 + dt * world.material_of(body).mass_damping;
+  for (NodeId node : body.nodes)
+    world.nodes.velocities[node] =
+        (world.nodes.velocities[node] + dt / world.nodes.masses[node] * forces[node]) / damping;
+  update_motion(world, body);
+  const double angle = body.motion.angular_velocity.norm() * dt;
+  const Mat3 turn = angle > 0 ? Eigen::AngleAxisd(angle, body.motion.angular_velocity * (dt / angle)).toRotationMatrix()
+                              : Mat3(Mat3::Identity());
+  for (NodeId node : body.nodes) {
+    const Vec3 arm = turn * (world.nodes.positions[node] - body.motion.center);
+    world.nodes.positions[node] = body.motion.center + dt * body.motion.velocity + arm;
+    world.nodes.velocities[node] = body.motion.velocity + body.motion.angular_velocity.cross(arm);
+  }
+}
+
+bool all_finite(const WorldState& world, const Body& body) {
+  return std::all_of(body.nodes.begin(), body.nodes.end(),
+                     [&](NodeId node) { return world.nodes.velocities[node].allFinite(); });
+}
+
+/// A body whose numbers broke down stays where it is, rigid and at rest: one lost body, not a lost scene.
+void freeze(WorldState& world, Body& body) {
+  for (NodeId node : body.nodes) world.nodes.velocities[node].setZero();
+  body.rigid = true;
+  ++world.report.non_finite_values;
+}
+
+SolveReport advance_elastic(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt) {
+  add_elastic_forces(world, body, forces);
+  const SolveReport report = body.system->solve(implicit_step(world, body, dt), world.nodes.positions, forces,
+                                                world.nodes.masses, world.nodes.velocities);
+  if (all_finite(world, body))
+    for (NodeId node : body.nodes) world.nodes.positions[node] += dt * world.nodes.velocities[node];
+  return report;
+}
+
+}  // namespace
+
+void update_elements(WorldState& world) {
+  for (const Body& body : world.bodies) {
+    if (body.rigid) continue;
+    const ElasticModuli moduli = elastic_moduli(world.material_of(body));
+    parallel_for(static_cast<int>(body.tets.size()), 1024, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) update_element(world, moduli, body.tets[i]);
+    });
+    for (TetId tet : body.tets) world.report.inverted_tets += world.elements.states[tet].inverted;
+  }
+}
+
+void assemble_systems(WorldState& world, double dt) {
+  parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      if (!world.bodies[i].rigid) assemble_system(world, world.bodies[i], dt);
+  });
+}
+
+void assemble_system(WorldState& world, Body& body, double dt) {
+  body.system->assemble(implicit_step(world, body, dt), elastic_moduli(world.material_of(body)), world.elements.rests,
+                        world.elements.states, world.nodes.positions, world.nodes.masses);
+}
+
+void advance_bodies(WorldState& world, std::vector<Vec3>& forces, double dt) {
+  std::vector<SolveReport> reports(world.bodies.size());
+  parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      Body& body = world.bodies[i];
+      if (body.rigid) {
+        advance_rigid(world, body, forces, dt);
+      } else {
+        reports[i] = advance_elastic(world, body, forces, dt);
+      }
+    }
+  });
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    Body& body = world.bodies[i];
+    if (!all_finite(world, body)) freeze(world, body);
+    update_motion(world, body);
+    world.report.solver_iterations = std::max(world.report.solver_iterations, reports[i].iterations);
+    world.report.max_relative_residual = std::max(world.report.max_relative_residual, reports[i].relative_residual);
+    world.report.unconverged_solves += !reports[i].converged;
+  }
+}
+
+void calm_bodies(WorldState& world) {
+  constexpr double kCalmMargin = 0.05;
+  constexpr int kCalmSteps = 20;
+  for (Body& body : world.bodies) {
+    if (body.rigid || body.supported()) continue;
+    const bool calm = std::all_of(body.nodes.begin(), body.nodes.end(), [&](NodeId node) {
+      return world.nodes.separations[node].margin < kCalmMargin;
+    });
+    body.calm_steps = calm ? body.calm_steps + 1 : 0;
+    body.rigid = body.calm_steps >= kCalmSteps;
+  }
+}
+
+}  // namespace griffith

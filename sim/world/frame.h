@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/elasticity/material.h"
+#include "sim/fracture/crack_event.h"
+#include "sim/fracture/node_separation.h"
+#include "sim/ids.h"
+#include "sim/linear_algebra.h"
+
+namespace griffith {
+
+/// A connected piece.
+struct BodyView {
+  BodyId id, parent;             ///< parent: the body that it broke off, invalid for an original
+  int scene_body = 0;            ///< index into Scene::bodies of its origin
+  int tets = 0;
+  double mass = 0;               ///< [kg]
+  Vec3 center_of_mass, velocity, angular_velocity;
+  bool supported = false;        ///< has nodes held in place
+};
+
+struct ProjectileView {
+  Vec3 position, velocity;
+  Quat rotation;
+  double radius = 0, mass = 0;
+};
+
+/// Milliseconds of the phases of one step; for display and statistics, never for decisions.
+struct StepTimings {
+  double step = 0, contact = 0, elasticity = 0, separation = 0, fracture = 0;
+};
+
+/// What happened in a step; every limit that was reached and every number that went wrong is counted here.
+struct StepReport {
+  int substeps = 1;
+  int contacts = 0;
+  double peak_margin = 0;            ///< highest margin of any node in any substep
+  int cracks = 0;                    ///< nodes split
+  int cracks_postponed = 0;          ///< over the budget, carried to the next step
+  int cracks_suppressed = 0;         ///< not made: the fragment would have been too small
+  int solver_iterations = 0;         ///< most in any body and substep
+  double max_relative_residual = 0;  ///< largest in any body and substep
+  int unconverged_solves = 0;        ///< stopped by the iteration limit
+  int inverted_tets = 0;
+  int non_finite_values = 0;         ///< bodies frozen because a value was not finite
+  double max_penetration = 0;        ///< [m]
+  StepTimings milliseconds;
+};
+
+/// Sums over everything that moves (bodies and projectiles), SI units.
+struct Totals {
+  double mass = 0, kinetic_energy = 0, elastic_energy = 0;
+  Vec3 momentum = Vec3::Zero(), angular_momentum = Vec3::Zero();  ///< about the world's origin
+};
+
+/// What a step hands out: spans over the world's arrays, valid until the next step, and no behaviour.
+struct Frame {
+  std::int64_t step = 0;
+  double time = 0;                                      ///< [s]
+  std::span<const Vec3> rest_positions, positions;      ///< per node [m]
+  std::span<const Vec3> velocities;                     ///< per node [m/s]
+  std::span<const double> node_masses;                  ///< per node [kg]
+  std::span<const std::uint8_t> node_held;              ///< per node: 1 where a support holds it
+  std::span<const NodeSeparation> separations;          ///< per node
+  std::span<const std::array<NodeId, 4>> tets;          ///< per tet: corners; face i opposite corner i (kTetFaces)
+  std::span<const std::array<TetId, 4>> neighbours;     ///< per tet: behind face i; invalid on the surface
+  std::span<const BodyId> tet_bodies;                   ///< per tet
+  std::span<const Mat3> stresses;                       ///< per tet: Cauchy stress, world frame [Pa]
+  std::span<const Material> materials;                  ///< per scene body, as in force now
+  std::span<const BodyView> bodies;                     ///< one per BodyId; bodies are never removed
+  std::span<const ProjectileView> projectiles;
+  std::span<const CrackEvent> crack_events;             ///< all so far, oldest first
+  int fragments = 0;                                    ///< connected pieces beyond the scene's own bodies
+  Totals totals;
+  StepReport report;
+};
+
+}  // namespace griffith

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "sim/world/world_state.h"
+
+/// The phases of a step, in the order in which step() calls them.
+namespace griffith {
+
+/// Builds meshes, bodies and the contact world. Throws InputError for meshes that cannot be simulated.
+void build_world(WorldState& world);
+
+/// Queues the shots of a burst, its start counted from now.
+void queue_burst(WorldState& world, const ProjectileBurst& burst);
+/// Puts the shots whose time has come into the contact world.
+void launch_projectiles(WorldState& world);
+
+/// How many substeps the coming step takes: more than one while something strikes, within the scene's limits.
+int plan_substeps(WorldState& world);
+
+/// Elastic state of all tets of bodies that are not rigid.
+void update_elements(WorldState& world);
+/// Assembles the systems of elastic bodies for a substep of `dt` [s].
+void assemble_systems(WorldState& world, double dt);
+/// The same for one body, which was rigid until now.
+void assemble_system(WorldState& world, Body& body, double dt);
+/// Finds and solves all contacts; returns the external force on each node [N], gravity included.
+std::vector<Vec3> contact_forces(WorldState& world, double dt);
+/// Moves every body by `dt` under these forces.
+/// Elastic forces are added to them.
+void advance_bodies(WorldState& world, std::vector<Vec3>& forces, double dt);
+/// Separation tensors, and the margin of every node against the material's resistance.
+void evaluate_separation(WorldState& world);
+/// Opens the mesh where the margin is passed, worst first; parted pieces become bodies.
+void open_cracks(WorldState& world);
+/// Bodies whose stress has died turn rigid.
+void calm_bodies(WorldState& world);
+
+/// Gives the tets of a body that may have come apart to one body for each connected piece.
+void part_body(WorldState& world, BodyId id);
+/// Rebuilds what follows from a body's tets: nodes, surface, system, stand-in.
+void rebuild_body(WorldState& world, Body& body);
+/// Takes mass, momentum and orientation of a body from its nodes.
+void update_motion(WorldState& world, Body& body);
+/// Lumped mass of a node from its star [kg].
+double node_mass(const WorldState& world, NodeId node);
+
+/// Body and projectile views and the totals, for the frame.
+void publish(WorldState& world);
+
+}  // namespace griffith

@@ -1,0 +1,74 @@
+#include "sim/world/surface_point.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace griffith {
+namespace {
+
+/// Barycentric weights of the point of segment ab closest to p, written to entries i and j.
+Vec3 closest_on_edge(const Vec3& p, const Vec3& a, const Vec3& b, int i, int j) {
+  const Vec3 edge = b - a;
+  const double t = std::clamp((p - a).dot(edge) / edge.squaredNorm(), 0.0, 1.0);
+  Vec3 weights = Vec3::Zero();
+  weights[i] = 1 - t;
+  weights[j] = t;
+  return weights;
+}
+
+/// Barycentric weights of the point of triangle abc closest to p.
+Vec3 closest_on_triangle(const Vec3& p, const std::array<Vec3, 3>& corners) {
+  const auto& [a, b, c] = corners;
+  const Vec3 normal = (b - a).cross(c - a);
+  const double area = normal.squaredNorm();
+  Vec3 weights((c - b).cross(p - b).dot(normal), (a - c).cross(p - c).dot(normal), (b - a).cross(p - a).dot(normal));
+  weights /= area;
+  if (weights.minCoeff() >= 0) return weights;
+  Vec3 best;
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    const Vec3 candidate = closest_on_edge(p, corners[i], corners[j], i, j);
+    const double distance = (candidate[i] * corners[i] + candidate[j] * corners[j] - p).squaredNorm();
+    if (distance < best_distance) {
+      best_distance = distance;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+SurfacePoint closest_surface_point(const WorldState& world, const Body& body, const Vec3& position) {
+  SurfacePoint best;
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (const SurfaceFace& face : body.surface) {
+    const std::array<NodeId, 3> nodes = face_nodes(world.mesh, face.tet, face.face);
+    const std::array<Vec3, 3> corners = {world.nodes.positions[nodes[0]], world.nodes.positions[nodes[1]],
+                                         world.nodes.positions[nodes[2]]};
+    // No point of the triangle is closer than its first corner less its longest edge from there.
+    const double reach = std::sqrt(std::max((corners[1] - corners[0]).squaredNorm(), (corners[2] - corners[0]).squaredNorm()));
+    if ((position - corners[0]).norm() - reach > best_distance) continue;
+    const Vec3 weights = closest_on_triangle(position, corners);
+    const double distance =
+        (weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2] - position).norm();
+    if (distance >= best_distance) continue;
+    best_distance = distance;
+    best = {nodes, weights};
+  }
+  return best;
+}
+
+double surface_compliance(const WorldState& world, const Body& body, const SurfacePoint& point, const Vec3& normal) {
+  double compliance = 0;
+  for (int i = 0; i < 3; ++i) {
+    const int row = world.nodes.rows[point.nodes[i]];
+    if (row < 0) continue;
+    compliance += point.weights[i] * point.weights[i] * normal.dot(body.system->inverse_diagonal(row) * normal);
+  }
+  return compliance;
+}
+
+}  // namespace griffith

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+
+#include "sim/world/world_state.h"
+
+namespace griffith {
+
+/// A point of a body's surface: corners of a face and their barycentric weights (they add up to 1).
+struct SurfacePoint {
+  std::array<NodeId, 3> nodes;
+  Vec3 weights = Vec3::Zero();
+};
+
+/// The point of the body's present surface closest to `position` (world space).
+SurfacePoint closest_surface_point(const WorldState& world, const Body& body, const Vec3& position);
+
+/// How far the surface gives way at this point along the unit vector `normal` under a unit impulse within the substep
+/// whose system is assembled [1/kg]: n·(sum of w_i² D_i⁻¹)·n.
+double surface_compliance(const WorldState& world, const Body& body, const SurfacePoint& point, const Vec3& normal);
+
+}  // namespace griffith

@@ -1,0 +1,85 @@
+#include "sim/world/world.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "sim/world/phases.h"
+#include "sim/world/world_impl.h"
+
+namespace griffith {
+namespace {
+
+/// FNV-1a over bytes (Fowler, Noll & Vo 1991).
+class Hash {
+ public:
+  template <class T>
+  void add(const std::vector<T>& values) {
+    const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
+    for (std::size_t i = 0; i < values.size() * sizeof(T); ++i) value_ = (value_ ^ bytes[i]) * 0x100000001b3u;
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325u;
+};
+
+}  // namespace
+
+World::World(const Scene& scene) : impl_(std::make_unique<Impl>(WorldState(scene))) { build_world(impl_->state); }
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+Frame World::frame() const {
+  const WorldState& world = impl_->state;
+  Frame frame;
+  frame.step = world.step;
+  frame.time = world.time;
+  frame.rest_positions = world.mesh.rest_positions;
+  frame.positions = world.nodes.positions;
+  frame.velocities = world.nodes.velocities;
+  frame.node_masses = world.nodes.masses;
+  frame.node_held = world.nodes.held;
+  frame.separations = world.nodes.separations;
+  frame.tets = world.mesh.tets;
+  frame.neighbours = world.mesh.neighbours;
+  frame.tet_bodies = world.elements.bodies;
+  frame.stresses = world.elements.stresses;
+  frame.materials = world.materials;
+  frame.bodies = world.body_views;
+  frame.projectiles = world.projectile_views;
+  frame.crack_events = world.crack_events;
+  frame.fragments = static_cast<int>(
+      std::count_if(world.bodies.begin(), world.bodies.end(), [](const Body& body) { return body.parent.valid(); }));
+  frame.totals = world.totals;
+  frame.report = world.report;
+  return frame;
+}
+
+void World::fire(const ProjectileBurst& burst) { queue_burst(impl_->state, burst); }
+
+void World::set_material(int scene_body, const Material& material) {
+  WorldState& world = impl_->state;
+  assert(scene_body >= 0 && scene_body < static_cast<int>(world.materials.size()));
+  world.materials[scene_body] = material;
+  for (Body& body : world.bodies) {
+    if (body.scene_body != scene_body) continue;
+    for (NodeId node : body.nodes) world.nodes.masses[node] = node_mass(world, node);
+    rebuild_body(world, body);
+    world.contact_world.set_surface(body.stand_in, {material.friction, material.restitution});
+  }
+  update_elements(world);
+  publish(world);
+}
+
+std::uint64_t World::state_hash() const {
+  const WorldState& world = impl_->state;
+  Hash hash;
+  hash.add(world.nodes.positions);
+  hash.add(world.nodes.velocities);
+  hash.add(world.mesh.tets);
+  hash.add(world.elements.bodies);
+  return hash.value();
+}
+
+}  // namespace griffith

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+
+#include "sim/scene/scene.h"
+#include "sim/world/frame.h"
+
+namespace griffith {
+
+/// A scene in motion. Results depend on the scene, the shots and edits, and the number of steps alone: never on the clock,
+/// the number of threads or the frame rate.
+class World {
+ public:
+  /// Builds meshes and set-up. Throws InputError when a mesh or a value of the scene is unusable.
+  explicit World(const Scene& scene);
+  ~World();
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+
+  /// Advances by the scene's time step.
+  void step();
+  /// A read-only view, valid until the next call that changes the world.
+  Frame frame() const;
+
+  /// Launches `burst`, its start counted from now.
+  void fire(const ProjectileBurst& burst);
+  /// Gives the pieces of Scene::bodies[scene_body] other elastic and fracture properties while running. Density takes
+  /// effect as well: velocities stay, momentum changes with the mass.
+  void set_material(int scene_body, const Material& material);
+
+  /// A hash of all positions, velocities and topology: the same bits, the same hash.
+  std::uint64_t state_hash() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace griffith

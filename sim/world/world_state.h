@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "sim/contact/contact_world.h"
+#include "sim/elasticity/element.h"
+#include "sim/mesh/topology.h"
+#include "sim/scene/scene.h"
+#include "sim/solver/elastic_system.h"
+#include "sim/solver/rigid_motion.h"
+#include "sim/world/frame.h"
+
+namespace griffith {
+
+/// What moves, per node. Splitting a node appends to every array.
+struct NodeArrays {
+  std::vector<Vec3> positions, velocities;   ///< [m], [m/s]
+  std::vector<double> masses;                ///< lumped: a quarter of each tet of the star [kg]
+  std::vector<std::uint8_t> held;            ///< 1 where a support holds the node
+  std::vector<std::uint8_t> at_crack_front;  ///< 1 where cut faces end
+  std::vector<int> rows;                     ///< row in the system of the node's body, -1 for held ones
+  std::vector<NodeSeparation> separations;
+};
+
+/// Per tet; the rest data never change.
+struct ElementArrays {
+  std::vector<ElementRest> rests;
+  std::vector<ElementState> states;
+  std::vector<Mat3> tensile_stresses;  ///< corotated frame [Pa]
+  std::vector<Mat3> stresses;          ///< world frame [Pa], for the frame
+  std::vector<BodyId> bodies;
+};
+
+/// A connected piece of elastic material and its stand-in in the contact world.
+struct Body {
+  BodyId id, parent;
+  int scene_body = 0;
+  std::vector<TetId> tets;               ///< ascending
+  std::vector<NodeId> nodes;             ///< ascending, held ones too
+  std::vector<SurfaceFace> surface;
+  NodeVectors reference_arms;            ///< nodes relative to the centre of mass when the shape was made [m]
+  std::unique_ptr<ElasticSystem> system;
+  ProxyId stand_in;
+  RigidMotion motion;                    ///< mass, momentum and inertia of the nodes now
+  Quat orientation = Quat::Identity();   ///< from the reference shape to now
+  bool rigid = false;                    ///< moves as a whole: nothing about it is elastic until it is hit
+  int calm_steps = 0;                    ///< steps in a row with next to no stress
+
+  bool supported() const { return !system->is_free(); }
+};
+
+struct Projectile {
+  ProxyId object;
+  double radius = 0, mass = 0;
+};
+
+/// A shot that has not left yet.
+struct PendingShot {
+  double time = 0;  ///< [s]
+  ProjectileBurst burst;
+};
+
+/// Everything behind a World: constant set-up (scene, rest data) and mutable state.
+struct WorldState {
+  explicit WorldState(const Scene& authored) : scene(authored), contact_world(authored.gravity) {}
+
+  Scene scene;
+  std::vector<Material> materials;  ///< per scene body, as in force now
+  TetMesh mesh;
+  NodeArrays nodes;
+  ElementArrays elements;
+  std::vector<Body> bodies;  ///< by BodyId; never removed
+  ContactWorld contact_world;
+  std::vector<BodyId> body_of_proxy;  ///< per ProxyId; invalid for projectiles and the ground
+  std::vector<Projectile> projectiles;
+  std::vector<PendingShot> pending_shots;
+  int impact_steps_left = 0;  ///< steps that stay substepped after an impact
+
+  std::int64_t step = 0;
+  double time = 0;  ///< [s]
+  std::vector<CrackEvent> crack_events;
+  StepReport report;
+  std::vector<BodyView> body_views;
+  std::vector<ProjectileView> projectile_views;
+  Totals totals;
+
+  const Material& material_of(const Body& body) const { return materials[body.scene_body]; }
+};
+
+}  // namespace griffith

@@ -1,0 +1,187 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/contact/bodies.h"
+
+namespace griffith {
+namespace {
+
+using testing::at;
+using testing::box_mass;
+using testing::box_parts;
+
+constexpr double kDt = 1.0 / 120;
+
+void step(ContactWorld& world, double dt = kDt) {
+  world.detect();
+  world.solve(dt);
+}
+
+TEST(SphereContact, FreeFallFollowsTheSemiImplicitRule) {
+  const Vec3 gravity(0.3, -9.81, 1.7);
+  ContactWorld world(gravity);
+  const ProxyId ball = world.add_sphere(0.2, 3, at(Vec3(1, 2, 3), Vec3(4, 5, 6)), {});
+  Vec3 position(1, 2, 3), velocity(4, 5, 6);
+  for (int i = 0; i < 240; ++i) {
+    step(world);
+    velocity += kDt * gravity;
+    position += kDt * velocity;
+  }
+  EXPECT_LT((world.state(ball).velocity - velocity).norm(), 1e-12);
+  EXPECT_LT((world.state(ball).pose.translation - position).norm(), 1e-11);
+}
+
+struct Collision {
+  double mass_a, mass_b, speed, offset, friction, restitution;
+};
+
+class SphereCollision : public ::testing::TestWithParam<Collision> {};
+
+TEST_P(SphereCollision, ImpulsesAreTheChangesOfMomentumAndTheRestitutionIsKept) {
+  const Collision& test = GetParam();
+  ContactWorld world(Vec3::Zero());
+  const SurfaceProperties surface{test.friction, test.restitution};
+  const ProxyId a = world.add_sphere(0.2, test.mass_a, at(Vec3(-1, test.offset, 0), Vec3(test.speed, 0, 0)), surface);
+  const ProxyId b = world.add_sphere(0.3, test.mass_b, at(Vec3(1, 0, 0)), surface);
+  const Vec3 momentum = test.mass_a * world.state(a).velocity;
+  double closing = 0, parting = 0;
+  int impacts = 0;
+  for (int i = 0; i < 240; ++i) {
+    const RigidState before_a = world.state(a), before_b = world.state(b);
+    step(world);
+    Vec3 impulse_on_a = Vec3::Zero(), impulse_on_b = Vec3::Zero();
+    for (const Contact& contact : world.contacts()) {
+      const Vec3 on_a = contact.a == a ? contact.impulse : -contact.impulse;
+      impulse_on_a += on_a;
+      impulse_on_b -= on_a;
+      if (contact.impulse.norm() == 0) continue;
+      const Vec3 normal = contact.a == a ? contact.normal : Vec3(-contact.normal);
+      closing = normal.dot(before_b.velocity - before_a.velocity);
+      parting = normal.dot(world.state(a).velocity - world.state(b).velocity);
+      ++impacts;
+    }
+    EXPECT_LT((test.mass_a * (world.state(a).velocity - before_a.velocity) - impulse_on_a).norm(), 1e-9);
+    EXPECT_LT((test.mass_b * (world.state(b).velocity - before_b.velocity) - impulse_on_b).norm(), 1e-9);
+  }
+  EXPECT_EQ(impacts, 1);
+  EXPECT_NEAR(parting, test.restitution * closing, 1e-6 * test.speed);
+  const Vec3 after = test.mass_a * world.state(a).velocity + test.mass_b * world.state(b).velocity;
+  EXPECT_LT((after - momentum).norm(), 1e-9 * momentum.norm());
+}
+
+INSTANTIATE_TEST_SUITE_P(Collisions, SphereCollision,
+                         ::testing::Values(Collision{1, 1, 2, 0, 0, 1}, Collision{1, 1, 5, 0, 0, 0},
+                                           Collision{2, 7, 3, 0.1, 0, 0.5}, Collision{25, 1, 40, 0.2, 0.6, 0.3},
+                                           Collision{0.5, 30, 100, -0.3, 1, 0.8}));
+
+TEST(SphereContact, FrictionTurnsASlidingSphereIntoARollingOne) {
+  ContactWorld world(Vec3(0, -9.81, 0));
+  world.add_ground(0, {0.5, 0});
+  const ProxyId ball = world.add_sphere(0.25, 2, at(Vec3(0, 0.25, 0), Vec3(3, 0, 0)), {0.5, 0});
+  for (int i = 0; i < 120; ++i) step(world);
+  // Rolling begins at 5/7 of the speed, whatever the friction.
+  EXPECT_NEAR(world.state(ball).velocity.x(), 3 * 5.0 / 7, 1e-3);
+  EXPECT_NEAR(world.state(ball).angular_velocity.z(), -3 * 5.0 / 7 / 0.25, 5e-3);
+}
+
+TEST(SphereContact, ASphereRestsOnTheGroundWithItsWeightAsImpulse) {
+  ContactWorld world(Vec3(0, -9.81, 0));
+  const ProxyId ground = world.add_ground(1, {});
+  const ProxyId ball = world.add_sphere(0.2, 25, at(Vec3(0, 2, 0)), {});
+  for (int i = 0; i < 600; ++i) step(world);
+  EXPECT_NEAR(world.state(ball).pose.translation.y(), 1.2, 1e-4);
+  EXPECT_LT(world.state(ball).velocity.norm(), 1e-6);
+  ASSERT_EQ(world.contacts().size(), 1u);
+  const Contact& contact = world.contacts()[0];
+  const Vec3 on_ball = contact.a == ball ? contact.impulse : Vec3(-contact.impulse);
+  EXPECT_TRUE(contact.a == ground || contact.b == ground);
+  EXPECT_LT((on_ball - Vec3(0, 25 * 9.81 * kDt, 0)).norm(), 1e-6);
+  EXPECT_LT(world.max_penetration(), 1e-4);
+}
+
+TEST(SphereContact, ComplianceSoftensTheImpulse) {
+  for (double compliance : {0.0, 0.05, 1.0, 20.0}) {
+    ContactWorld world(Vec3::Zero());
+    const Vec3 size(2, 2, 0.1);
+    world.add_stand_in(box_parts(size), box_mass(size, 40), Mobility::free, {}, {0, 0});
+    world.add_sphere(0.2, 10, at(Vec3(0, 0, 0.25), Vec3(0, 0, -7)), {0, 0});
+    world.detect();
+    ASSERT_EQ(world.contacts().size(), 1u);
+    world.contacts()[0].compliance = compliance;
+    world.solve(kDt);
+    const double expected = 7 / (1.0 / 40 + 1.0 / 10 + compliance);
+    EXPECT_NEAR(world.contacts()[0].impulse.norm(), expected, 1e-6 * expected) << compliance;
+  }
+}
+
+TEST(SphereContact, NothingPassesThroughAThinPlate) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int trial = 0; trial < 40; ++trial) {
+    ContactWorld world(Vec3::Zero());
+    const Vec3 size(2, 2, trial % 2 ? 0.1 : 0.01);
+    const bool held = trial % 4 < 2;
+    const ProxyId plate =
+        world.add_stand_in(box_parts(size), box_mass(size, 80), held ? Mobility::held : Mobility::free, {}, {});
+    const Vec3 aim(0.8 * uniform(random), 0.8 * uniform(random), 0);
+    const Vec3 start(uniform(random), uniform(random), 3 + uniform(random));
+    const double speed = 100;
+    const Vec3 velocity = speed * (aim - start).normalized();
+    const ProxyId ball = world.add_sphere(0.05, 1, at(start, velocity), {});
+    Vec3 total = Vec3::Zero();
+    for (int i = 0; i < 30; ++i) {
+      world.detect();
+      if (trial % 3 == 0)
+        for (Contact& contact : world.contacts()) contact.compliance = 0.5;
+      world.solve(kDt);
+      for (const Contact& contact : world.contacts()) total += contact.a == ball ? contact.impulse : -contact.impulse;
+      if (!held) testing::advance(world, plate, kDt);
+    }
+    const RigidState end = world.state(ball), plate_end = world.state(plate);
+    EXPECT_GT((end.pose.translation - plate_end.pose.translation).dot(plate_end.pose.rotation * Vec3::UnitZ()), 0);
+    EXPECT_LT((end.velocity - velocity - total).norm(), 1e-9);
+    EXPECT_GE(total.z(), held ? -velocity.z() - 1e-3 : 1.0);
+  }
+}
+
+TEST(SphereContact, SpheresThatCrossInOneSubstepCollide) {
+  ContactWorld world(Vec3::Zero());
+  const ProxyId a = world.add_sphere(0.05, 1, at(Vec3(-0.5, 0, 0), Vec3(100, 0, 0)), {0, 1});
+  const ProxyId b = world.add_sphere(0.05, 1, at(Vec3(0.5, 0, 0), Vec3(-100, 0, 0)), {0, 1});
+  for (int i = 0; i < 4; ++i) step(world);
+  EXPECT_NEAR(world.state(a).velocity.x(), -100, 1e-6);
+  EXPECT_NEAR(world.state(b).velocity.x(), 100, 1e-6);
+}
+
+TEST(SphereContact, AnImpactIsForetold) {
+  for (bool approaching : {true, false}) {
+    ContactWorld world(Vec3(0, -9.81, 0));
+    const Vec3 size(2, 2, 0.1);
+    world.add_stand_in(box_parts(size), box_mass(size, 80), Mobility::held, {}, {});
+    world.add_sphere(0.2, 25, at(Vec3(0, 0, 0.5), Vec3(0, 0, approaching ? -40 : 40)), {});
+    world.detect();
+    EXPECT_EQ(world.impact_expected(kDt, 1), approaching);
+    EXPECT_FALSE(world.impact_expected(kDt / 4, 1));  // too far off
+    EXPECT_FALSE(world.impact_expected(kDt, 50));     // too slow
+  }
+}
+
+TEST(SphereContact, RestIsNoImpact) {
+  ContactWorld world(Vec3(0, -9.81, 0));
+  world.add_ground(0, {});
+  world.add_sphere(0.2, 25, at(Vec3(0, 0.2, 0)), {});
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_FALSE(world.impact_expected(kDt, 0.5));
+    step(world);
+  }
+}
+
+TEST(SphereContact, NotFinitePlacesAreRefusedInDebugBuilds) {
+  ContactWorld world(Vec3::Zero());
+  const ProxyId ball = world.add_sphere(0.2, 1, at(Vec3::Zero()), {});
+  EXPECT_DEBUG_DEATH(world.set_state(ball, at(Vec3(NAN, 0, 0))), "is_valid");
+}
+
+}  // namespace
+}  // namespace griffith

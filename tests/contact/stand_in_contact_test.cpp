@@ -1,0 +1,228 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/contact/bodies.h"
+
+namespace griffith {
+namespace {
+
+using namespace testing;
+
+constexpr double kDt = 1.0 / 240;
+
+/// Distance that a box slides in a second on a plane tilted by this angle, along a horizontal direction.
+double sliding_distance(double angle, double heading, double friction) {
+  const Vec3 downhill(std::cos(heading), 0, std::sin(heading));
+  ContactWorld world(9.81 * (std::sin(angle) * downhill - std::cos(angle) * Vec3::UnitY()));
+  world.add_ground(0, {friction, 0});
+  const Vec3 size(1, 0.4, 1);
+  const ProxyId box =
+      world.add_stand_in(box_parts(size), box_mass(size, 10), Mobility::free, at(Vec3(0, 0.2, 0)), {friction, 0});
+  for (int i = 0; i < 240; ++i) substep(world, {box}, kDt);
+  return world.state(box).pose.translation.dot(downhill);
+}
+
+TEST(StandInContact, ABoxSlidesWhenTheSlopeExceedsItsFriction) {
+  for (double friction : {0.3, 0.7})
+    for (double heading : {0.0, 0.8, 2.5}) {
+      EXPECT_LT(sliding_distance(std::atan(0.95 * friction), heading, friction), 1e-4) << friction << ' ' << heading;
+      const double angle = std::atan(1.05 * friction);
+      const double free = 0.5 * 9.81 * (std::sin(angle) - friction * std::cos(angle));
+      EXPECT_NEAR(sliding_distance(angle, heading, friction), free, 0.05 * free) << friction << ' ' << heading;
+    }
+}
+
+TEST(StandInContact, AFreshCrackStaysQuiet) {
+  ContactWorld world(Vec3::Zero());
+  const Vec3 half(0.7, 0.3, 0.2);
+  const Quat rotation(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()));
+  std::vector<ProxyId> halves;
+  std::vector<Vec3> places;
+  for (double side : {-1.0, 1.0}) {
+    RigidState state = at(rotation * Vec3(side * half.x() / 2, 0, 0));
+    state.pose.rotation = rotation;
+    places.push_back(state.pose.translation);
+    halves.push_back(world.add_stand_in(box_parts(half), box_mass(half, 5), Mobility::free, state, {}));
+  }
+  for (int i = 0; i < 100; ++i) {
+    substep(world, halves, kDt);
+    for (int k = 0; k < 2; ++k) {
+      EXPECT_LT(world.state(halves[k]).velocity.norm(), 1e-13);
+      EXPECT_LT(world.state(halves[k]).angular_velocity.norm(), 1e-13);
+      EXPECT_LT((world.state(halves[k]).pose.translation - places[k]).norm(), 1e-13);
+    }
+  }
+}
+
+TEST(StandInContact, OverlapIsAllowedWhereACrackLeftItAndNowhereElse) {
+  for (bool fresh : {true, false}) {
+    ContactWorld world(Vec3::Zero());
+    const Vec3 size(1, 1, 1);
+    std::vector<ProxyId> boxes;
+    for (double x : {-0.49, fresh ? 0.49 : 3.0})
+      boxes.push_back(world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(x, 0, 0)), {}));
+    world.detect();
+    world.set_state(boxes[1], at(Vec3(0.49, 0, 0)));
+    for (int i = 0; i < 60; ++i) substep(world, boxes, kDt);
+    const double apart = (world.state(boxes[1]).pose.translation - world.state(boxes[0]).pose.translation).norm();
+    EXPECT_NEAR(apart, fresh ? 0.98 : 1.0, 1e-3);
+    EXPECT_LT(world.state(boxes[0]).velocity.norm() + world.state(boxes[1]).velocity.norm(), 1e-9);
+    world.detect();
+    EXPECT_LT(world.max_penetration(), 1e-3);
+  }
+}
+
+TEST(StandInContact, AnAllowanceShrinksWithTheOverlap) {
+  ContactWorld world(Vec3::Zero());
+  const Vec3 size(1, 1, 1);
+  const ProxyId a = world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(-0.49, 0, 0)), {});
+  const ProxyId b = world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(0.49, 0, 0)), {});
+  for (double x : {0.49, 0.495, 0.49}) {
+    world.set_state(b, at(Vec3(x, 0, 0)));
+    world.set_state(a, at(Vec3(-x, 0, 0)));
+    world.detect();
+  }
+  EXPECT_NEAR(world.max_penetration(), 0.01, 1e-4);
+}
+
+TEST(StandInContact, AHeldObjectActsWithItsVelocityAndKeepsIt) {
+  ContactWorld world(Vec3::Zero());
+  const Vec3 size(1, 1, 1);
+  const ProxyId wall =
+      world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::held, at(Vec3::Zero(), Vec3(2, 0, 0)), {0, 1});
+  const ProxyId box =
+      world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(1.001, 0, 0)), {0, 1});
+  substep(world, {wall, box}, kDt);
+  EXPECT_EQ(world.state(wall).velocity, Vec3(2, 0, 0));
+  EXPECT_NEAR(world.state(box).velocity.x(), 4, 1e-5);
+}
+
+TEST(StandInContact, HeldObjectsAndTheGroundIgnoreEachOther) {
+  ContactWorld world(Vec3(0, -9.81, 0));
+  world.add_ground(0, {});
+  const Vec3 size(1, 1, 1);
+  for (double x : {0.0, 0.5})
+    world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::held, at(Vec3(x, 0, 0)), {});
+  world.detect();
+  EXPECT_TRUE(world.contacts().empty());
+  world.solve(kDt);
+}
+
+TEST(StandInContact, ATiltedBodyFeelsItsFullInertia) {
+  // A blow off the centre against closed form: angular velocity = I⁻¹ (arm × impulse), with a full inertia tensor.
+  ContactWorld world(Vec3::Zero());
+  const Vec3 size(1, 0.6, 0.3);
+  const Mat3 turn = Eigen::AngleAxisd(0.6, Vec3(1, -1, 2).normalized()).toRotationMatrix();
+  RigidMass mass = box_mass(size, 8);
+  mass.inertia = turn * mass.inertia * turn.transpose();
+  ConvexPart part = box_part(size);
+  for (Vec3& corner : part) corner = turn * corner;
+  const ProxyId body = world.add_stand_in(std::vector<ConvexPart>{part}, mass, Mobility::free, {}, {0.5, 0.3});
+  const Vec3 target = turn * Vec3(0.3, 0.3, 0.1);
+  world.add_sphere(0.1, 2, at(target + turn * Vec3(0, 0.1, 0), Vec3(1, -9, 2)), {0.5, 0.3});
+  world.detect();
+  ASSERT_EQ(world.contacts().size(), 1u);
+  world.solve(kDt);
+  const Contact& contact = world.contacts()[0];
+  const Vec3 impulse = contact.a == body ? contact.impulse : Vec3(-contact.impulse);
+  const Vec3 point = contact.a == body ? contact.position_on_a : contact.position_on_b;
+  EXPECT_GT(impulse.norm(), 1);
+  EXPECT_LT((point - target).norm(), 1e-6);
+  EXPECT_LT((world.state(body).velocity - impulse / 8).norm(), 1e-9);
+  EXPECT_LT((world.state(body).angular_velocity - mass.inertia.inverse() * point.cross(impulse)).norm(), 1e-6);
+}
+
+TEST(StandInContact, AFaceThatStrikesAFaceDoesNotTurnIt) {
+  const Quat turn(Eigen::AngleAxisd(1.1, Vec3(1, 3, -2).normalized()));
+  ContactWorld world(Vec3::Zero());
+  const Vec3 size(1, 0.4, 0.7);
+  std::vector<ProxyId> boxes;
+  for (double side : {-1.0, 1.0}) {
+    RigidState state = at(turn * Vec3(0, side * 0.201, 0), turn * Vec3(0, -4 * side, 0));
+    state.pose.rotation = turn;
+    boxes.push_back(world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, state, {0.5, 0.5}));
+  }
+  world.detect();
+  EXPECT_EQ(world.contacts().size(), 4u);
+  world.solve(kDt);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_LT((world.state(boxes[i]).velocity - turn * Vec3(0, i == 0 ? -2 : 2, 0)).norm(), 1e-6);
+    EXPECT_LT(world.state(boxes[i]).angular_velocity.norm(), 1e-6);
+  }
+}
+
+TEST(StandInContact, ImpulsesAreTheChangesOfMomentumInAHeap) {
+  const Vec3 gravity(1, -9.81, 0);
+  ContactWorld world(gravity);
+  world.add_ground(0, {0.8, 0.1});
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<ProxyId> chunks;
+  const RigidMass mass = box_mass(Vec3(0.2, 0.15, 0.1), 3);
+  for (int i = 0; i < 40; ++i) {
+    const Vec3 place(0.4 * uniform(random), 0.6 + 0.5 * uniform(random), 0.4 * uniform(random));
+    const std::vector<ConvexPart> parts = {random_chunk(random, 0.1)};
+    chunks.push_back(world.add_stand_in(parts, mass, Mobility::free, at(place), {0.5 + 0.4 * uniform(random), 0.3}));
+  }
+  for (int step = 0; step < 200; ++step) {
+    const double dt = step % 7 < 3 ? 1.0 / 960 : 1.0 / 120;
+    std::vector<RigidState> before;
+    for (ProxyId id : chunks) before.push_back(world.state(id));
+    world.detect();
+    for (Contact& contact : world.contacts()) contact.compliance = step % 2 ? 0.1 : 0;
+    world.solve(dt);
+    for (std::size_t i = 0; i < chunks.size(); ++i) {
+      const RigidState after = world.state(chunks[i]);
+      Vec3 impulse = Vec3::Zero(), angular_impulse = Vec3::Zero();
+      for (const Contact& contact : world.contacts()) {
+        if (contact.a != chunks[i] && contact.b != chunks[i]) continue;
+        const Vec3 own = contact.a == chunks[i] ? contact.impulse : Vec3(-contact.impulse);
+        const Vec3 point = contact.a == chunks[i] ? contact.position_on_a : contact.position_on_b;
+        impulse += own;
+        angular_impulse += (point - before[i].pose.translation).cross(own);
+      }
+      const Mat3 rotation = before[i].pose.rotation.toRotationMatrix();
+      const Mat3 inertia = rotation * mass.inertia * rotation.transpose();
+      ASSERT_LT((mass.mass * (after.velocity - before[i].velocity - dt * gravity) - impulse).norm(), 1e-9);
+      ASSERT_LT((inertia * (after.angular_velocity - before[i].angular_velocity) - angular_impulse).norm(), 1e-9);
+    }
+    for (ProxyId id : chunks) advance(world, id, dt);
+  }
+  EXPECT_GT(world.contacts().size(), 60u);
+}
+
+TEST(StandInContact, ATowerStands) {
+  ContactWorld world(Vec3(0, -9.81, 0));
+  world.add_ground(0, {});
+  const Vec3 size(0.4, 0.2, 0.3);
+  std::vector<ProxyId> boxes;
+  for (int i = 0; i < 8; ++i)
+    boxes.push_back(
+        world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(0, 0.1 + 0.2 * i, 0)), {}));
+  for (int i = 0; i < 480; ++i) substep(world, boxes, kDt);
+  for (int i = 0; i < 8; ++i) {
+    EXPECT_LT((world.state(boxes[i]).pose.translation - Vec3(0, 0.1 + 0.2 * i, 0)).norm(), 5e-3) << i;
+    EXPECT_LT(world.state(boxes[i]).velocity.norm(), 1e-2) << i;
+  }
+}
+
+TEST(StandInContact, RemovedAndReshapedObjectsLeaveNoContactBehind) {
+  ContactWorld world(Vec3(0, -9.81, 0));
+  world.add_ground(0, {});
+  const Vec3 size(1, 1, 1), smaller(1, 0.5, 1);
+  const ProxyId lower = world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(0, 0.5, 0)), {});
+  const ProxyId upper = world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(0, 1.5, 0)), {});
+  substep(world, {lower, upper}, kDt);
+  EXPECT_FALSE(world.contacts().empty());
+  world.reshape(lower, box_parts(smaller), box_mass(smaller, 2.5), Mobility::free, at(Vec3(0, 0.25, 0)));
+  world.detect();
+  for (const Contact& contact : world.contacts()) EXPECT_TRUE(contact.a != upper && contact.b != upper);
+  world.remove(lower);
+  EXPECT_TRUE(world.contacts().empty());
+  for (int i = 0; i < 480; ++i) substep(world, {upper}, kDt);
+  EXPECT_NEAR(world.state(upper).pose.translation.y(), 0.5, 1e-3);
+}
+
+}  // namespace
+}  // namespace griffith

@@ -1,0 +1,187 @@
+#include "sim/mesh/mesh_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <limits>
+
+#include "sim/error.h"
+#include "sim/mesh/box_mesh.h"
+#include "sim/mesh/read_mesh.h"
+#include "sim/mesh/topology.h"
+#include "tests/random_values.h"
+
+namespace griffith {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::RandomValues;
+
+TetSoup box_soup() { return make_box(Vec3(2, 2, 1), Vec3::Ones(), BoxPattern::kuhn); }
+
+/// Tets that share `shared` corners (1: a node, 2: an edge) and lie on opposite sides of them.
+TetSoup two_tets_sharing(int shared) {
+  TetSoup soup;
+  soup.points = {Vec3(0, 0, 0),  Vec3(0, 0, 1),  Vec3(1, 0, 0),   Vec3(0, 1, 0),
+                 Vec3(-1, 0, 0), Vec3(0, -1, 0), Vec3(-1, -1, -1)};
+  soup.tets = {{0, 2, 3, 1}, shared == 2 ? std::array{0, 4, 5, 1} : std::array{0, 4, 5, 6}};
+  return soup;
+}
+
+std::string error_of(TetSoup soup) {
+  try {
+    prepare(soup, "wall.msh");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(QualityTest, IsOneForTheRegularTetAndInvariant) {
+  const std::array<Vec3, 4> regular = {Vec3(1, 1, 1), Vec3(-1, 1, -1), Vec3(1, -1, -1), Vec3(-1, -1, 1)};
+  const double sign = signed_volume(regular[0], regular[1], regular[2], regular[3]) > 0 ? 1 : -1;
+  EXPECT_NEAR(sign * tet_quality(regular[0], regular[1], regular[2], regular[3]), 1, 1e-14);
+  RandomValues random(1);
+  for (int round = 0; round < 100; ++round) {
+    std::array<Vec3, 4> x;
+    for (Vec3& corner : x) corner = random.vector();
+    const double quality = tet_quality(x[0], x[1], x[2], x[3]);
+    EXPECT_LE(std::abs(quality), 1 + 1e-14);
+    EXPECT_NEAR(tet_quality(x[1], x[0], x[2], x[3]), -quality, 1e-14);
+    const Mat3 map = random.uniform(0.1, 10) * random.rotation();
+    EXPECT_NEAR(tet_quality(map * x[0], map * x[1], map * x[2], map * x[3]), quality, 1e-12);
+  }
+}
+
+TEST(PrepareTest, LeavesAGoodMeshAlone) {
+  const TetSoup original = box_soup();
+  TetSoup soup = original;
+  const MeshReport report = prepare(soup);
+  EXPECT_THAT(findings(report), IsEmpty());
+  EXPECT_EQ(soup.tets, original.tets);
+  EXPECT_EQ(soup.points, original.points);
+  EXPECT_EQ(report.pieces, 1);
+  EXPECT_EQ(report.tets, static_cast<int>(soup.tets.size()));
+}
+
+TEST(PrepareTest, RepairsRandomlySpoiltMeshesToTheSameShape) {
+  RandomValues random(2);
+  const TetSoup original = box_soup();
+  for (int round = 0; round < 50; ++round) {
+    TetSoup soup = original;
+    int flipped = 0, repeated = 0, unused = 0;
+    for (auto& tet : soup.tets)
+      if (random.index(3) == 0) std::swap(tet[random.index(2)], tet[2 + random.index(2)]), ++flipped;
+    for (; repeated < random.index(4); ++repeated) {
+      auto copy = soup.tets[random.index(static_cast<int>(original.tets.size()))];
+      std::swap(copy[0], copy[1]);
+      soup.tets.push_back(copy);
+      flipped +=
+          signed_volume(soup.points[copy[0]], soup.points[copy[1]], soup.points[copy[2]], soup.points[copy[3]]) < 0;
+    }
+    for (; unused < random.index(4); ++unused) {
+      soup.points.insert(soup.points.begin(), Vec3(100, 100, 100));
+      for (auto& tet : soup.tets)
+        for (int& corner : tet) ++corner;
+    }
+    const TetSoup spoilt = soup;
+    const MeshReport report = prepare(soup);
+    EXPECT_EQ(report.reoriented_tets, flipped);
+    EXPECT_EQ(report.removed_tets, repeated);
+    EXPECT_EQ(report.removed_nodes, unused);
+    EXPECT_EQ(soup.points, original.points);
+    EXPECT_NEAR(report.volume, 4, 1e-12);
+    EXPECT_THAT(check_invariants(build_mesh(soup)), IsEmpty());
+    for (std::size_t i = 0; i < spoilt.points.size(); ++i) {
+      const int node = report.node_of_point[i];
+      EXPECT_EQ(node < 0 ? Vec3(100, 100, 100) : soup.points[node], spoilt.points[i]);
+    }
+  }
+}
+
+TEST(PrepareTest, CountsJointsWithoutAFace) {
+  TetSoup at_node = two_tets_sharing(1), at_edge = two_tets_sharing(2);
+  const MeshReport node = prepare(at_node), edge = prepare(at_edge);
+  EXPECT_EQ(node.pinched_nodes, 1);
+  EXPECT_EQ(node.pinched_edges, 0);
+  EXPECT_EQ(edge.pinched_nodes, 2);
+  EXPECT_EQ(edge.pinched_edges, 1);
+  EXPECT_EQ(node.pieces, 2);
+  EXPECT_EQ(edge.pieces, 2);
+}
+
+TEST(PrepareTest, CountsCoincidentNodesButNeverMergesThem) {
+  TetSoup soup = box_soup();
+  const int points = static_cast<int>(soup.points.size());
+  const TetSoup second = soup;
+  soup.points.insert(soup.points.end(), second.points.begin(), second.points.end());
+  for (auto tet : second.tets) {
+    for (int& corner : tet) corner += points;
+    soup.tets.push_back(tet);
+  }
+  const MeshReport report = prepare(soup);
+  EXPECT_EQ(report.coincident_nodes, points);
+  EXPECT_EQ(report.nodes, 2 * points);
+  EXPECT_EQ(report.pieces, 2);
+}
+
+TEST(PrepareTest, CountsSliversAndOverlaps) {
+  TetSoup sliver;
+  sliver.points = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0.3, 0.3, 1e-3)};
+  sliver.tets = {{0, 1, 2, 3}};
+  EXPECT_EQ(prepare(sliver).slivers, 1);
+  TetSoup overlap;
+  overlap.points = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0.2, 0.2, 2)};
+  overlap.tets = {{0, 1, 2, 3}, {0, 1, 2, 4}};
+  EXPECT_EQ(prepare(overlap).overlapping_faces, 1);
+}
+
+TEST(PrepareTest, NamesWhatMakesAMeshUnusable) {
+  TetSoup soup = box_soup();
+  EXPECT_THAT(error_of({}), HasSubstr("wall.msh: has no tetrahedra"));
+  soup.tets[7][2] = 1000;
+  EXPECT_THAT(error_of(soup), HasSubstr("tet 7 has the corner 1000"));
+  soup = box_soup();
+  soup.tets[3][2] = soup.tets[3][0];
+  EXPECT_THAT(error_of(soup), HasSubstr("tet 3 has the same corner twice"));
+  soup = box_soup();
+  soup.points[5].y() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(error_of(soup), HasSubstr("node 5 is not finite"));
+  soup.points = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, 1, 1e-14)};
+  soup.tets = {{0, 1, 2, 3}};
+  EXPECT_THAT(error_of(soup), HasSubstr("tet 0 (nodes 0, 1, 2, 3) has no volume"));
+  soup.points = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(0.2, 0.2, 2)};
+  soup.tets = {{0, 1, 2, 3}, {0, 1, 2, 4}, {0, 1, 2, 5}};
+  EXPECT_THAT(error_of(soup), HasSubstr("the face of nodes 0, 1, 2 belongs to more than two tets"));
+}
+
+TEST(PrepareTest, AcceptsTinyAndHugeUnits) {
+  for (double scale : {1e-60, 1e-9, 1e9, 1e60}) {
+    TetSoup soup = box_soup();
+    for (Vec3& point : soup.points) point *= scale;
+    EXPECT_THAT(findings(prepare(soup)), IsEmpty()) << scale;
+  }
+}
+
+class RealMeshTest : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(RealMeshTest, IsReadAndPrepared) {
+  const std::filesystem::path path = std::filesystem::path(GRIFFITH_SOURCE_DIR) / "../shared/data" / GetParam();
+  if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not there";
+  TetSoup soup = read_mesh(path);
+  const MeshReport report = prepare(soup, path.string());
+  RecordProperty("findings", ::testing::PrintToString(findings(report)));
+  EXPECT_EQ(report.pinched_nodes, 0);
+  EXPECT_THAT(check_invariants(build_mesh(soup)), IsEmpty());
+  EXPECT_GT(report.volume, 0);
+  EXPECT_EQ(report.pieces, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, RealMeshTest,
+                         ::testing::Values("walls/small", "walls/medium", "walls/large", "tets/duck.1.node",
+                                           "tets/materialblock.1.ele", "tets/octopus-low.mesh"));
+
+}  // namespace
+}  // namespace griffith

@@ -1,0 +1,351 @@
+#include "sim/scene/scene_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "sim/scene/scene_schema.h"
+
+namespace griffith {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+std::vector<std::string> places(const std::vector<InputError>& problems) {
+  std::vector<std::string> where;
+  for (const InputError& problem : problems) where.push_back(problem.where());
+  return where;
+}
+
+std::vector<InputError> problems_of(const std::string& text) { return check_scene_text(text, "doc"); }
+
+// --- Every field, from the schema, which is made from the table that the reader follows
+// ---------------------------------
+
+/// A scene with `value` at `pointer` and nothing else.
+std::vector<InputError> problems_with(const std::string& pointer, const Json& value) {
+  Json document = {{"version", 1}};
+  document[Json::json_pointer(pointer)] = value;
+  return problems_of(document.dump());
+}
+
+/// Calls visit(pointer, schema) for every value that a scene may have, each schema without alternatives inside.
+template <class Visit>
+void for_every_value(const std::string& pointer, const Json& schema, const Visit& visit) {
+  if (schema.contains("anyOf")) {
+    for (const Json& option : schema["anyOf"]) for_every_value(pointer, option, visit);
+    return;
+  }
+  visit(pointer, schema);
+  if (schema.contains("properties")) {
+    for (const auto& [name, property] : schema["properties"].items())
+      for_every_value(pointer + "/" + name, property, visit);
+  }
+  if (schema.value("additionalProperties", Json()).is_object()) {
+    for_every_value(pointer + "/custom", schema["additionalProperties"], visit);
+  }
+  if (schema.contains("items")) {
+    // A vector's components are judged together: the others have to be right.
+    if (!schema.contains("minItems")) for_every_value(pointer + "/0", schema["items"], visit);
+  }
+}
+
+template <class Visit>
+void for_every_field(const Visit& visit) {
+  const Json schema = Json::parse(scene_schema());
+  for (const auto& [name, property] : schema["properties"].items()) {
+    if (name != "version" && name != "$schema") for_every_value("/" + name, property, visit);
+  }
+}
+
+TEST(SceneFields, AValueOfTheWrongTypeIsReportedAtItsPlace) {
+  int checked = 0;
+  for_every_field([&](const std::string& pointer, const Json& schema) {
+    if (schema.value("type", "") == "null") return;
+    // No field takes both numbers and booleans, or an array that holds an object and a text.
+    std::vector<Json> wrong = {Json{{1, {}}, "text"}};
+    if (schema.value("type", "") != "boolean") wrong.push_back(true);
+    if (schema.value("type", "") == "boolean") wrong.push_back(0);
+    for (const Json& value : wrong) {
+      const auto where = places(problems_with(pointer, value));
+      EXPECT_TRUE(std::ranges::any_of(
+          where,
+          [&](const std::string& place) { return place == "doc#" + pointer || place == "doc#" + pointer + "/0"; }))
+          << pointer << " = " << value << "\n"
+          << testing::PrintToString(where);
+      ++checked;
+    }
+  });
+  EXPECT_GT(checked, 120);
+}
+
+TEST(SceneFields, ANumberMayBeAtTheEndsOfItsRangeAndNotBeyond) {
+  int checked = 0;
+  for_every_field([&](const std::string& pointer, const Json& schema) {
+    const bool vector = schema.contains("items") && schema.contains("minItems");
+    const Json& range = vector ? schema["items"] : schema;
+    if (!range.contains("minimum")) return;
+    const double low = range["minimum"], high = range["maximum"];
+    const bool whole = range["type"] == "integer";
+    const auto try_number = [&](double number) {
+      Json value = number;
+      if (vector) value = Json(schema["minItems"].get<std::size_t>(), low);
+      if (vector) value.back() = number;
+      std::vector<std::string> where;
+      for (const InputError& problem : problems_with(pointer, value)) {
+        // A value of the range may still be at odds with another field.
+        if (problem.remedy().starts_with("expected")) where.push_back(problem.where());
+      }
+      return where;
+    };
+    const std::string place =
+        "doc#" + pointer + (vector ? "/" + std::to_string(schema["minItems"].get<int>() - 1) : "");
+    EXPECT_THAT(try_number(high), Not(Contains(place)));
+    EXPECT_THAT(try_number(low), Not(Contains(place)));
+    EXPECT_THAT(try_number(whole ? high + 1 : std::nextafter(high, INFINITY)), Contains(place));
+    EXPECT_THAT(try_number(whole ? low - 1 : std::nextafter(low, -INFINITY)), Contains(place));
+    if (whole) {
+      EXPECT_THAT(try_number(low + 0.5), Contains(place));
+    }
+    ++checked;
+  });
+  EXPECT_GT(checked, 50);
+}
+
+TEST(SceneFields, AVectorOfTheWrongLengthIsReported) {
+  int checked = 0;
+  for_every_field([&](const std::string& pointer, const Json& schema) {
+    if (!schema.contains("minItems")) return;
+    for (const int length : {-1, 1}) {
+      const Json values(schema["minItems"].get<int>() + length, schema["items"]["maximum"]);
+      EXPECT_THAT(places(problems_with(pointer, values)), Contains("doc#" + pointer));
+    }
+    if (schema.contains("not")) {
+      EXPECT_THAT(places(problems_with(pointer, {0, 0, 0})), Contains("doc#" + pointer));
+    }
+    ++checked;
+  });
+  EXPECT_GT(checked, 15);
+}
+
+TEST(SceneFields, AMisspelledFieldIsReportedWithItsRightName) {
+  int checked = 0;
+  for_every_field([&](const std::string& pointer, const Json& schema) {
+    if (!schema.contains("properties")) return;
+    for (const auto& [name, property] : schema["properties"].items()) {
+      const std::string place = pointer + "/" + name + "x";
+      const auto problems = problems_with(place, property.value("default", Json(1)));
+      const auto found = std::ranges::find(problems, "doc#" + place, &InputError::where);
+      ASSERT_NE(found, problems.end()) << place;
+      EXPECT_EQ(found->remedy(), "did you mean \"" + name + "\"?");
+      ++checked;
+    }
+  });
+  EXPECT_GT(checked, 70);
+}
+
+TEST(SceneFields, AnUnknownNameIsReportedWithTheKnownOnes) {
+  int checked = 0;
+  for_every_field([&](const std::string& pointer, const Json& schema) {
+    if (!schema.contains("enum")) return;
+    const auto problems = problems_with(pointer, "completely different");
+    const auto found = std::ranges::find(problems, "doc#" + pointer, &InputError::where);
+    ASSERT_NE(found, problems.end()) << pointer;
+    for (const std::string name : schema["enum"]) {
+      EXPECT_THAT(found->remedy(), HasSubstr(name));
+      EXPECT_THAT(places(problems_with(pointer, name)), Not(Contains("doc#" + pointer)));
+    }
+    ++checked;
+  });
+  EXPECT_GE(checked, 6);
+}
+
+// --- Documents ------------------------------------------------------------------------------------------------------
+
+struct Malformed {
+  const char* text;
+  const char* where;
+  const char* what;  ///< part of the problem or the remedy
+};
+
+class MalformedScene : public testing::TestWithParam<Malformed> {};
+
+TEST_P(MalformedScene, IsReportedAtItsPlace) {
+  const auto problems = problems_of(GetParam().text);
+  ASSERT_FALSE(problems.empty());
+  EXPECT_EQ(problems[0].where(), GetParam().where);
+  EXPECT_THAT(problems[0].what(), HasSubstr(GetParam().what));
+  EXPECT_EQ(problems.size(), 1u) << problems[1].what();
+  EXPECT_THROW(scene_from_json(GetParam().text), InputError);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Text, MalformedScene,
+    testing::Values(Malformed{"", "doc:1:1", "unexpected end of input"},
+                    Malformed{"{\"version\": 1,\n \"name\": }", "doc:2:10", "unexpected '}'"},
+                    Malformed{"{\"version\": 1,\n\n\"gravity\": [0, 1e400, 0]}", "doc:3:20", "number overflow"},
+                    Malformed{"{\"version\": 1, \"gravity\": [0, NaN, 0]}", "doc:1:33", "invalid literal"},
+                    Malformed{"{\"version\": 1} x", "doc:1:16", "invalid literal"},
+                    Malformed{"{\"version\": 1, \"name\": \"\xff\"}", "doc:1:25", "UTF-8"},
+                    Malformed{"[1, 2]", "doc", "expected an object"}, Malformed{"7", "doc", "is 7"},
+                    Malformed{"null", "doc", "expected an object"}));
+
+INSTANTIATE_TEST_SUITE_P(Version, MalformedScene,
+                         testing::Values(Malformed{"{}", "doc#/version", "is missing"},
+                                         Malformed{R"({"version": 2, "bodies": 7})", "doc#/version",
+                                                   "newer than this program"},
+                                         Malformed{R"({"version": "1"})", "doc#/version", "the number 1"},
+                                         Malformed{R"({"version": 0})", "doc#/version", "the number 1"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Names, MalformedScene,
+    testing::Values(
+        Malformed{R"({"version": 1, "bodies": [{}, {"name": "a"}, {}]})", "doc#/bodies/2", "\"body\", as item 0 has"},
+        Malformed{R"({"version": 1, "cameras": [{"name": "a"}, {"name": "a"}]})", "doc#/cameras/1", "of its own"},
+        Malformed{R"({"version": 1, "name": "a", "bodies": [], "name": "b"})", "doc#/name", "appears twice"},
+        Malformed{R"({"version": 1, "view": {"edges": true, "edges": true}})", "doc#/view/edges", "appears twice"},
+        Malformed{R"({"version": 1, "bodies": [{}, {"name": "a/b", "name": "~"}]})", "doc#/bodies/1/name", "twice"},
+        Malformed{R"({"version": 1, "a/b~c": 1})", "doc#/a~1b~0c", "is no known field"},
+        Malformed{R"({"version": 1, "bodies": [{"material": "brik"}]})", "doc#/bodies/0/material", "mean \"brick\"?"},
+        Malformed{R"({"version": 1, "bodies": [{"material": {"preset": "x"}}]})", "doc#/bodies/0/material/preset",
+                  "\"soda_lime_glass\""},
+        Malformed{R"({"version": 1, "materials": {"mine": {}}, "bodies": [{"material": "unobtainium"}]})",
+                  "doc#/bodies/0/material", "\"mine\""},
+        Malformed{R"({"version": 1, "materials": {"brick": {}}})", "doc#/materials/brick", "another name"},
+        Malformed{R"({"version": 1, "materials": {"mine": {"name": "a"}}})", "doc#/materials/mine/name", "no known"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Values, MalformedScene,
+    testing::Values(
+        Malformed{R"({"version": 1, "bodies": [{"shape": {}}]})", "doc#/bodies/0/shape", "exactly one"},
+        Malformed{R"({"version": 1, "bodies": [{"shape": {"box": {}, "mesh": {"path": "a"}}}]})", "doc#/bodies/0/shape",
+                  "has 2 of"},
+        Malformed{R"({"version": 1, "bodies": [{"shape": {"mesh": {}}}]})", "doc#/bodies/0/shape/mesh", "\"path\""},
+        Malformed{R"({"version": 1, "bodies": [{"shape": {"box": {"size": 3}}}]})", "doc#/bodies/0/shape/box/size",
+                  "an array of 3 numbers, each from 0.0001 to 100000 m"},
+        Malformed{R"({"version": 1, "bodies": [{"shape": {"box": {"size": [1, 1, 1e5], "element_size": 0.001}}}]})",
+                  "doc#/bodies/0/shape/box/element_size", "2 million"},
+        Malformed{R"({"version": 1, "bodies": [{"supports": [{"region": {"box": {"minimum": [0, 1, 0]}}}]}]})",
+                  "doc#/bodies/0/supports/0/region/box", "maximum lies below the minimum"},
+        Malformed{R"({"version": 1, "projectiles": [{"direction": [0, 0, 0]}]})", "doc#/projectiles/0/direction",
+                  "other than 0"},
+        Malformed{R"({"version": 1, "projectiles": [{"direction": [1e-200, 0, 0]}]})", "doc#/projectiles/0/direction",
+                  "other than 0"},
+        Malformed{R"({"version": 1, "projectiles": [{"mass": 0}]})", "doc#/projectiles/0/mass",
+                  "is 0 (expected a number from 1e-06 to 1e+09 kg)"},
+        Malformed{R"({"version": 1, "projectiles": [{"count": 1.5}]})", "doc#/projectiles/0/count", "whole number"},
+        Malformed{R"({"version": 1, "view": {"range": [1, 1]}})", "doc#/view/range", "low less than high"},
+        Malformed{R"({"version": 1, "view": {"range": [0, 1, 2]}})", "doc#/view/range", "2 numbers"},
+        Malformed{R"({"version": 1, "view": {"quantity": "vonmises"}})", "doc#/view/quantity", "mean \"von_mises\"?"},
+        Malformed{R"({"version": 1, "cameras": [{"position": [1, 2, 3], "target": [1, 2, 3]}]})",
+                  "doc#/cameras/0/target", "own position"}));
+
+TEST(SceneReader, RefusesWhatTheSchemaRefuses) {
+  std::ifstream stream(GRIFFITH_SOURCE_DIR "/tests/scene/malformed.json");
+  for (const Json& malformed : Json::parse(stream)) {
+    const auto where = places(problems_of(malformed["scene"].dump()));
+    EXPECT_EQ(where, std::vector{"doc#" + malformed["where"].get<std::string>()}) << malformed;
+  }
+}
+
+TEST(SceneReader, ReportsEveryProblemAndNoConsequences) {
+  const auto problems = problems_of(R"({"version": 1, "gravity": [0, "x", true], "groud": null,
+    "bodies": [{"shape": {"box": {"size": [1, -1, 1], "patern": 1}}, "material": {"density": 0, "preset": "glas"}}],
+    "projectiles": {}, "simulation": {"time_step": 1}})");
+  EXPECT_THAT(places(problems), testing::UnorderedElementsAre(
+                                    "doc#/gravity/1", "doc#/gravity/2", "doc#/groud", "doc#/bodies/0/shape/box/size/1",
+                                    "doc#/bodies/0/shape/box/patern", "doc#/bodies/0/material/density",
+                                    "doc#/bodies/0/material/preset", "doc#/projectiles", "doc#/simulation/time_step"));
+}
+
+TEST(SceneReader, AMissingMeshIsNamedWithThePathThatWasTried) {
+  const char* text = R"({"version": 1, "bodies": [{"shape": {"mesh": {"path": "meshes/../no_such"}}}]})";
+  try {
+    scene_from_json(text, "doc", "/some/folder");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.where(), "doc#/bodies/0/shape/mesh/path");
+    EXPECT_THAT(error.problem(), HasSubstr("\"/some/folder/no_such\""));
+  }
+}
+
+TEST(SceneReader, WhatIsNoReadableFileIsNamed) {
+  for (const std::string path : {"no/such.json", GRIFFITH_SOURCE_DIR "/scenes", "/dev/null"}) {
+    const auto problems = check_scene(path);
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_EQ(problems[0].where(), path);
+    EXPECT_THROW(read_scene(path), InputError);
+  }
+}
+
+TEST(SceneReader, ReadsMaterialsInEveryForm) {
+  const Scene scene = scene_from_json(R"({"version": 1,
+    "materials": {"weak glass": {"preset": "soda_lime_glass", "tensile_strength": 1e6}},
+    "bodies": [{"name": "a", "material": "ice"}, {"name": "b", "material": "weak glass"},
+               {"name": "c", "material": {"density": 1000, "criterion": "separation_force"}},
+               {"name": "d", "material": {"preset": "ice", "name": "snow", "density": 300}}, {"name": "e"}]})");
+  EXPECT_EQ(scene.bodies[0].material, find_material_preset("ice"));
+  Material weak_glass = *find_material_preset("soda_lime_glass");
+  weak_glass.name = "weak glass";
+  weak_glass.tensile_strength = 1e6;
+  EXPECT_EQ(scene.bodies[1].material, weak_glass);
+  EXPECT_EQ(scene.bodies[2].material.criterion, FractureCriterion::separation_force);
+  EXPECT_EQ(scene.bodies[2].material.density, 1000);
+  EXPECT_EQ(scene.bodies[3].material.name, "snow");
+  EXPECT_EQ(scene.bodies[3].material.young_modulus, find_material_preset("ice")->young_modulus);
+  EXPECT_EQ(scene.bodies[4].material, Material{});
+}
+
+TEST(SceneReader, ReadsShapesRegionsAndNothings) {
+  const Scene scene = scene_from_json(R"({"version": 1, "ground": null, "view": {"range": [-1, 2.5]}, "bodies": [
+    {"shape": {"box": {"element_size": 0.25, "pattern": "bcc"}}, "supports": [{"region": {"nodes": [3, 1.0]}},
+     {"region": {"sphere": {"center": [1, 2, 3], "radius": 4}}}, {"region": {"half_space": {"normal": [1, 0, 0]}}}]}]})");
+  EXPECT_FALSE(scene.ground);
+  EXPECT_EQ(scene.view.range, Vec2(-1, 2.5));
+  const BodyDescription& body = scene.bodies.at(0);
+  EXPECT_EQ(std::get<BoxShape>(body.shape), (BoxShape{Vec3::Ones(), Vec3::Constant(0.25), BoxPattern::bcc}));
+  EXPECT_EQ(std::get<NodeListRegion>(body.supports.at(0).region).nodes, (std::vector{3, 1}));
+  EXPECT_EQ(std::get<SphereRegion>(body.supports.at(1).region), (SphereRegion{Vec3(1, 2, 3), 4}));
+  EXPECT_EQ(std::get<HalfSpaceRegion>(body.supports.at(2).region).normal, Vec3::UnitX());
+}
+
+TEST(SceneReader, SurvivesRandomDamage) {
+  std::ifstream stream(GRIFFITH_SOURCE_DIR "/scenes/materials.json");
+  const std::string whole{std::istreambuf_iterator<char>(stream), {}};
+  ASSERT_GT(whole.size(), 1000u);
+  std::mt19937 random(7);
+  int refused = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::string text = whole;
+    for (int hits = 1 + i % 4; hits > 0; --hits) {
+      const std::size_t at = random() % text.size();
+      if (random() % 3 == 0)
+        text.erase(at, random() % 50);
+      else
+        text[at] = static_cast<char>(random());
+    }
+    for (const InputError& problem : problems_of(text)) {
+      EXPECT_TRUE(problem.where().starts_with("doc"));
+      EXPECT_FALSE(problem.problem().empty() || problem.remedy().empty());
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 1000);
+}
+
+TEST(SceneReader, RefusesAbsurdNestingAndAcceptsManyFields) {
+  EXPECT_THAT(problems_of(std::string(1000000, '['))[0].problem(), HasSubstr("64 levels"));
+  std::string text = R"({"version": 1, "materials": {)";
+  for (int i = 0; i < 20000; ++i) text += (i ? ",\"m" : "\"m") + std::to_string(i) + "\": {}";
+  EXPECT_THAT(problems_of(text + "}}"), testing::IsEmpty());
+}
+
+}  // namespace
+}  // namespace griffith

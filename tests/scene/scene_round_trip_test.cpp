@@ -1,0 +1,131 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <fstream>
+#include <limits>
+
+#include "random_scene.h"
+#include "sim/error.h"
+#include "sim/scene/scene_reader.h"
+#include "sim/scene/scene_writer.h"
+
+namespace griffith {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An empty folder with two "meshes", gone at the end.
+class SceneRoundTrip : public testing::Test {
+ protected:
+  void SetUp() override {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_ / "meshes/folder");
+    std::ofstream(folder_ / "meshes/file.msh") << "a mesh";
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  Scene random_scene(unsigned seed) const {
+    Scene scene = Randomizer(seed, {"meshes/folder", "meshes/file.msh"}).scene();
+    scene.folder = folder_;
+    return scene;
+  }
+
+  const fs::path folder_ = fs::absolute(testing::TempDir()).lexically_normal() /
+                           (std::string("griffith_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+std::string text_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST_F(SceneRoundTrip, EveryRandomSceneComesBackExactly) {
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    const Scene scene = random_scene(seed);
+    const std::string text = scene_to_json(scene);
+    const Scene back = scene_from_json(text, "scene", folder_);
+    ASSERT_TRUE(back == scene) << "seed " << seed << "\n" << text;
+    EXPECT_EQ(scene_to_json(back), text);
+  }
+}
+
+TEST_F(SceneRoundTrip, DoublesKeepEveryBit) {
+  std::mt19937_64 random(5);
+  Scene scene;
+  scene.bodies.resize(1);
+  scene.bodies[0].position.y() = 1;  // differs from the default, which would be left out
+  const auto bits = [](double value) {
+    std::uint64_t pattern;
+    std::memcpy(&pattern, &value, sizeof pattern);
+    return pattern;
+  };
+  for (int i = 0; i < 2000; ++i) {
+    const double exponent = std::uniform_real_distribution(-320.0, 5.9)(random);
+    const double value = i == 0 ? -0.0 : (i % 2 ? 1 : -1) * std::pow(10, exponent);
+    scene.bodies[0].position.x() = value;
+    EXPECT_EQ(bits(scene_from_json(scene_to_json(scene)).bodies[0].position.x()), bits(value)) << value;
+  }
+}
+
+TEST_F(SceneRoundTrip, ADefaultSceneIsItsVersionAlone) {
+  EXPECT_EQ(scene_to_json(Scene{}), "{\n  \"version\": 1\n}\n");
+  EXPECT_TRUE(scene_from_json(R"({"version": 1})") == Scene{});
+}
+
+TEST_F(SceneRoundTrip, AFileComesBackWithItsFolder) {
+  const Scene scene = random_scene(11);
+  write_scene(scene, folder_ / "scene.json");
+  EXPECT_TRUE(read_scene(folder_ / "scene.json") == scene);
+  EXPECT_FALSE(fs::exists(folder_ / "scene.json.part"));
+}
+
+TEST_F(SceneRoundTrip, MeshesAreFoundFromWhereTheSceneIsSaved) {
+  Scene scene;
+  scene.folder = folder_;
+  scene.bodies.resize(1);
+  scene.bodies[0].shape = MeshFileShape{"meshes/file.msh", 2};
+  fs::create_directories(folder_ / "elsewhere/deeper");
+  write_scene(scene, folder_ / "elsewhere/deeper/scene.json");
+  const Scene moved = read_scene(folder_ / "elsewhere/deeper/scene.json");
+  const auto& mesh = std::get<MeshFileShape>(moved.bodies.at(0).shape);
+  EXPECT_TRUE(mesh.path.is_relative());
+  EXPECT_TRUE(fs::equivalent(moved.folder / mesh.path, folder_ / "meshes/file.msh"));
+}
+
+TEST_F(SceneRoundTrip, AnUnusableSceneIsRefusedAndTheOldFileStays) {
+  write_scene(Scene{}, folder_ / "scene.json");
+  const std::string before = text_of(folder_ / "scene.json");
+  std::vector<Scene> unusable(4);
+  unusable[0].gravity.y() = std::numeric_limits<double>::quiet_NaN();
+  unusable[1].simulation.time_step = std::numeric_limits<double>::infinity();
+  unusable[2].bodies.resize(2);  // of the same name
+  unusable[3].name = "\xff\xfe";
+  for (const Scene& scene : unusable) {
+    EXPECT_THROW(write_scene(scene, folder_ / "scene.json"), InputError);
+    EXPECT_EQ(text_of(folder_ / "scene.json"), before);
+    EXPECT_FALSE(fs::exists(folder_ / "scene.json.part"));
+  }
+}
+
+TEST_F(SceneRoundTrip, AFolderThatIsNotThereIsNamed) {
+  try {
+    write_scene(Scene{}, folder_ / "nowhere/scene.json");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.where(), testing::HasSubstr("nowhere/scene.json"));
+  }
+}
+
+TEST_F(SceneRoundTrip, MaterialsThatShareANameStayApart) {
+  Scene scene;
+  scene.bodies.resize(4);
+  for (int i = 0; i < 4; ++i) scene.bodies[i].name = std::to_string(i);
+  scene.bodies[0].material.name = scene.bodies[1].material.name = scene.bodies[3].material.name = "mine";
+  scene.bodies[1].material.density = 1;
+  scene.bodies[2].material.friction = 0.123;  // still called as the preset that it no longer is
+  EXPECT_TRUE(scene_from_json(scene_to_json(scene)) == scene);
+}
+
+}  // namespace
+}  // namespace griffith

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/mesh/box_mesh.h"
+#include "sim/mesh/topology.h"
+#include "sim/solver/elastic_system.h"
+
+namespace griffith::testing {
+
+/// One elastic box with everything the solver needs, and nothing of the world.
+struct ElasticBox {
+  TetMesh mesh;
+  Material material;
+  std::vector<TetId> tets;
+  std::vector<ElementRest> rests;
+  std::vector<ElementState> states;
+  std::vector<Vec3> positions, velocities, forces;
+  std::vector<double> masses;
+  std::vector<std::uint8_t> held;
+  std::vector<int> rows;
+
+  ElasticBox(const Vec3& size, double element_size, double young_modulus) {
+    mesh = build_mesh(make_box(size, Vec3::Constant(element_size), BoxPattern::five_tet));
+    material.young_modulus = young_modulus;
+    positions = mesh.rest_positions;
+    velocities.assign(positions.size(), Vec3::Zero());
+    forces.assign(positions.size(), Vec3::Zero());
+    masses.assign(positions.size(), 0);
+    held.assign(positions.size(), 0);
+    rows.assign(positions.size(), -1);
+    for (int t = 0; t < mesh.tet_count(); ++t) {
+      tets.push_back(TetId(t));
+      Corners corners;
+      for (int i = 0; i < 4; ++i) corners.col(i) = mesh.rest_positions[mesh.tets[t][i]];
+      rests.push_back(element_rest(corners));
+      for (NodeId node : mesh.tets[t]) masses[node] += material.density * rests.back().volume / 4;
+    }
+    update_states();
+  }
+
+  void update_states() {
+    states.clear();
+    for (TetId tet : tets) {
+      Corners corners;
+      for (int i = 0; i < 4; ++i) corners.col(i) = positions[mesh.tets[tet][i]];
+      states.push_back(corotational_state(rests[tet], elastic_moduli(material), corners));
+    }
+  }
+  void add_elastic_forces() {
+    for (TetId tet : tets) {
+      const Corners f = nodal_forces(rests[tet], states[tet].rotation, states[tet].stress);
+      for (int i = 0; i < 4; ++i) forces[mesh.tets[tet][i]] += f.col(i);
+    }
+  }
+  ElasticSystem system() { return ElasticSystem(mesh, tets, held, rows); }
+  void assemble(ElasticSystem& system, const ImplicitStep& step) const {
+    system.assemble(step, elastic_moduli(material), rests, states, positions, masses);
+  }
+};
+
+}  // namespace griffith::testing

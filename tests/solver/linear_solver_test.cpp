@@ -1,0 +1,133 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+
+#include "sim/solver/aggregates.h"
+#include "tests/random_values.h"
+#include "tests/solver/elastic_box.h"
+
+namespace griffith {
+namespace {
+
+using testing::RandomValues;
+using testing::ElasticBox;
+
+Eigen::MatrixXd dense(const BlockSparseMatrix& a) {
+  Eigen::MatrixXd m = Eigen::MatrixXd::Zero(3 * a.rows(), 3 * a.rows());
+  for (int row = 0; row < a.rows(); ++row)
+    for (int k = a.row_starts[row]; k < a.row_starts[row + 1]; ++k)
+      m.block<3, 3>(3 * row, 3 * a.columns[k]) = a.blocks[k];
+  return m;
+}
+
+NodeVectors random_vectors(RandomValues& random, int count) {
+  NodeVectors v(3, count);
+  for (int i = 0; i < count; ++i) v.col(i) = random.vector();
+  return v;
+}
+
+TEST(SystemMatrix, IsSymmetricPositiveDefinite) {
+  ElasticBox body(Vec3(1, 1, 1), 0.5, 1e9);
+  ElasticSystem system = body.system();
+  body.assemble(system, {.dt = 0.01, .stiffness_damping = 1e-3});
+  const Eigen::MatrixXd a = dense(system.matrix());
+  EXPECT_LT((a - a.transpose()).norm(), 1e-12 * a.norm());
+  EXPECT_GT(a.selfadjointView<Eigen::Lower>().eigenvalues()[0], 0);
+}
+
+TEST(SystemMatrix, StiffnessIgnoresRigidMotion) {
+  ElasticBox body(Vec3(1, 2, 1), 0.5, 1e9);
+  ElasticSystem system = body.system();
+  const double dt = 0.01;
+  body.assemble(system, {.dt = dt});
+  NodeVectors rigid(3, system.nodes().size()), product;
+  for (Eigen::Index i = 0; i < rigid.cols(); ++i)
+    rigid.col(i) = Vec3(1, 2, 3) + Vec3(-1, 1, 2).cross(body.positions[system.nodes()[i]]);
+  multiply(system.matrix(), rigid, product);
+  for (Eigen::Index i = 0; i < rigid.cols(); ++i)
+    EXPECT_LT((product.col(i) - body.masses[system.nodes()[i]] * rigid.col(i)).norm(), 1e-12 * dt * dt * 1e9);
+}
+
+TEST(Aggregates, CoverEveryRowAndHaveTheWantedSize) {
+  ElasticBox body(Vec3(4, 4, 1), 0.25, 1e9);
+  ElasticSystem system = body.system();
+  const std::vector<int> aggregates = aggregate_rows(system.matrix(), 60);
+  std::vector<int> sizes;
+  for (int a : aggregates) {
+    ASSERT_GE(a, 0);
+    if (a >= static_cast<int>(sizes.size())) sizes.resize(a + 1);
+    ++sizes[a];
+  }
+  for (int size : sizes) {
+    EXPECT_GE(size, 15);
+    EXPECT_LE(size, 180);
+  }
+}
+
+TEST(ConjugateGradient, AgreesWithADenseSolve) {
+  RandomValues random(1);
+  ElasticBox body(Vec3(2, 1, 1), 0.25, 1e9);
+  ElasticSystem system = body.system();
+  body.assemble(system, {.dt = 0.01});
+  NodeVectors positions(3, system.nodes().size());
+  for (Eigen::Index i = 0; i < positions.cols(); ++i) positions.col(i) = body.positions[system.nodes()[i]];
+  RigidModePreconditioner preconditioner(system.matrix(), 60);
+  preconditioner.update(system.matrix(), positions);
+  const NodeVectors b = random_vectors(random, static_cast<int>(positions.cols()));
+  NodeVectors x = NodeVectors::Zero(3, b.cols());
+  const SolveReport report = conjugate_gradient(system.matrix(), preconditioner, b, x, 1e-12, std::sqrt(dot(b, b)), 500);
+  EXPECT_TRUE(report.converged);
+  const Eigen::VectorXd exact = dense(system.matrix()).ldlt().solve(Eigen::Map<const Eigen::VectorXd>(b.data(), b.size()));
+  EXPECT_LT((Eigen::Map<const Eigen::VectorXd>(x.data(), x.size()) - exact).norm(), 1e-9 * exact.norm());
+}
+
+TEST(ConjugateGradient, ReportsThatItWasCutOff) {
+  RandomValues random(2);
+  ElasticBox body(Vec3(2, 2, 2), 0.25, 70e9);
+  ElasticSystem system = body.system();
+  for (Vec3& velocity : body.velocities) velocity = random.vector();
+  const ImplicitStep step{.dt = 0.01, .relative_residual = 1e-8, .max_iterations = 3};
+  body.assemble(system, step);
+  const SolveReport report = system.solve(step, body.positions, body.forces, body.masses, body.velocities);
+  EXPECT_FALSE(report.converged);
+  EXPECT_EQ(report.iterations, 3);
+  EXPECT_GT(report.relative_residual, 1e-8);
+}
+
+TEST(Preconditioner, IsSymmetric) {
+  RandomValues random(3);
+  ElasticBox body(Vec3(3, 1, 1), 0.25, 1e9);
+  ElasticSystem system = body.system();
+  body.assemble(system, {.dt = 0.01});
+  NodeVectors positions(3, system.nodes().size());
+  for (Eigen::Index i = 0; i < positions.cols(); ++i) positions.col(i) = body.positions[system.nodes()[i]];
+  RigidModePreconditioner preconditioner(system.matrix(), 60);
+  preconditioner.update(system.matrix(), positions);
+  EXPECT_GT(preconditioner.aggregate_count(), 2);
+  for (int i = 0; i < 20; ++i) {
+    const NodeVectors u = random_vectors(random, static_cast<int>(positions.cols()));
+    const NodeVectors v = random_vectors(random, static_cast<int>(positions.cols()));
+    NodeVectors mu, mv;
+    preconditioner.apply(u, mu);
+    preconditioner.apply(v, mv);
+    EXPECT_NEAR(dot(u, mv), dot(v, mu), 1e-10 * std::abs(dot(u, mu)));
+    EXPECT_GT(dot(u, mu), 0);
+  }
+}
+
+TEST(Preconditioner, KeepsTheIterationsIndependentOfTheStiffness) {
+  for (double young_modulus : {1e6, 1e8, 1e10, 4e11}) {
+    RandomValues random(4);
+    ElasticBox body(Vec3(2, 2, 0.5), 0.125, young_modulus);
+    ElasticSystem system = body.system();
+    for (Vec3& velocity : body.velocities) velocity = random.vector();
+    const ImplicitStep step{.dt = 1.0 / 120, .relative_residual = 1e-3};
+    body.assemble(system, step);
+    const SolveReport report = system.solve(step, body.positions, body.forces, body.masses, body.velocities);
+    EXPECT_TRUE(report.converged);
+    EXPECT_LE(report.iterations, 40) << "E = " << young_modulus;
+  }
+}
+
+}  // namespace
+}  // namespace griffith

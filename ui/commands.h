@@ -1,0 +1,74 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "sim/linear_algebra.h"
+
+namespace griffith::ui {
+
+/// Everything that a user can ask for besides editing values.
+enum class CommandId {
+  toggle_run,
+  step,
+  reset,
+  fire,
+  pick,
+  open_dialog,
+  open,
+  save,
+  undo,
+  redo,
+  frame_all,
+  toggle_edges,
+  toggle_range_lock,
+  screenshot,
+  help,
+  quit,
+};
+
+/// A request, carried out by the program after the panels are drawn.
+struct Command {
+  CommandId id;
+  std::filesystem::path path = {};  ///< open: the scene; save: where, or empty for the scene's own file
+  Vec2 cursor = Vec2(0.5, 0.5);     ///< fire, pick: place in the view, from its top left corner, 0..1
+};
+
+/// Key codes in GLFW's numbering; letters and digits are their ASCII codes.
+namespace key {
+inline constexpr int kNone = 0, kSpace = 32, kEscape = 256, kHome = 268, kF1 = 290, kF12 = 301;
+}
+
+struct Shortcut {
+  int key = key::kNone;
+  bool ctrl = false, shift = false;
+};
+
+/// A command as menus, buttons, shortcuts, help and tests know it.
+struct CommandInfo {
+  CommandId id;
+  std::string_view name;   ///< "simulation.step"
+  std::string_view label;  ///< "Step"
+  std::string_view hint;   ///< one line for tooltips and help
+  Shortcut shortcut;
+  std::string_view shortcut_text;  ///< "Ctrl+Z"
+};
+
+/// All commands, in the order in which help shows them.
+std::span<const CommandInfo> command_registry();
+const CommandInfo& command_info(CommandId id);
+
+struct Panel;
+
+/// Whether the command makes sense now.
+bool command_enabled(CommandId id, const Panel& panel);
+
+/// Issues the command if it is enabled.
+void issue(Panel& panel, Command command);
+
+/// Issues the commands whose shortcuts were pressed, unless text is being typed.
+void issue_shortcuts(Panel& panel);
+
+}  // namespace griffith::ui

@@ -1,0 +1,133 @@
+#include <array>
+#include <utility>
+
+#include "ui/panels.h"
+#include "ui/style.h"
+#include "ui/widgets.h"
+
+namespace griffith::ui {
+namespace {
+
+constexpr ImGuiWindowFlags kDialogFlags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                          ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                                          ImGuiWindowFlags_AlwaysAutoResize;
+
+constexpr std::array<std::pair<const char*, const char*>, 7> kMouseHelp = {{
+    {"Left drag", "turn about the target"},
+    {"Shift + drag, middle drag", "move the picture"},
+    {"Wheel", "come closer, go away"},
+    {"Click", "inspect an element, select its body"},
+    {"Right click in the view", "fire the projectile there"},
+    {"Right click on a number", "type a value, such as 20 GPa"},
+    {"Drop a file", "open a scene"},
+}};
+
+/// Opens the popup when `wanted` and centres it. True while its content is to be drawn.
+bool begin_dialog(const char* title, bool wanted, float width) {
+  if (wanted && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  const ImVec2 center = ImGui::GetMainViewport()->GetCenter();
+  ImGui::SetNextWindowPos(center, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, FLT_MAX});
+  return ImGui::BeginPopupModal(title, nullptr, kDialogFlags);
+}
+
+void labelled_text(const char* label, const std::string& text, ImU32 color) {
+  if (text.empty()) return;
+  ImGui::TextColored(as_vec4(palette::kTextDim), "%s", label);
+  ImGui::PushTextWrapPos(0);
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopTextWrapPos();
+  ImGui::Spacing();
+}
+
+bool escape_pressed() { return ImGui::IsKeyPressed(key::kEscape, false); }
+
+void error_dialog(Panel& panel) {
+  std::optional<ErrorMessage>& error = panel.state.error;
+  if (!begin_dialog("That did not work", error.has_value(), 480 * ui_scale(panel))) return;
+  if (error) {
+    labelled_text("Where", error->where, palette::kText);
+    labelled_text("Problem", error->problem, palette::kError);
+    labelled_text("Remedy", error->remedy, palette::kGood);
+  }
+  hint(panel, "The program goes on with what it had.");
+  ImGui::Spacing();
+  if (text_button(panel, "error/close", "Close", 120 * ui_scale(panel)) || escape_pressed()) error.reset();
+  if (!error) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+void open_scene(Panel& panel, const std::filesystem::path& path) {
+  issue(panel, {.id = CommandId::open, .path = path});
+  panel.state.show_open = false;
+}
+
+void scene_list(Panel& panel) {
+  ImGui::BeginChild("##scenes", {0, 12 * ImGui::GetTextLineHeightWithSpacing()});
+  for (const std::filesystem::path& path : panel.input.scene_files) {
+    const std::string name = path.stem().string();
+    if (ImGui::Selectable(name.c_str(), path == panel.input.scene_path)) open_scene(panel, path);
+    tag_last_item(panel.tags, "open/" + name, name);
+  }
+  ImGui::EndChild();
+}
+
+void open_dialog(Panel& panel) {
+  EditorState& state = panel.state;
+  if (!begin_dialog("Open a scene", state.show_open, 520 * ui_scale(panel))) return;
+  scene_list(panel);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  const bool entered =
+      ImGui::InputTextWithHint("##path", "path of a scene file, or drop it on the window", state.path_text.data(),
+                               state.path_text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  tag_last_item(panel.tags, "open/path", state.path_text.data());
+  ImGui::Spacing();
+  const bool pressed = text_button(panel, "open/open", "Open", 120 * ui_scale(panel));
+  if ((entered || pressed) && state.path_text[0] != '\0') open_scene(panel, state.path_text.data());
+  ImGui::SameLine();
+  if (text_button(panel, "open/cancel", "Cancel", 120 * ui_scale(panel)) || escape_pressed()) state.show_open = false;
+  if (!state.show_open) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+void help_table_row(const char* keys, const char* text) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextColored(as_vec4(palette::kAccent), "%s", keys);
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(text);
+}
+
+void help_dialog(Panel& panel) {
+  EditorState& state = panel.state;
+  if (!begin_dialog("Mouse and keyboard", state.show_help, 620 * ui_scale(panel))) return;
+  if (ImGui::BeginTable("##help", 2, ImGuiTableFlags_SizingFixedFit)) {
+    for (const auto& [keys, text] : kMouseHelp) help_table_row(keys, text);
+    help_table_row("", "");
+    for (const CommandInfo& info : command_registry()) {
+      if (info.shortcut.key == key::kNone) continue;
+      help_table_row(std::string(info.shortcut_text).c_str(), std::string(info.hint).c_str());
+    }
+    ImGui::EndTable();
+  }
+  ImGui::Spacing();
+  if (text_button(panel, "help/close", "Close", 120 * ui_scale(panel)) || escape_pressed()) state.show_help = false;
+  if (!state.show_help) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+}  // namespace
+
+void draw_dialogs(Panel& panel) {
+  if (panel.state.error) {
+    error_dialog(panel);
+  } else if (panel.state.show_open) {
+    open_dialog(panel);
+  } else if (panel.state.show_help) {
+    help_dialog(panel);
+  }
+}
+
+}  // namespace griffith::ui

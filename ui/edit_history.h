@@ -1,0 +1,50 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim/scene/scene.h"
+
+namespace griffith::ui {
+
+/// One undoable edit: the scene as it was and as it became.
+struct EditEntry {
+  std::string label;
+  Scene before, after;
+};
+
+/// The scene being edited, and the way back. All edits go through change(): those with one label, such as the many
+/// steps of a slider drag, make one entry, closed by finish().
+class EditHistory {
+ public:
+  explicit EditHistory(Scene scene) : scene_(std::move(scene)), saved_(scene_) {}
+
+  const Scene& scene() const { return scene_; }
+
+  /// Edits the scene. Opens an entry named `label` unless one of that name is open; drops what could be redone.
+  void change(const std::string& label, const std::function<void(Scene&)>& edit);
+  /// Closes the open entry; one that ended where it began is dropped.
+  void finish();
+
+  bool can_undo() const { return applied_ > 0 || open_; }
+  bool can_redo() const { return !open_ && applied_ < entries_.size(); }
+  /// Both finish an open entry first and do nothing at the end of the history.
+  void undo();
+  void redo();
+
+  /// Oldest first; the first `applied()` of them are in force, the others can be redone.
+  const std::vector<EditEntry>& entries() const { return entries_; }
+  std::size_t applied() const { return applied_; }
+
+  bool modified() const { return !(scene_ == saved_); }
+  void mark_saved() { saved_ = scene_; }
+
+ private:
+  Scene scene_, saved_;
+  std::vector<EditEntry> entries_;
+  std::size_t applied_ = 0;
+  bool open_ = false;  ///< the last applied entry still grows
+};
+
+}  // namespace griffith::ui

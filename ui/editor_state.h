@@ -1,0 +1,87 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/scene/scene.h"
+#include "sim/world/frame.h"
+#include "ui/commands.h"
+#include "ui/edit_history.h"
+#include "ui/fonts.h"
+#include "ui/legend.h"
+#include "ui/widget_tags.h"
+
+namespace griffith::ui {
+
+/// What the mouse asked of the camera in one drawn frame.
+struct CameraMotion {
+  float yaw = 0, pitch = 0;         ///< turn about the target [rad]
+  float pan_right = 0, pan_up = 0;  ///< of camera and target, in heights of the picture
+  float zoom = 1;                   ///< factor on the distance to the target
+};
+
+/// What an error dialog says.
+struct ErrorMessage {
+  std::string where, problem, remedy;
+};
+
+enum class LogLevel { info, warning, error };
+
+struct LogLine {
+  LogLevel level = LogLevel::info;
+  std::string text;
+};
+
+/// What the editor itself remembers: nothing of it is part of the scene, nothing of it influences results of a step.
+struct EditorState {
+  bool running = false;
+  double speed = 1;       ///< simulated seconds per second, 0.001..1
+  ViewSettings view;      ///< as shown now; starts with the scene's
+  ProjectileBurst shot;   ///< what the projectile tool fires; position and direction come from the cursor
+  int selected_body = 0;  ///< index into Scene::bodies
+  TetId selected_tet;     ///< picked in the view; tets keep their ids when a body breaks
+  CameraMotion camera_motion;
+  ImVec2 viewport_minimum = {0, 0}, viewport_size = {0, 0};  ///< of the picture, as drawn last [pixels]
+  float left_width = 0, right_width = 0;                     ///< of the side panels [pixels]; 0: not laid out yet
+  bool show_times = true;  ///< milliseconds and pictures a second; off makes pictures of the panels reproducible
+  bool show_help = false, show_open = false;
+  std::optional<ErrorMessage> error;
+  std::vector<LogLine> log;
+  std::array<char, 512> path_text = {};  ///< being typed in the open dialog
+  std::string typed_tag;                 ///< the number field being typed into
+  std::array<char, 64> typed_text = {};
+  double typed_factor = 1;  ///< SI prefix that the field showed when typing began
+  int typed_frames = 0;     ///< drawn since then
+};
+
+/// What the panels read, new for every drawn frame.
+struct EditorInput {
+  Frame frame;
+  Fonts fonts;
+  ImTextureID picture = nullptr;                       ///< of the scene, bottom row first
+  std::optional<Legend> legend;                        ///< of the picture
+  std::span<const std::filesystem::path> scene_files;  ///< offered for opening
+  std::filesystem::path scene_path;                    ///< of the scene being edited, may be empty
+  double time_step = 0;                                ///< in force [s]
+  double step_milliseconds = 0;                        ///< of a step, smoothed
+  double frames_per_second = 0;                        ///< drawn
+  double reached_speed = 0;     ///< simulated seconds per second, smoothed; of interest while running
+  bool falling_behind = false;  ///< steps take longer than the wanted speed allows
+};
+
+/// What a panel draws with.
+struct Panel {
+  const EditorInput& input;
+  EditorState& state;
+  EditHistory& history;
+  WidgetTags& tags;
+  std::vector<Command>& commands;
+};
+
+}  // namespace griffith::ui

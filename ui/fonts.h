@@ -1,0 +1,17 @@
+#pragma once
+
+struct ImFont;
+
+namespace griffith::ui {
+
+/// The program's typefaces, at the pixel size of the screen's scale.
+struct Fonts {
+  ImFont* regular = nullptr;
+  ImFont* bold = nullptr;   ///< headings
+  ImFont* small = nullptr;  ///< units, hints, ticks
+};
+
+/// Adds the fonts built into the program to the current ImGui context. `scale`: screen pixels per design pixel.
+Fonts load_fonts(float scale);
+
+}  // namespace griffith::ui

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <imgui.h>
+
+namespace griffith::ui {
+
+enum class Icon { none, play, pause, step, reset, fire, open, camera, frame, help, undo, redo };
+
+/// Draws an icon into a square of `size` pixels around `center`.
+void draw_icon(ImDrawList* list, Icon icon, ImVec2 center, float size, ImU32 color);
+
+}  // namespace griffith::ui

@@ -1,0 +1,98 @@
+#include "ui/legend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "ui/style.h"
+#include "ui/units.h"
+
+namespace griffith::ui {
+namespace {
+
+/// 1, 2, 2.5 or 5 times a power of ten, at least `wanted`.
+double round_step(double wanted) {
+  const double power = std::pow(10, std::floor(std::log10(wanted)));
+  for (const double factor : {1.0, 2.0, 2.5, 5.0}) {
+    if (factor * power >= wanted * (1 - 1e-9)) return factor * power;
+  }
+  return 10 * power;
+}
+
+double display_factor(const Legend& legend) {
+  return si_prefix(std::max(std::abs(legend.minimum), std::abs(legend.maximum)), legend.unit).factor;
+}
+
+std::string number_text(double value, double step) {
+  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 6);
+  const bool between = decimals < 6 && std::abs(std::remainder(value, std::pow(10, -decimals))) > step * 1e-3;
+  char text[32];
+  if (std::abs(value) >= 1e5 || step < 1e-6) {
+    std::snprintf(text, sizeof text, "%.3g", value);
+  } else {
+    std::snprintf(text, sizeof text, "%.*f", decimals + between, std::abs(value) < step * 1e-6 ? 0.0 : value);
+  }
+  return text;
+}
+
+void draw_color_bar(ImDrawList* list, const Legend& legend, ImVec2 minimum, ImVec2 maximum) {
+  const int count = static_cast<int>(legend.colors.size() / 4);
+  const float height = (maximum.y - minimum.y) / static_cast<float>(count);
+  for (int i = 0; i < count; ++i) {
+    const std::uint8_t* c = &legend.colors[static_cast<std::size_t>(4 * i)];
+    const float bottom = maximum.y - height * static_cast<float>(i);
+    list->AddRectFilled({minimum.x, bottom - height}, {maximum.x, bottom}, IM_COL32(c[0], c[1], c[2], 255));
+  }
+}
+
+void draw_ticks(ImDrawList* list, const Legend& legend, const Fonts& fonts, ImVec2 minimum, ImVec2 maximum,
+                float scale) {
+  const double factor = display_factor(legend);
+  const std::vector<double> ticks = legend_ticks(legend.minimum / factor, legend.maximum / factor, 5);
+  const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : (legend.maximum - legend.minimum) / factor;
+  const float size = fonts.small->FontSize;
+  for (const double tick : ticks) {
+    const double t = (tick * factor - legend.minimum) / (legend.maximum - legend.minimum);
+    const float y = maximum.y - static_cast<float>(t) * (maximum.y - minimum.y);
+    list->AddLine({maximum.x, y}, {maximum.x + 5 * scale, y}, palette::kTextDim, scale);
+    list->AddText(fonts.small, size, {maximum.x + 10 * scale, y - size / 2}, palette::kText,
+                  number_text(tick, step).c_str());
+  }
+}
+
+}  // namespace
+
+std::vector<double> legend_ticks(double minimum, double maximum, int count) {
+  const double step = round_step((maximum - minimum) / std::max(count, 1));
+  std::vector<double> ticks;
+  const double first = std::ceil(minimum / step - 1e-9), last = std::floor(maximum / step + 1e-9);
+  for (double i = first; i <= last && ticks.size() < 1000; ++i) ticks.push_back(i * step);
+  return ticks;
+}
+
+std::string legend_title(const Legend& legend) {
+  if (legend.unit.empty() || legend.unit == "-") return legend.title;
+  const double largest = std::max(std::abs(legend.minimum), std::abs(legend.maximum));
+  return legend.title + " [" + std::string(si_prefix(largest, legend.unit).symbol) + legend.unit + "]";
+}
+
+ImVec2 draw_legend(ImDrawList* list, const Legend& legend, const Fonts& fonts, ImVec2 minimum, ImVec2 maximum,
+                   float scale) {
+  const std::string title = legend_title(legend) + (legend.locked ? "  locked" : "");
+  const float size = fonts.small->FontSize;
+  const float text_width = fonts.small->CalcTextSizeA(size, FLT_MAX, 0, title.c_str()).x;
+  const float margin = 14 * scale, padding = 12 * scale;
+  const float width = std::max(text_width + 2 * padding, 110 * scale);
+  const float height = std::clamp(0.4f * (maximum.y - minimum.y), 90 * scale, 300 * scale);
+  const ImVec2 corner = {maximum.x - margin - width, minimum.y + margin};
+  const ImVec2 end = {corner.x + width, corner.y + height};
+  list->AddRectFilled(corner, end, IM_COL32(24, 27, 32, 215), 6 * scale);
+  list->AddText(fonts.small, size, {corner.x + padding, corner.y + padding * 0.75f}, palette::kText, title.c_str());
+  const ImVec2 bar = {corner.x + padding, corner.y + padding * 1.9f + size};
+  const ImVec2 bar_end = {bar.x + 18 * scale, end.y - padding - size * 0.3f};
+  draw_color_bar(list, legend, bar, bar_end);
+  draw_ticks(list, legend, fonts, bar, bar_end, scale);
+  return {corner.x, end.y};
+}
+
+}  // namespace griffith::ui

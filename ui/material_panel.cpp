@@ -1,0 +1,101 @@
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "ui/number_slider.h"
+#include "ui/panels.h"
+#include "ui/style.h"
+
+namespace griffith::ui {
+namespace {
+
+constexpr std::array<std::string_view, 2> kCriteria = {"strength", "separation force"};
+
+/// Puts the edited material into the scene as a part of the edit `label`.
+void keep(Panel& panel, const Edit& edit, const std::string& label, const Material& material) {
+  const auto body = static_cast<std::size_t>(panel.state.selected_body);
+  if (edit.changed) panel.history.change(label, [&](Scene& scene) { scene.bodies[body].material = material; });
+  if (edit.finished) panel.history.finish();
+}
+
+void number_row(Panel& panel, Material& material, const NumberField& field, double Material::*member) {
+  const Edit edit = number_slider(panel, field, material.*member);
+  keep(panel, edit, std::string("Set ") + field.label, material);
+}
+
+void preset_row(Panel& panel, Material& material) {
+  std::vector<std::string> names;
+  for (const MaterialPreset& preset : material_presets()) names.push_back(preset.material.name);
+  const int chosen = combo_row(panel, "material/preset", "Preset", names, material.name);
+  if (chosen < 0) return;
+  material = material_presets()[static_cast<std::size_t>(chosen)].material;
+  keep(panel, {true, true}, "Set material " + material.name, material);
+}
+
+void criterion_row(Panel& panel, Material& material) {
+  const std::vector<std::string> names(kCriteria.begin(), kCriteria.end());
+  const bool by_force = material.criterion == FractureCriterion::separation_force;
+  const int chosen = combo_row(panel, "material/criterion", "Criterion", names, kCriteria[by_force]);
+  if (chosen < 0) return;
+  material.criterion = chosen == 1 ? FractureCriterion::separation_force : FractureCriterion::strength;
+  keep(panel, {true, true}, "Set criterion", material);
+}
+
+void fracture_rows(Panel& panel, Material& material) {
+  criterion_row(panel, material);
+  if (material.criterion == FractureCriterion::separation_force) {
+    number_row(panel, material,
+               {"material/separation_toughness", "Sep. toughness", "N", 1, 1e12, true,
+                "τ: a node separates when the largest eigenvalue of its separation tensor exceeds it. Depends on the "
+                "element size."},
+               &Material::separation_toughness);
+    return;
+  }
+  number_row(panel, material,
+             {"material/tensile_strength", "Tensile strength", "Pa", 1, 1e10, true,
+              "A node separates when its mesh-independent separation stress exceeds it."},
+             &Material::tensile_strength);
+  number_row(panel, material,
+             {"material/fracture_toughness", "Toughness K_Ic", "Pa·√m", 1, 1e9, true,
+              "Lowers the resistance at the front of a crack: small values let a crack, once started, run."},
+             &Material::fracture_toughness);
+}
+
+void damping_rows(Panel& panel, Material& material) {
+  number_row(panel, material, {"material/friction", "Friction", "", 0, 2}, &Material::friction);
+  number_row(panel, material, {"material/restitution", "Restitution", "", 0, 1}, &Material::restitution);
+  number_row(panel, material,
+             {"material/stiffness_damping", "Damping β", "s", 0, 1e-2, false, "Rayleigh's β: damps fast vibrations."},
+             &Material::stiffness_damping);
+  number_row(panel, material,
+             {"material/mass_damping", "Damping α", "1/s", 0, 10, false, "Rayleigh's α: damps all motion."},
+             &Material::mass_damping);
+}
+
+}  // namespace
+
+void draw_material_panel(Panel& panel) {
+  const std::vector<BodyDescription>& bodies = panel.history.scene().bodies;
+  if (bodies.empty()) return;
+  panel.state.selected_body = std::clamp(panel.state.selected_body, 0, static_cast<int>(bodies.size()) - 1);
+  const BodyDescription& body = bodies[static_cast<std::size_t>(panel.state.selected_body)];
+  heading(panel, ("Material of " + body.name).c_str());
+  Material material = body.material;
+  preset_row(panel, material);
+  number_row(panel, material,
+             {"material/young_modulus", "Young's modulus", "Pa", 1e3, 1e12, true,
+              "E: stiffness. Right-click to type a value with its unit, such as 20 GPa."},
+             &Material::young_modulus);
+  number_row(panel, material,
+             {"material/poisson_ratio", "Poisson ratio", "", 0, 0.495, false,
+              "ν: sideways contraction over extension. 0.5 would be incompressible and is out of reach."},
+             &Material::poisson_ratio);
+  number_row(panel, material, {"material/density", "Density", "kg/m³", 1, 25000, true, "ρ"}, &Material::density);
+  fracture_rows(panel, material);
+  if (ImGui::TreeNodeEx("Contact and damping", ImGuiTreeNodeFlags_SpanAvailWidth)) {
+    damping_rows(panel, material);
+    ImGui::TreePop();
+  }
+}
+
+}  // namespace griffith::ui

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "ui/editor_state.h"
+
+namespace griffith::ui {
+
+// Each draws its content into the current ImGui window, edits through panel.history and panel.state, and leaves the
+// rest to commands.
+
+/// File, edit, simulation and view menus.
+void draw_menu_bar(Panel& panel);
+/// Run, pause, step, reset, slow motion, time.
+void draw_toolbar(Panel& panel);
+/// The list of bodies of the scene.
+void draw_bodies_panel(Panel& panel);
+/// The material of the selected body; takes effect in the running simulation at once.
+void draw_material_panel(Panel& panel);
+/// What the projectile tool fires.
+void draw_projectile_panel(Panel& panel);
+/// Quantity, range, colours and edges of the picture.
+void draw_view_panel(Panel& panel);
+/// What is known of the picked element.
+void draw_inspector_panel(Panel& panel);
+/// Counts, solver, time per phase and everything that went wrong.
+void draw_statistics_panel(Panel& panel);
+/// The picture with camera and projectile control, legend and hints.
+void draw_viewport(Panel& panel);
+/// The last message.
+void draw_status_bar(Panel& panel);
+/// Help, open and error windows, where wanted.
+void draw_dialogs(Panel& panel);
+
+}  // namespace griffith::ui

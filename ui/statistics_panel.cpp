@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <cstdio>
+
+#include "ui/panels.h"
+#include "ui/style.h"
+#include "ui/units.h"
+#include "ui/widgets.h"
+
+namespace griffith::ui {
+namespace {
+
+std::string count_text(long long value) {
+  std::string digits = std::to_string(value);
+  for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3) {
+    digits.insert(static_cast<std::size_t>(at), 1, ' ');
+  }
+  return digits;
+}
+
+void count_row(const Panel& panel, const char* label, std::size_t value) {
+  value_row(panel, label, count_text(static_cast<long long>(value)), palette::kText);
+}
+
+/// A counter that ought to be 0.
+void trouble_row(const Panel& panel, const char* label, int value, ImU32 color, const char* cure) {
+  value_row(panel, label, count_text(value), value > 0 ? color : palette::kTextDim);
+  tooltip(cure);
+}
+
+void mesh_rows(const Panel& panel) {
+  const Frame& frame = panel.input.frame;
+  heading(panel, "Simulation");
+  count_row(panel, "Tetrahedra", frame.tets.size());
+  count_row(panel, "Nodes", frame.positions.size());
+  count_row(panel, "Pieces", frame.bodies.size());
+  count_row(panel, "Fragments", static_cast<std::size_t>(std::max(frame.fragments, 0)));
+  count_row(panel, "Crack events", frame.crack_events.size());
+  count_row(panel, "Contacts", static_cast<std::size_t>(std::max(frame.report.contacts, 0)));
+  count_row(panel, "Substeps", static_cast<std::size_t>(std::max(frame.report.substeps, 0)));
+  value_row(panel, "Kinetic energy", format_quantity(frame.totals.kinetic_energy, "J", 3), palette::kText);
+  value_row(panel, "Elastic energy", format_quantity(frame.totals.elastic_energy, "J", 3), palette::kText);
+}
+
+void solver_rows(const Panel& panel) {
+  const StepReport& report = panel.input.frame.report;
+  heading(panel, "Solver");
+  count_row(panel, "Iterations", static_cast<std::size_t>(std::max(report.solver_iterations, 0)));
+  char residual[32];
+  std::snprintf(residual, sizeof residual, "%.1e", report.max_relative_residual);
+  value_row(panel, "Relative residual", residual, palette::kText);
+  trouble_row(panel, "Unconverged solves", report.unconverged_solves, palette::kWarning,
+              "Solves stopped by the iteration limit: allow more iterations or a larger residual.");
+  trouble_row(panel, "Inverted tetrahedra", report.inverted_tets, palette::kWarning,
+              "Elements turned inside out: use more substeps or stiffer material.");
+  trouble_row(panel, "Values not finite", report.non_finite_values, palette::kError,
+              "Bodies frozen because a value was not finite: reset, and use a smaller time step.");
+  trouble_row(panel, "Cracks postponed", report.cracks_postponed, palette::kWarning,
+              "Over the budget of cracks a step; they follow in the next steps.");
+  trouble_row(panel, "Cracks suppressed", report.cracks_suppressed, palette::kWarning,
+              "Not made because the fragment would be too small.");
+  value_row(panel, "Penetration", format_quantity(report.max_penetration, "m", 3), palette::kText);
+}
+
+void time_bar(const Panel& panel, const char* label, double milliseconds, double whole) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f ms", milliseconds);
+  value_row(panel, label, text, palette::kText);
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const float left = ImGui::GetWindowPos().x + ImGui::GetStyle().WindowPadding.x;
+  const float share = static_cast<float>(std::clamp(whole > 0 ? milliseconds / whole : 0, 0.0, 1.0));
+  const float thickness = 2 * ui_scale(panel);
+  ImGui::GetWindowDrawList()->AddRectFilled({left, high.y}, {high.x, high.y + thickness}, palette::kField);
+  ImGui::GetWindowDrawList()->AddRectFilled({left, high.y}, {left + share * (high.x - left), high.y + thickness},
+                                            palette::kAccent);
+  ImGui::Dummy({0, (low.y < high.y ? 1 : 0) * thickness / 2});
+}
+
+void timing_rows(const Panel& panel) {
+  const StepTimings& t = panel.input.frame.report.milliseconds;
+  heading(panel, "Time of the last step");
+  time_bar(panel, "Contact", t.contact, t.step);
+  time_bar(panel, "Elasticity", t.elasticity, t.step);
+  time_bar(panel, "Separation", t.separation, t.step);
+  time_bar(panel, "Fracture", t.fracture, t.step);
+  time_bar(panel, "Step", t.step, t.step);
+}
+
+}  // namespace
+
+void draw_statistics_panel(Panel& panel) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 3 * ui_scale(panel)});
+  mesh_rows(panel);
+  solver_rows(panel);
+  if (panel.state.show_times) timing_rows(panel);
+  ImGui::PopStyleVar();
+}
+
+}  // namespace griffith::ui

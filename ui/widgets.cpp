@@ -1,0 +1,130 @@
+#include "ui/widgets.h"
+
+#include <algorithm>
+
+#include "ui/style.h"
+
+namespace griffith::ui {
+
+float ui_scale(const Panel& panel) { return panel.input.fonts.regular->FontSize / 16; }
+
+void heading(const Panel& panel, const char* text) {
+  ImGui::Dummy({0, 2 * ui_scale(panel)});
+  ImGui::PushFont(panel.input.fonts.bold);
+  ImGui::PushStyleColor(ImGuiCol_Text, palette::kAccent);
+  ImGui::TextUnformatted(text);
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+  ImGui::Separator();
+  ImGui::Dummy({0, ui_scale(panel)});
+}
+
+void row_label(const Panel& panel, const char* label) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
+  ImGui::TextUnformatted(label);
+  ImGui::PopStyleColor();
+  const float column = std::max(118 * ui_scale(panel), 0.4f * ImGui::GetWindowWidth());
+  ImGui::SameLine(column);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+}
+
+void value_row(const Panel& panel, const char* label, const std::string& value, ImU32 color) {
+  const float start = ImGui::GetCursorPosX();
+  ImGui::TextColored(as_vec4(palette::kTextDim), "%s", label);
+  ImGui::SameLine();
+  const float room = start + ImGui::GetContentRegionAvail().x + (ImGui::GetCursorPosX() - start);
+  ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), room - ImGui::CalcTextSize(value.c_str()).x));
+  ImGui::TextColored(as_vec4(color), "%s", value.c_str());
+  tag_last_item(panel.tags, std::string("value/") + label, value);
+}
+
+void hint(const Panel& panel, const std::string& text) {
+  ImGui::PushFont(panel.input.fonts.small);
+  ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+}
+
+void tooltip(std::string_view text) {
+  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void command_button(Panel& panel, CommandId id, Icon icon, bool with_label, bool lit) {
+  const CommandInfo& info = command_info(id);
+  const bool enabled = command_enabled(id, panel);
+  const float size = ImGui::GetFrameHeight(), scale = ui_scale(panel);
+  const std::string label(info.label);
+  const float text_width = with_label ? ImGui::CalcTextSize(label.c_str()).x + 8 * scale : 0;
+  ImGui::BeginDisabled(!enabled);
+  ImGui::PushStyleColor(ImGuiCol_Button, lit ? palette::kAccentDim : palette::kField);
+  const std::string item = "##" + std::string(info.name);
+  if (ImGui::Button(item.c_str(), {size * 1.25f + text_width, size})) issue(panel, {.id = id});
+  ImGui::PopStyleColor();
+  tag_last_item(panel.tags, "command/" + std::string(info.name), label, enabled);
+  const ImVec2 corner = ImGui::GetItemRectMin();
+  const ImU32 color = ImGui::GetColorU32(lit ? palette::kAccent : palette::kText);
+  draw_icon(ImGui::GetWindowDrawList(), icon, {corner.x + 0.625f * size, corner.y + 0.5f * size}, 0.5f * size, color);
+  if (with_label) {
+    ImGui::GetWindowDrawList()->AddText({corner.x + 1.15f * size, corner.y + ImGui::GetStyle().FramePadding.y}, color,
+                                        label.c_str());
+  }
+  ImGui::EndDisabled();
+  std::string text(info.hint);
+  if (!info.shortcut_text.empty()) text.append("  (").append(info.shortcut_text).append(")");
+  tooltip(text);
+}
+
+int combo_row(Panel& panel, const char* tag, const char* label, std::span<const std::string> entries,
+              std::string_view shown) {
+  row_label(panel, label);
+  const std::string preview(shown), item = "##" + std::string(tag);
+  const bool open = ImGui::BeginCombo(item.c_str(), preview.c_str(), ImGuiComboFlags_HeightLarge);
+  if (!open) {
+    tag_last_item(panel.tags, tag, preview);
+    return -1;
+  }
+  int chosen = -1;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (ImGui::Selectable(entries[i].c_str(), entries[i] == shown)) chosen = static_cast<int>(i);
+    tag_last_item(panel.tags, tag + ("/" + entries[i]), entries[i]);
+  }
+  ImGui::EndCombo();
+  return chosen;
+}
+
+bool checkbox(Panel& panel, const char* tag, const char* label, bool& value) {
+  const bool toggled = ImGui::Checkbox(label, &value);
+  tag_last_item(panel.tags, tag, value ? "on" : "off");
+  return toggled;
+}
+
+Edit integer_row(Panel& panel, const char* tag, const char* label, int& value, int minimum, int maximum) {
+  row_label(panel, label);
+  const std::string item = "##" + std::string(tag);
+  Edit edit;
+  int wanted = value;
+  ImGui::InputInt(item.c_str(), &wanted, 1, 10);
+  edit.finished = ImGui::IsItemDeactivatedAfterEdit();
+  wanted = std::clamp(wanted, minimum, maximum);
+  edit.changed = wanted != value;
+  value = wanted;
+  tag_last_item(panel.tags, tag, std::to_string(value));
+  return edit;
+}
+
+bool text_button(Panel& panel, const char* tag, const char* label, float width) {
+  const bool clicked = ImGui::Button(label, {width, 0});
+  tag_last_item(panel.tags, tag, label);
+  return clicked;
+}
+
+}  // namespace griffith::ui

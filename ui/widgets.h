@@ -1,0 +1,52 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "ui/editor_state.h"
+#include "ui/icons.h"
+
+namespace griffith::ui {
+
+/// What a widget did to its value in this frame.
+struct Edit {
+  bool changed = false;   ///< the value is another one now
+  bool finished = false;  ///< the gesture ended: mouse released, text entered
+};
+
+/// Pixels per design pixel, from the font in use.
+float ui_scale(const Panel& panel);
+
+/// A panel's heading with a thin line under it.
+void heading(const Panel& panel, const char* text);
+
+/// Begins a row "label: widget" of a panel: label on the left, the next widget fills the rest.
+void row_label(const Panel& panel, const char* label);
+
+/// A row "label: value" of plain text.
+void value_row(const Panel& panel, const char* label, const std::string& value, ImU32 color);
+
+/// A small grey line that wraps.
+void hint(const Panel& panel, const std::string& text);
+
+/// Shows `text` when the mouse rests on the last item.
+void tooltip(std::string_view text);
+
+/// A button for a registered command, tagged "command/<name>"; greyed when the command makes no sense now.
+void command_button(Panel& panel, CommandId id, Icon icon, bool with_label, bool lit = false);
+
+/// A drop-down list over the full row. Returns the index chosen in this frame or -1. Entries are tagged "<tag>/<text>".
+int combo_row(Panel& panel, const char* tag, const char* label, std::span<const std::string> entries,
+              std::string_view shown);
+
+/// A check box with its label. True when it was toggled.
+bool checkbox(Panel& panel, const char* tag, const char* label, bool& value);
+
+/// A whole number with minus and plus.
+Edit integer_row(Panel& panel, const char* tag, const char* label, int& value, int minimum, int maximum);
+
+/// A plain button over the full width, or as wide as its text. True when clicked.
+bool text_button(Panel& panel, const char* tag, const char* label, float width = 0);
+
+}  // namespace griffith::ui
