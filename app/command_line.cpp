@@ -114,11 +114,12 @@ std::optional<int> parse(CLI::App& program, int argc, const char* const* argv) {
   }
 }
 
-int dispatch(const CLI::App& program, const Options& options) {
+int dispatch(const CLI::App& program, Options& options) {
   std::unique_ptr<ThreadLimit> limit;
   if (options.threads > 0) limit = std::make_unique<ThreadLimit>(options.threads);
   if (program.got_subcommand("check")) return check_command(options.check) == 0 ? kDone : kBadInput;
   if (program.got_subcommand("simulate")) {
+    options.simulate.threads = options.threads > 0 ? options.threads : default_thread_count();
     simulate_command(options.simulate);
   } else if (program.got_subcommand("render")) {
     render_command(options.render);

@@ -32,6 +32,7 @@ struct SimulateOptions {
   std::filesystem::path scene;
   int frames = 0;
   std::filesystem::path stats;  ///< empty: a summary on stdout
+  int threads = 1;              ///< in use, for the report
 };
 
 struct CheckOptions {

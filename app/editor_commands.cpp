@@ -76,8 +76,9 @@ void Editor::open(const std::filesystem::path& path) {
 
 void Editor::save(std::filesystem::path path) {
   if (path.empty()) path = history_.scene().name + ".json";
-  write_scene(history_.scene(), path);
+  history_.change("Set view", [this](Scene& scene) { scene.view = state_.view; });
   history_.finish();
+  write_scene(history_.scene(), path);
   history_.mark_saved();
   path_ = path;
   log(ui::LogLevel::info, "Saved " + path.string());

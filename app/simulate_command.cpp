@@ -3,7 +3,6 @@
 #include "app/command_options.h"
 #include "app/progress.h"
 #include "app/statistics.h"
-#include "sim/parallel.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/world/world.h"
 
@@ -12,7 +11,7 @@ namespace griffith::app {
 void simulate_command(const SimulateOptions& options) {
   const Scene scene = read_scene(options.scene);
   World world(scene);
-  RunStatistics statistics(world.frame(), scene.simulation.time_step, default_thread_count());
+  RunStatistics statistics(world.frame(), scene.simulation.time_step, options.threads);
   {
     Progress progress("Simulating", options.frames);
     for (int step = 1; step <= options.frames; ++step) {

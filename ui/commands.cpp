@@ -38,7 +38,7 @@ constexpr std::array<CommandInfo, 16> kRegistry = {{
      {'O', true},
      "Ctrl+O"},
     {CommandId::open, "file.open_path", "Open scene", "Open the scene with the given path", {}, ""},
-    {CommandId::save, "file.save", "Save", "Write the scene as it is now edited", {'S', true}, "Ctrl+S"},
+    {CommandId::save, "file.save", "Save", "Write the scene as it is now edited and shown", {'S', true}, "Ctrl+S"},
     {CommandId::screenshot,
      "file.screenshot",
      "Screenshot",

@@ -9,7 +9,7 @@ namespace griffith::ui {
 namespace {
 
 constexpr ImGuiWindowFlags kDialogFlags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                          ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                                          ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings |
                                           ImGuiWindowFlags_AlwaysAutoResize;
 
 constexpr std::array<std::pair<const char*, const char*>, 7> kMouseHelp = {{
@@ -23,12 +23,19 @@ constexpr std::array<std::pair<const char*, const char*>, 7> kMouseHelp = {{
 }};
 
 /// Opens the popup when `wanted` and centres it. True while its content is to be drawn.
-bool begin_dialog(const char* title, bool wanted, float width) {
+bool begin_dialog(const Panel& panel, const char* title, bool wanted, float design_width) {
+  const float scale = ui_scale(panel), width = design_width * scale;
   if (wanted && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
   const ImVec2 center = ImGui::GetMainViewport()->GetCenter();
   ImGui::SetNextWindowPos(center, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, FLT_MAX});
-  return ImGui::BeginPopupModal(title, nullptr, kDialogFlags);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8 * scale);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, scale);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20 * scale, 14 * scale});
+  const bool open = ImGui::BeginPopupModal(title, nullptr, kDialogFlags);
+  ImGui::PopStyleVar(3);
+  if (open) heading(panel, title);
+  return open;
 }
 
 void labelled_text(const char* label, const std::string& text, ImU32 color) {
@@ -46,7 +53,7 @@ bool escape_pressed() { return ImGui::IsKeyPressed(key::kEscape, false); }
 
 void error_dialog(Panel& panel) {
   std::optional<ErrorMessage>& error = panel.state.error;
-  if (!begin_dialog("That did not work", error.has_value(), 480 * ui_scale(panel))) return;
+  if (!begin_dialog(panel, "That did not work", error.has_value(), 480)) return;
   if (error) {
     labelled_text("Where", error->where, palette::kText);
     labelled_text("Problem", error->problem, palette::kError);
@@ -76,7 +83,7 @@ void scene_list(Panel& panel) {
 
 void open_dialog(Panel& panel) {
   EditorState& state = panel.state;
-  if (!begin_dialog("Open a scene", state.show_open, 520 * ui_scale(panel))) return;
+  if (!begin_dialog(panel, "Open a scene", state.show_open, 520)) return;
   scene_list(panel);
   ImGui::SetNextItemWidth(-FLT_MIN);
   const bool entered =
@@ -102,7 +109,7 @@ void help_table_row(const char* keys, const char* text) {
 
 void help_dialog(Panel& panel) {
   EditorState& state = panel.state;
-  if (!begin_dialog("Mouse and keyboard", state.show_help, 620 * ui_scale(panel))) return;
+  if (!begin_dialog(panel, "Mouse and keyboard", state.show_help, 620)) return;
   if (ImGui::BeginTable("##help", 2, ImGuiTableFlags_SizingFixedFit)) {
     for (const auto& [keys, text] : kMouseHelp) help_table_row(keys, text);
     help_table_row("", "");

@@ -63,8 +63,11 @@ void draw_left(Panel& panel, const Layout& layout) {
 void draw_right(Panel& panel, const Layout& layout) {
   begin_side(panel, "##right", layout, false, panel.state.right_width);
   draw_view_panel(panel);
+  // Rows of numbers stand closer than widgets.
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 3 * ui_scale(panel)});
   draw_inspector_panel(panel);
   draw_statistics_panel(panel);
+  ImGui::PopStyleVar();
   ImGui::End();
 }
 

@@ -88,11 +88,9 @@ void timing_rows(const Panel& panel) {
 }  // namespace
 
 void draw_statistics_panel(Panel& panel) {
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 3 * ui_scale(panel)});
   mesh_rows(panel);
   solver_rows(panel);
   if (panel.state.show_times) timing_rows(panel);
-  ImGui::PopStyleVar();
 }
 
 }  // namespace griffith::ui

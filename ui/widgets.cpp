@@ -24,7 +24,7 @@ void row_label(const Panel& panel, const char* label) {
   ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
   ImGui::TextUnformatted(label);
   ImGui::PopStyleColor();
-  const float column = std::max(118 * ui_scale(panel), 0.4f * ImGui::GetWindowWidth());
+  const float column = std::max(124 * ui_scale(panel), 0.42f * ImGui::GetWindowWidth());
   ImGui::SameLine(column);
   ImGui::SetNextItemWidth(-FLT_MIN);
 }

@@ -14,27 +14,26 @@ constexpr double kTouchShare = 1e-6;
 /// A sphere slides along this many surfaces in one substep at most.
 constexpr int kMaxTouches = 4;
 
-/// Two objects in uniform motion, seen from the second.
+/// A motion of `a` as seen from `b`, which stays in its present place.
 struct Encounter {
   const Object &a, &b;
-  Vec3 a_shift, b_shift;  ///< from their present places to the start of the motion [m]
-  Vec3 displacement;      ///< of a relative to b [m]
-  double gap;             ///< that counts as touching [m]
+  Vec3 start;         ///< of a's centre [m]
+  Vec3 displacement;  ///< [m]
+  double gap;         ///< that counts as touching [m]
 };
 
-PlacedShape placed(const Object& object, std::size_t part, const Vec3& shift, double ground_height) {
+PlacedShape placed(const Object& object, std::size_t part, const Vec3& center, double ground_height) {
   if (object.kind == Kind::ground) return {nullptr, btTransform::getIdentity(), ground_height};
   PlacedShape shape{object.shape.parts[part].get(), object.body->getWorldTransform(), 0};
-  shape.transform.setOrigin(shape.transform.getOrigin() + to_bullet(shift));
+  shape.transform.setOrigin(to_bullet(center));
   return shape;
 }
 
 /// Whether the spheres round the two objects come near enough to touch.
 bool may_touch(const Encounter& encounter, double ground_height) {
-  const auto& [a, b, a_shift, b_shift, displacement, gap] = encounter;
-  const Vec3 start = a.state.pose.translation + a_shift;
+  const auto& [a, b, start, displacement, gap] = encounter;
   if (b.kind == Kind::ground) return start.y() + displacement.y() <= ground_height + a.shape.radius + gap;
-  const Vec3 apart = start - b.state.pose.translation - b_shift;
+  const Vec3 apart = start - b.state.pose.translation;
   const double length_squared = displacement.squaredNorm();
   const double nearest = length_squared > 0 ? std::clamp(-apart.dot(displacement) / length_squared, 0.0, 1.0) : 0;
   return (apart + nearest * displacement).norm() <= a.shape.radius + b.shape.radius + gap;
@@ -43,13 +42,13 @@ bool may_touch(const Encounter& encounter, double ground_height) {
 /// Calls `use` with the touch of each pair of convex parts that meets.
 template <class Use>
 void for_each_touch(const Encounter& encounter, double ground_height, Use use) {
+  const auto& [a, b, start, displacement, gap] = encounter;
   if (!may_touch(encounter, ground_height)) return;
-  const std::size_t b_parts = encounter.b.kind == Kind::ground ? 1 : encounter.b.shape.parts.size();
-  for (std::size_t i = 0; i < encounter.a.shape.parts.size(); ++i)
+  const std::size_t b_parts = b.kind == Kind::ground ? 1 : b.shape.parts.size();
+  for (std::size_t i = 0; i < a.shape.parts.size(); ++i)
     for (std::size_t j = 0; j < b_parts; ++j) {
-      const auto touch = first_touch(placed(encounter.a, i, encounter.a_shift, ground_height), encounter.displacement,
-                                     placed(encounter.b, j, encounter.b_shift, ground_height), encounter.gap);
-      if (touch) use(*touch);
+      const PlacedShape other = placed(b, j, b.state.pose.translation, ground_height);
+      if (const auto touch = first_touch(placed(a, i, start, ground_height), displacement, other, gap)) use(*touch);
     }
 }
 
@@ -59,11 +58,13 @@ Quat rotated(const Quat& rotation, const Vec3& turn) {
   return (Quat(Eigen::AngleAxisd(angle, turn / angle)) * rotation).normalized();
 }
 
-/// How two objects move on together for the rest of a substep: only spheres give way.
-Vec3 common_velocity(const Object& sphere, const Object& met) {
-  if (met.kind != Kind::sphere) return met.state.velocity;
-  const double own = sphere.body->getInvMass(), other = met.body->getInvMass();
-  return (other * sphere.state.velocity + own * met.state.velocity) / (own + other);
+/// Where an object will be after a share (0..1) of the substep, moving uniformly. How a sphere turns does not matter.
+Pose pose_after(const Object& object, double share, double dt) {
+  Pose pose = object.state.pose;
+  pose.translation += share * (dt * object.state.velocity + object.correction.translation);
+  if (object.kind != Kind::sphere)
+    pose.rotation = rotated(pose.rotation, share * (dt * object.state.angular_velocity + object.correction.rotation));
+  return pose;
 }
 
 /// Fastest motion of a surface point due to rotation [m/s].
@@ -77,51 +78,70 @@ void ContactWorld::Impl::move_spheres(double dt) {
     if (objects[i].kind == Kind::sphere && objects[i].body) spheres.push_back(i);
   for (std::size_t i : spheres) {
     objects[i].state.pose.translation += objects[i].correction.translation;
-    place(objects[i]);
+    objects[i].correction = {};
   }
-  std::vector<Vec3> paths;
-  for (std::size_t i : spheres) paths.push_back(swept_path(i, dt));
+  std::vector<Vec3> ends;
+  for (std::size_t i : spheres) ends.push_back(swept_end(objects[i], dt));
   for (std::size_t i = 0; i < spheres.size(); ++i) {
     RigidState& state = objects[spheres[i]].state;
-    state.pose.translation += paths[i];
+    state.pose.translation = ends[i];
     state.pose.rotation = rotated(state.pose.rotation, dt * state.angular_velocity);
     place(objects[spheres[i]]);
   }
 }
 
-/// The sphere's displacement over `dt` among the others in uniform motion. Slow touches let it slide on along the
-/// surface; what it strikes takes it along for the rest of `dt`, so that the next detection finds both in touch.
-Vec3 ContactWorld::Impl::swept_path(std::size_t sphere, double dt) const {
-  const Object& moving = objects[sphere];
-  Vec3 travelled = Vec3::Zero(), velocity = moving.state.velocity;
-  double time = 0;
+/// Where a sphere is after `dt` among the others in uniform motion. Slow touches let it slide on along the surface;
+/// what it strikes takes it along for the rest of `dt`, so that the next detection finds both in touch.
+Vec3 ContactWorld::Impl::swept_end(const Object& sphere, double dt) const {
+  Vec3 center = sphere.state.pose.translation, velocity = sphere.state.velocity;
+  double share = 0;
   for (int touches = 0; touches < kMaxTouches; ++touches) {
-    const auto [touch, met] = next_touch(moving, travelled, velocity, time, dt);
-    const double duration = touch.fraction * (dt - time);
-    travelled += duration * velocity;
-    time += duration;
-    if (!met) break;
-    const double approach = -touch.normal.dot(velocity - met->state.velocity);
-    if (approach > kQuietSpeed) return travelled + (dt - time) * common_velocity(moving, *met);
-    velocity += approach * touch.normal;
+    const NextTouch next = next_touch(sphere, center, velocity, share, dt);
+    center += (next.share - share) * dt * velocity;
+    share = next.share;
+    if (!next.met) break;
+    const RigidState& met = next.met->state;
+    const Vec3 arm = center - pose_after(*next.met, share, dt).translation;
+    const double approach = -next.normal.dot(velocity - met.velocity - met.angular_velocity.cross(arm));
+    const double came = share * dt * (sphere.state.velocity - met.velocity).norm();
+    const bool just_solved = came < 10 * kTouchShare * sphere.shape.radius;
+    if (approach > kQuietSpeed && !just_solved) return carried_end(sphere, next, center, dt);
+    velocity += std::max(0.0, approach) * next.normal;
   }
-  return travelled;
+  return center;
 }
 
-/// What a sphere in motion meets first between `time` and `dt`, `met` null for nothing.
-ContactWorld::Impl::NextTouch ContactWorld::Impl::next_touch(const Object& moving, const Vec3& travelled,
-                                                             const Vec3& velocity, double time, double dt) const {
-  const double gap = -kTouchShare * moving.shape.radius;
-  NextTouch next{{1, Vec3::Zero()}, nullptr};
+/// What a sphere in motion meets first after a share of the substep. Each other object is looked at in its own frame,
+/// so that its turning counts.
+ContactWorld::Impl::NextTouch ContactWorld::Impl::next_touch(const Object& sphere, const Vec3& center,
+                                                             const Vec3& velocity, double share, double dt) const {
+  const double gap = -kTouchShare * sphere.shape.radius;
+  NextTouch next{1, nullptr, Vec3::Zero(), Vec3::Zero()};
   for (const Object& other : objects) {
-    if (&other == &moving || !other.body) continue;
-    const Vec3 displacement = (dt - time) * (velocity - other.state.velocity);
-    const Encounter encounter{moving, other, travelled, time * other.state.velocity, displacement, gap};
+    if (&other == &sphere || !other.body) continue;
+    const Pose& present = other.state.pose;
+    const Vec3 start = pose_after(other, share, dt).to_local(center);
+    const Vec3 end = pose_after(other, 1, dt).to_local(center + (1 - share) * dt * velocity);
+    const Encounter encounter{sphere, other, present.to_world(start), present.rotation * (end - start), gap};
     for_each_touch(encounter, ground_height, [&](const Touch& touch) {
-      if (!next.met || touch.fraction < next.touch.fraction) next = {touch, &other};
+      const double touch_share = share + touch.fraction * (1 - share);
+      if (next.met && touch_share >= next.share) return;
+      const Vec3 local_normal = present.rotation.conjugate() * touch.normal;
+      next = {touch_share, &other, pose_after(other, touch_share, dt).rotation * local_normal,
+              start + touch.fraction * (end - start)};
     });
   }
   return next;
+}
+
+/// Where a sphere ends up that has struck something at `center`: with it, or with the common velocity of two spheres.
+Vec3 ContactWorld::Impl::carried_end(const Object& sphere, const NextTouch& struck, const Vec3& center,
+                                     double dt) const {
+  const Object& met = *struck.met;
+  if (met.kind != Kind::sphere) return pose_after(met, 1, dt).to_world(struck.local_center);
+  const double own = sphere.body->getInvMass(), other = met.body->getInvMass();
+  const Vec3 common = (other * sphere.state.velocity + own * met.state.velocity) / (own + other);
+  return center + (1 - struck.share) * dt * common;
 }
 
 bool ContactWorld::Impl::would_strike(std::size_t first, std::size_t second, double dt, double minimum_speed) const {
@@ -133,7 +153,7 @@ bool ContactWorld::Impl::would_strike(std::size_t first, std::size_t second, dou
   const double turning = turning_speed(a) + turning_speed(b);
   if (relative.norm() + turning <= minimum_speed) return false;
   bool strikes = false;
-  const Encounter encounter{a, b, Vec3::Zero(), Vec3::Zero(), dt * relative, dt * turning};
+  const Encounter encounter{a, b, a.state.pose.translation, dt * relative, dt * turning};
   for_each_touch(encounter, ground_height,
                  [&](const Touch& touch) { strikes |= turning - touch.normal.dot(relative) > minimum_speed; });
   return strikes;

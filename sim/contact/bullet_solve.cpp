@@ -176,8 +176,9 @@ void ContactWorld::Impl::read_motion(Object& object) {
   object.state.velocity = from_bullet(object.body->getLinearVelocity());
   object.state.angular_velocity = from_bullet(object.body->getAngularVelocity());
   const btTransform pushed = object.body->getWorldTransform();
-  place(object);  // the solver has moved it out of overlaps
+  place(object);
   const btTransform& before = object.body->getWorldTransform();
+  if (pushed == before) return;  // else the solver has moved it out of an overlap
   object.correction.translation = from_bullet(pushed.getOrigin() - before.getOrigin());
   btQuaternion turn;
   (pushed.getBasis() * before.getBasis().transpose()).getRotation(turn);

@@ -97,12 +97,15 @@ struct ContactWorld::Impl {
   // Motion.
   void move_spheres(double dt);
   struct NextTouch {
-    contact::Touch touch;
-    const contact::Object* met;
+    double share;                ///< of the substep, 1 for nothing
+    const contact::Object* met;  ///< null for nothing
+    Vec3 normal;                 ///< unit, towards the sphere
+    Vec3 local_center;           ///< of the sphere, in the frame of what it met [m]
   };
-  Vec3 swept_path(std::size_t sphere, double dt) const;
-  NextTouch next_touch(const contact::Object& moving, const Vec3& travelled, const Vec3& velocity, double time,
+  Vec3 swept_end(const contact::Object& sphere, double dt) const;
+  NextTouch next_touch(const contact::Object& sphere, const Vec3& center, const Vec3& velocity, double share,
                        double dt) const;
+  Vec3 carried_end(const contact::Object& sphere, const NextTouch& struck, const Vec3& center, double dt) const;
   bool would_strike(std::size_t a, std::size_t b, double dt, double minimum_speed) const;
   bool impact_expected(double dt, double minimum_speed) const;
 

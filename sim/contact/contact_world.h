@@ -96,7 +96,7 @@ class ContactWorld {
   std::span<Contact> contacts();
   std::span<const Contact> contacts() const;
   /// Solves the velocities over `dt` [s], writes the impulses, moves the purely rigid objects (fast ones swept, so that
-  /// none passes through a thin body: what they strike is taken to move on without turning). `dt` > 0.
+  /// none passes through a thin body). `dt` > 0.
   void solve(double dt);
 
   /// The displacement that removes what is left of an overlap, as a rigid motion (translation [m], rotation vector

@@ -28,7 +28,7 @@ struct Material {
   double friction = 0.6;                 ///< Coulomb's coefficient, >= 0
   double restitution = 0.1;              ///< coefficient of restitution, 0..1
   double mass_damping = 0.0;             ///< Rayleigh's α [1/s], >= 0
-  double stiffness_damping = 1e-4;       ///< Rayleigh's β [s], >= 0
+  double stiffness_damping = 1e-5;       ///< Rayleigh's β [s], >= 0
 
   bool operator==(const Material&) const = default;
 };

@@ -67,7 +67,7 @@ class VtuReader {
       if (tag.name == "Piece" && !tag.closes) pieces_.push_back(read_piece_head(tag));
       if (tag.name == "Points" || tag.name == "Cells") section = tag.closes ? "" : tag.name;
       if (tag.name == "DataArray" && !tag.closes) note_array(tag, section);
-      if (tag.name == "AppendedData") {
+      if (tag.name == "AppendedData" && !tag.closes) {
         note_appended_data(tag);
         break;
       }

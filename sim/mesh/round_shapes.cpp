@@ -127,6 +127,60 @@ void add_core(HexMeshBuilder& builder, int core, double radius) {
   }
 }
 
+/// A plate with a hole: rings of cells from the hole to the middle part's edge, lattices beyond it at two ends.
+struct PlateLayout {
+  Vec2 middle;                      ///< edge lengths of the middle part, in rings
+  Vec2 beyond;                      ///< length of a lattice at either end, along x and y
+  std::array<int, 2> cells;         ///< on the sides of the middle part
+  std::array<int, 2> cells_beyond;  ///< of a lattice, along x and y; 0: there is none
+  double hole_radius;
+  double growth;  ///< logarithm of how many times the radius grows from the hole to the edge
+  int rings;
+};
+
+PlateLayout lay_out_plate(const Vec2& size, double hole_radius, double element_size) {
+  const double side = size.minCoeff();
+  if (!(hole_radius > 0 && hole_radius < 0.5 * side))
+    throw InputError("plate with hole", "hole radius " + std::to_string(hole_radius) + " m",
+                     "more than 0 and less than half the smaller side");
+  PlateLayout plate{.middle = size,
+                    .beyond = (size - Vec2::Constant(side)) / 2,
+                    .cells = {},
+                    .cells_beyond = {0, 0},
+                    .hole_radius = hole_radius,
+                    .growth = std::log(0.5 * side / hole_radius),
+                    .rings = 1};
+  for (int axis : {0, 1}) {
+    // Rings reach to the edge where less than half a cell is left beyond the middle square.
+    if (plate.beyond[axis] >= element_size / 2) {
+      plate.cells_beyond[axis] = cell_count(plate.beyond[axis], element_size, "plate");
+      plate.middle[axis] = side;
+    }
+    plate.cells[axis] = cell_count(plate.middle[axis], element_size, "plate");
+  }
+  // As many rings as make cells about square when they grow with their distance from the hole.
+  const double rings = 2 / std::numbers::pi * std::max(plate.cells[0], plate.cells[1]) * plate.growth;
+  plate.rings = static_cast<int>(std::clamp(std::round(rings), 1.0, double(kMaxCells)));
+  return plate;
+}
+
+/// Layer 0 is the middle part's edge and what lies beyond it, layer `rings` the hole's wall.
+Vec2 plate_point(const PlateLayout& plate, const PlanarNode& node) {
+  const std::array<int, 2> lattice = {node.i, node.j};
+  Vec2 outer, q;
+  for (int axis : {0, 1}) {
+    const int cells = plate.cells[axis], inside = std::clamp(lattice[axis], 0, cells), outside = lattice[axis] - inside;
+    q[axis] = (2.0 * inside - cells) / cells;
+    outer[axis] = plate.middle[axis] / 2 * q[axis];
+    if (outside != 0) outer[axis] += plate.beyond[axis] / plate.cells_beyond[axis] * outside;
+  }
+  if (node.layer == 0) return outer;
+  const Vec2 inner = plate.hole_radius * radial_direction({q.x(), q.y(), 0}).head<2>();
+  const double outwards =
+      std::expm1(plate.growth * (plate.rings - node.layer) / plate.rings) / std::expm1(plate.growth);
+  return inner + outwards * (outer - inner);
+}
+
 }  // namespace
 
 TetSoup make_cylinder(double radius, double length, const Vec2& element_size, BoxPattern pattern) {
@@ -156,44 +210,18 @@ TetSoup make_sphere(double radius, double element_size, BoxPattern pattern) {
 
 TetSoup make_plate_with_hole(const Vec3& size, double hole_radius, const Vec2& element_size, BoxPattern pattern) {
   const int levels = cell_count(size.z(), element_size.y(), "plate, thickness");
-  const double side = std::min(size.x(), size.y());
-  // Rings fill the middle square, lattices what is left at two ends, unless that is less than half a cell.
-  const Vec2 rest = (size.head<2>() - Vec2::Constant(side)) / 2;
-  const auto cells_beyond = [&](double length) {
-    return length < element_size.x() / 2 ? 0 : cell_count(length, element_size.x(), "plate");
-  };
-  const int beyond_x = cells_beyond(rest.x()), beyond_y = cells_beyond(rest.y());
-  const Vec2 middle(beyond_x > 0 ? side : size.x(), beyond_y > 0 ? side : size.y());
-  const int nx = cell_count(middle.x(), element_size.x(), "plate, x"),
-            ny = cell_count(middle.y(), element_size.x(), "plate, y");
-  if (!(hole_radius > 0 && hole_radius < 0.5 * side))
-    throw InputError("plate with hole", "hole radius " + std::to_string(hole_radius) + " m",
-                     "more than 0 and less than half the smaller side");
-  // As many rings as make cells about square when they grow with their distance from the hole.
-  const double growth = std::log(0.5 * side / hole_radius);
-  const double rings = std::max(1.0, std::round(2 / std::numbers::pi * std::max(nx, ny) * growth));
-  if (rings * (nx + ny) * 2 * levels > kMaxCells)
+  const PlateLayout plate = lay_out_plate(size.head<2>(), hole_radius, element_size.x());
+  const auto [nx, ny] = plate.cells;
+  const auto [beyond_x, beyond_y] = plate.cells_beyond;
+  if (double(plate.rings) * (nx + ny) * 2 * levels > kMaxCells)
     throw InputError("plate with hole", "the element size asks for too many cells", "make the elements larger");
-
-  const auto position = [&](const PlanarNode& node) -> Vec2 {
-    const auto along = [](int i, int n, double length, double beyond, int beyond_cells) {
-      const double inside = length * (2 * std::clamp(i, 0, n) - n) / (2.0 * n);
-      return inside + (beyond_cells > 0 ? beyond / beyond_cells * (i - std::clamp(i, 0, n)) : 0.0);
-    };
-    const Vec2 outer(along(node.i, nx, middle.x(), rest.x(), beyond_x),
-                     along(node.j, ny, middle.y(), rest.y(), beyond_y));
-    if (node.layer == 0) return outer;
-    const Vec3 q(2.0 * node.i / nx - 1, 2.0 * node.j / ny - 1, 0);
-    const Vec2 inner = hole_radius * radial_direction(q).head<2>();
-    const double outwards = std::expm1(growth * (1 - node.layer / rings)) / std::expm1(growth);
-    return inner + outwards * (outer - inner);
-  };
   std::vector<PlanarCell> cells;
-  add_rings(cells, perimeter(nx, ny), static_cast<int>(rings));
+  add_rings(cells, perimeter(nx, ny), plate.rings);
   add_lattice(cells, -beyond_x, 0, 0, ny);
   add_lattice(cells, nx, nx + beyond_x, 0, ny);
   add_lattice(cells, 0, nx, -beyond_y, 0);
   add_lattice(cells, 0, nx, ny, ny + beyond_y);
+  const auto position = [&](const PlanarNode& node) { return plate_point(plate, node); };
   return cut_into_tets(sweep(cells, position, size.z(), levels), pattern);
 }
 

@@ -18,8 +18,9 @@ TetSoup make_cylinder(double radius, double length, const Vec2& element_size, Bo
 TetSoup make_sphere(double radius, double element_size, BoxPattern pattern);
 
 /// A plate of size.x × size.y × size.z with a round hole through its middle along z; cells shrink towards the hole,
-/// whose wall is a polygon with corners on the circle. `element_size`: at the plate's edge, through its thickness.
-/// Throws InputError when the hole reaches an edge.
+/// whose wall is a polygon with corners on the circle. `element_size`: at the plate's edge, through its thickness. The
+/// wall has as many sides as its ring's outer edge has cells: round a small hole cells are small, and good shapes need
+/// thin levels, too. Throws InputError when the hole reaches an edge.
 TetSoup make_plate_with_hole(const Vec3& size, double hole_radius, const Vec2& element_size, BoxPattern pattern);
 
 /// A box with a slit of no width in the plane x = 0, from the side y = −size.y/2 to the depth `notch_depth`, through

@@ -1,7 +1,6 @@
 #include "sim/scene/json_document.h"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -167,18 +166,6 @@ std::string json_pointer(std::string_view pointer, std::string_view key) {
 
 std::string json_place(const std::string& file, const std::string& pointer) {
   return pointer.empty() ? file : file + "#" + pointer;
-}
-
-Json number_json(double value) {
-  constexpr double kLargest = 1e15;
-  const bool whole = std::abs(value) < kLargest && value == std::trunc(value) && !(value == 0 && std::signbit(value));
-  return whole ? Json(static_cast<std::int64_t>(value)) : Json(value);
-}
-
-Json vector_json(const Vec2& vector) { return {number_json(vector.x()), number_json(vector.y())}; }
-
-Json vector_json(const Vec3& vector) {
-  return {number_json(vector.x()), number_json(vector.y()), number_json(vector.z())};
 }
 
 std::string pretty_text(const Json& json) try {

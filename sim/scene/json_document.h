@@ -2,14 +2,12 @@
 
 // For the .cpp files of this folder alone: nothing else sees the JSON library.
 
-#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "sim/error.h"
-#include "sim/linear_algebra.h"
 
 namespace griffith {
 
@@ -24,11 +22,6 @@ Json parse_json(std::string_view text, const std::string& file, std::vector<Inpu
 std::string json_pointer(std::string_view pointer, std::string_view key);
 /// `file#/pointer`, or `file` for the document as a whole.
 std::string json_place(const std::string& file, const std::string& pointer);
-
-/// A whole number without a decimal point where that is exact, else the shortest text that reads back as this double.
-Json number_json(double value);
-Json vector_json(const Vec2& vector);
-Json vector_json(const Vec3& vector);
 
 /// Indented text with what fits on a line on one line. Throws InputError when a string is not UTF-8.
 std::string pretty_text(const Json& json);

@@ -55,7 +55,7 @@ struct ProjectileBurst {
   double interval = 0.25;           ///< [s], >= 0
   double start = 0;                 ///< [s], >= 0
   Vec3 position = Vec3(0, 1, 5);    ///< of the sphere's centre [m]
-  Vec3 direction = -Vec3::UnitZ();  ///< of flight; any length but 0
+  Vec3 direction = Vec3(0, 0, -1);  ///< of flight; any length but 0
   double speed = 40;                ///< [m/s], >= 0
   double mass = 25;                 ///< [kg], > 0
   double radius = 0.2;              ///< [m], > 0
@@ -73,7 +73,7 @@ struct Ground {
 /// How the step is carried out. Budgets count work, never time, so results do not depend on the machine.
 struct SimulationSettings {
   double time_step = 1.0 / 120;     ///< [s], 1e-5..0.1
-  int impact_substeps = 16;         ///< substeps of a step in which something strikes, 1..256
+  int impact_substeps = 32;         ///< most substeps of a step in which something strikes, 1..256
   double relative_residual = 1e-4;  ///< the linear solver stops here, 1e-12..0.1
   int max_solver_iterations = 400;  ///< per body and substep, 1..100000
   bool fracture = true;

@@ -74,7 +74,7 @@ template <class Archive>
 void describe(Archive& archive, MeshFileShape& mesh) {
   archive.field("path", mesh.path, MeshPath{},
                 "Mesh file, or the folder that holds verts.csv and tets.csv; relative to the scene file's folder");
-  archive.field("scale", mesh.scale, between(1e-9, 1e6, "m"), "Metres per unit of the file");
+  archive.field("scale", mesh.scale, between(1e-9, 1e6), "Metres per unit of the file");
 }
 
 template <class Archive>

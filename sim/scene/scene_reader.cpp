@@ -8,145 +8,17 @@
 #include <utility>
 
 #include "sim/scene/json_document.h"
+#include "sim/scene/read_value.h"
 #include "sim/scene/scene_fields.h"
 
 namespace griffith {
 namespace {
 
-/// What the parts of a document share while it is read.
-struct Document {
-  std::string file;
-  std::filesystem::path folder;
-  bool look_for_meshes = true;
-  std::map<std::string, Material, std::less<>> materials;  // the scene's own, by name
-  std::vector<InputError> problems;
-};
-
-/// A value of the document and where it stands.
-struct Place {
-  Document& document;
-  const Json& json;
-  std::string pointer;
-
-  Place child(std::string_view key, const Json& value) const { return {document, value, json_pointer(pointer, key)}; }
-  void report(std::string problem, std::string remedy) const {
-    document.problems.emplace_back(json_place(document.file, pointer), std::move(problem), std::move(remedy));
-  }
-  /// Reports that the value is not what was `expected`.
-  void reject(const std::string& expected) const {
-    constexpr std::size_t kLongestExcerpt = 40;
-    std::string excerpt = json.is_object() ? "an object" : json.dump();
-    if (excerpt.size() > kLongestExcerpt) excerpt = json.is_array() ? "an array" : "a long text";
-    report("is " + excerpt, "expected " + expected);
-  }
-};
-
 template <class T>
-  requires(!kIsOptional<T>)
-void read(const Place& place, T& value, Parts);
-
-// --- Plain values -------------------------------------------------------------------------------------------------
-
-void read(const Place& place, bool& value, Flag) {
-  if (!place.json.is_boolean()) return place.reject("true or false");
-  value = place.json.get<bool>();
-}
-
-bool in_range(const Json& json, const Numbers& numbers) {
-  return json.is_number() && json.get<double>() >= numbers.minimum && json.get<double>() <= numbers.maximum;
-}
-
-void read(const Place& place, double& value, const Numbers& numbers) {
-  if (!in_range(place.json, numbers)) return place.reject("a number " + range_text(numbers));
-  value = place.json.get<double>();
-}
-
-void read(const Place& place, int& value, const Numbers& numbers) {
-  const bool whole = place.json.is_number() && std::trunc(place.json.get<double>()) == place.json.get<double>();
-  if (!whole || !in_range(place.json, numbers)) return place.reject("a whole number " + range_text(numbers));
-  value = static_cast<int>(place.json.get<double>());
-}
-
-/// Reports the components that are no numbers of the range, each at its own place.
-bool check_components(const Place& place, const Numbers& numbers) {
-  const std::size_t before = place.document.problems.size();
-  for (std::size_t i = 0; i < place.json.size(); ++i) {
-    double ignored = 0;
-    read(place.child(std::to_string(i), place.json[i]), ignored, numbers);
-  }
-  return place.document.problems.size() == before;
-}
-
-template <int N>
-void read(const Place& place, Eigen::Matrix<double, N, 1>& value, const Numbers& numbers) {
-  const std::string one_number = numbers.uniform ? " (or one number)" : "";
-  if (numbers.uniform && place.json.is_number()) {
-    double component = 0;
-    read(place, component, numbers);
-    value.setConstant(component);
-    return;
-  }
-  if (!place.json.is_array() || place.json.size() != N) {
-    return place.reject("an array of " + std::to_string(N) + " numbers" + one_number + ", each " + range_text(numbers));
-  }
-  if (!check_components(place, numbers)) return;
-  Eigen::Matrix<double, N, 1> vector;
-  for (int i = 0; i < N; ++i) vector[i] = place.json[i].template get<double>();
-  // Squares of components below 1e-100 vanish.
-  if (numbers.nonzero && vector.template lpNorm<Eigen::Infinity>() < 1e-100) {
-    return place.reject("a direction: at least one component other than 0");
-  }
-  if (numbers.ascending && !(vector[0] < vector[N - 1])) return place.reject("[low, high] with low less than high");
-  value = vector;
-}
-
-void read(const Place& place, std::vector<int>& values, const Numbers& numbers) {
-  if (!place.json.is_array()) return place.reject("an array of whole numbers, each " + range_text(numbers));
-  values.assign(place.json.size(), 0);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    read(place.child(std::to_string(i), place.json[i]), values[i], numbers);
-  }
-}
-
-void read(const Place& place, std::string& value, const Text& text) {
-  const bool fits =
-      place.json.is_string() && std::ssize(place.json.get_ref<const std::string&>()) >= text.minimum_length;
-  if (!fits) return place.reject(text.minimum_length > 0 ? "a text that is not empty" : "a text");
-  value = place.json.get<std::string>();
-}
-
-/// The index in `names` of the name that stands here, or -1, reported.
-int read_name(const Place& place, std::span<const std::string_view> names) {
-  if (!place.json.is_string()) return place.reject("one of " + quoted_list(names)), -1;
-  const auto found = std::ranges::find(names, std::string_view(place.json.get_ref<const std::string&>()));
-  if (found != names.end()) return static_cast<int>(found - names.begin());
-  place.report("is the unknown name " + place.json.dump(), suggestion(place.json.get_ref<const std::string&>(), names));
-  return -1;
-}
-
-void read(const Place& place, std::string& value, const OneOf& one_of) {
-  if (const int index = read_name(place, one_of.names); index >= 0) value = one_of.names[index];
-}
-
-template <class Enum>
-requires std::is_enum_v<Enum>
-void read(const Place& place, Enum& value, const OneOf& one_of) {
-  if (const int index = read_name(place, one_of.names); index >= 0) value = static_cast<Enum>(index);
-}
-
-void read(const Place& place, std::filesystem::path& value, MeshPath) {
-  std::string text;
-  const std::size_t before = place.document.problems.size();
-  read(place, text, Text{1});
-  if (place.document.problems.size() > before) return;
-  value = text;
-  const auto tried = (place.document.folder / value).lexically_normal();
-  std::error_code ignored;
-  if (place.document.look_for_meshes && !std::filesystem::exists(tried, ignored)) {
-    place.report("names the mesh \"" + text + "\", but there is no \"" + tried.generic_string() + "\"",
-                 "put the mesh there or correct the path, which starts at the scene file's folder");
-  }
-}
+void read(const Place& place, std::vector<T>& items, Parts parts);
+void read(const Place& place, Material& material, MaterialChoice);
+template <class T>
+requires(!kIsOptional<T>) void read(const Place& place, T& value, Parts);
 
 template <class T, class Values>
 void read(const Place& place, std::optional<T>& value, const Values& values) {
@@ -223,8 +95,7 @@ class ObjectReader {
 };
 
 template <class T>
-  requires(!kIsOptional<T>)
-void read(const Place& place, T& value, Parts) {
+requires(!kIsOptional<T>) void read(const Place& place, T& value, Parts) {
   if (!place.json.is_object()) return place.reject("an object { ... }");
   ObjectReader reader(place);
   describe(reader, value);

@@ -1,5 +1,7 @@
 #include "sim/scene/scene_schema.h"
 
+#include <nlohmann/json.hpp>
+
 #include "sim/scene/json_values.h"
 #include "sim/scene/scene_fields.h"
 
@@ -7,8 +9,7 @@ namespace griffith {
 namespace {
 
 template <class T>
-  requires(!kIsOptional<T>)
-Json schema_of(const T& value, Parts);
+requires(!kIsOptional<T>) Json schema_of(const T& value, Parts);
 template <class T>
 Json schema_of(const std::vector<T>& items, Parts);
 template <class T, class Values>
@@ -55,7 +56,7 @@ Json schema_of(const std::optional<T>&, const Values& values) {
 
 // --- Objects --------------------------------------------------------------------------------------------------------
 
-std::string unit_of(const Numbers& numbers) { return std::string(numbers.unit); }
+std::string unit_of(const Numbers& numbers) { return numbers.unit == "-" ? "" : std::string(numbers.unit); }
 template <class Values>
 std::string unit_of(const Values&) {
   return "";
@@ -118,8 +119,7 @@ class ObjectSchema {
 };
 
 template <class T>
-  requires(!kIsOptional<T>)
-Json schema_of(const T&, Parts) {
+requires(!kIsOptional<T>) Json schema_of(const T&, Parts) {
   ObjectSchema archive;
   T defaults{};
   describe(archive, defaults);

@@ -2,7 +2,7 @@
 
 #include <fstream>
 #include <functional>
-#include <map>
+#include <nlohmann/json.hpp>
 
 #include "sim/error.h"
 #include "sim/scene/json_values.h"
@@ -18,8 +18,7 @@ struct Library {
 };
 
 template <class T>
-  requires(!kIsOptional<T>)
-Json write(Library& library, const T& value, Parts);
+requires(!kIsOptional<T>) Json write(Library& library, const T& value, Parts);
 
 template <class T, class Values>
 Json write(Library&, const T& value, const Values& values) {
@@ -75,8 +74,7 @@ ObjectWriter described(Library& library, T value) {
 }
 
 template <class T>
-  requires(!kIsOptional<T>)
-Json write(Library& library, const T& value, Parts) {
+requires(!kIsOptional<T>) Json write(Library& library, const T& value, Parts) {
   ObjectWriter writer = described(library, value);
   if (writer.has_alternatives) return writer.object;
   Library ignored;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "sim/elasticity/polar_decomposition.h"
 #include "sim/mesh/topology.h"
@@ -91,6 +92,12 @@ std::size_t heir(const WorldState& world, const std::vector<std::vector<TetId>>&
 }
 
 }  // namespace
+
+double mean_element_size(const WorldState& world, const Body& body) {
+  double volume = 0;
+  for (TetId tet : body.tets) volume += world.elements.rests[tet].volume;
+  return std::cbrt(6 * volume / static_cast<double>(body.tets.size()));
+}
 
 void update_motion(WorldState& world, Body& body) {
   body.motion = motion_of(world, body);

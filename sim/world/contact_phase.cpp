@@ -82,12 +82,10 @@ void add_contact_force(const WorldState& world, const Body& body, const Touch& t
 bool could_hurt(const WorldState& world, const Body& body, double force) {
   constexpr double kWakingShare = 0.25;
   if (body.tets.size() == 1) return false;
-  double volume = 0;
-  for (TetId tet : body.tets) volume += world.elements.rests[tet].volume;
-  const double element_size = std::cbrt(6 * volume / static_cast<double>(body.tets.size()));
+  const double element_size = mean_element_size(world, body);
   const Material& material = world.material_of(body);
   const double limit = resistance(material, true, element_size);
-  const double load = material.criterion == FractureCriterion::strength ? force / std::pow(volume, 2.0 / 3) : force;
+  const double load = material.criterion == FractureCriterion::strength ? force / (element_size * element_size) : force;
   return load > kWakingShare * limit;
 }
 
@@ -133,30 +131,10 @@ std::vector<Vec3> contact_forces(WorldState& world, double dt) {
     }
   }
   apply_corrections(world);
+  world.contacts_before = static_cast<int>(contacts.size());
   world.report.contacts = std::max(world.report.contacts, static_cast<int>(contacts.size()));
   world.report.max_penetration = std::max(world.report.max_penetration, world.contact_world.max_penetration());
   return forces;
-}
-
-int plan_substeps(WorldState& world) {
-  constexpr double kWorkPerStep = 40'000;   // elements times substeps: what an impact may cost
-  constexpr double kWorkPerBody = 20;       // contact handling of a piece, in elements
-  constexpr double kShareOfBreakingSpeed = 0.5;
-  const SimulationSettings& settings = world.scene.simulation;
-  double work = 0, speed = std::numeric_limits<double>::infinity();
-  for (const Body& body : world.bodies) {
-    const Material& material = world.material_of(body);
-    work += kWorkPerBody + (body.rigid ? 0.0 : static_cast<double>(body.tets.size()));
-    speed = std::min(speed, material.tensile_strength / (material.density * bar_wave_speed(material)));
-  }
-  const double minimum_speed = std::clamp(kShareOfBreakingSpeed * speed, 0.1, 5.0);
-  if (world.contact_world.impact_expected(settings.time_step, minimum_speed)) {
-    world.impact_steps_left = 2;
-  } else if (world.impact_steps_left > 0) {
-    --world.impact_steps_left;
-  }
-  if (world.impact_steps_left == 0) return 1;
-  return std::clamp(static_cast<int>(kWorkPerStep / work), 1, settings.impact_substeps);
 }
 
 }  // namespace griffith

@@ -13,8 +13,13 @@ void queue_burst(WorldState& world, const ProjectileBurst& burst);
 /// Puts the shots whose time has come into the contact world.
 void launch_projectiles(WorldState& world);
 
-/// How many substeps the coming step takes: more than one while something strikes, within the scene's limits.
-int plan_substeps(WorldState& world);
+/// A step is divided into this many ticks; substeps are whole numbers of them.
+inline constexpr int kTicksPerStep = 256;
+/// How many substeps the coming step may take, by the work that one costs and the scene's limit.
+int substep_budget(const WorldState& world);
+/// The length of the next substep in ticks: all that is left while nothing strikes; up to an impact in one go, through it
+/// in substeps in which a wave crosses a quarter of an element, then ever longer ones. `substeps_left` is kept.
+int next_substep(WorldState& world, int ticks_left, int substeps_left);
 
 /// Elastic state of all tets of bodies that are not rigid.
 void update_elements(WorldState& world);
@@ -40,6 +45,8 @@ void part_body(WorldState& world, BodyId id);
 void rebuild_body(WorldState& world, Body& body);
 /// Takes mass, momentum and orientation of a body from its nodes.
 void update_motion(WorldState& world, Body& body);
+/// Edge length of the cubes that six of the body's tets would fill [m].
+double mean_element_size(const WorldState& world, const Body& body);
 /// Lumped mass of a node from its star [kg].
 double node_mass(const WorldState& world, NodeId node);
 

@@ -54,9 +54,15 @@ void World::step() {
   {
     PhaseTimer timer(world.report.milliseconds.step);
     launch_projectiles(world);
-    world.report.substeps = plan_substeps(world);
     const double time_step = world.scene.simulation.time_step;
-    for (int i = 0; i < world.report.substeps; ++i) substep(world, time_step / world.report.substeps);
+    const int budget = substep_budget(world);
+    int substeps = 0;
+    for (int ticks_left = kTicksPerStep; ticks_left > 0; ++substeps) {
+      const int ticks = next_substep(world, ticks_left, budget - substeps);
+      substep(world, time_step * ticks / kTicksPerStep);
+      ticks_left -= ticks;
+    }
+    world.report.substeps = substeps;
     calm_bodies(world);
     ++world.step;
     world.time = static_cast<double>(world.step) * time_step;

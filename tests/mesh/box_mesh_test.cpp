@@ -10,6 +10,7 @@
 #include "sim/error.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"
+#include "tests/mesh/pattern_name.h"
 
 namespace griffith {
 namespace {
@@ -69,7 +70,7 @@ TEST_P(BoxTest, RefusesLengthsThatMakeNoBox) {
   EXPECT_THROW(make_box(Vec3::Ones(), Vec3(1e-300, 1, 1), GetParam()), InputError);
 }
 
-INSTANTIATE_TEST_SUITE_P(Patterns, BoxTest, ::testing::ValuesIn(kPatterns));
+INSTANTIATE_TEST_SUITE_P(Patterns, BoxTest, ::testing::ValuesIn(kPatterns), testing::pattern_name);
 
 TEST(BoxCellsTest, AreRoundedToFitTheBoxAndAtLeastOne) {
   EXPECT_EQ(cell_count(3, 1.5, "x"), 2);

@@ -244,21 +244,21 @@ SampleFile vtu(const TetSoup& soup, VtuKind kind, bool big) {
     offsets_text += std::to_string(4 * (i + 1)) + " ";
     types_text += "10 ";
   }
-  const std::string text =
-      std::string(
-          "<?xml version=\"1.0\"?>\n<!-- <Piece> a comment -->\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
-          "byte_order=\"") +
-      (big ? "BigEndian" : "LittleEndian") + "\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
-      count_text(soup.points.size()) + "\" NumberOfCells='" + count_text(soup.tets.size()) +
-      "'>\n<PointData Scalars = \"s\">\n" + arrays.array("type=\"Float32\" Name=\"s\"", "1 2 3", binary(big, 1.0f)) +
-      "</PointData>\n<Points>\n" +
-      arrays.array("type=\"Float64\" NumberOfComponents=\"3\"", points_text(soup, " ", "", false, 0),
-                   points_binary(soup, big)) +
-      "</Points>\n<Cells>\n" +
-      arrays.array("type=\"Int32\" Name=\"connectivity\"", tets_text(soup, " ", "", "", false, 0), connectivity) +
-      arrays.array("type=\"Int64\" Name=\"offsets\"", offsets_text, offsets) +
-      arrays.array("type=\"UInt8\" Name=\"types\"", types_text, types) + "</Cells>\n</Piece>\n</UnstructuredGrid>\n" +
-      arrays.appended() + "</VTKFile>\n";
+  std::string text =
+      "<?xml version=\"1.0\"?>\n<!-- <Piece> a comment -->\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\"";
+  text += std::string(" byte_order=\"") + (big ? "BigEndian" : "LittleEndian") + "\">\n<UnstructuredGrid>\n";
+  text += "<Piece NumberOfPoints=\"" + count_text(soup.points.size()) + "\" NumberOfCells='" +
+          count_text(soup.tets.size()) + "'>\n";
+  text += "<PointData Scalars = \"s\">\n";
+  text += arrays.array("type=\"Float32\" Name=\"s\"", "1 2 3", binary(big, 1.0f));
+  text += "</PointData>\n<Points>\n";
+  text += arrays.array("type=\"Float64\" NumberOfComponents=\"3\"", points_text(soup, " ", "", false, 0),
+                       points_binary(soup, big));
+  text += "</Points>\n<Cells>\n";
+  text += arrays.array("type=\"Int32\" Name=\"connectivity\"", tets_text(soup, " ", "", "", false, 0), connectivity);
+  text += arrays.array("type=\"Int64\" Name=\"offsets\"", offsets_text, offsets);
+  text += arrays.array("type=\"UInt8\" Name=\"types\"", types_text, types);
+  text += "</Cells>\n</Piece>\n</UnstructuredGrid>\n" + arrays.appended() + "</VTKFile>\n";
   return {"vtu " + std::to_string(static_cast<int>(kind)), "a.vtu", {{"a.vtu", text}}};
 }
 
@@ -304,6 +304,7 @@ void TemporaryFolder::write(const SampleFile& sample) const {
 
 void TemporaryFolder::write(const std::string& name, const std::string& content) const {
   std::filesystem::create_directories((path_ / name).parent_path());
+  std::filesystem::remove(path_ / name);  // some file systems wait for the disk when a file is overwritten
   std::ofstream(path_ / name, std::ios::binary) << content;
 }
 

@@ -10,6 +10,7 @@
 #include "sim/error.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"
+#include "tests/mesh/pattern_name.h"
 
 namespace griffith {
 namespace {
@@ -116,7 +117,8 @@ TEST_P(ShapeTest, RefusesWhatIsNoShape) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Patterns, ShapeTest,
-                         ::testing::Values(BoxPattern::kuhn, BoxPattern::five_tet, BoxPattern::bcc));
+                         ::testing::Values(BoxPattern::kuhn, BoxPattern::five_tet, BoxPattern::bcc),
+                         testing::pattern_name);
 
 }  // namespace
 }  // namespace griffith

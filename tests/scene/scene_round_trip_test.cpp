@@ -21,7 +21,9 @@ class SceneRoundTrip : public testing::Test {
   void SetUp() override {
     fs::remove_all(folder_);
     fs::create_directories(folder_ / "meshes/folder");
-    std::ofstream(folder_ / "meshes/file.msh") << "a mesh";
+    for (const char* file : {"file.msh", "folder/verts.csv", "folder/tets.csv"}) {
+      std::ofstream(folder_ / "meshes" / file) << "a mesh";
+    }
   }
   void TearDown() override { fs::remove_all(folder_); }
 
@@ -91,6 +93,21 @@ TEST_F(SceneRoundTrip, MeshesAreFoundFromWhereTheSceneIsSaved) {
   const auto& mesh = std::get<MeshFileShape>(moved.bodies.at(0).shape);
   EXPECT_TRUE(mesh.path.is_relative());
   EXPECT_TRUE(fs::equivalent(moved.folder / mesh.path, folder_ / "meshes/file.msh"));
+}
+
+TEST_F(SceneRoundTrip, AFolderIsAMeshOnlyWithBothItsFiles) {
+  Scene scene;
+  scene.bodies.resize(1);
+  scene.bodies[0].shape = MeshFileShape{"meshes/folder", 1};
+  const std::string text = scene_to_json(scene);
+  EXPECT_NO_THROW(scene_from_json(text, "scene", folder_));
+  fs::remove(folder_ / "meshes/folder/tets.csv");
+  try {
+    scene_from_json(text, "scene", folder_);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.problem(), testing::HasSubstr("meshes/folder/tets.csv"));
+  }
 }
 
 TEST_F(SceneRoundTrip, AnUnusableSceneIsRefusedAndTheOldFileStays) {

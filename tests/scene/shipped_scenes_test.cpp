@@ -31,19 +31,26 @@ std::string text_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-class ShippedScene : public testing::TestWithParam<fs::path> {};
+std::vector<std::string> shipped_names() {
+  std::vector<std::string> names;
+  for (const fs::path& path : shipped_scenes()) names.push_back(path.stem().string());
+  return names;
+}
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ShippedScene, testing::ValuesIn(shipped_scenes()),
-                         [](const auto& parameter) { return parameter.param.stem().string(); });
+class ShippedScene : public testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(Scenes, ShippedScene, testing::ValuesIn(shipped_names()),
+                         [](const auto& parameter) { return parameter.param; });
 
 TEST_P(ShippedScene, IsWithoutAProblemAndSaysWhatItShows) {
-  EXPECT_THAT(check_scene_text(text_of(GetParam()), "scene"), testing::IsEmpty());
-  const auto problems = check_scene(GetParam());
+  const fs::path path = kScenes / (GetParam() + ".json");
+  EXPECT_THAT(check_scene_text(text_of(path), "scene"), testing::IsEmpty());
+  const auto problems = check_scene(path);
   for (const InputError& problem : problems) {
     ASSERT_THAT(problem.what(), testing::HasSubstr("shape/mesh/path")) << "nothing but its mesh may be missing";
   }
   if (!problems.empty()) GTEST_SKIP() << problems[0].what();
-  const Scene scene = read_scene(GetParam());
+  const Scene scene = read_scene(path);
   EXPECT_FALSE(scene.name.empty() || scene.description.empty() || scene.bodies.empty() || scene.cameras.empty());
   EXPECT_TRUE(scene_from_json(scene_to_json(scene), "scene", scene.folder) == scene);
 }
@@ -110,7 +117,9 @@ TEST(SceneReadme, NamesEveryFieldWithItsDefault) {
   const std::function<void(const Json&)> look = [&](const Json& schema) {
     const Json properties = schema.value("properties", Json::object());
     for (const auto& [name, property] : properties.items()) {
-      EXPECT_THAT(readme, testing::HasSubstr("`" + name + "`"));
+      const std::string row =
+          "| `" + name + "` |" + (property.contains("default") ? " `" + property["default"].dump() + "` |" : "");
+      EXPECT_THAT(readme, testing::HasSubstr(row));
       look(property);
       look(property.value("items", Json::object()));
       for (const Json& option : property.value("anyOf", Json::array())) look(option);

@@ -1,0 +1,130 @@
+#include "sim/scene/read_value.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace griffith {
+namespace {
+
+bool in_range(const Json& json, const Numbers& numbers) {
+  return json.is_number() && json.get<double>() >= numbers.minimum && json.get<double>() <= numbers.maximum;
+}
+
+/// Reports the components that are no numbers of the range, each at its own place.
+bool check_components(const Place& place, const Numbers& numbers) {
+  const std::size_t before = place.document.problems.size();
+  for (std::size_t i = 0; i < place.json.size(); ++i) {
+    double ignored = 0;
+    read(place.child(std::to_string(i), place.json[i]), ignored, numbers);
+  }
+  return place.document.problems.size() == before;
+}
+
+template <int N>
+void read_vector(const Place& place, Eigen::Matrix<double, N, 1>& value, const Numbers& numbers) {
+  const std::string one_number = numbers.uniform ? " (or one number)" : "";
+  if (numbers.uniform && place.json.is_number()) {
+    double component = 0;
+    read(place, component, numbers);
+    value.setConstant(component);
+    return;
+  }
+  if (!place.json.is_array() || place.json.size() != N) {
+    return place.reject("an array of " + std::to_string(N) + " numbers" + one_number + ", each " + range_text(numbers));
+  }
+  if (!check_components(place, numbers)) return;
+  Eigen::Matrix<double, N, 1> vector;
+  for (int i = 0; i < N; ++i) vector[i] = place.json[i].template get<double>();
+  // Squares of components below 1e-100 vanish.
+  if (numbers.nonzero && vector.template lpNorm<Eigen::Infinity>() < 1e-100) {
+    return place.reject("a direction: at least one component other than 0");
+  }
+  if (numbers.ascending && !(vector[0] < vector[N - 1])) return place.reject("[low, high] with low less than high");
+  value = vector;
+}
+
+/// What has to be there for the mesh at `path`: itself, or both files of a folder.
+std::vector<std::filesystem::path> files_of_mesh(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(path, ignored)) return {path};
+  return {path / "verts.csv", path / "tets.csv"};
+}
+
+}  // namespace
+
+void Place::report(std::string problem, std::string remedy) const {
+  document.problems.emplace_back(json_place(document.file, pointer), std::move(problem), std::move(remedy));
+}
+
+void Place::reject(const std::string& expected) const {
+  constexpr std::size_t kLongestExcerpt = 40;
+  std::string excerpt = json.is_object() ? "an object" : json.dump();
+  if (excerpt.size() > kLongestExcerpt) excerpt = json.is_array() ? "an array" : "a long text";
+  report("is " + excerpt, "expected " + expected);
+}
+
+void read(const Place& place, bool& value, Flag) {
+  if (!place.json.is_boolean()) return place.reject("true or false");
+  value = place.json.get<bool>();
+}
+
+void read(const Place& place, double& value, const Numbers& numbers) {
+  if (!in_range(place.json, numbers)) return place.reject("a number " + range_text(numbers));
+  value = place.json.get<double>();
+}
+
+void read(const Place& place, int& value, const Numbers& numbers) {
+  const bool whole = place.json.is_number() && std::trunc(place.json.get<double>()) == place.json.get<double>();
+  if (!whole || !in_range(place.json, numbers)) return place.reject("a whole number " + range_text(numbers));
+  value = static_cast<int>(place.json.get<double>());
+}
+
+void read(const Place& place, Vec2& value, const Numbers& numbers) { read_vector(place, value, numbers); }
+void read(const Place& place, Vec3& value, const Numbers& numbers) { read_vector(place, value, numbers); }
+
+void read(const Place& place, std::vector<int>& values, const Numbers& numbers) {
+  if (!place.json.is_array()) return place.reject("an array of whole numbers, each " + range_text(numbers));
+  values.assign(place.json.size(), 0);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    read(place.child(std::to_string(i), place.json[i]), values[i], numbers);
+  }
+}
+
+void read(const Place& place, std::string& value, const Text& text) {
+  const bool fits =
+      place.json.is_string() && std::ssize(place.json.get_ref<const std::string&>()) >= text.minimum_length;
+  if (!fits) return place.reject(text.minimum_length > 0 ? "a text that is not empty" : "a text");
+  value = place.json.get<std::string>();
+}
+
+int read_name(const Place& place, std::span<const std::string_view> names) {
+  if (!place.json.is_string()) return place.reject("one of " + quoted_list(names)), -1;
+  const auto found = std::ranges::find(names, std::string_view(place.json.get_ref<const std::string&>()));
+  if (found != names.end()) return static_cast<int>(found - names.begin());
+  place.report("is the unknown name " + place.json.dump(), suggestion(place.json.get_ref<const std::string&>(), names));
+  return -1;
+}
+
+void read(const Place& place, std::string& value, const OneOf& one_of) {
+  if (const int index = read_name(place, one_of.names); index >= 0) value = one_of.names[index];
+}
+
+void read(const Place& place, std::filesystem::path& value, MeshPath) {
+  std::string text;
+  const std::size_t before = place.document.problems.size();
+  read(place, text, Text{1});
+  if (place.document.problems.size() > before) return;
+  value = text;
+  if (!place.document.look_for_meshes) return;
+  for (const auto& tried : files_of_mesh((place.document.folder / value).lexically_normal())) {
+    std::error_code ignored;
+    if (std::filesystem::exists(tried, ignored)) continue;
+    place.report("names the mesh \"" + text + "\", but there is no \"" + tried.generic_string() + "\"",
+                 "put the mesh there or correct the path, which starts at the scene file's folder");
+    return;
+  }
+}
+
+}  // namespace griffith

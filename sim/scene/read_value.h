@@ -1,0 +1,63 @@
+#pragma once
+
+// For the .cpp files of this folder alone: nothing else sees the JSON library.
+
+#include <filesystem>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "sim/elasticity/material.h"
+#include "sim/error.h"
+#include "sim/linear_algebra.h"
+#include "sim/scene/field.h"
+#include "sim/scene/json_document.h"
+
+namespace griffith {
+
+/// What the parts of a document share while it is read.
+struct Document {
+  std::string file;              ///< as errors name it
+  std::filesystem::path folder;  ///< relative mesh paths start here
+  bool look_for_meshes = true;
+  std::map<std::string, Material, std::less<>> materials;  ///< the scene's own, by name
+  std::vector<InputError> problems;
+};
+
+/// A value of the document and where it stands.
+struct Place {
+  Document& document;
+  const Json& json;
+  std::string pointer;
+
+  Place child(std::string_view key, const Json& value) const { return {document, value, json_pointer(pointer, key)}; }
+  void report(std::string problem, std::string remedy) const;
+  /// Reports that the value is not what was `expected`.
+  void reject(const std::string& expected) const;
+};
+
+// Each read() takes the plain value that stands at a place, or reports what would be right there and leaves `value`
+// with anything that it may hold.
+void read(const Place& place, bool& value, Flag);
+void read(const Place& place, double& value, const Numbers& numbers);
+void read(const Place& place, int& value, const Numbers& numbers);
+void read(const Place& place, Vec2& value, const Numbers& numbers);
+void read(const Place& place, Vec3& value, const Numbers& numbers);
+void read(const Place& place, std::vector<int>& values, const Numbers& numbers);
+void read(const Place& place, std::string& value, const Text& text);
+void read(const Place& place, std::string& value, const OneOf& one_of);
+void read(const Place& place, std::filesystem::path& value, MeshPath);
+
+/// The index in `names` of the name that stands here, or -1, reported.
+int read_name(const Place& place, std::span<const std::string_view> names);
+
+template <class Enum>
+requires std::is_enum_v<Enum>
+void read(const Place& place, Enum& value, const OneOf& one_of) {
+  if (const int index = read_name(place, one_of.names); index >= 0) value = static_cast<Enum>(index);
+}
+
+}  // namespace griffith

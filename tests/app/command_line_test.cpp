@@ -1,0 +1,99 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "program.h"
+
+namespace griffith::app {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(CommandLine, HelpAndVersionSucceed) {
+  for (const char* arguments : {"--help", "render --help", "simulate --help", "check --help"}) {
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.code, 0) << arguments;
+    EXPECT_THAT(outcome.output, HasSubstr("Example")) << arguments;
+  }
+  const Outcome version = run_program("--version");
+  EXPECT_EQ(version.code, 0);
+  EXPECT_THAT(version.output, testing::MatchesRegex("griffith [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+TEST(CommandLine, BadUsageIsExitCode2WithAMessage) {
+  const std::string scene = small_wall_file().string();
+  const std::vector<std::string> bad = {"render",
+                                        "render " + scene,
+                                        "simulate " + scene,
+                                        "simulate " + scene + " --frames -1",
+                                        "simulate " + scene + " --frames 1 --threads 0",
+                                        "render " + scene + " -o a.png --size 10",
+                                        "render " + scene + " -o a.png --size 0x50",
+                                        "render " + scene + " -o a.png --size 50x50x50",
+                                        "render " + scene + " -o a.png --every 0",
+                                        "--nonsense",
+                                        "check"};
+  for (const std::string& arguments : bad) {
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.output;
+    EXPECT_FALSE(outcome.output.empty()) << arguments;
+  }
+}
+
+TEST(CommandLine, MissingFileIsExitCode2AndNamed) {
+  for (const char* arguments :
+       {"simulate no_such.json --frames 1", "render no_such.json -o a.png", "check no_such.json", "no_such.json"}) {
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_THAT(outcome.output, HasSubstr("no_such.json")) << arguments;
+  }
+}
+
+TEST(CommandLine, BadSceneIsExitCode2WithThePlaceOfEachProblem) {
+  const auto path = test_file("bad.json", R"({"version": 1, "gravity": "down", "bodies": [
+      {"name": "a", "shape": {"box": {"size": [1, 1, -1]}}}]})");
+  const Outcome simulated = run_program("simulate --frames 1 " + path.string());
+  EXPECT_EQ(simulated.code, 2);
+  EXPECT_THAT(simulated.output, HasSubstr("#/gravity"));
+  const Outcome checked = run_program("check " + path.string() + " " + small_wall_file().string());
+  EXPECT_EQ(checked.code, 2);
+  EXPECT_THAT(checked.output, HasSubstr("#/gravity"));
+  EXPECT_THAT(checked.output, HasSubstr("#/bodies/0/shape/box/size"));
+  EXPECT_THAT(checked.output, HasSubstr("small_wall.json: good"));
+}
+
+TEST(CommandLine, UnknownQuantityAndCameraListWhatThereIs) {
+  const std::string render = "render " + small_wall_file().string() + " -o " + (test_folder() / "a.png").string();
+  const Outcome view = run_program(render + " --view beauty");
+  EXPECT_EQ(view.code, 2);
+  EXPECT_THAT(view.output, HasSubstr("von_mises"));
+  const Outcome camera = run_program(render + " --camera above");
+  EXPECT_EQ(camera.code, 2);
+  EXPECT_THAT(camera.output, HasSubstr("front, side"));
+}
+
+TEST(CommandLine, EditorWithoutDisplaySaysWhatToDoInstead) {
+  const Outcome outcome = run_program("", "env -u DISPLAY -u WAYLAND_DISPLAY");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("griffith render"));
+}
+
+TEST(CommandLine, UnwritableStatsAreNamedAndLeaveNothingBehind) {
+  const Outcome outcome =
+      run_program("simulate --frames 1 --stats /no/such/folder/a.json " + small_wall_file().string());
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.output, HasSubstr("/no/such/folder/a.json"));
+}
+
+TEST(CommandLine, NoProgressWhereThereIsNoTerminal) {
+  const Outcome outcome = run_program("simulate --frames 20 " + small_wall_file().string());
+  EXPECT_EQ(outcome.code, 0) << outcome.output;
+  EXPECT_THAT(outcome.output, Not(HasSubstr("\r")));
+  EXPECT_THAT(outcome.output, HasSubstr("20 steps"));
+}
+
+}  // namespace
+}  // namespace griffith::app

@@ -1,0 +1,89 @@
+#include "app/draw_scene_from_frame.h"
+
+#include <gtest/gtest.h>
+
+#include "program.h"
+#include "sim/mesh/tet_mesh.h"
+#include "sim/world/world.h"
+
+namespace griffith::app {
+namespace {
+
+/// By the divergence theorem; right only if the surface is closed and faces outwards.
+double enclosed_volume(const render::Surface& surface) {
+  double volume = 0;
+  for (std::size_t i = 0; i < surface.positions.size(); i += 3) {
+    const Vec3 a = surface.positions[i].cast<double>(), b = surface.positions[i + 1].cast<double>();
+    volume += a.dot(b.cross(surface.positions[i + 2].cast<double>())) / 6;
+  }
+  return volume;
+}
+
+TEST(DrawSceneFromFrame, SurfaceEnclosesTheBody) {
+  World world(small_wall());
+  const Frame frame = world.frame();
+  const auto picture = draw_scene_from_frame(frame, surface_faces(frame), small_wall(), {}, {});
+  EXPECT_NEAR(enclosed_volume(picture.surface), 2 * 2 * 0.5, 1e-4);
+}
+
+TEST(DrawSceneFromFrame, ArraysFitTogether) {
+  World world(small_wall());
+  const Frame frame = world.frame();
+  for (const char* quantity : {"von_mises", "speed", "body"}) {
+    ViewSettings view;
+    view.quantity = quantity;
+    const render::Surface surface = draw_scene_from_frame(frame, surface_faces(frame), small_wall(), view, {}).surface;
+    const std::size_t triangles = surface.ids.size();
+    EXPECT_EQ(surface.positions.size(), 3 * triangles);
+    EXPECT_EQ(surface.flags.size(), triangles);
+    EXPECT_EQ(surface.scalars.size() + surface.colors.size(),
+              std::string(quantity) == "speed" ? 3 * triangles : triangles);
+    for (const std::int32_t id : surface.ids) EXPECT_LT(static_cast<std::size_t>(id), frame.tets.size());
+  }
+}
+
+TEST(DrawSceneFromFrame, OnlyFacesThatWereInsideAreCracks) {
+  World world(small_wall());
+  const Frame start = world.frame();
+  const SurfaceFaces initial = surface_faces(start);
+  for (const std::uint8_t flags : draw_scene_from_frame(start, initial, small_wall(), {}, {}).surface.flags) {
+    EXPECT_FALSE(flags & render::kCrackFace);
+  }
+  // The same frame with one inner face cut open.
+  std::vector<std::array<TetId, 4>> neighbours(start.neighbours.begin(), start.neighbours.end());
+  std::size_t tet = 0, face = 0;
+  while (!neighbours[tet][face].valid()) {
+    if (++face == 4) face = 0, ++tet;
+  }
+  neighbours[tet][face] = {};
+  Frame cut = start;
+  cut.neighbours = neighbours;
+  const render::Surface surface = draw_scene_from_frame(cut, initial, small_wall(), {}, {}).surface;
+  int cracks = 0;
+  for (std::size_t i = 0; i < surface.flags.size(); ++i) {
+    if (!(surface.flags[i] & render::kCrackFace)) continue;
+    ++cracks;
+    EXPECT_EQ(surface.ids[i], static_cast<std::int32_t>(tet));
+  }
+  EXPECT_EQ(cracks, 1);
+}
+
+TEST(DrawSceneFromFrame, SelectionAndLockedRangeAreTakenOver) {
+  World world(small_wall());
+  const Frame frame = world.frame();
+  ViewSettings view;
+  view.range = Vec2(-1, 5);
+  view.color_map = "coolwarm";
+  const TetId selected(0);
+  const render::Surface surface =
+      draw_scene_from_frame(frame, surface_faces(frame), small_wall(), view, selected).surface;
+  EXPECT_EQ(surface.scalar_style.minimum, -1);
+  EXPECT_EQ(surface.scalar_style.maximum, 5);
+  EXPECT_EQ(surface.scalar_style.color_map, render::ColorMap::kCoolwarm);
+  for (std::size_t i = 0; i < surface.flags.size(); ++i) {
+    EXPECT_EQ((surface.flags[i] & render::kSelected) != 0, surface.ids[i] == selected.value);
+  }
+}
+
+}  // namespace
+}  // namespace griffith::app

@@ -1,0 +1,153 @@
+#include "app/editor.h"
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include "app/interface.h"
+#include "program.h"
+#include "renderer/egl_context.h"
+#include "renderer/target.h"
+#include "sim/scene/scene_reader.h"
+#include "sim/scene/scene_writer.h"
+
+namespace griffith::app {
+namespace {
+
+/// The editor with graphics but without a window, driven through its widgets.
+class EditorTest : public testing::Test {
+ protected:
+  EditorTest() : interface_(1), target_(1200, 800), editor_(small_wall(), "") { draw(3); }
+
+  void draw(int frames = 1) {
+    for (int i = 0; i < frames; ++i) {
+      editor_.draw_picture(1);
+      interface_.begin_frame(target_.width(), target_.height());
+      editor_.draw_panels(interface_.fonts());
+      target_.bind();
+      interface_.end_frame();
+    }
+  }
+
+  void click(const std::string& tag, int button = 0) {
+    const ui::WidgetTag* widget = ui::find_tag(editor_.tags(), tag);
+    ASSERT_NE(widget, nullptr) << tag;
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = widget->center();
+    draw();
+    io.MouseDown[button] = true;
+    draw();
+    io.MouseDown[button] = false;
+    draw(2);
+  }
+
+  std::string value(const std::string& tag) const {
+    const ui::WidgetTag* widget = ui::find_tag(editor_.tags(), tag);
+    return widget ? widget->value : "no widget " + tag;
+  }
+
+  render::EglContext context_;
+  Interface interface_;
+  render::Target target_;
+  Editor editor_;
+};
+
+TEST_F(EditorTest, StepAndResetMoveTheClock) {
+  EXPECT_EQ(value("toolbar/step"), "step 0");
+  click("command/simulation.step");
+  click("command/simulation.step");
+  EXPECT_EQ(value("toolbar/step"), "step 2");
+  click("command/simulation.reset");
+  EXPECT_EQ(value("toolbar/step"), "step 0");
+}
+
+TEST_F(EditorTest, RunsInSlowMotionOnlyWhileRunning) {
+  editor_.advance(1);
+  draw();
+  EXPECT_EQ(value("toolbar/step"), "step 0");
+  click("command/simulation.run");
+  editor_.state().speed = 0.1;
+  for (int i = 0; i < 50; ++i) editor_.advance(0.02);  // a second: a tenth of the 120 steps
+  draw();
+  EXPECT_EQ(value("toolbar/step"), "step 12");
+}
+
+TEST_F(EditorTest, ClickInTheViewSelectsAnElementOfTheWall) {
+  click("viewport");
+  EXPECT_TRUE(editor_.state().selected_tet.valid());
+  EXPECT_EQ(value("value/Element"), std::to_string(editor_.state().selected_tet.value));
+}
+
+TEST_F(EditorTest, RightClickInTheViewHitsTheWallThere) {
+  Scene still = small_wall();
+  still.projectiles.clear();
+  const std::filesystem::path path = test_folder() / "still.json";
+  write_scene(still, path);
+  editor_.open(path);
+  draw(2);
+  const auto step_until_contact = [this] {
+    int steps = 0;
+    do {
+      click("command/simulation.step");
+    } while (value("value/Contacts") == "0" && ++steps < 40);
+    return value("value/Contacts") != "0";
+  };
+  ASSERT_FALSE(step_until_contact());
+  click("viewport", 1);
+  EXPECT_TRUE(step_until_contact());
+}
+
+TEST_F(EditorTest, BadFileIsShownAndEverythingStays) {
+  click("command/simulation.step");
+  editor_.open("no_such_scene.json");
+  draw(2);
+  ASSERT_TRUE(editor_.state().error.has_value());
+  EXPECT_EQ(value("toolbar/step"), "step 1");
+  click("error/close");
+  EXPECT_FALSE(editor_.state().error.has_value());
+  editor_.open(small_wall_file());
+  draw();
+  EXPECT_FALSE(editor_.state().error.has_value());
+  EXPECT_EQ(value("toolbar/step"), "step 0");
+}
+
+TEST_F(EditorTest, RangeLockKeepsWhatIsShown) {
+  for (int i = 0; i < 3; ++i) click("command/simulation.step");
+  click("view/lock_range");
+  ASSERT_TRUE(editor_.state().view.range.has_value());
+  const Vec2 range = *editor_.state().view.range;
+  EXPECT_LT(range[0], range[1]);
+  click("command/simulation.step");
+  EXPECT_EQ(*editor_.state().view.range, range);
+  click("view/lock_range");
+  EXPECT_FALSE(editor_.state().view.range.has_value());
+}
+
+TEST_F(EditorTest, SavedSceneOpensAsItWasEditedAndShown) {
+  const std::filesystem::path path = small_wall_file();
+  editor_.open(path);
+  draw(2);
+  click("view/edges");
+  click("material/preset");
+  click("material/preset/concrete");
+  EXPECT_EQ(editor_.title().find('*'), std::string("small wall ").size());
+  ImGui::GetIO().KeyCtrl = true;
+  ImGui::GetIO().KeysDown['S'] = true;
+  draw();
+  ImGui::GetIO().KeyCtrl = ImGui::GetIO().KeysDown['S'] = false;
+  draw();
+  const Scene saved = read_scene(path);
+  EXPECT_EQ(saved.bodies[0].material.name, "concrete");
+  EXPECT_FALSE(saved.view.edges);
+  EXPECT_EQ(editor_.title(), "small wall - Griffith");
+}
+
+TEST_F(EditorTest, ScreenshotAndQuitAreAskedForOnce) {
+  EXPECT_FALSE(editor_.take_screenshot_request());
+  click("command/file.screenshot");
+  EXPECT_TRUE(editor_.take_screenshot_request());
+  EXPECT_FALSE(editor_.take_screenshot_request());
+  EXPECT_FALSE(editor_.wants_to_quit());
+}
+
+}  // namespace
+}  // namespace griffith::app

@@ -1,0 +1,96 @@
+#include "app/quantities.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <limits>
+#include <random>
+
+#include "program.h"
+#include "sim/scene/view_quantity.h"
+#include "sim/world/world.h"
+
+namespace griffith::app {
+namespace {
+
+Mat3 random_stress(std::mt19937& random) {
+  std::normal_distribution<double> normal(0, 1e6);
+  const Mat3 matrix = Mat3::NullaryExpr([&](auto...) { return normal(random); });
+  return matrix + matrix.transpose();
+}
+
+Mat3 random_rotation(std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  return Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random)).normalized().matrix();
+}
+
+TEST(Quantities, VonMisesOfUniaxialStressIsThatStress) {
+  std::mt19937 random(1);
+  for (const double stress : {3e6, -3e6}) {
+    const Mat3 rotation = random_rotation(random);
+    const Mat3 turned = rotation * Vec3(stress, 0, 0).asDiagonal() * rotation.transpose();
+    EXPECT_NEAR(von_mises_stress(turned), 3e6, 1e-6);
+  }
+}
+
+TEST(Quantities, VonMisesOfShearAndPressure) {
+  Mat3 shear = Mat3::Zero();
+  shear(0, 1) = shear(1, 0) = 1e6;
+  EXPECT_NEAR(von_mises_stress(shear), std::sqrt(3.0) * 1e6, 1e-6);
+  EXPECT_NEAR(von_mises_stress(-5e6 * Mat3::Identity()), 0, 1e-6);
+}
+
+TEST(Quantities, PrincipalStressesAreOrderedAndDoNotTurn) {
+  std::mt19937 random(2);
+  for (int i = 0; i < 200; ++i) {
+    const Mat3 stress = random_stress(random), rotation = random_rotation(random);
+    const Vec3 principal = principal_stresses(stress);
+    EXPECT_GE(principal[0], principal[1]);
+    EXPECT_GE(principal[1], principal[2]);
+    EXPECT_NEAR(principal.sum(), stress.trace(), 1e-6);
+    EXPECT_LT((principal_stresses(rotation * stress * rotation.transpose()) - principal).norm(), 1e-6);
+    EXPECT_NEAR(von_mises_stress(rotation * stress * rotation.transpose()), von_mises_stress(stress), 1e-6);
+  }
+}
+
+TEST(Quantities, EveryQuantityOfTheMenuHasValuesAndARange) {
+  World world(small_wall());
+  for (int i = 0; i < 5; ++i) world.step();
+  const Frame frame = world.frame();
+  for (const ViewQuantity& quantity : view_quantities()) {
+    if (quantity.key == "body") continue;
+    const QuantityValues values = quantity_values(frame, quantity.key);
+    EXPECT_EQ(values.values.size(), values.per_node ? frame.positions.size() : frame.tets.size()) << quantity.key;
+    const Vec2 range = automatic_range(frame, quantity.key, values);
+    EXPECT_LT(range[0], range[1]) << quantity.key;
+  }
+}
+
+TEST(Quantities, RangeIgnoresOutliersAndNonsense) {
+  const Frame frame;
+  QuantityValues values;
+  for (int i = 0; i <= 1000; ++i) values.values.push_back(static_cast<float>(i) * 1e4f);
+  values.values.push_back(1e20f);
+  values.values.push_back(std::numeric_limits<float>::quiet_NaN());
+  values.values.push_back(std::numeric_limits<float>::infinity());
+  const Vec2 range = automatic_range(frame, "von_mises", values);
+  EXPECT_EQ(range[0], 0);
+  EXPECT_GT(range[1], 9.5e6);
+  EXPECT_LE(range[1], 1e7);
+}
+
+TEST(Quantities, RangeIsNeverEmptyAndHoldsZero) {
+  const Frame frame;
+  for (const char* key : {"von_mises", "pressure", "margin", "displacement", "speed", "separation_eigenvalue"}) {
+    for (const std::vector<float>& numbers :
+         {std::vector<float>{}, {0, 0, 0}, {-1e-20f, -1e-20f}, {1e-20f}, {-5e6f, -4e6f}, {NAN}}) {
+      const Vec2 range = automatic_range(frame, key, {false, numbers});
+      EXPECT_LT(range[0], range[1]) << key;
+      EXPECT_LE(range[0], 0) << key;
+      EXPECT_GE(range[1], 0) << key;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace griffith::app

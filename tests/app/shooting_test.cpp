@@ -1,0 +1,55 @@
+#include "app/shooting.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "program.h"
+#include "sim/world/world.h"
+
+namespace griffith::app {
+namespace {
+
+TEST(Shooting, TheParabolaGoesThroughTheTarget) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> place(-8, 8);
+  const auto point = [&] { return Vec3(place(random), place(random), place(random)); };
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 muzzle = point(), target = point(), gravity = i % 5 == 0 ? Vec3::Zero() : Vec3(0, -9.81, 0);
+    ProjectileBurst shot;
+    shot.speed = 40;
+    const ProjectileBurst aimed = aimed_shot(shot, muzzle, target, gravity);
+    EXPECT_NEAR(aimed.direction.norm(), 1, 1e-12);
+    EXPECT_EQ(aimed.position, muzzle);
+    double nearest = 1e9;
+    for (double t = 0; t < 1; t += 1e-4) {
+      nearest = std::min(nearest, (muzzle + t * 40 * aimed.direction + t * t / 2 * gravity - target).norm());
+    }
+    EXPECT_LT(nearest, 0.01);
+  }
+}
+
+TEST(Shooting, WhatIsOutOfReachIsShotAtStraight) {
+  ProjectileBurst shot;
+  shot.speed = 1;
+  const ProjectileBurst aimed = aimed_shot(shot, Vec3::Zero(), Vec3(100, 0, 0), Vec3(0, -9.81, 0));
+  EXPECT_LT((aimed.direction - Vec3::UnitX()).norm(), 1e-12);
+  EXPECT_NEAR(aimed_shot(shot, Vec3::Zero(), Vec3::Zero(), Vec3::Zero()).direction.norm(), 1, 1e-12);
+}
+
+TEST(Shooting, RaysHitTheNearSideThenTheGroundThenNothing) {
+  const World world(small_wall());
+  const Frame frame = world.frame();
+  const Ground ground;
+  const auto front = surface_hit(frame, ground, Vec3(0.1, 1.1, 5), -Vec3::UnitZ());
+  ASSERT_TRUE(front);
+  EXPECT_NEAR(*front, 4.75, 1e-9);
+  const auto floor = surface_hit(frame, ground, Vec3(5, 3, 5), -Vec3::UnitY());
+  ASSERT_TRUE(floor);
+  EXPECT_NEAR(*floor, 3, 1e-9);
+  EXPECT_FALSE(surface_hit(frame, ground, Vec3(5, 3, 5), Vec3::UnitY()));
+  EXPECT_FALSE(surface_hit(frame, std::nullopt, Vec3(5, 3, 5), -Vec3::UnitY()));
+}
+
+}  // namespace
+}  // namespace griffith::app

@@ -1,0 +1,110 @@
+#include "app/statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+
+namespace griffith::app {
+namespace {
+
+using Json = nlohmann::json;
+
+Json stats_of(const std::string& arguments) {
+  const std::filesystem::path path = test_folder() / "stats.json";
+  const Outcome outcome =
+      run_program("simulate " + small_wall_file().string() + " --stats " + path.string() + " " + arguments);
+  EXPECT_EQ(outcome.code, 0) << outcome.output;
+  std::ifstream file(path);
+  return Json::parse(file);
+}
+
+TEST(Statistics, EveryFieldIsThereAndMakesSense) {
+  const Json stats = stats_of("--frames 25 --threads 1");
+  for (const char* name : {"frames",
+                           "dt",
+                           "tets",
+                           "nodes",
+                           "bodies",
+                           "fragments",
+                           "crack_events",
+                           "mass",
+                           "initial_mass",
+                           "kinetic_energy",
+                           "elastic_energy",
+                           "max_penetration",
+                           "max_relative_residual",
+                           "solver_iterations",
+                           "substeps",
+                           "contacts",
+                           "cracks_postponed",
+                           "cracks_suppressed",
+                           "inverted_tets",
+                           "unconverged_solves",
+                           "non_finite_values",
+                           "threads",
+                           "peak_memory_bytes"}) {
+    ASSERT_TRUE(stats.contains(name)) << name;
+    EXPECT_TRUE(stats[name].is_number()) << name;
+    EXPECT_GE(stats[name].get<double>(), 0) << name;
+  }
+  EXPECT_EQ(stats["frames"], 25);
+  EXPECT_EQ(stats["threads"], 1);
+  EXPECT_GE(stats["substeps"].get<int>(), 25);
+  EXPECT_EQ(stats["momentum"].size(), 3u);
+  EXPECT_EQ(stats["angular_momentum"].size(), 3u);
+  EXPECT_EQ(stats["state_hash"].get<std::string>().size(), 16u);
+  EXPECT_GT(stats["mass"].get<double>(), 2 * 2 * 0.5 * 1900 * 0.999);
+  for (const char* phase : {"step", "contact", "elasticity", "separation", "fracture"}) {
+    const Json& times = stats["ms"][phase];
+    EXPECT_LE(times["median"].get<double>(), times["p99"].get<double>()) << phase;
+    EXPECT_LE(times["p99"].get<double>(), times["max"].get<double>()) << phase;
+    EXPECT_LE(times["max"].get<double>(), times["total"].get<double>() * (1 + 1e-12)) << phase;
+  }
+}
+
+TEST(Statistics, NumberOfThreadsChangesNothingButItself) {
+  Json one = stats_of("--frames 25 --threads 1"), two = stats_of("--frames 25 --threads 2");
+  for (Json* stats : {&one, &two}) {
+    for (const char* name : {"threads", "ms", "peak_memory_bytes"}) stats->erase(name);
+  }
+  EXPECT_EQ(one, two);
+}
+
+TEST(Statistics, SumsAndLargestValuesOverSteps) {
+  Frame frame;
+  RunStatistics statistics(frame, 0.01, 3);
+  for (int step = 1; step <= 100; ++step) {
+    frame.step = step;
+    frame.report = {};
+    frame.report.substeps = 2;
+    frame.report.solver_iterations = step == 40 ? 77 : 5;
+    frame.report.cracks_postponed = 1;
+    frame.report.milliseconds.step = step;
+    statistics.add(frame);
+  }
+  const Json stats = Json::parse(statistics.json(frame, 0xabcdef));
+  EXPECT_EQ(stats["substeps"], 200);
+  EXPECT_EQ(stats["solver_iterations"], 77);
+  EXPECT_EQ(stats["cracks_postponed"], 100);
+  EXPECT_EQ(stats["state_hash"], "0000000000abcdef");
+  EXPECT_EQ(stats["ms"]["step"]["max"], 100);
+  EXPECT_EQ(stats["ms"]["step"]["total"], 5050);
+  EXPECT_NEAR(stats["ms"]["step"]["median"].get<double>(), 50.5, 0.51);
+  EXPECT_NEAR(stats["ms"]["step"]["p99"].get<double>(), 99, 0.51);
+}
+
+TEST(Statistics, FileIsReplacedAsAWhole) {
+  const std::filesystem::path path = test_file("out.json", "old");
+  write_text_file(path, "new");
+  std::ifstream file(path);
+  std::string text;
+  file >> text;
+  EXPECT_EQ(text, "new");
+  EXPECT_FALSE(std::filesystem::exists(path.string() + ".part"));
+}
+
+}  // namespace
+}  // namespace griffith::app

@@ -1,0 +1,26 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "program.h"
+#include "renderer/image.h"
+
+namespace griffith::app {
+namespace {
+
+TEST(Window, OpensDrawsAndLeavesAPictureOfItself) {
+  if (std::system("command -v xvfb-run > /dev/null") != 0) GTEST_SKIP() << "xvfb-run is not installed";
+  const std::filesystem::path path = test_folder() / "window.png";
+  const Outcome outcome = run_program(small_wall_file().string() + " --exit-after 6 --screenshot " + path.string(),
+                                      "xvfb-run -a -s '-screen 0 1600x1000x24'");
+  ASSERT_EQ(outcome.code, 0) << outcome.output;
+  const render::Image image = render::load_png(path);
+  EXPECT_EQ(image.width, 1500);
+  EXPECT_EQ(image.height, 940);
+  // The menu is dark, the picture's sky is light.
+  EXPECT_LT(image.pixel(1400, 6)[0], 80);
+  EXPECT_GT(image.pixel(700, 100)[2], 150);
+}
+
+}  // namespace
+}  // namespace griffith::app

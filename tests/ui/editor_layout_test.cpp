@@ -1,0 +1,275 @@
+#include "ui/editor_layout.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "ui_driver.h"
+
+namespace griffith::ui {
+namespace {
+
+using testing::Field;
+
+const Material& material(const UiDriver& ui, std::size_t body = 0) { return ui.history.scene().bodies[body].material; }
+
+std::vector<CommandId> ids(const UiDriver& ui) {
+  std::vector<CommandId> result;
+  for (const Command& command : ui.commands) result.push_back(command.id);
+  return result;
+}
+
+TEST(EditorLayout, AsksForNothingByItself) {
+  UiDriver ui(two_walls());
+  for (int i = 0; i < 10; ++i) ui.frame();
+  EXPECT_TRUE(ui.commands.empty());
+  EXPECT_TRUE(ui.history.entries().empty());
+  EXPECT_EQ(ui.history.scene(), two_walls());
+}
+
+TEST(EditorLayout, WidgetsLieOnTheScreenAndHaveDifferentNames) {
+  UiDriver ui(two_walls());
+  std::set<std::string> names;
+  for (const WidgetTag& tag : ui.tags) {
+    EXPECT_TRUE(names.insert(tag.name).second) << tag.name;
+    EXPECT_LT(tag.minimum.x, tag.maximum.x) << tag.name;
+    EXPECT_GE(tag.minimum.x, 0) << tag.name;
+    EXPECT_LE(tag.maximum.x, 1500) << tag.name;
+  }
+  EXPECT_GT(names.size(), 40u);
+}
+
+TEST(EditorLayout, ADragOfASliderIsOneEdit) {
+  UiDriver ui(two_walls());
+  const Material before = material(ui);
+  ui.drag("material/young_modulus", 30);
+  EXPECT_NE(material(ui).young_modulus, before.young_modulus);
+  ASSERT_EQ(ui.history.entries().size(), 1u);
+  EXPECT_EQ(ui.history.entries()[0].label, "Set Young's modulus");
+  EXPECT_EQ(material(ui, 1), before);
+  ui.history.undo();
+  EXPECT_EQ(ui.history.scene(), two_walls());
+}
+
+TEST(EditorLayout, EveryMaterialSliderStaysInItsRange) {
+  for (const float dx : {-2000.0f, 2000.0f}) {
+    UiDriver ui(two_walls());
+    for (const char* tag : {"material/young_modulus", "material/poisson_ratio", "material/density",
+                            "material/tensile_strength", "material/fracture_toughness"}) {
+      ui.drag(tag, dx);
+    }
+    const Material& m = material(ui);
+    EXPECT_GT(m.young_modulus, 0);
+    EXPECT_GE(m.poisson_ratio, 0);
+    EXPECT_LE(m.poisson_ratio, 0.495);
+    EXPECT_GT(m.density, 0);
+    EXPECT_GT(m.tensile_strength, 0);
+    EXPECT_GT(m.fracture_toughness, 0);
+    EXPECT_EQ(ui.history.entries().size(), 5u);
+  }
+}
+
+TEST(EditorLayout, ValuesCanBeTypedWithTheirUnit) {
+  UiDriver ui(two_walls());
+  ui.click("material/young_modulus", 1);
+  ui.type("20 MPa");
+  EXPECT_DOUBLE_EQ(material(ui).young_modulus, 20e6);
+  EXPECT_EQ(ui.value("material/young_modulus"), "20 MPa");
+  ui.click("material/young_modulus", 1);
+  ui.type("35");  // in the unit that was shown
+  EXPECT_DOUBLE_EQ(material(ui).young_modulus, 35e6);
+  EXPECT_EQ(ui.history.entries().size(), 2u);
+}
+
+TEST(EditorLayout, TypedPoissonRatioStaysBelowOneHalf) {
+  for (const char* text : {"0.5", "0.7", "1e9"}) {
+    UiDriver ui(two_walls());
+    ui.click("material/poisson_ratio", 1);
+    ui.type(text);
+    EXPECT_EQ(material(ui).poisson_ratio, 0.495) << text;
+  }
+}
+
+TEST(EditorLayout, NonsenseAndEscapeLeaveTheValue) {
+  UiDriver ui(two_walls());
+  ui.click("material/density", 1);
+  ui.type("heavy");
+  ui.click("material/density", 1);
+  ui.press_key(key::kEscape);
+  EXPECT_EQ(ui.history.scene(), two_walls());
+  EXPECT_TRUE(ui.history.entries().empty());
+}
+
+TEST(EditorLayout, PresetReplacesTheWholeMaterialOfTheSelectedBody) {
+  UiDriver ui(two_walls());
+  ui.click("bodies/1");
+  EXPECT_EQ(ui.state.selected_body, 1);
+  const Material& preset = material_presets().front().material;
+  ui.click("material/preset");
+  ui.click("material/preset/" + preset.name);
+  EXPECT_EQ(material(ui, 1), preset);
+  EXPECT_EQ(material(ui, 0), Material());
+  EXPECT_LE(ui.history.entries().size(), 1u);
+}
+
+TEST(EditorLayout, CriterionChoosesItsOwnResistance) {
+  UiDriver ui(two_walls());
+  ui.click("material/criterion");
+  ui.click("material/criterion/separation force");
+  EXPECT_EQ(material(ui).criterion, FractureCriterion::separation_force);
+  EXPECT_NE(find_tag(ui.tags, "material/separation_toughness"), nullptr);
+  EXPECT_EQ(find_tag(ui.tags, "material/tensile_strength"), nullptr);
+}
+
+TEST(EditorLayout, ButtonsIssueTheirCommands) {
+  UiDriver ui(two_walls());
+  ui.click("command/simulation.step");
+  ui.click("command/simulation.run");
+  ui.click("command/simulation.reset");
+  EXPECT_THAT(ids(ui), testing::ElementsAre(CommandId::step, CommandId::toggle_run, CommandId::reset));
+}
+
+TEST(EditorLayout, MenusIssueTheirCommands) {
+  UiDriver ui(two_walls());
+  ui.click("menu/Simulation");
+  ui.click("menu/simulation.step");
+  EXPECT_THAT(ids(ui), testing::ElementsAre(CommandId::step));
+}
+
+TEST(EditorLayout, EveryShortcutIssuesItsCommandOnce) {
+  for (const CommandInfo& info : command_registry()) {
+    if (info.shortcut.key == key::kNone) continue;
+    UiDriver ui(two_walls());
+    ui.history.change("a", [](Scene& scene) { scene.name = "a"; });
+    ui.history.finish();
+    ui.history.change("b", [](Scene& scene) { scene.name = "b"; });
+    ui.history.undo();  // now there is something to undo and to redo
+    ui.state.view.range = Vec2(0, 1);
+    ui.press_key(info.shortcut.key, info.shortcut.ctrl, info.shortcut.shift);
+    EXPECT_THAT(ids(ui), testing::ElementsAre(info.id)) << info.name;
+  }
+}
+
+TEST(EditorLayout, CommandsHaveDifferentNamesAndShortcuts) {
+  std::set<std::string_view> names, shortcuts;
+  for (const CommandInfo& info : command_registry()) {
+    EXPECT_TRUE(names.insert(info.name).second) << info.name;
+    EXPECT_TRUE(info.shortcut_text.empty() || shortcuts.insert(info.shortcut_text).second) << info.shortcut_text;
+    EXPECT_EQ(info.shortcut_text.empty(), info.shortcut.key == key::kNone) << info.name;
+    EXPECT_FALSE(info.hint.empty()) << info.name;
+    EXPECT_EQ(command_info(info.id).name, info.name);
+  }
+}
+
+TEST(EditorLayout, NothingToUndoIssuesNoUndo) {
+  UiDriver ui(two_walls());
+  ui.click("command/edit.undo");
+  ui.press_key('Z', true);
+  EXPECT_TRUE(ui.commands.empty());
+  EXPECT_FALSE(find_tag(ui.tags, "command/edit.undo")->enabled);
+}
+
+TEST(EditorLayout, KeysTypedIntoAFieldAreNoShortcuts) {
+  UiDriver ui(two_walls());
+  ui.click("material/density", 1);
+  ui.frame();
+  ui.press_key('R');
+  EXPECT_TRUE(ui.commands.empty());
+}
+
+TEST(EditorLayout, MouseInTheViewMovesTheCamera) {
+  UiDriver ui(two_walls());
+  ui.drag("viewport", 100, 50);
+  EXPECT_LT(ui.state.camera_motion.yaw, 0);
+  EXPECT_GT(ui.state.camera_motion.pitch, 0);
+  EXPECT_EQ(ui.state.camera_motion.pan_right, 0);
+  ui.state.camera_motion = {};
+  ui.drag("viewport", 100, 50, 2);
+  EXPECT_LT(ui.state.camera_motion.pan_right, 0);
+  EXPECT_GT(ui.state.camera_motion.pan_up, 0);
+  EXPECT_EQ(ui.state.camera_motion.yaw, 0);
+  ImGui::GetIO().MouseWheel = 1;
+  ui.frame();
+  EXPECT_LT(ui.state.camera_motion.zoom, 1);
+  EXPECT_TRUE(ui.commands.empty());  // a drag is no click
+}
+
+TEST(EditorLayout, ClicksInTheViewPickAndFireAtTheCursor) {
+  UiDriver ui(two_walls());
+  ui.click("viewport");
+  ui.click("viewport", 1);
+  ASSERT_THAT(ids(ui), testing::ElementsAre(CommandId::pick, CommandId::fire));
+  for (const Command& command : ui.commands) {
+    EXPECT_NEAR(command.cursor.x(), 0.5, 0.01);
+    EXPECT_NEAR(command.cursor.y(), 0.5, 0.01);
+  }
+}
+
+TEST(EditorLayout, FireKeyAimsAtTheCursor) {
+  UiDriver ui(two_walls());
+  const ImVec2 low = ui.state.viewport_minimum, size = ui.state.viewport_size;
+  ui.move({low.x + 0.25f * size.x, low.y + 0.75f * size.y});
+  ui.press_key('F');
+  ASSERT_THAT(ids(ui), testing::ElementsAre(CommandId::fire));
+  EXPECT_NEAR(ui.commands[0].cursor.x(), 0.25, 0.01);
+  EXPECT_NEAR(ui.commands[0].cursor.y(), 0.75, 0.01);
+}
+
+TEST(EditorLayout, SpeedStaysBetweenAThousandthAndOne) {
+  UiDriver ui(two_walls());
+  ui.drag("toolbar/speed", -3000);
+  EXPECT_NEAR(ui.state.speed, 0.001, 1e-6);
+  ui.drag("toolbar/speed", 3000);
+  EXPECT_NEAR(ui.state.speed, 1, 1e-6);
+}
+
+TEST(EditorLayout, ErrorIsShownUntilClosed) {
+  UiDriver ui(two_walls());
+  ui.state.error = ErrorMessage{"wall.json#/bodies/0", "has no shape", "add a box"};
+  for (int i = 0; i < 3; ++i) ui.frame();
+  ui.click("command/simulation.step");  // behind the dialog
+  EXPECT_TRUE(ui.commands.empty());
+  ui.click("error/close");
+  EXPECT_FALSE(ui.state.error.has_value());
+  ui.click("command/simulation.step");
+  EXPECT_EQ(ui.commands.size(), 1u);
+}
+
+TEST(EditorLayout, OpenDialogTakesATypedPath) {
+  UiDriver ui(two_walls());
+  ui.state.show_open = true;
+  for (int i = 0; i < 3; ++i) ui.frame();
+  ui.click("open/path");
+  ui.type("a/b.json");
+  ASSERT_THAT(ids(ui), testing::ElementsAre(CommandId::open));
+  EXPECT_EQ(ui.commands[0].path, "a/b.json");
+  EXPECT_FALSE(ui.state.show_open);
+}
+
+TEST(EditorLayout, SceneWithoutBodiesIsShownToo) {
+  UiDriver ui({});
+  ui.frame();
+  EXPECT_EQ(find_tag(ui.tags, "material/density"), nullptr);
+}
+
+TEST(EditorLayout, RandomClicksAndKeysBreakNothing) {
+  UiDriver ui(two_walls());
+  std::uint32_t seed = 12345;
+  const auto random = [&seed](std::uint32_t below) {
+    seed = seed * 1664525u + 1013904223u;
+    return (seed >> 8) % below;
+  };
+  for (int i = 0; i < 1500; ++i) {
+    ui.move({static_cast<float>(random(1500)), static_cast<float>(random(940))});
+    ui.press(static_cast<int>(random(3)), random(2) == 0);
+    if (random(10) == 0) ImGui::GetIO().AddInputCharacter('0' + random(10));
+    ASSERT_LE(material(ui).poisson_ratio, 0.495);
+    ASSERT_GT(material(ui).young_modulus, 0);
+    ASSERT_GE(ui.state.shot.count, 1);
+    ASSERT_GT(ui.state.speed, 0);
+  }
+}
+
+}  // namespace
+}  // namespace griffith::ui

@@ -1,0 +1,117 @@
+#include "ui_driver.h"
+
+#include <gtest/gtest.h>
+
+#include "ui/style.h"
+
+namespace griffith::ui {
+namespace {
+
+constexpr int kKeyTab = 258, kKeyEnter = 257, kKeyBackspace = 259, kMovesPerDrag = 20;
+
+}  // namespace
+
+Scene two_walls() {
+  Scene scene;
+  scene.name = "two walls";
+  for (const char* name : {"left", "right"}) {
+    BodyDescription body;
+    body.name = name;
+    body.shape = BoxShape{};
+    scene.bodies.push_back(body);
+  }
+  return scene;
+}
+
+UiDriver::UiDriver(Scene scene) : history(std::move(scene)) {
+  ImGui::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.DisplaySize = {1500, 940};
+  io.DeltaTime = 1.0f / 60;
+  io.MousePos = {-1, -1};
+  io.KeyMap[ImGuiKey_Tab] = kKeyTab;
+  io.KeyMap[ImGuiKey_Enter] = kKeyEnter;
+  io.KeyMap[ImGuiKey_Escape] = key::kEscape;
+  io.KeyMap[ImGuiKey_Backspace] = kKeyBackspace;
+  io.KeyMap[ImGuiKey_A] = 'A';
+  apply_style(1);
+  input.fonts = load_fonts(1);
+  unsigned char* pixels = nullptr;
+  int width = 0, height = 0;
+  io.Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
+  for (int i = 0; i < 3; ++i) frame();
+}
+
+UiDriver::~UiDriver() { ImGui::DestroyContext(); }
+
+void UiDriver::frame() {
+  materials_.clear();
+  for (const BodyDescription& body : history.scene().bodies) materials_.push_back(body.material);
+  input.frame.materials = materials_;
+  ImGui::NewFrame();
+  for (Command& command : draw_editor(input, state, history, tags)) commands.push_back(std::move(command));
+  ImGui::Render();
+}
+
+ImVec2 UiDriver::find(const std::string& tag) {
+  const WidgetTag* found = find_tag(tags, tag);
+  if (!found) ADD_FAILURE() << "no widget " << tag;
+  return found ? found->center() : ImVec2(-1, -1);
+}
+
+std::string UiDriver::value(const std::string& tag) {
+  const WidgetTag* found = find_tag(tags, tag);
+  return found ? found->value : "no widget " + tag;
+}
+
+void UiDriver::move(ImVec2 place) {
+  ImGui::GetIO().MousePos = place;
+  frame();
+}
+
+void UiDriver::press(int button, bool down) {
+  ImGui::GetIO().MouseDown[button] = down;
+  frame();
+}
+
+void UiDriver::click(const std::string& tag, int button) {
+  move(find(tag));
+  press(button, true);
+  press(button, false);
+  frame();
+}
+
+void UiDriver::drag(const std::string& tag, float dx, float dy, int button) {
+  const ImVec2 start = find(tag);
+  move(start);
+  press(button, true);
+  for (int i = 1; i <= kMovesPerDrag; ++i) {
+    const float t = static_cast<float>(i) / kMovesPerDrag;
+    move({start.x + t * dx, start.y + t * dy});
+  }
+  press(button, false);
+  frame();
+}
+
+void UiDriver::type(const std::string& text) {
+  frame();
+  for (const char letter : text) {
+    ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(letter));
+    frame();
+  }
+  press_key(kKeyEnter);
+}
+
+void UiDriver::press_key(int key, bool ctrl, bool shift) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.KeyCtrl = ctrl;
+  io.KeyShift = shift;
+  io.KeysDown[key] = true;
+  frame();
+  io.KeysDown[key] = false;
+  io.KeyCtrl = io.KeyShift = false;
+  frame();
+}
+
+}  // namespace griffith::ui

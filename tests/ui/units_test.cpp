@@ -1,0 +1,63 @@
+#include "ui/units.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace griffith::ui {
+namespace {
+
+TEST(Units, ValuesReadLikeEngineersWriteThem) {
+  EXPECT_EQ(format_quantity(15e9, "Pa"), "15 GPa");
+  EXPECT_EQ(format_quantity(2.5e6, "Pa"), "2.5 MPa");
+  EXPECT_EQ(format_quantity(0.2, "m"), "200 mm");
+  EXPECT_EQ(format_quantity(1900, "kg/m³"), "1900 kg/m³");
+  EXPECT_EQ(format_quantity(7e5, "Pa·√m"), "700 kPa·√m");
+  EXPECT_EQ(format_quantity(0.18, ""), "0.18");
+  EXPECT_EQ(format_quantity(0.5, "-"), "0.5");
+  EXPECT_EQ(format_quantity(0, "Pa"), "0 Pa");
+  EXPECT_EQ(format_quantity(-3e6, "Pa"), "-3 MPa");
+}
+
+TEST(Units, TypedTextIsReadWithPrefixUnitOrNeither) {
+  EXPECT_DOUBLE_EQ(parse_quantity("20 GPa", "Pa").value(), 20e9);
+  EXPECT_DOUBLE_EQ(parse_quantity(" 20G ", "Pa").value(), 20e9);
+  EXPECT_DOUBLE_EQ(parse_quantity("2e10 Pa", "Pa", 1e6).value(), 2e10);
+  EXPECT_DOUBLE_EQ(parse_quantity("20", "Pa", 1e9).value(), 20e9);
+  EXPECT_DOUBLE_EQ(parse_quantity("5 m", "m").value(), 5);
+  EXPECT_DOUBLE_EQ(parse_quantity("5 mm", "m").value(), 5e-3);
+  EXPECT_DOUBLE_EQ(parse_quantity("+3 uN", "N").value(), 3e-6);
+}
+
+TEST(Units, TextOfAnotherKindIsNotRead) {
+  for (const char* text : {"", "abc", "20 kg", "1e999", "nan", "inf", "20 GPam", "--3"}) {
+    EXPECT_FALSE(parse_quantity(text, "Pa")) << text;
+  }
+  EXPECT_FALSE(parse_quantity("3 k", "kg/m³"));
+}
+
+TEST(Units, WhatIsShownReadsBackAsTheSameValue) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> exponent(-12, 15);
+  for (int i = 0; i < 5000; ++i) {
+    const double value = std::pow(10, exponent(random)) * (random() % 2 == 0 ? 1 : -1);
+    for (const char* unit : {"Pa", "N", "m", "kg/m³", "m/s", "", "Pa·√m"}) {
+      const std::string text = format_quantity(value, unit, 15);
+      const auto parsed = parse_quantity(text, unit);
+      ASSERT_TRUE(parsed) << text;
+      ASSERT_NEAR(*parsed, value, 1e-3 * std::abs(value)) << text;
+    }
+  }
+}
+
+TEST(Units, MantissaLiesBetweenOneAndAThousand) {
+  for (double value = 1.0001e-9; value < 1e15; value *= 3.7) {
+    const double scaled = value / si_prefix(value, "Pa").factor;
+    EXPECT_GE(scaled, 1);
+    EXPECT_LT(scaled, value < 1e15 ? 1000 : 1e6);
+  }
+}
+
+}  // namespace
+}  // namespace griffith::ui
