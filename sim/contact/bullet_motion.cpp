@@ -146,6 +146,7 @@ Vec3 ContactWorld::Impl::carried_end(const Object& sphere, const NextTouch& stru
 
 bool ContactWorld::Impl::would_strike(std::size_t first, std::size_t second, double dt, double minimum_speed) const {
   const Object &a = objects[first], &b = objects[second];
+  if (!a.brittle && !b.brittle) return false;
   const auto velocity = [&](const Object& object) {
     return object.moves() ? Vec3(object.state.velocity + dt * gravity) : object.state.velocity;
   };

@@ -200,6 +200,7 @@ void ContactWorld::set_state(ProxyId object, const RigidState& state) {
   impl_->place(changed);
 }
 
+void ContactWorld::set_brittle(ProxyId object, bool brittle) { impl_->objects[object].brittle = brittle; }
 void ContactWorld::set_surface(ProxyId object, const SurfaceProperties& surface) {
   impl_->objects[object].surface = surface;
 }

@@ -28,6 +28,7 @@ struct Object {
   Quat principal = Quat::Identity();  ///< principal axes of inertia (Bullet's body frame) to the object's frame
   SurfaceProperties surface = {};
   ContactWorld::Correction correction = {};
+  bool brittle = kind == Kind::stand_in;  ///< its impacts are worth substeps
   bool fresh = true;                       ///< its shape has not yet been seen by detect()
   std::unique_ptr<btRigidBody> body = {};  ///< null once removed
 

@@ -106,7 +106,9 @@ class ContactWorld {
   };
   Correction position_correction(ProxyId stand_in) const;
 
-  /// Whether, moving freely for `dt`, any pair would meet with an approach speed above `minimum_speed` [m/s]; the
+  /// Whether an object can break; stand-ins can unless told otherwise, spheres cannot.
+  void set_brittle(ProxyId object, bool brittle);
+  /// Whether, moving freely for `dt`, any pair with a brittle object would meet with an approach speed above `minimum_speed` [m/s]; the
   /// reason to take substeps. On the safe side: an object that turns counts as if all of it moved with its fastest
   /// point. Pairs that touch already count if they approach that fast.
   bool impact_expected(double dt, double minimum_speed) const;

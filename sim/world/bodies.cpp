@@ -127,6 +127,7 @@ void rebuild_body(WorldState& world, Body& body) {
   body.calm_steps = 0;
   if (body.rigid) clear_stress(world, body);
   place_stand_in(world, body);
+  world.contact_world.set_brittle(body.stand_in, body.tets.size() > 1);
 }
 
 void part_body(WorldState& world, BodyId id) {

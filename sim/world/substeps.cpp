@@ -28,7 +28,9 @@ ImpactScale impact_scale(const WorldState& world) {
     scale.speed = std::min(scale.speed, kShareOfBreakingSpeed * material.tensile_strength / (material.density * wave_speed));
     scale.length = std::min(scale.length, mean_element_size(world, body) / (kSubstepsPerElement * wave_speed));
   }
-  scale.speed = std::max(scale.speed, 0.1);
+  // What rests falls by g·dt in every step, and is caught again.
+  const double resting = 2 * world.scene.gravity.norm() * world.scene.simulation.time_step;
+  scale.speed = std::max({scale.speed, resting, 0.1});
   return scale;
 }
 
@@ -46,7 +48,7 @@ int ticks_before_impact(const WorldState& world, double tick, double speed, int 
 }  // namespace
 
 int substep_budget(const WorldState& world) {
-  constexpr double kWorkPerStep = 30'000;                   // elements times substeps
+  constexpr double kWorkPerStep = 20'000;                   // elements times substeps
   constexpr double kWorkPerBody = 20, kWorkPerContact = 10; // in elements
   double work = kWorkPerContact * world.contacts_before;
   for (const Body& body : world.bodies) work += kWorkPerBody + (body.rigid ? 0.0 : static_cast<double>(body.tets.size()));
