@@ -20,6 +20,16 @@ std::vector<NodeId> nodes_of(const TetMesh& mesh, std::span<const TetId> tets) {
   return nodes;
 }
 
+/// What spinning does to the shape, seen by a body that turns along: h·m ω×(a×ω) for a node at arm a.
+void add_centrifugal_impulses(const RigidMotion& motion, const NodeVectors& positions, const Eigen::VectorXd& masses,
+                              double dt, NodeVectors& impulses) {
+  const Vec3& spin = motion.angular_velocity;
+  for (Eigen::Index row = 0; row < masses.size(); ++row) {
+    const Vec3 arm = positions.col(row) - motion.center;
+    impulses.col(row) += dt * masses[row] * spin.cross(arm.cross(spin));
+  }
+}
+
 }  // namespace
 
 ElasticSystem::ElasticSystem(const TetMesh& mesh, std::span<const TetId> tets, std::span<const std::uint8_t> held,
@@ -127,7 +137,8 @@ SolveReport ElasticSystem::solve_free(const ImplicitStep& step, const NodeVector
   const NodeVectors rigid = rigid_field(b * inverse_masses.asDiagonal());
   NodeVectors product;
   multiply(matrix_, rigid, product);
-  const NodeVectors elastic = b - product;
+  NodeVectors elastic = b - product;
+  add_centrifugal_impulses(rigid_motion(positions, rigid, masses), positions, masses, step.dt, elastic);
 
   constexpr double kRounding = 1e-9;  // of the whole right-hand side: below it there is only noise to solve for
   const double scale = std::max(std::sqrt(dot(elastic, elastic)), kRounding * std::sqrt(dot(b, b)));

@@ -41,7 +41,8 @@ class ElasticSystem {
                 std::span<const ElementState> states, std::span<const Vec3> positions, std::span<const double> masses);
 
   /// Replaces the velocities of the free nodes by v⁺ under `forces` (elastic plus external, per node of the mesh [N]).
-  /// The linear and angular momentum of a free body are exact, whatever residual is left.
+  /// The linear and angular momentum of a free body are exact, whatever residual is left; it is solved in axes that turn
+  /// with it, so its owner moves it by turning (turn_step() in rigid_motion.h), not along tangents.
   SolveReport solve(const ImplicitStep& step, std::span<const Vec3> positions, std::span<const Vec3> forces,
                     std::span<const double> masses, std::span<Vec3> velocities) const;
 

@@ -1,8 +1,17 @@
 #include "sim/solver/rigid_motion.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 namespace griffith {
+namespace {
+
+Mat3 rotation_by(const Vec3& vector) {
+  const double angle = vector.norm();
+  return angle > 0 ? Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix() : Mat3(Mat3::Identity());
+}
+
+}  // namespace
 
 RigidMotion rigid_motion(const NodeVectors& positions, const NodeVectors& velocities, const Eigen::VectorXd& masses) {
   RigidMotion motion;
@@ -17,6 +26,13 @@ RigidMotion rigid_motion(const NodeVectors& positions, const NodeVectors& veloci
   }
   motion.angular_velocity = motion.inertia.inverse() * angular_momentum;
   return motion;
+}
+
+Mat3 turn_step(const RigidMotion& motion, double dt) {
+  const Mat3 half = rotation_by(0.5 * dt * motion.angular_velocity);
+  const Vec3 angular_momentum = motion.inertia * motion.angular_velocity;
+  const Vec3 middle = half * motion.inertia.inverse() * half.transpose() * angular_momentum;
+  return rotation_by(dt * middle);
 }
 
 }  // namespace griffith

@@ -29,11 +29,6 @@ std::vector<NodeId> nodes_of(const TetMesh& mesh, const std::vector<TetId>& tets
   return nodes;
 }
 
-RigidMotion motion_of(const WorldState& world, const Body& body) {
-  return rigid_motion(gather(world.nodes.positions, body.nodes), gather(world.nodes.velocities, body.nodes),
-                      gather(world.nodes.masses, body.nodes));
-}
-
 /// Convex parts of the body's present shape, relative to its centre of mass.
 std::vector<ConvexPart> collision_parts(const WorldState& world, const Body& body) {
   std::vector<Vec3> points;
@@ -92,6 +87,11 @@ std::size_t heir(const WorldState& world, const std::vector<std::vector<TetId>>&
 }
 
 }  // namespace
+
+RigidMotion motion_of(const WorldState& world, const Body& body) {
+  return rigid_motion(gather(world.nodes.positions, body.nodes), gather(world.nodes.velocities, body.nodes),
+                      gather(world.nodes.masses, body.nodes));
+}
 
 double mean_element_size(const WorldState& world, const Body& body) {
   double volume = 0;

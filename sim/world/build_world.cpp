@@ -117,6 +117,7 @@ double node_mass(const WorldState& world, NodeId node) {
 }
 
 void build_world(WorldState& world) {
+  world.substep_ticks = kTicksPerStep;
   for (const BodyDescription& body : world.scene.bodies) world.materials.push_back(body.material);
   if (const auto& ground = world.scene.ground)
     world.contact_world.add_ground(ground->height, {ground->friction, ground->restitution});

@@ -1,3 +1,4 @@
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -45,22 +46,37 @@ void add_elastic_forces(const WorldState& world, const Body& body, std::vector<V
   });
 }
 
-/// The momentum-conserving rigid motion under the external forces; the shape stays as it is.
+/// Moves a free body by its velocities: its rigid part turns it, what is left deforms it. Along the tangents instead, a
+/// turn by the angle a would stretch it by a²/2, which a stiff body answers with more than its strength. Linear and
+/// angular momentum are kept.
+void move_free(WorldState& world, Body& body, double dt) {
+  body.motion = motion_of(world, body);
+  const RigidMotion before = body.motion;
+  const Mat3 turn = turn_step(before, dt);
+  const Vec3 center = before.center + dt * before.velocity;
+  for (NodeId node : body.nodes) {
+    Vec3 &position = world.nodes.positions[node], &velocity = world.nodes.velocities[node];
+    const Vec3 deforming = velocity - before.velocity_at(position);
+    position = center + turn * (position - before.center + dt * deforming);
+    velocity = turn * deforming;
+  }
+  const RigidMotion after = motion_of(world, body);
+  const Vec3 spin = after.inertia.inverse() * (before.inertia * before.angular_velocity);
+  for (NodeId node : body.nodes)
+    world.nodes.velocities[node] += before.velocity + spin.cross(world.nodes.positions[node] - center);
+}
+
+/// The rigid motion under the external forces; the shape stays as it is.
 void advance_rigid(WorldState& world, Body& body, const std::vector<Vec3>& forces, double dt) {
   if (body.supported()) return;  // frozen by freeze(): its supports hold it
   const double damping = 1 + dt * world.material_of(body).mass_damping;
   for (NodeId node : body.nodes)
     world.nodes.velocities[node] =
         (world.nodes.velocities[node] + dt / world.nodes.masses[node] * forces[node]) / damping;
-  update_motion(world, body);
-  const double angle = body.motion.angular_velocity.norm() * dt;
-  const Mat3 turn = angle > 0 ? Eigen::AngleAxisd(angle, body.motion.angular_velocity * (dt / angle)).toRotationMatrix()
-                              : Mat3(Mat3::Identity());
-  for (NodeId node : body.nodes) {
-    const Vec3 arm = turn * (world.nodes.positions[node] - body.motion.center);
-    world.nodes.positions[node] = body.motion.center + dt * body.motion.velocity + arm;
-    world.nodes.velocities[node] = body.motion.velocity + body.motion.angular_velocity.cross(arm);
-  }
+  const RigidMotion motion = motion_of(world, body);
+  for (NodeId node : body.nodes)
+    world.nodes.velocities[node] = motion.velocity_at(world.nodes.positions[node]);
+  move_free(world, body, dt);
 }
 
 bool all_finite(const WorldState& world, const Body& body) {
@@ -79,8 +95,12 @@ SolveReport advance_elastic(WorldState& world, Body& body, std::vector<Vec3>& fo
   add_elastic_forces(world, body, forces);
   const SolveReport report = body.system->solve(implicit_step(world, body, dt), world.nodes.positions, forces,
                                                 world.nodes.masses, world.nodes.velocities);
-  if (all_finite(world, body))
+  if (!all_finite(world, body)) return report;
+  if (body.supported()) {
     for (NodeId node : body.nodes) world.nodes.positions[node] += dt * world.nodes.velocities[node];
+  } else {
+    move_free(world, body, dt);
+  }
   return report;
 }
 

@@ -43,6 +43,8 @@ void calm_bodies(WorldState& world);
 void part_body(WorldState& world, BodyId id);
 /// Rebuilds what follows from a body's tets: nodes, surface, system, stand-in.
 void rebuild_body(WorldState& world, Body& body);
+/// The rigid motion that carries the momentum of a body's nodes.
+RigidMotion motion_of(const WorldState& world, const Body& body);
 /// Takes mass, momentum and orientation of a body from its nodes.
 void update_motion(WorldState& world, Body& body);
 /// Edge length of the cubes that six of the body's tets would fill [m].

@@ -76,7 +76,7 @@ struct WorldState {
   std::vector<BodyId> body_of_proxy;  ///< per ProxyId; invalid for projectiles and the ground
   std::vector<Projectile> projectiles;
   std::vector<PendingShot> pending_shots;
-  int substep_ticks = 0;     ///< length that the last substep had or could have had; 0 at the start
+  int substep_ticks = 0;     ///< length that the last substep had or could have had
   int contacts_before = 0;   ///< of the last substep
 
   std::int64_t step = 0;

@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include "sim/error.h"
+#include "sim/world/world.h"
+#include "tests/world/scenes.h"
+
+namespace griffith {
+namespace {
+
+using testing::brick;
+using testing::shot_wall;
+
+Scene quiet_wall() {
+  Scene scene = shot_wall(Vec3(3, 3, 1), 1.5, brick(1));
+  scene.projectiles.clear();
+  return scene;
+}
+
+TEST(Editing, ASofterMaterialSagsMore) {
+  World stiff(quiet_wall()), edited(quiet_wall());
+  Material soft = brick(1);
+  soft.young_modulus = 1e8;
+  edited.set_material(0, soft);
+  for (int i = 0; i < 100; ++i) {
+    stiff.step();
+    edited.step();
+  }
+  const auto sag = [](const World& world) {
+    double lowest = 0;
+    const Frame frame = world.frame();
+    for (std::size_t i = 0; i < frame.positions.size(); ++i)
+      lowest = std::min(lowest, frame.positions[i].y() - frame.rest_positions[i].y());
+    return -lowest;
+  };
+  EXPECT_GT(sag(edited), 50 * sag(stiff));
+  EXPECT_EQ(edited.frame().materials[0].young_modulus, 1e8);
+}
+
+TEST(Editing, DensityChangesTheMassAndNotTheVelocities) {
+  Scene scene = quiet_wall();
+  scene.bodies[0].supports.clear();
+  scene.bodies[0].position.y() = 20;
+  scene.bodies[0].velocity = Vec3(1, 0, 0);
+  World world(scene);
+  const double mass = world.frame().totals.mass;
+  Material heavy = brick(1);
+  heavy.density *= 2;
+  world.set_material(0, heavy);
+  EXPECT_NEAR(world.frame().totals.mass, 2 * mass, 1e-9 * mass);
+  world.step();
+  EXPECT_NEAR(world.frame().bodies[0].velocity.x(), 1, 1e-9);
+}
+
+TEST(Editing, WeakeningAStandingWallBreaksItAtTheNextShot) {
+  Scene scene = quiet_wall();
+  World world(scene);
+  for (int i = 0; i < 10; ++i) world.step();
+  EXPECT_EQ(world.frame().bodies.size(), 1u);
+  world.set_material(0, brick(0.02));
+  world.fire(testing::shots(3));
+  for (int i = 0; i < 60; ++i) world.step();
+  EXPECT_GT(world.frame().projectiles.size(), 0u);
+  EXPECT_GT(world.frame().bodies.size(), 1u);
+}
+
+TEST(Editing, ShotsLeaveAtTheirTime) {
+  World world(quiet_wall());
+  for (int i = 0; i < 12; ++i) world.step();
+  ProjectileBurst burst = testing::shots(3);
+  burst.start = 0;
+  burst.interval = 0.1;  // 12 steps
+  world.fire(burst);
+  world.step();
+  EXPECT_EQ(world.frame().projectiles.size(), 1u);
+  for (int i = 0; i < 11; ++i) world.step();
+  EXPECT_EQ(world.frame().projectiles.size(), 1u);
+  world.step();
+  EXPECT_EQ(world.frame().projectiles.size(), 2u);
+}
+
+TEST(Editing, AMeshThatIsMissingIsNamed) {
+  Scene scene = quiet_wall();
+  scene.bodies[0].shape = MeshFileShape{"no/such/mesh", 1};
+  scene.folder = "/nowhere";
+  try {
+    World world(scene);
+    FAIL() << "the mesh does not exist";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("no/such/mesh"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace griffith
