@@ -91,10 +91,16 @@ void add_simulate(CLI::App& program, Options& options) {
       ->type_name("N");
   command->add_option("--stats", options.simulate.stats, "Write what happened as JSON instead of a summary")
       ->type_name("FILE");
+  command->add_option("--probes", options.simulate.probes, "Write the scene's probes as CSV, one row a time step")
+      ->type_name("FILE");
+  command->add_option("--export", options.simulate.export_file, "Write the last time step as .vtu (ParaView) or .msh (Gmsh)")
+      ->type_name("FILE");
   add_threads(*command, options);
   command->footer(
       "Examples:\n"
       "  griffith simulate scenes/wall.json --frames 600\n"
+      "  griffith simulate scenes/wall.json --frames 60 --export wall.vtu\n"
+      "  griffith simulate scenes/cantilever.json --frames 1 --probes cantilever.csv\n"
       "  griffith simulate scenes/wall.json --frames 600 --threads 1 --stats wall.stats.json");
 }
 

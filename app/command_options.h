@@ -31,7 +31,9 @@ struct RenderOptions {
 struct SimulateOptions {
   std::filesystem::path scene;
   int frames = 0;
-  std::filesystem::path stats;  ///< empty: a summary on stdout
+  std::filesystem::path stats;   ///< empty: a summary on stdout
+  std::filesystem::path probes;  ///< empty: the scene's probes are not written down
+  std::filesystem::path export_file;  ///< .vtu or .msh of the last frame; empty: none
   int threads = 1;              ///< in use, for the report
 };
 
@@ -43,9 +45,10 @@ struct CheckOptions {
 void run_editor(const EditorOptions& options);
 /// Throws InputError for a bad scene, quantity or camera, RenderError when there are no graphics.
 void render_command(const RenderOptions& options);
-/// Throws InputError for a bad scene.
+/// Throws InputError for a bad scene, when probes are asked for that the scene does not have, and for an export file of
+/// another kind than .vtu or .msh.
 void simulate_command(const SimulateOptions& options);
-/// Prints every problem of every scene; returns how many there are.
+/// Prints every problem of every scene, and warnings; returns how many problems there are.
 int check_command(const CheckOptions& options);
 
 }  // namespace griffith::app

@@ -1,29 +1,39 @@
 #include <cstdio>
+#include <optional>
 
 #include "app/command_options.h"
+#include "app/probe_table.h"
 #include "app/progress.h"
 #include "app/statistics.h"
+#include "app/export_frame.h"
+#include "sim/replace_file.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/world/world.h"
 
 namespace griffith::app {
 
 void simulate_command(const SimulateOptions& options) {
+  if (!options.export_file.empty()) check_export_path(options.export_file);
   const Scene scene = read_scene(options.scene);
   World world(scene);
+  std::optional<ProbeTable> probes;
+  if (!options.probes.empty()) probes.emplace(world, options.scene);
   RunStatistics statistics(world.frame(), scene.simulation.time_step, options.threads);
   {
     Progress progress("Simulating", options.frames);
     for (int step = 1; step <= options.frames; ++step) {
       world.step();
       statistics.add(world.frame());
+      if (probes) probes->add(world);
       progress.update(step);
     }
   }
+  if (probes) replace_file(options.probes, probes->csv());
+  if (!options.export_file.empty()) export_frame(options.export_file, world.frame());
   if (options.stats.empty()) {
     std::printf("%s", statistics.summary(world.frame(), world.state_hash()).c_str());
   } else {
-    write_text_file(options.stats, statistics.json(world.frame(), world.state_hash()));
+    replace_file(options.stats, statistics.json(world.frame(), world.state_hash()));
   }
 }
 

@@ -133,16 +133,4 @@ std::string RunStatistics::summary(const Frame& frame, std::uint64_t state_hash)
   return text;
 }
 
-void write_text_file(const std::filesystem::path& path, const std::string& text) {
-  std::filesystem::path beside = path;
-  beside += ".part";
-  std::ofstream file(beside, std::ios::binary);
-  file << text;
-  file.close();
-  std::error_code error;
-  if (file) std::filesystem::rename(beside, path, error);
-  if (!file || error)
-    throw InputError(path.string(), "can't be written", "check that the folder exists and is writable");
-}
-
 }  // namespace griffith::app

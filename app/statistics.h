@@ -35,7 +35,5 @@ class RunStatistics {
   std::array<std::vector<double>, 5> milliseconds_;  ///< of step, contact, elasticity, separation, fracture
 };
 
-/// Writes beside `path` first and renames, so that an interrupted run loses nothing. Throws InputError naming the path.
-void write_text_file(const std::filesystem::path& path, const std::string& text);
 
 }  // namespace griffith::app

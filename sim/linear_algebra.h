@@ -11,6 +11,15 @@ using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 using Quat = Eigen::Quaternion<double, Eigen::DontAlign>;
 
+/// det(m) m⁻ᵀ, for singular matrices too: what a deformation m makes of area vectors.
+inline Mat3 cofactor(const Mat3& m) {
+  Mat3 c;
+  c.col(0) = m.col(1).cross(m.col(2));
+  c.col(1) = m.col(2).cross(m.col(0));
+  c.col(2) = m.col(0).cross(m.col(1));
+  return c;
+}
+
 /// A rigid placement: world = rotation · local + translation [m].
 struct Pose {
   Vec3 translation = Vec3::Zero();

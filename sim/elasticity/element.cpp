@@ -1,9 +1,11 @@
 #include "sim/elasticity/element.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cassert>
 
 #include "sim/elasticity/polar_decomposition.h"
+#include "sim/elasticity/principal_stress.h"
 
 namespace griffith {
 
@@ -19,19 +21,51 @@ ElementRest element_rest(const Corners& rest_corners) {
   return rest;
 }
 
-ElasticModuli elastic_moduli(const Material& material) { return {lame_lambda(material), shear_modulus(material)}; }
+ElasticLaw elastic_law(const Material& material) {
+  return {material.element_model, lame_lambda(material), shear_modulus(material)};
+}
 
-ElementState corotational_state(const ElementRest& rest, const ElasticModuli& moduli, const Corners& corners) {
+ElementDeformation element_deformation(ElementModel model, const ElementRest& rest, const Corners& corners) {
   const Mat3 gradient = deformation_gradient(rest, corners);
+  const bool inverted = !(gradient.determinant() > 0);
+  if (model == ElementModel::green_strain && !inverted)
+    return {gradient, 0.5 * (gradient.transpose() * gradient - Mat3::Identity()), false};
+  const Mat3 rotation = polar_rotation(gradient);
+  const Mat3 stretch = rotation.transpose() * gradient;
+  return {rotation, 0.5 * (stretch + stretch.transpose()) - Mat3::Identity(), inverted};
+}
+
+ElementState element_state(const ElasticLaw& law, const ElementDeformation& deformation, const Mat3& plastic_strain) {
+  const Mat3 strain = deformation.strain - plastic_strain;
   ElementState state;
-  state.rotation = polar_rotation(gradient);
-  const Mat3 stretch = state.rotation.transpose() * gradient;
-  const Mat3 strain = 0.5 * (stretch + stretch.transpose()) - Mat3::Identity();
-  state.stress = 2 * moduli.mu * strain;
-  state.stress.diagonal().array() += moduli.lambda * strain.trace();
+  state.frame = deformation.frame;
+  state.stress = 2 * law.mu * strain;
+  state.stress.diagonal().array() += law.lambda * strain.trace();
+  state.tensile_stress = tensile_part(state.stress);
   state.energy_density = 0.5 * state.stress.cwiseProduct(strain).sum();
-  state.inverted = !(gradient.determinant() > 0);
+  state.inverted = deformation.inverted;
   return state;
+}
+
+Mat3 cauchy_stress(const Mat3& frame, const Mat3& stress) {
+  constexpr double kSmallestVolumeRatio = 0.01;
+  return frame * stress * frame.transpose() / std::max(frame.determinant(), kSmallestVolumeRatio);
+}
+
+StiffnessRow stiffness_row(const ElasticLaw& law, const ElementRest& rest, const ElementState& state, int corner) {
+  const Corners gradients = state.frame * rest.shape_gradients;
+  const Mat3 metric = law.mu * state.frame * state.frame.transpose();
+  const Vec3 gradient = rest.shape_gradients.col(corner), a = gradients.col(corner);
+  const bool geometric = law.model == ElementModel::green_strain;
+  const Vec3 traction = geometric ? Vec3(state.tensile_stress * gradient) : Vec3(Vec3::Zero());
+  StiffnessRow row;
+  for (int j = 0; j < 4; ++j) {
+    const Vec3 b = gradients.col(j), other = rest.shape_gradients.col(j);
+    Mat3 block = law.lambda * a * b.transpose() + law.mu * b * a.transpose() + gradient.dot(other) * metric;
+    block.diagonal().array() += traction.dot(other);
+    row.middleCols<3>(3 * j) = rest.volume * block;
+  }
+  return row;
 }
 
 }  // namespace griffith

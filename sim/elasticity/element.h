@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "sim/elasticity/material.h"
 #include "sim/linear_algebra.h"
 
@@ -19,39 +17,62 @@ struct ElementRest {
 /// Rest data of a positively oriented tet with these corners [m].
 ElementRest element_rest(const Corners& rest_corners);
 
-/// Lamé's constants of an element.
-struct ElasticModuli {
+/// How an element's stress follows from its corners: the strain it measures, and Lamé's constants.
+struct ElasticLaw {
+  ElementModel model = ElementModel::corotational;
   double lambda = 0, mu = 0;  ///< [Pa]
 };
-ElasticModuli elastic_moduli(const Material& material);
+ElasticLaw elastic_law(const Material& material);
 
 /// F = sum_i x_i g_iᵀ.
 inline Mat3 deformation_gradient(const ElementRest& rest, const Corners& corners) {
   return corners * rest.shape_gradients.transpose();
 }
 
-/// The state of a corotated linear element (Müller & Gross 2004).
+/// What a model makes of the deformation gradient F: a strain in rest space, and the frame B that carries rest space to
+/// the world so that the strain's stress acts with the forces f_i = −V B sigma g_i.
+///   corotational   B = Q of the polar decomposition F = Q A,   epsilon = sym(QᵀF) − I   (Müller & Gross 2004)
+///   green_strain   B = F,                                      epsilon = ½ (FᵀF − I)     (O'Brien & Hodgins 1999)
+/// Green's strain cannot tell an element from its mirror image, so an inverted one takes the corotational row, whose
+/// forces turn it back.
+struct ElementDeformation {
+  Mat3 frame = Mat3::Identity();
+  Mat3 strain = Mat3::Zero();
+  bool inverted = false;  ///< det F <= 0
+};
+ElementDeformation element_deformation(ElementModel model, const ElementRest& rest, const Corners& corners);
+
+/// The stressed state of an element. Stresses are in rest space: corotated Cauchy stress, or the second
+/// Piola-Kirchhoff stress for Green's strain [Pa].
 struct ElementState {
-  Mat3 rotation = Mat3::Identity();  ///< Q of F = Q A
-  Mat3 stress = Mat3::Zero();        ///< Cauchy stress sigma in the corotated frame [Pa]
-  double energy_density = 0;         ///< ½ sigma : epsilon [J/m³]
-  bool inverted = false;             ///< det F <= 0
+  Mat3 frame = Mat3::Identity();  ///< B
+  Mat3 stress = Mat3::Zero();
+  Mat3 tensile_stress = Mat3::Zero();  ///< tensile_part() of the stress
+  double energy_density = 0;           ///< ½ sigma : epsilon per rest volume [J/m³]
+  bool inverted = false;
 };
 
-/// epsilon = sym(QᵀF) − I, sigma = lambda tr(epsilon) I + 2 mu epsilon.
-ElementState corotational_state(const ElementRest& rest, const ElasticModuli& moduli, const Corners& corners);
+/// sigma = lambda tr(epsilon_e) I + 2 mu epsilon_e of the elastic strain epsilon_e = epsilon − `plastic_strain`.
+ElementState element_state(const ElasticLaw& law, const ElementDeformation& deformation,
+                           const Mat3& plastic_strain = Mat3::Zero());
 
-/// Nodal forces of a stress given in the corotated frame, in the world frame: f_i = −V Q sigma g_i [N].
-inline Corners nodal_forces(const ElementRest& rest, const Mat3& rotation, const Mat3& stress) {
-  return -rest.volume * (rotation * stress) * rest.shape_gradients;
+/// A stress of rest space as Cauchy stress in the world frame, B sigma Bᵀ / det B [Pa]. The volume ratio counts as 0.01
+/// at least, so that a flat element's stress stays finite.
+Mat3 cauchy_stress(const Mat3& frame, const Mat3& stress);
+
+/// Nodal forces of a stress of rest space, in the world frame: f_i = −V B sigma g_i [N].
+inline Corners nodal_forces(const ElementRest& rest, const Mat3& frame, const Mat3& stress) {
+  return -rest.volume * (frame * stress) * rest.shape_gradients;
 }
 
-/// The stiffness block between two corners with rotated gradients a = Q g_i, b = Q g_j, without the volume:
-/// lambda a bᵀ + mu b aᵀ + mu (a·b) I. Symmetric positive semidefinite as a whole; it leaves out the change of Q.
-inline Mat3 stiffness_block(const ElasticModuli& moduli, const Vec3& a, const Vec3& b) {
-  Mat3 block = moduli.lambda * a * b.transpose() + moduli.mu * b * a.transpose();
-  block.diagonal().array() += moduli.mu * a.dot(b);
-  return block;
-}
+/// Blocks K_i0 .. K_i3, one after the other.
+using StiffnessRow = Eigen::Matrix<double, 3, 12>;
+
+/// A corner's row of the element's stiffness for the implicit step [N/m], with a_i = B g_i:
+///   K_ij = V [ lambda a_i a_jᵀ + mu a_j a_iᵀ + mu (g_i·g_j) B Bᵀ + (g_iᵀ sigma⁺ g_j) I ]
+/// The last, geometric term is there for Green's strain alone; its tensile part sigma⁺ keeps the matrix positive
+/// semidefinite under compression too, and in pure tension K = −∂f/∂x exactly. The corotational row leaves out the
+/// change of Q, so that it is exact at rest.
+StiffnessRow stiffness_row(const ElasticLaw& law, const ElementRest& rest, const ElementState& state, int corner);
 
 }  // namespace griffith

@@ -15,7 +15,15 @@ enum class FractureCriterion {
   separation_force,
 };
 
-/// A brittle, isotropic, linear elastic material. SI units throughout.
+/// Which strain an element measures.
+enum class ElementModel {
+  /// Linear strain in the frame that turns with the element (Müller & Gross 2004): for stiff and brittle materials.
+  corotational,
+  /// Green's strain (O'Brien & Hodgins 1999): stiffens in large stretch, softens in large compression.
+  green_strain,
+};
+
+/// An isotropic elastic material, brittle unless it has a yield strength. SI units throughout.
 struct Material {
   std::string name = "brick";
   double young_modulus = 15e9;           ///< E [Pa], > 0
@@ -25,6 +33,9 @@ struct Material {
   double fracture_toughness = 0.7e6;     ///< K_Ic [Pa·√m], > 0: lowers the resistance at a crack front
   double separation_toughness = 1e6;     ///< τ [N], > 0: used by FractureCriterion::separation_force alone
   FractureCriterion criterion = FractureCriterion::strength;
+  ElementModel element_model = ElementModel::corotational;
+  std::optional<double> yield_strength;  ///< von Mises stress at which it flows [Pa], > 0; absent: it never does
+  double plastic_limit = 0.25;           ///< largest norm of the plastic strain γ₂ [-], >= 0
   double friction = 0.6;                 ///< Coulomb's coefficient, >= 0
   double restitution = 0.1;              ///< coefficient of restitution, 0..1
   double mass_damping = 0.0;             ///< Rayleigh's α [1/s], >= 0

@@ -43,6 +43,11 @@ double toughness_from_energy(double release_rate, Elastic elastic) {
   return std::sqrt(release_rate * elastic.young_modulus / (1 - elastic.poisson_ratio * elastic.poisson_ratio));
 }
 
+MaterialPreset yielding(double yield_strength, MaterialPreset ductile) {
+  ductile.material.yield_strength = yield_strength;
+  return ductile;
+}
+
 std::array<MaterialPreset, 15> make_presets() {
   const Elastic rubber{2e6, 0.49, 930}, jelly{1e4, 0.49, 1010};
   return {{
@@ -58,8 +63,7 @@ std::array<MaterialPreset, 15> make_presets() {
       preset("abs", "ABS", {2.2e9, 0.37, 1040}, {42e6, 3.0e6}, {0.4, 0.4}, kAshby),
       preset("acrylic", "acrylic", {3.0e9, 0.37, 1190}, {65e6, 1.4e6}, {0.4, 0.4}, kAshby),
       preset("grey_cast_iron", "grey cast iron", {110e9, 0.26, 7200}, {200e6, 15e6}, {0.4, 0.3}, kHandbook),
-      preset("mild_steel", "mild steel", {205e9, 0.29, 7850}, {450e6, 100e6}, {0.5, 0.4},
-             "typical handbook value; yields first, at 250 MPa"),
+      yielding(250e6, preset("mild_steel", "mild steel", {205e9, 0.29, 7850}, {450e6, 100e6}, {0.5, 0.4}, kHandbook)),
       preset("rubber", "rubber", rubber, {20e6, toughness_from_energy(1e4, rubber)}, {0.9, 0.6},
              "typical handbook value; fracture toughness from 1e4 J/m²"),
       preset("jelly", "jelly", jelly, {1e4, toughness_from_energy(3, jelly)}, {0.4, 0.2},

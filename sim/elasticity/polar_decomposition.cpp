@@ -6,14 +6,6 @@
 namespace griffith {
 namespace {
 
-Mat3 cofactor(const Mat3& m) {
-  Mat3 c;
-  c.col(0) = m.col(1).cross(m.col(2));
-  c.col(1) = m.col(2).cross(m.col(0));
-  c.col(2) = m.col(0).cross(m.col(1));
-  return c;
-}
-
 Mat3 polar_rotation_by_svd(const Mat3& m) {
   const Eigen::JacobiSVD<Mat3> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Mat3 u = svd.matrixU();
@@ -26,7 +18,8 @@ Mat3 polar_rotation_by_svd(const Mat3& m) {
 Mat3 polar_rotation(const Mat3& deformation_gradient) {
   // Newton's iteration Q <- (Q + Q^-T)/2 (Higham 1986): two or three rounds for the small strains of stiff bodies.
   constexpr int kMaxIterations = 12;
-  constexpr double kTolerance = 1e-30;  // of the squared change: convergence is quadratic
+  // Of the squared change. Convergence is quadratic, with half the square of the change left: 5e-15.
+  constexpr double kTolerance = 1e-14;
   Mat3 q = deformation_gradient;
   for (int i = 0; i < kMaxIterations; ++i) {
     const Mat3 c = cofactor(q);

@@ -1,24 +1,11 @@
 #include "sim/fracture/separation_tensor.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "sim/mesh/topology.h"
 
 namespace griffith {
-PrincipalValues principal_values(const Mat3& symmetric) {
-  Eigen::SelfAdjointEigenSolver<Mat3> solver;
-  solver.computeDirect(symmetric);
-  return {solver.eigenvalues(), solver.eigenvectors()};
-}
-
-Mat3 tensile_part(const Mat3& stress) {
-  const PrincipalValues principal = principal_values(stress);
-  if (principal.values[2] <= 0) return Mat3::Zero();
-  if (principal.values[0] >= 0) return stress;
-  return principal.directions * principal.values.cwiseMax(0).asDiagonal() * principal.directions.transpose();
-}
 
 Mat3 force_dyad(const Vec3& force) {
   const double length = force.norm();
@@ -32,8 +19,8 @@ Mat3 separation_tensor(const SeparationInput& input, NodeId node, bool held) {
     const ElementRest& rest = input.rests[tet];
     const ElementState& state = input.states[tet];
     const Vec3 gradient = rest.shape_gradients.col(local_corner(input.mesh, tet, node));
-    const Vec3 tensile = -rest.volume * (state.rotation * (input.tensile_stresses[tet] * gradient));
-    const Vec3 compressive = -rest.volume * (state.rotation * (state.stress * gradient)) - tensile;
+    const Vec3 tensile = -rest.volume * (state.frame * (state.tensile_stress * gradient));
+    const Vec3 compressive = -rest.volume * (state.frame * (state.stress * gradient)) - tensile;
     sum += force_dyad(tensile) - force_dyad(compressive);
     total_tensile += tensile;
     total_compressive += compressive;
@@ -47,12 +34,13 @@ double separation_stress(const SeparationInput& input, NodeId node, double eigen
   Mat3 average = Mat3::Zero();
   for (TetId tet : input.mesh.stars[node]) {
     const ElementRest& rest = input.rests[tet];
-    const Mat3& rotation = input.states[tet].rotation;
-    const Vec3 gradient = rotation * rest.shape_gradients.col(local_corner(input.mesh, tet, node));
-    area += 0.5 * rest.volume * std::abs(gradient.dot(direction));
+    const ElementState& state = input.states[tet];
+    const Vec3 normal = cofactor(state.frame) * rest.shape_gradients.col(local_corner(input.mesh, tet, node));
+    const Mat3 tensile_stress = cauchy_stress(state.frame, state.tensile_stress);
+    area += 0.5 * rest.volume * std::abs(normal.dot(direction));
     volume += rest.volume;
-    average += rest.volume * (rotation * input.tensile_stresses[tet] * rotation.transpose());
-    largest = std::max(largest, input.tensile_stresses[tet].norm());
+    average += rest.volume * tensile_stress;
+    largest = std::max(largest, tensile_stress.norm());
   }
   // Where hardly any face meets the plane (a star of one tet, say) the quotient means nothing: no plane can carry more
   // than the stress that is there.

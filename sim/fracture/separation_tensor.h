@@ -4,19 +4,10 @@
 #include <vector>
 
 #include "sim/elasticity/element.h"
+#include "sim/elasticity/principal_stress.h"
 #include "sim/mesh/tet_mesh.h"
 
 namespace griffith {
-
-/// Eigenvalues and unit eigenvectors (columns) of a symmetric matrix, ascending.
-struct PrincipalValues {
-  Vec3 values;
-  Mat3 directions;
-};
-PrincipalValues principal_values(const Mat3& symmetric);
-
-/// The tensile part of a stress: sum of max(0, v_i) n_i n_iᵀ over its eigenpairs (O'Brien & Hodgins 1999, eq. 12).
-Mat3 tensile_part(const Mat3& stress);
 
 /// m(a) = a aᵀ / |a|, m(0) = 0 (O'Brien & Hodgins 1999, eq. 15).
 Mat3 force_dyad(const Vec3& force);
@@ -24,9 +15,8 @@ Mat3 force_dyad(const Vec3& force);
 /// What the elements round a node contribute to its separation.
 struct SeparationInput {
   const TetMesh& mesh;
-  std::span<const ElementRest> rests;         // per tet
-  std::span<const ElementState> states;       // per tet
-  std::span<const Mat3> tensile_stresses;     // per tet: tensile_part() of the state's stress, corotated frame [Pa]
+  std::span<const ElementRest> rests;    // per tet
+  std::span<const ElementState> states;  // per tet
 };
 
 /// The separation tensor of a node in the world frame [N] (O'Brien & Hodgins 1999, eq. 16):
@@ -36,8 +26,8 @@ struct SeparationInput {
 Mat3 separation_tensor(const SeparationInput& input, NodeId node, bool held);
 
 /// The stress that pulls a node apart across the plane with unit normal `direction` [Pa], whatever the mesh:
-/// the larger of s = v⁺ / A(n̂), with A(n̂) = ½ Σ_e V_e |(Q g_e)·n̂|, and the largest eigenvalue of the volume-averaged
-/// tensile stress, which makes the onset exact in multiaxial tension. Where the second one is larger, `direction`
+/// the larger of s = v⁺ / A(n̂), with A(n̂) = ½ Σ_e V_e |(cof(B) g_e)·n̂|, and the largest eigenvalue of the
+/// volume-averaged tensile stress, which makes the onset exact in multiaxial tension. Where the second one is larger, `direction`
 /// becomes its eigenvector. Never more than the largest tensile stress (Frobenius norm) of the node's elements.
 double separation_stress(const SeparationInput& input, NodeId node, double eigenvalue, Vec3& direction);
 

@@ -1,6 +1,6 @@
 #include <charconv>
 
-#include "sim/mesh/replace_file.h"
+#include "sim/replace_file.h"
 #include "sim/mesh/write_mesh.h"
 
 namespace griffith {

@@ -2,7 +2,7 @@
 #include <cassert>
 #include <type_traits>
 
-#include "sim/mesh/replace_file.h"
+#include "sim/replace_file.h"
 #include "sim/mesh/write_mesh.h"
 
 namespace griffith {

@@ -17,7 +17,10 @@ Json value_json(int value, const Numbers&) { return value; }
 
 Json value_json(double value, const Numbers&) { return number_json(value); }
 
-Json value_json(const Vec2& vector, const Numbers&) { return {number_json(vector.x()), number_json(vector.y())}; }
+Json value_json(const Vec2& vector, const Numbers& numbers) {
+  if (numbers.uniform && vector == Vec2::Constant(vector.x())) return number_json(vector.x());
+  return {number_json(vector.x()), number_json(vector.y())};
+}
 
 Json value_json(const Vec3& vector, const Numbers& numbers) {
   if (numbers.uniform && vector == Vec3::Constant(vector.x())) return number_json(vector.x());

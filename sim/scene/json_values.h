@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <type_traits>
+#include <vector>
 
 #include "sim/linear_algebra.h"
 #include "sim/scene/field.h"
@@ -25,6 +26,12 @@ Json value_json(const std::filesystem::path& path, MeshPath);
 template <class Enum, class Result = Json>
 requires std::is_enum_v<Enum> Result value_json(Enum value, const OneOf& one_of) {
   return Result(one_of.names.at(static_cast<std::size_t>(value)));
+}
+template <class Enum, class Result = Json>
+requires std::is_enum_v<Enum> Result value_json(const std::vector<Enum>& values, const OneOf& one_of) {
+  Result array = Result::array();
+  for (const Enum value : values) array.push_back(value_json(value, one_of));
+  return array;
 }
 
 /// A whole number without a decimal point where that is exact, else the shortest text that reads back as this double.

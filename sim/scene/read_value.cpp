@@ -107,6 +107,16 @@ int read_name(const Place& place, std::span<const std::string_view> names) {
   return -1;
 }
 
+std::optional<std::vector<int>> read_names(const Place& place, std::span<const std::string_view> names) {
+  if (!place.json.is_array()) return place.reject("an array [ ... ] of " + quoted_list(names)), std::nullopt;
+  std::vector<int> indices;
+  for (std::size_t i = 0; i < place.json.size(); ++i) {
+    indices.push_back(read_name(place.child(std::to_string(i), place.json[i]), names));
+  }
+  if (std::ranges::find(indices, -1) != indices.end()) return std::nullopt;
+  return indices;
+}
+
 void read(const Place& place, std::string& value, const OneOf& one_of) {
   if (const int index = read_name(place, one_of.names); index >= 0) value = one_of.names[index];
 }

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -54,10 +55,23 @@ void read(const Place& place, std::filesystem::path& value, MeshPath);
 /// The index in `names` of the name that stands here, or -1, reported.
 int read_name(const Place& place, std::span<const std::string_view> names);
 
+/// The indices in `names` of the array of names that stands here; nothing where one is unknown, reported.
+std::optional<std::vector<int>> read_names(const Place& place, std::span<const std::string_view> names);
+
 template <class Enum>
 requires std::is_enum_v<Enum>
 void read(const Place& place, Enum& value, const OneOf& one_of) {
   if (const int index = read_name(place, one_of.names); index >= 0) value = static_cast<Enum>(index);
+}
+
+/// A list of names, each of them once or more.
+template <class Enum>
+requires std::is_enum_v<Enum>
+void read(const Place& place, std::vector<Enum>& values, const OneOf& one_of) {
+  const std::optional<std::vector<int>> indices = read_names(place, one_of.names);
+  if (!indices) return;
+  values.clear();
+  for (const int index : *indices) values.push_back(static_cast<Enum>(index));
 }
 
 }  // namespace griffith

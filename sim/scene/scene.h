@@ -1,41 +1,17 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "sim/elasticity/material.h"
 #include "sim/linear_algebra.h"
-#include "sim/mesh/box_pattern.h"
-#include "sim/scene/region.h"
+#include "sim/scene/boundary_condition.h"
+#include "sim/scene/probe.h"
+#include "sim/scene/shape.h"
 
 namespace griffith {
-
-/// A box centred on the body's origin, cut into cells of about `element_size` and these into tetrahedra.
-struct BoxShape {
-  Vec3 size = Vec3::Ones();                 ///< edge lengths [m], > 0
-  Vec3 element_size = Vec3::Constant(0.5);  ///< wanted cell edge along x, y, z [m], > 0; rounded to fit the box
-  BoxPattern pattern = BoxPattern::five_tet;
-  bool operator==(const BoxShape&) const = default;
-};
-
-/// A tetrahedral mesh from a file; for the CSV pair the folder that holds verts.csv and tets.csv.
-struct MeshFileShape {
-  std::filesystem::path path;  ///< as written in the scene; relative paths start at the scene file's folder
-  double scale = 1;            ///< metres per unit of the file, > 0
-  bool operator==(const MeshFileShape&) const = default;
-};
-
-using Shape = std::variant<BoxShape, MeshFileShape>;
-
-/// The nodes of a region, held in place.
-struct Support {
-  Region region;
-  bool operator==(const Support&) const = default;
-};
 
 struct BodyDescription {
   std::string name = "body";
@@ -46,6 +22,7 @@ struct BodyDescription {
   Vec3 angular_velocity = Vec3::Zero();  ///< at the start, about the centre of mass [rad/s]
   Material material;
   std::vector<Support> supports;
+  std::vector<Load> loads;
   bool operator==(const BodyDescription&) const = default;
 };
 
@@ -70,9 +47,23 @@ struct Ground {
   bool operator==(const Ground&) const = default;
 };
 
+/// How a scene is computed.
+enum class Analysis {
+  dynamic,      ///< step by step through time
+  equilibrium,  ///< at rest under what acts at the time: no inertia
+};
+
+/// How a body moves through a step.
+enum class Integrator {
+  implicit_euler,      ///< a linear system a step: stable at any length
+  central_differences, ///< no system, but as many substeps as stability asks for
+};
+
 /// How the step is carried out. Budgets count work, never time, so results do not depend on the machine.
 struct SimulationSettings {
   double time_step = 1.0 / 120;     ///< [s], 1e-5..0.1
+  Integrator integrator = Integrator::implicit_euler;
+  bool static_start = true;         ///< supported bodies start at rest under gravity and their loads at time 0
   int impact_substeps = 32;         ///< most substeps of a step in which something strikes, 1..256
   double relative_residual = 1e-4;  ///< the linear solver stops here, 1e-12..0.1
   int max_solver_iterations = 400;  ///< per body and substep, 1..100000
@@ -107,7 +98,9 @@ struct Scene {
   std::optional<Ground> ground = Ground{};
   std::vector<BodyDescription> bodies;
   std::vector<ProjectileBurst> projectiles;
+  Analysis analysis = Analysis::dynamic;
   SimulationSettings simulation;
+  std::vector<Probe> probes;    ///< of different names
   std::vector<Camera> cameras;  ///< the first one is used unless another is named; none: frame everything
   ViewSettings view;
   std::filesystem::path folder;  ///< relative mesh paths start here; not written to the file

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include <optional>
 
 #include "sim/scene/field.h"
 #include "sim/scene/scene.h"
+#include "sim/scene/shape_fields.h"
 #include "sim/scene/view_quantity.h"
 
 // The table of all fields of a scene: name, member, values and meaning. An archive (the reader, the writer, the
@@ -20,8 +19,6 @@ namespace griffith {
 
 /// The format that this program reads and writes.
 inline constexpr int kSceneVersion = 1;
-/// More cells than this in one box are refused: a slip of the element size, not a wish.
-inline constexpr double kMaxBoxCells = 2e6;
 
 inline constexpr Numbers kPlace = between(-1e6, 1e6, "m");
 inline constexpr Numbers kDirection = {.minimum = -1e6, .maximum = 1e6, .unit = "-", .nonzero = true};
@@ -45,6 +42,12 @@ void describe_properties(Archive& archive, Material& m) {
                 "Separation toughness τ: used by the criterion \"separation_force\" alone");
   archive.field("criterion", m.criterion, OneOf{{"strength", "separation_force"}},
                 "What is compared with the resistance: a stress (the same on every mesh) or the raw eigenvalue");
+  archive.field("element_model", m.element_model, OneOf{{"corotational", "green_strain"}},
+                "How elements measure strain: linear and turning with the element, or Green's strain");
+  archive.field("yield_strength", m.yield_strength, between(1e-3, 1e13, "Pa"),
+                "Yield strength: the von Mises stress above which it flows; null: brittle, it never flows");
+  archive.field("plastic_limit", m.plastic_limit, between(0, 1, "-"),
+                "Plastic limit γ₂: the norm of the plastic strain at which flow ends");
   archive.field("friction", m.friction, between(0, 10, "-"), "Coulomb's coefficient of friction");
   archive.field("restitution", m.restitution, between(0, 1, "-"), "Coefficient of restitution: 1 bounces back fully");
   archive.field("mass_damping", m.mass_damping, between(0, 1e6, "1/s"), "Rayleigh damping α, in proportion to mass");
@@ -56,31 +59,6 @@ template <class Archive>
 void describe(Archive& archive, Material& m) {
   archive.field("name", m.name, Text{1}, "Name of the material");
   describe_properties(archive, m);
-}
-
-template <class Archive>
-void describe(Archive& archive, BoxShape& box) {
-  Numbers element_size = between(1e-5, 1e5, "m");
-  element_size.uniform = true;
-  archive.field("size", box.size, between(1e-4, 1e5, "m"), "Edge lengths along x, y, z");
-  archive.field("element_size", box.element_size, element_size,
-                "Wanted cell edge, one number or one each for x, y, z; rounded to fit the box");
-  archive.field("pattern", box.pattern, OneOf{{"kuhn", "five_tet", "bcc"}}, "How a cell is cut into tetrahedra");
-  archive.require((box.size.array() / box.element_size.array()).round().max(1).prod() <= kMaxBoxCells, "element_size",
-                  "cuts the box into more than 2 million cells", "take a larger element_size or a smaller size");
-}
-
-template <class Archive>
-void describe(Archive& archive, MeshFileShape& mesh) {
-  archive.field("path", mesh.path, MeshPath{},
-                "Mesh file, or the folder that holds verts.csv and tets.csv; relative to the scene file's folder");
-  archive.field("scale", mesh.scale, between(1e-9, 1e6), "Metres per unit of the file");
-}
-
-template <class Archive>
-void describe(Archive& archive, Shape& shape) {
-  archive.template alternative<BoxShape>("box", shape, Parts{}, "A box centred on the body's origin");
-  archive.template alternative<MeshFileShape>("mesh", shape, Parts{}, "A tetrahedral mesh from a file");
 }
 
 template <class Archive>
@@ -115,6 +93,44 @@ void describe(Archive& archive, Region& region) {
 template <class Archive>
 void describe(Archive& archive, Support& support) {
   archive.field("region", support.region, Parts{}, "The nodes that are held, in the body's rest space");
+  archive.field("kind", support.kind, OneOf{{"fixed", "sliding", "prescribed"}}, "What the nodes may do");
+  archive.field("normal", support.normal, kDirection,
+                "Of the plane in which a sliding support lets its nodes move, in the world's axes; any length but 0");
+  archive.field("velocity", support.velocity, between(-1e5, 1e5, "m/s"),
+                "With which a prescribed support moves its nodes, in the world's axes");
+  archive.field("stop", support.stop, between(0, 1e6, "s"), "When a prescribed support comes to a halt; null: never");
+  archive.require(support.kind == SupportKind::sliding || support.normal == Support{}.normal, "normal",
+                  "belongs to another kind of support", "add \"kind\": \"sliding\" or take it out");
+  archive.require(support.kind == SupportKind::prescribed || support.velocity.isZero(0), "velocity",
+                  "belongs to another kind of support", "add \"kind\": \"prescribed\" or take it out");
+  archive.require(support.kind == SupportKind::prescribed || !support.stop, "stop",
+                  "belongs to another kind of support", "add \"kind\": \"prescribed\" or take it out");
+}
+
+template <class Archive>
+void describe(Archive& archive, Load& load) {
+  constexpr const char* kProblem = "belongs to another kind of load";
+  archive.field("region", load.region, Parts{}, "What is loaded, in the body's rest space");
+  archive.field("kind", load.kind, OneOf{{"point_force", "traction", "pressure", "body_force"}}, "What acts there");
+  archive.field("force", load.force, between(-1e12, 1e12, "N"),
+                "Of a point force: in all, in equal parts on the region's nodes");
+  archive.field("traction", load.traction, between(-1e12, 1e12, "Pa"),
+                "Of a traction: on the surface whose nodes all lie in the region, per undeformed area");
+  archive.field("pressure", load.pressure, between(-1e12, 1e12, "Pa"),
+                "Of a pressure: against that surface, inwards, wherever it turns");
+  archive.field("acceleration", load.acceleration, between(-1e6, 1e6, "m/s²"),
+                "Of a body force: of the tetrahedra whose nodes all lie in the region, as by gravity");
+  archive.field("start", load.start, between(0, 1e6, "s"), "When it begins to act");
+  archive.field("duration", load.duration, between(1e-6, 1e6, "s"), "How long it acts; null: for ever");
+  archive.field("ramp", load.ramp, between(0, 1e6, "s"), "How long it takes to grow to its full size");
+  archive.require(load.kind == LoadKind::point_force || load.force.isZero(0), "force", kProblem,
+                  "add \"kind\": \"point_force\" or take it out");
+  archive.require(load.kind == LoadKind::traction || load.traction.isZero(0), "traction", kProblem,
+                  "add \"kind\": \"traction\" or take it out");
+  archive.require(load.kind == LoadKind::pressure || load.pressure == 0, "pressure", kProblem,
+                  "add \"kind\": \"pressure\" or take it out");
+  archive.require(load.kind == LoadKind::body_force || load.acceleration.isZero(0), "acceleration", kProblem,
+                  "add \"kind\": \"body_force\" or take it out");
 }
 
 template <class Archive>
@@ -129,7 +145,8 @@ void describe(Archive& archive, BodyDescription& body) {
                 "Angular velocity at the start, about the centre of mass");
   archive.field("material", body.material, MaterialChoice{},
                 "Name of a preset or of one of the scene's materials, or an object with its properties");
-  archive.field("supports", body.supports, Parts{}, "Regions held in place");
+  archive.field("supports", body.supports, Parts{}, "Regions that are held");
+  archive.field("loads", body.loads, Parts{}, "Forces on regions");
 }
 
 template <class Archive>
@@ -154,6 +171,10 @@ void describe(Archive& archive, Ground& ground) {
 template <class Archive>
 void describe(Archive& archive, SimulationSettings& settings) {
   archive.field("time_step", settings.time_step, between(1e-5, 0.1, "s"), "Time step");
+  archive.field("integrator", settings.integrator, OneOf{{"implicit", "explicit"}},
+                "How bodies move through a step: by a linear system, or by as many small steps as stability asks for");
+  archive.field("static_start", settings.static_start, Flag{},
+                "Whether supported bodies start at rest under gravity and their loads at time 0");
   archive.field("impact_substeps", settings.impact_substeps, between(1, 256),
                 "Substeps of a step in which something strikes");
   archive.field("relative_residual", settings.relative_residual, between(1e-12, 0.1, "-"),
@@ -165,6 +186,26 @@ void describe(Archive& archive, SimulationSettings& settings) {
                 "Most nodes split in a step; what is over waits for the next step");
   archive.field("min_fragment_tets", settings.min_fragment_tets, between(1, 1000),
                 "A split that would part off fewer tetrahedra does not happen");
+}
+
+template <class Archive>
+void describe(Archive& archive, ProbePlace& place) {
+  archive.template alternative<ProbePoint>("point", place, kPlace,
+                                           "A point of the body's rest space; the nearest of the body if outside",
+                                           &ProbePoint::point);
+  archive.template alternative<ProbeNode>("node", place, between(0, 2147483647),
+                                          "A node by its index in the body's mesh", &ProbeNode::node);
+  archive.template alternative<Region>("region", place, Parts{}, "The mean over a region's nodes");
+}
+
+template <class Archive>
+void describe(Archive& archive, Probe& probe) {
+  archive.field("name", probe.name, Text{1}, "Name, different from every other probe's: its columns start with it");
+  archive.field("body", probe.body, Text{1}, "Name of a body");
+  archive.field("at", probe.at, Parts{}, "Where it measures");
+  archive.field("quantities", probe.quantities,
+                OneOf{{"displacement", "velocity", "stress", "principal_stress", "separation", "reaction"}},
+                "What it measures");
 }
 
 template <class Archive>
@@ -200,7 +241,10 @@ void describe(Archive& archive, Scene& scene) {
   archive.field("ground", scene.ground, Parts{}, "A horizontal plane; null: none");
   archive.field("bodies", scene.bodies, Parts{}, "What can break");
   archive.field("projectiles", scene.projectiles, Parts{}, "Bursts of rigid spheres");
+  archive.field("analysis", scene.analysis, OneOf{{"dynamic", "static"}},
+                "Whether bodies move through time or are in equilibrium with what acts at the time");
   archive.field("simulation", scene.simulation, Parts{}, "How a step is carried out");
+  archive.field("probes", scene.probes, Parts{}, "What is written down in every frame");
   archive.field("cameras", scene.cameras, Parts{}, "Views; the first is used unless another is named");
   archive.field("view", scene.view, Parts{}, "What is shown at first; nothing here influences the simulation");
 }

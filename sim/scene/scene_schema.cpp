@@ -49,6 +49,11 @@ Json schema_of(const T&, const OneOf& one_of) {
   return {{"enum", one_of.names}};
 }
 
+template <class T>
+Json schema_of(const std::vector<T>&, const OneOf& one_of) {
+  return {{"type", "array"}, {"items", {{"enum", one_of.names}}}};
+}
+
 template <class T, class Values>
 Json schema_of(const std::optional<T>&, const Values& values) {
   return {{"anyOf", {schema_of(T{}, values), Json{{"type", "null"}}}}};
@@ -81,6 +86,7 @@ Json default_of(const std::vector<T>&, Parts) {
 }
 Json default_of(const Shape&, Parts) { return {{"box", Json::object()}}; }
 Json default_of(const Region&, Parts) { return {{"box", Json::object()}}; }
+Json default_of(const ProbePlace&, Parts) { return {{"point", {0, 0, 0}}}; }
 Json default_of(const Material&, MaterialChoice) { return "brick"; }
 
 /// The archive that makes an object's schema of a value with its defaults.

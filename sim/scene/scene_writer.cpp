@@ -1,10 +1,10 @@
 #include "sim/scene/scene_writer.h"
 
-#include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
 
 #include "sim/error.h"
+#include "sim/replace_file.h"
 #include "sim/scene/json_values.h"
 #include "sim/scene/scene_fields.h"
 #include "sim/scene/scene_reader.h"
@@ -117,18 +117,6 @@ Scene with_mesh_paths_from(Scene scene, const std::filesystem::path& folder) {
     mesh->path = std::filesystem::absolute(scene.folder / mesh->path).lexically_normal().lexically_proximate(folder);
   }
   return scene;
-}
-
-void replace_file(const std::filesystem::path& path, const std::string& text) {
-  std::filesystem::path beside = path;
-  beside += ".part";
-  std::error_code error;
-  const bool written = bool(std::ofstream(beside, std::ios::binary) << text << std::flush);
-  if (written) std::filesystem::rename(beside, path, error);
-  if (written && !error) return;
-  std::error_code ignored;
-  std::filesystem::remove(beside, ignored);
-  throw InputError(path.generic_string(), "cannot be written", "choose a folder that exists and may be written to");
 }
 
 }  // namespace

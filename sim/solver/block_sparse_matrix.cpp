@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "sim/parallel.h"
 
@@ -30,6 +31,13 @@ double dot(const NodeVectors& x, const NodeVectors& y) {
   return parallel_sum(static_cast<int>(x.cols()), [&](int begin, int end) {
     return x.middleCols(begin, end - begin).cwiseProduct(y.middleCols(begin, end - begin)).sum();
   });
+}
+
+double diagonal_product_norm(const BlockSparseMatrix& a, const NodeVectors& x) {
+  double squares = 0;
+  for (int row = 0; row < a.rows(); ++row)
+    squares += a.blocks[a.slot(row, row)].squaredNorm() * x.col(row).squaredNorm();
+  return std::sqrt(squares);
 }
 
 }  // namespace griffith

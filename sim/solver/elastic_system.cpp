@@ -1,15 +1,22 @@
 #include "sim/solver/elastic_system.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
-#include "sim/parallel.h"
+#include "sim/solver/direct_solve.h"
 #include "sim/solver/rigid_motion.h"
 
 namespace griffith {
 namespace {
 
-constexpr int kAggregateSize = 60;
+/// Small aggregates save iterations, many of them make the coarse matrix dear: these sizes balance the two.
+int aggregate_size(int rows) {
+  constexpr int kSmallest = 20, kMostAggregates = 400;
+  return std::max(kSmallest, rows / kMostAggregates);
+}
 
 std::vector<NodeId> nodes_of(const TetMesh& mesh, std::span<const TetId> tets) {
   std::vector<NodeId> nodes;
@@ -32,97 +39,131 @@ void add_centrifugal_impulses(const RigidMotion& motion, const NodeVectors& posi
 
 }  // namespace
 
-ElasticSystem::ElasticSystem(const TetMesh& mesh, std::span<const TetId> tets, std::span<const std::uint8_t> held,
-                             std::span<int> row_of_node) {
-  for (NodeId node : nodes_of(mesh, tets)) {
-    row_of_node[node] = held[node] ? -1 : static_cast<int>(nodes_.size());
-    if (held[node]) {
-      ++held_count_;
-    } else {
-      nodes_.push_back(node);
-    }
+ElasticSystem::ElasticSystem(const TetMesh& mesh, std::span<const TetId> tets,
+                             std::span<const NodeConstraint> constraints, std::span<int> row_of_node) {
+  const std::vector<NodeId> nodes = nodes_of(mesh, tets);
+  int row = 0;
+  for (NodeId node : nodes) row_of_node[node] = constraints[node].is_held() ? -1 : row++;
+  for (NodeId node : nodes) {
+    if (row_of_node[node] >= 0) rows_.add(mesh, node, row_of_node);
+    if (row_of_node[node] >= 0 && !constraints[node].is_free())
+      sliding_.push_back({row_of_node[node], constraints[node].allowed});
   }
-  build_pattern(mesh, row_of_node);
-  preconditioner_ = std::make_unique<RigidModePreconditioner>(matrix_, kAggregateSize);
+  add_support_rows(mesh, nodes, constraints, row_of_node);
+  preconditioner_ = std::make_unique<RigidModePreconditioner>(rows_.matrix, aggregate_size(rows_.matrix.rows()));
 }
 
-void ElasticSystem::build_pattern(const TetMesh& mesh, std::span<const int> row_of_node) {
-  std::vector<int> columns;
-  entry_starts_ = {0};
-  for (NodeId node : nodes_) {
-    columns.clear();
-    for (TetId tet : mesh.stars[node])
-      for (NodeId corner : mesh.tets[tet])
-        if (row_of_node[corner] >= 0) columns.push_back(row_of_node[corner]);
-    std::sort(columns.begin(), columns.end());
-    columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
-    matrix_.columns.insert(matrix_.columns.end(), columns.begin(), columns.end());
-    matrix_.row_starts.push_back(static_cast<int>(matrix_.columns.size()));
-
-    const int row = matrix_.rows() - 1;
-    for (TetId tet : mesh.stars[node]) {
-      RowEntry entry{tet, 0, {}};
-      for (int i = 0; i < 4; ++i) {
-        const NodeId corner = mesh.tets[tet][i];
-        if (corner == node) entry.corner = i;
-        entry.slots[i] = row_of_node[corner] < 0 ? -1 : matrix_.slot(row, row_of_node[corner]);
-      }
-      entries_.push_back(entry);
+void ElasticSystem::add_support_rows(const TetMesh& mesh, const std::vector<NodeId>& nodes,
+                                     std::span<const NodeConstraint> constraints, std::span<const int> row_of_node) {
+  std::vector<int> column_of_node;
+  for (NodeId node : nodes) {
+    if (constraints[node].is_free()) continue;
+    if (column_of_node.empty()) {
+      column_of_node.resize(mesh.node_count());
+      std::iota(column_of_node.begin(), column_of_node.end(), 0);
     }
-    entry_starts_.push_back(static_cast<int>(entries_.size()));
+    support_rows_.add(mesh, node, column_of_node);
   }
-  matrix_.blocks.resize(matrix_.columns.size());
+  for (int column : support_rows_.matrix.columns) row_of_support_column_.push_back(row_of_node[column]);
+  reactions_.assign(supports().size(), Vec3::Zero());
 }
 
-void ElasticSystem::assemble(const ImplicitStep& step, const ElasticModuli& moduli, std::span<const ElementRest> rests,
+void ElasticSystem::assemble(const ImplicitStep& step, const ElasticLaw& law, std::span<const ElementRest> rests,
                              std::span<const ElementState> states, std::span<const Vec3> positions,
                              std::span<const double> masses) {
-  const double mass_factor = 1 + step.dt * step.mass_damping;
-  const double stiffness_factor = step.dt * (step.dt + step.stiffness_damping);
-  parallel_for(matrix_.rows(), 256, [&](int begin, int end) {
-    for (int row = begin; row < end; ++row) {
-      for (int k = matrix_.row_starts[row]; k < matrix_.row_starts[row + 1]; ++k) matrix_.blocks[k].setZero();
-      for (int e = entry_starts_[row]; e < entry_starts_[row + 1]; ++e) {
-        const RowEntry& entry = entries_[e];
-        const ElementRest& rest = rests[entry.tet];
-        const Corners gradients = states[entry.tet].rotation * rest.shape_gradients;
-        const double factor = stiffness_factor * rest.volume;
-        for (int i = 0; i < 4; ++i)
-          if (entry.slots[i] >= 0)
-            matrix_.blocks[entry.slots[i]] +=
-                factor * stiffness_block(moduli, gradients.col(entry.corner), gradients.col(i));
-      }
-      matrix_.blocks[matrix_.slot(row, row)].diagonal().array() += mass_factor * masses[nodes_[row]];
+  assemble(MatrixFactors{1 + step.dt * step.mass_damping, step.dt * (step.dt + step.stiffness_damping)}, law, rests,
+           states, positions, masses);
+}
+
+void ElasticSystem::assemble(const MatrixFactors& factors, const ElasticLaw& law,
+                             std::span<const ElementRest> rests, std::span<const ElementState> states,
+                             std::span<const Vec3> positions, std::span<const double> masses) {
+  rows_.assemble(factors, law, rests, states, masses);
+  support_rows_.assemble(factors, law, rests, states, masses);
+  project_sliding_rows();
+  preconditioner_->update(rows_.matrix, gather(positions));
+}
+
+void ElasticSystem::project_sliding_rows() {
+  BlockSparseMatrix& a = rows_.matrix;
+  for (const SlidingRow& sliding : sliding_) {
+    Mat3& diagonal = a.blocks[a.slot(sliding.row, sliding.row)];
+    const double scale = diagonal.trace() / 3;
+    for (int k = a.row_starts[sliding.row]; k < a.row_starts[sliding.row + 1]; ++k) {
+      Mat3& transposed = a.blocks[a.slot(a.columns[k], sliding.row)];
+      a.blocks[k] = sliding.allowed * a.blocks[k];
+      transposed = transposed * sliding.allowed;
     }
-  });
-  preconditioner_->update(matrix_, gather(positions));
+    diagonal += scale * (Mat3::Identity() - sliding.allowed);
+  }
 }
 
 NodeVectors ElasticSystem::gather(std::span<const Vec3> values) const {
-  NodeVectors gathered(3, nodes_.size());
-  for (std::size_t row = 0; row < nodes_.size(); ++row) gathered.col(row) = values[nodes_[row]];
+  NodeVectors gathered(3, nodes().size());
+  for (std::size_t row = 0; row < nodes().size(); ++row) gathered.col(row) = values[nodes()[row]];
   return gathered;
 }
 
 SolveReport ElasticSystem::solve(const ImplicitStep& step, std::span<const Vec3> positions,
                                  std::span<const Vec3> forces, std::span<const double> masses,
-                                 std::span<Vec3> velocities) const {
-  const int count = static_cast<int>(nodes_.size());
-  if (count == 0) return {};
+                                 std::span<const NodeConstraint> constraints, std::span<Vec3> velocities) {
+  const int count = static_cast<int>(nodes().size());
   Eigen::VectorXd mass(count);
-  for (int row = 0; row < count; ++row) mass[row] = masses[nodes_[row]];
-  const NodeVectors old_velocities = gather(velocities);
-  const NodeVectors b = old_velocities * mass.asDiagonal() + step.dt * gather(forces);
+  for (int row = 0; row < count; ++row) mass[row] = masses[nodes()[row]];
+  NodeVectors x = gather(velocities);
+  NodeVectors b = x * mass.asDiagonal() + step.dt * gather(forces);
+  for (std::size_t i = 0; i < supports().size(); ++i)
+    reactions_[i] = -masses[supports()[i]] * velocities[supports()[i]] - step.dt * forces[supports()[i]];
 
-  NodeVectors x = old_velocities;
   const SolveReport report =
-      is_free() ? solve_free(step, gather(positions), mass, b, x)
-                : conjugate_gradient(matrix_, *preconditioner_, b, x, step.relative_residual, std::sqrt(dot(b, b)),
-                                     step.max_iterations);
-  for (int row = 0; row < count; ++row) velocities[nodes_[row]] = x.col(row);
+      is_free() ? solve_free(step, gather(positions), mass, b, x) : solve_projected(constraints, step.relative_residual, step.max_iterations, b, x);
+  for (int row = 0; row < count; ++row) velocities[nodes()[row]] = x.col(row);
+  for (NodeId node : supports())
+    velocities[node] = constraints[node].velocity + constraints[node].allowed * velocities[node];
+  balance_supports(step.dt, constraints, velocities);
   return report;
 }
 
+void ElasticSystem::project(NodeVectors& x) const {
+  for (const SlidingRow& sliding : sliding_) x.col(sliding.row) = Vec3(sliding.allowed * x.col(sliding.row));
+}
+
+void ElasticSystem::project_right_hand_side(std::span<const NodeConstraint> constraints, NodeVectors& b) const {
+  // A is symmetric, so the rows of the supports hold the columns that meet the known velocities.
+  const BlockSparseMatrix& a = support_rows_.matrix;
+  for (int support = 0; support < a.rows(); ++support) {
+    const Vec3& known = constraints[supports()[support]].velocity;
+    if (known.isZero(0)) continue;
+    for (int k = a.row_starts[support]; k < a.row_starts[support + 1]; ++k)
+      if (const int row = row_of_support_column_[k]; row >= 0) b.col(row) -= a.blocks[k].transpose() * known;
+  }
+  project(b);
+}
+
+SolveReport ElasticSystem::solve_projected(std::span<const NodeConstraint> constraints, double relative_residual,
+                                           int max_iterations, NodeVectors b, NodeVectors& x) const {
+  if (nodes().empty()) return {};
+  project_right_hand_side(constraints, b);
+  project(x);
+  return conjugate_gradient(rows_.matrix, *preconditioner_, b, x, relative_residual, std::sqrt(dot(b, b)),
+                            max_iterations);
+}
+
+bool ElasticSystem::solve_directly(std::span<const NodeConstraint> constraints, NodeVectors b, NodeVectors& x) const {
+  project_right_hand_side(constraints, b);
+  return direct_solve(rows_.matrix, b, x);
+}
+
+void ElasticSystem::balance_supports(double dt, std::span<const NodeConstraint> constraints,
+                                     std::span<const Vec3> velocities) {
+  const BlockSparseMatrix& a = support_rows_.matrix;
+  for (int support = 0; support < a.rows(); ++support) {
+    Vec3 impulse = reactions_[support];
+    for (int k = a.row_starts[support]; k < a.row_starts[support + 1]; ++k)
+      impulse += a.blocks[k] * velocities[a.columns[k]];
+    reactions_[support] = (impulse - constraints[supports()[support]].allowed * impulse) / dt;
+  }
+}
 SolveReport ElasticSystem::solve_free(const ImplicitStep& step, const NodeVectors& positions,
                                       const Eigen::VectorXd& masses, const NodeVectors& b, NodeVectors& x) const {
   // The rigid motion follows from momentum balance alone, so only the deformation is solved for: no residual can slow
@@ -136,15 +177,16 @@ SolveReport ElasticSystem::solve_free(const ImplicitStep& step, const NodeVector
   const Eigen::VectorXd inverse_masses = (masses * (1 + step.dt * step.mass_damping)).cwiseInverse();
   const NodeVectors rigid = rigid_field(b * inverse_masses.asDiagonal());
   NodeVectors product;
-  multiply(matrix_, rigid, product);
+  multiply(rows_.matrix, rigid, product);
   NodeVectors elastic = b - product;
   add_centrifugal_impulses(rigid_motion(positions, rigid, masses), positions, masses, step.dt, elastic);
 
-  constexpr double kRounding = 1e-9;  // of the whole right-hand side: below it there is only noise to solve for
-  const double scale = std::max(std::sqrt(dot(elastic, elastic)), kRounding * std::sqrt(dot(b, b)));
+  // Below the rounding errors of A times the rigid motion there is only noise to solve for.
+  const double noise = 4 * std::numeric_limits<double>::epsilon() * diagonal_product_norm(rows_.matrix, rigid);
+  const double scale = std::max(std::sqrt(dot(elastic, elastic)), noise / step.relative_residual);
   x -= rigid_field(x);
   const SolveReport report =
-      conjugate_gradient(matrix_, *preconditioner_, elastic, x, step.relative_residual, scale, step.max_iterations);
+      conjugate_gradient(rows_.matrix, *preconditioner_, elastic, x, step.relative_residual, scale, step.max_iterations);
   x += rigid - rigid_field(x);
   return report;
 }

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "sim/elasticity/element.h"
-#include "sim/mesh/tet_mesh.h"
 #include "sim/solver/conjugate_gradient.h"
+#include "sim/solver/element_rows.h"
+#include "sim/solver/node_constraint.h"
 
 namespace griffith {
 
@@ -21,51 +20,80 @@ struct ImplicitStep {
 };
 
 /// The linear system of one connected body: the linearised implicit step (Baraff & Witkin 1998)
-///   (M + hC + h²K) v⁺ = M v + h (f_elastic + f_external),   C = alpha M + beta K.
-/// Its pattern and aggregates stand as long as the body's topology does.
+///   A v⁺ = b,   A = M + hC + h²K,   b = M v + h (f_elastic + f_external),   C = alpha M + beta K,
+/// under the constraints of its nodes. With S the projector onto the allowed velocities (NodeConstraint::allowed, one
+/// block a node) and w the known velocities, v⁺ = w + x where
+///   S A S x = S (b − A w).
+/// Held nodes have no row; in the row of a sliding one I − S, scaled, keeps the matrix positive definite. The pattern
+/// and the aggregates stand as long as the body's topology does.
 class ElasticSystem {
  public:
-  /// `tets`: the body's; `held`: per node of the mesh, 1 where a support holds it. Writes the row of each of the body's
-  /// nodes to `row_of_node` (per node of the mesh), -1 for held ones.
-  ElasticSystem(const TetMesh& mesh, std::span<const TetId> tets, std::span<const std::uint8_t> held,
+  /// `tets`: the body's; `constraints`: per node of the mesh. Writes the row of each of the body's nodes to
+  /// `row_of_node` (per node of the mesh), -1 for held ones.
+  ElasticSystem(const TetMesh& mesh, std::span<const TetId> tets, std::span<const NodeConstraint> constraints,
                 std::span<int> row_of_node);
 
-  /// The body's free nodes, ascending; row i of the system is nodes()[i].
-  std::span<const NodeId> nodes() const { return nodes_; }
-  /// Whether no node is held, so that the body's rigid motion follows from the forces alone.
-  bool is_free() const { return held_count_ == 0; }
+  /// The body's nodes that are not held, ascending; row i of the system is nodes()[i].
+  std::span<const NodeId> nodes() const { return rows_.nodes; }
+  /// The body's constrained nodes, ascending.
+  std::span<const NodeId> supports() const { return support_rows_.nodes; }
+  /// Whether no node is constrained, so that the body's rigid motion follows from the forces alone.
+  bool is_free() const { return supports().empty(); }
 
-  /// Builds M + hC + h²K and its preconditioner for the present rotations and positions. Spans are per node or tet of
-  /// the mesh; all tets of a body share `moduli`.
-  void assemble(const ImplicitStep& step, const ElasticModuli& moduli, std::span<const ElementRest> rests,
+  /// Builds the matrix and its preconditioner for the present states and positions. Spans are per node or tet of the
+  /// mesh; all tets of a body share `law`.
+  void assemble(const ImplicitStep& step, const ElasticLaw& law, std::span<const ElementRest> rests,
                 std::span<const ElementState> states, std::span<const Vec3> positions, std::span<const double> masses);
 
-  /// Replaces the velocities of the free nodes by v⁺ under `forces` (elastic plus external, per node of the mesh [N]).
-  /// The linear and angular momentum of a free body are exact, whatever residual is left; it is solved in axes that turn
-  /// with it, so its owner moves it by turning (turn_step() in rigid_motion.h), not along tangents.
+  /// The same for any combination of mass and stiffness, for solve_projected().
+  void assemble(const MatrixFactors& factors, const ElasticLaw& law, std::span<const ElementRest> rests,
+                std::span<const ElementState> states, std::span<const Vec3> positions, std::span<const double> masses);
+
+  /// Replaces the velocities of the body's nodes by v⁺ under `forces` (elastic plus external, per node of the mesh [N]);
+  /// after assemble(). `constraints` block the directions that they blocked at construction, at any speed. The linear
+  /// and angular momentum of a free body are exact, whatever residual is left; it is solved in axes that turn with it, so
+  /// its owner moves it by turning (turn_step() in rigid_motion.h), not along tangents.
   SolveReport solve(const ImplicitStep& step, std::span<const Vec3> positions, std::span<const Vec3> forces,
-                    std::span<const double> masses, std::span<Vec3> velocities) const;
+                    std::span<const double> masses, std::span<const NodeConstraint> constraints,
+                    std::span<Vec3> velocities);
 
-  /// How far a free node would go under a unit impulse, its neighbours standing still [1/kg]; after assemble().
-  const Mat3& inverse_diagonal(int row) const { return preconditioner_->inverse_diagonal(row); }
-  const BlockSparseMatrix& matrix() const { return matrix_; }
-
- private:
-  struct RowEntry {  // a tet at a node: where its four blocks of the row go, -1 for held corners
-    TetId tet;
-    int corner;
-    std::array<int, 4> slots;
-  };
-  void build_pattern(const TetMesh& mesh, std::span<const int> row_of_node);
-  SolveReport solve_free(const ImplicitStep& step, const NodeVectors& positions, const Eigen::VectorXd& masses,
-                         const NodeVectors& b, NodeVectors& x) const;
+  /// Solves S A S x = S (b − A w) for x = S x, w the known part of the constraints; one column a row. `x` holds a guess.
+  SolveReport solve_projected(std::span<const NodeConstraint> constraints, double relative_residual, int max_iterations,
+                              NodeVectors b, NodeVectors& x) const;
+  /// The same by a factorisation; false when it breaks down, and `x` is left alone.
+  bool solve_directly(std::span<const NodeConstraint> constraints, NodeVectors b, NodeVectors& x) const;
+  /// The values of nodes() out of values per node of the mesh, one column a row.
   NodeVectors gather(std::span<const Vec3> values) const;
 
-  std::vector<NodeId> nodes_;
-  int held_count_ = 0;
-  std::vector<int> entry_starts_;  // per row, into entries_
-  std::vector<RowEntry> entries_;
-  BlockSparseMatrix matrix_;
+  /// What the supports did in the last solve(), per node of supports(): the force on the node in its blocked directions
+  /// [N], from the balance of its momentum.
+  std::span<const Vec3> reaction_forces() const { return reactions_; }
+
+  /// How far a node would go under a unit impulse, its neighbours standing still [1/kg]; after assemble().
+  const Mat3& inverse_diagonal(int row) const { return preconditioner_->inverse_diagonal(row); }
+  const BlockSparseMatrix& matrix() const { return rows_.matrix; }
+
+ private:
+  struct SlidingRow {
+    int row;
+    Mat3 allowed;
+  };
+  void add_support_rows(const TetMesh& mesh, const std::vector<NodeId>& nodes,
+                        std::span<const NodeConstraint> constraints, std::span<const int> row_of_node);
+  void project_sliding_rows();
+  void project(NodeVectors& x) const;
+  /// b becomes S (b − A w).
+  void project_right_hand_side(std::span<const NodeConstraint> constraints, NodeVectors& b) const;
+  /// Completes the impulses that reactions_ holds, −(M v + h f) of the supports, to reaction forces.
+  void balance_supports(double dt, std::span<const NodeConstraint> constraints, std::span<const Vec3> velocities);
+  SolveReport solve_free(const ImplicitStep& step, const NodeVectors& positions, const Eigen::VectorXd& masses,
+                         const NodeVectors& b, NodeVectors& x) const;
+
+  ElementRows rows_;          // S A S, one row a node that is not held
+  ElementRows support_rows_;  // A, one row a constrained node; columns are nodes of the mesh
+  std::vector<SlidingRow> sliding_;
+  std::vector<int> row_of_support_column_;  // per block of support_rows_, -1 for held nodes
+  std::vector<Vec3> reactions_;
   std::unique_ptr<RigidModePreconditioner> preconditioner_;
 };
 

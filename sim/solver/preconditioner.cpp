@@ -27,6 +27,7 @@ RigidModePreconditioner::RigidModePreconditioner(const BlockSparseMatrix& matrix
     if (aggregates_[node] >= aggregate_count()) members_.resize(aggregates_[node] + 1);
     members_[aggregates_[node]].push_back(node);
   }
+  build_coarse_pattern(matrix);
 }
 
 void RigidModePreconditioner::update(const BlockSparseMatrix& matrix, const NodeVectors& positions) {
@@ -43,26 +44,64 @@ void RigidModePreconditioner::update(const BlockSparseMatrix& matrix, const Node
   assemble_coarse_matrix(matrix);
 }
 
-void RigidModePreconditioner::assemble_coarse_matrix(const BlockSparseMatrix& matrix) {
+void RigidModePreconditioner::build_coarse_pattern(const BlockSparseMatrix& matrix) {
+  coarse_rows_.resize(aggregate_count());
+  coarse_slots_.assign(matrix.columns.size(), -1);
+  std::vector<int> row_starts = {0}, rows;
+  for (int a = 0; a < aggregate_count(); ++a) {
+    std::vector<int>& neighbours = coarse_rows_[a];
+    const auto visit = [&](const auto& action) {
+      for (int node : members_[a])
+        for (int k = matrix.row_starts[node]; k < matrix.row_starts[node + 1]; ++k)
+          if (const int other = aggregates_[matrix.columns[k]]; other >= a) action(k, other);
+    };
+    visit([&](int, int other) {
+      if (std::find(neighbours.begin(), neighbours.end(), other) == neighbours.end()) neighbours.push_back(other);
+    });
+    std::sort(neighbours.begin(), neighbours.end());
+    visit([&](int k, int other) {
+      coarse_slots_[k] = static_cast<int>(std::lower_bound(neighbours.begin(), neighbours.end(), other) - neighbours.begin());
+    });
+    for (int mode = 0; mode < 6; ++mode) {
+      for (int other : neighbours)
+        for (int i = 0; i < 6; ++i) rows.push_back(6 * other + i);
+      row_starts.push_back(static_cast<int>(rows.size()));
+    }
+  }
+  const std::vector<double> zeros(rows.size(), 0.0);
   const int modes = 6 * aggregate_count();
-  Eigen::MatrixXd coarse = Eigen::MatrixXd::Zero(modes, modes);
+  coarse_ = Eigen::Map<const Eigen::SparseMatrix<double>>(modes, modes, static_cast<Eigen::Index>(rows.size()),
+                                                          row_starts.data(), rows.data(), zeros.data());
+  coarse_factors_.analyzePattern(coarse_);
+}
+
+void RigidModePreconditioner::assemble_coarse_matrix(const BlockSparseMatrix& matrix) {
+  using CoarseBlock = Eigen::Map<Eigen::Matrix<double, 6, 6>, Eigen::Unaligned, Eigen::OuterStride<>>;
+  std::fill(coarse_.valuePtr(), coarse_.valuePtr() + coarse_.nonZeros(), 0.0);
   parallel_for(aggregate_count(), 4, [&](int begin, int end) {
-    for (int a = begin; a < end; ++a)
+    std::vector<ModeBlock> products;  // A R of a row, per neighbouring aggregate
+    for (int a = begin; a < end; ++a) {
+      const int neighbours = static_cast<int>(coarse_rows_[a].size());
+      double* const first = coarse_.valuePtr() + coarse_.outerIndexPtr()[6 * a];
       for (int node : members_[a]) {
+        products.assign(neighbours, ModeBlock::Zero());
+        for (int k = matrix.row_starts[node]; k < matrix.row_starts[node + 1]; ++k)
+          if (coarse_slots_[k] >= 0)
+            products[coarse_slots_[k]].noalias() += matrix.blocks[k] * rigid_modes(arms_.col(matrix.columns[k]));
         const ModeBlock modes_here = rigid_modes(arms_.col(node));
-        for (int k = matrix.row_starts[node]; k < matrix.row_starts[node + 1]; ++k) {
-          const int other = matrix.columns[k];
-          // Only the lower triangle is read; one column block is written by one thread alone.
-          if (aggregates_[other] < a) continue;
-          coarse.block<6, 6>(6 * aggregates_[other], 6 * a) +=
-              (matrix.blocks[k] * rigid_modes(arms_.col(other))).transpose() * modes_here;
-        }
+        for (int slot = 0; slot < neighbours; ++slot)
+          CoarseBlock(first + 6 * slot, 6, 6, Eigen::OuterStride<>(6 * neighbours)) +=
+              products[slot].transpose() * modes_here;
       }
+    }
   });
   // Aggregates of one or two nodes have modes that move nothing: a small shift keeps them harmless.
-  coarse.diagonal() *= 1 + 1e-10;
-  coarse.diagonal().array() += 1e-12 * coarse.diagonal().maxCoeff();
-  coarse_.compute(coarse);
+  const double shift = 1e-12 * coarse_.diagonal().maxCoeff();
+  for (int mode = 0; mode < coarse_.cols(); ++mode) {
+    double& diagonal = coarse_.valuePtr()[coarse_.outerIndexPtr()[mode] + mode % 6];
+    diagonal = diagonal * (1 + 1e-10) + shift;
+  }
+  coarse_factors_.factorize(coarse_);
 }
 
 void RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) const {
@@ -75,7 +114,7 @@ void RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) const 
     }
     coarse.segment<6>(6 * a) = sum;
   }
-  coarse_.solveInPlace(coarse);
+  coarse = coarse_factors_.solve(coarse).eval();
   z.resize(3, r.cols());
   parallel_for(static_cast<int>(r.cols()), 2048, [&](int begin, int end) {
     for (int node = begin; node < end; ++node) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Cholesky>
+#include <Eigen/SparseCholesky>
 #include <vector>
 
 #include "sim/solver/block_sparse_matrix.h"
@@ -24,13 +24,17 @@ class RigidModePreconditioner {
   int aggregate_count() const { return static_cast<int>(members_.size()); }
 
  private:
+  void build_coarse_pattern(const BlockSparseMatrix& matrix);
   void assemble_coarse_matrix(const BlockSparseMatrix& matrix);
 
   std::vector<int> aggregates_;            // per node
   std::vector<std::vector<int>> members_;  // per aggregate: its nodes, ascending
   NodeVectors arms_;                       // per node: x − c
   std::vector<Mat3> inverse_diagonal_;
-  Eigen::LLT<Eigen::MatrixXd> coarse_;
+  std::vector<std::vector<int>> coarse_rows_;  // per aggregate: itself and its neighbours of a higher number
+  std::vector<int> coarse_slots_;          // per block of the matrix: index into the column's coarse_rows_, or -1
+  Eigen::SparseMatrix<double> coarse_;     // Rᵀ A R: the lower triangle, by 6×6 blocks
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> coarse_factors_;
 };
 
 }  // namespace griffith

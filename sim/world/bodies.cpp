@@ -65,7 +65,7 @@ void clear_stress(WorldState& world, const Body& body) {
   for (TetId tet : body.tets) {
     world.elements.states[tet].stress.setZero();
     world.elements.states[tet].energy_density = 0;
-    world.elements.tensile_stresses[tet].setZero();
+    world.elements.states[tet].tensile_stress.setZero();
     world.elements.stresses[tet].setZero();
   }
   for (NodeId node : body.nodes) world.nodes.separations[node] = {};
@@ -118,7 +118,7 @@ void rebuild_body(WorldState& world, Body& body) {
     for (int face = 0; face < 4; ++face)
       if (!world.mesh.neighbours[tet][face].valid()) body.surface.push_back({tet, face});
   }
-  body.system = std::make_unique<ElasticSystem>(world.mesh, body.tets, world.nodes.held, world.nodes.rows);
+  body.system = std::make_unique<ElasticSystem>(world.mesh, body.tets, world.nodes.constraints, world.nodes.rows);
   body.motion = motion_of(world, body);
   body.reference_arms = gather(world.nodes.positions, body.nodes).colwise() - body.motion.center;
   body.orientation.setIdentity();

@@ -1,23 +1,13 @@
 #include <Eigen/LU>
 #include <numbers>
-#include <variant>
 
-#include "sim/mesh/box_mesh.h"
 #include "sim/mesh/mesh_report.h"
-#include "sim/mesh/read_mesh.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/phases.h"
+#include "sim/world/shapes.h"
 
 namespace griffith {
 namespace {
-
-TetSoup make_soup(const BoxShape& box, const Scene&) { return make_box(box.size, box.element_size, box.pattern); }
-
-TetSoup make_soup(const MeshFileShape& file, const Scene& scene) {
-  TetSoup soup = read_mesh(file.path.is_absolute() ? file.path : scene.folder / file.path);
-  for (Vec3& point : soup.points) point *= file.scale;
-  return soup;
-}
 
 Quat rotation_of(const BodyDescription& body) {
   const Vec3 radians = body.rotation_degrees * std::numbers::pi / 180;
@@ -25,30 +15,34 @@ Quat rotation_of(const BodyDescription& body) {
               Eigen::AngleAxisd(radians.x(), Vec3::UnitX()));
 }
 
-/// Per node of the prepared soup: 1 where a support holds it. Regions name nodes by their number as read.
-std::vector<std::uint8_t> held_nodes(const BodyDescription& body, const TetSoup& soup, const MeshReport& report) {
-  constexpr double kTolerance = 1e-9;  // of the body's size
-  Eigen::AlignedBox3d bounds;
-  for (const Vec3& point : soup.points) bounds.extend(point);
-  const double tolerance = kTolerance * bounds.diagonal().norm();
-  std::vector<std::uint8_t> held(soup.points.size(), 0);
-  for (const Support& support : body.supports)
-    for (std::size_t i = 0; i < report.node_of_point.size(); ++i)
-      if (const int node = report.node_of_point[i]; node >= 0)
-        if (contains(support.region, soup.points[node], static_cast<int>(i), tolerance)) held[node] = 1;
-  return held;
-}
-
-void append_nodes(WorldState& world, const BodyDescription& body, const std::vector<std::uint8_t>& held) {
+void append_nodes(WorldState& world, const BodyDescription& body) {
   NodeArrays& nodes = world.nodes;
   const auto& placed = world.mesh.rest_positions;
-  nodes.positions.insert(nodes.positions.end(), placed.end() - static_cast<std::ptrdiff_t>(held.size()), placed.end());
+  nodes.positions.insert(nodes.positions.end(), placed.begin() + std::ssize(nodes.positions), placed.end());
   nodes.velocities.resize(placed.size(), body.velocity);
-  nodes.held.insert(nodes.held.end(), held.begin(), held.end());
+  nodes.constraints.resize(placed.size());
+  nodes.held.resize(placed.size(), 0);
   nodes.masses.resize(placed.size(), 0);
   nodes.at_crack_front.resize(placed.size(), 0);
   nodes.rows.resize(placed.size(), -1);
   nodes.separations.resize(placed.size());
+  nodes.reactions.resize(placed.size(), Vec3::Zero());
+}
+
+/// Makes or reads the body's mesh and places it in the world's.
+RestBody append_mesh(WorldState& world, int scene_body) {
+  const BodyDescription& description = world.scene.bodies[scene_body];
+  RestBody body;
+  body.soup = make_soup(description.shape, world.scene.folder);
+  MeshReport report = prepare(body.soup, description.name);
+  body.node_of_point = std::move(report.node_of_point);
+  for (const std::string& finding : findings(report))
+    world.findings.emplace_back("#/bodies/" + std::to_string(scene_body) + "/shape", finding, "");
+  TetSoup placed = body.soup;
+  const Quat rotation = rotation_of(description);
+  for (Vec3& point : placed.points) point = rotation * point + description.position;
+  body.range = append(world.mesh, placed);
+  return body;
 }
 
 Corners rest_corners(const TetMesh& mesh, TetId tet) {
@@ -62,7 +56,7 @@ void append_elements(WorldState& world, TetId first, BodyId body) {
   for (TetId tet = first; tet < world.mesh.tet_count(); ++tet.value)
     elements.rests.push_back(element_rest(rest_corners(world.mesh, tet)));
   elements.states.resize(world.mesh.tets.size());
-  elements.tensile_stresses.resize(world.mesh.tets.size(), Mat3::Zero());
+  elements.plastic_strains.resize(world.mesh.tets.size(), Mat3::Zero());
   elements.stresses.resize(world.mesh.tets.size(), Mat3::Zero());
   elements.bodies.resize(world.mesh.tets.size(), body);
 }
@@ -71,23 +65,21 @@ void set_initial_motion(WorldState& world, Body& body, const BodyDescription& de
   for (NodeId node : body.nodes) {
     const Vec3 arm = world.nodes.positions[node] - body.motion.center;
     world.nodes.velocities[node] += description.angular_velocity.cross(arm);
-    if (world.nodes.held[node]) world.nodes.velocities[node].setZero();
+    const NodeConstraint& constraint = world.nodes.constraints[node];
+    world.nodes.velocities[node] = constraint.allowed * world.nodes.velocities[node] + constraint.velocity;
   }
   update_motion(world, body);
 }
 
 void add_scene_body(WorldState& world, int scene_body) {
   const BodyDescription& description = world.scene.bodies[scene_body];
-  TetSoup soup = std::visit([&](const auto& shape) { return make_soup(shape, world.scene); }, description.shape);
-  const MeshReport report = prepare(soup, description.name);
-  const std::vector<std::uint8_t> held = held_nodes(description, soup, report);
-  const Quat rotation = rotation_of(description);
-  for (Vec3& point : soup.points) point = rotation * point + description.position;
-
-  const NodeId first_node(world.mesh.node_count());
-  const TetId first_tet(world.mesh.tet_count());
-  append(world.mesh, soup);
-  append_nodes(world, description, held);
+  const RestBody rest = append_mesh(world, scene_body);
+  const auto [first_node, first_tet] = rest.range;
+  append_nodes(world, description);
+  place_supports(world, scene_body, rest);
+  place_loads(world, scene_body, rest);
+  place_probes(world, scene_body, rest);
+  update_supports(world, world.time, world.scene.simulation.time_step);
 
   Body body;
   body.id = BodyId(static_cast<std::int64_t>(world.bodies.size()));
@@ -117,12 +109,15 @@ double node_mass(const WorldState& world, NodeId node) {
 }
 
 void build_world(WorldState& world) {
+  check_probes(world.scene);
   world.substep_ticks = kTicksPerStep;
   for (const BodyDescription& body : world.scene.bodies) world.materials.push_back(body.material);
   if (const auto& ground = world.scene.ground)
     world.contact_world.add_ground(ground->height, {ground->friction, ground->restitution});
   for (std::size_t i = 0; i < world.scene.bodies.size(); ++i) add_scene_body(world, static_cast<int>(i));
   for (const ProjectileBurst& burst : world.scene.projectiles) queue_burst(world, burst);
+  if (world.scene.simulation.static_start && world.scene.analysis == Analysis::dynamic)
+    find_equilibrium(world, 0, 0, true);
   update_elements(world);
   evaluate_separation(world);
   publish(world);

@@ -117,6 +117,7 @@ std::vector<Vec3> contact_forces(WorldState& world, double dt) {
 
   std::vector<Vec3> forces(world.nodes.positions.size());
   for (std::size_t i = 0; i < forces.size(); ++i) forces[i] = world.nodes.masses[i] * world.scene.gravity;
+  add_load_forces(world, world.time, forces);
   const std::span<const Contact> contacts = world.contact_world.contacts();
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& contact = contacts[i];

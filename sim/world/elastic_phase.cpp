@@ -1,8 +1,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "sim/fracture/separation_tensor.h"
+#include "sim/elasticity/plasticity.h"
 #include "sim/mesh/topology.h"
 #include "sim/parallel.h"
 #include "sim/world/phases.h"
@@ -16,12 +17,13 @@ Corners current_corners(const WorldState& world, TetId tet) {
   return corners;
 }
 
-void update_element(WorldState& world, const ElasticModuli& moduli, TetId tet) {
+void update_element(WorldState& world, const ElasticLaw& law, const std::optional<PlasticLaw>& plastic, TetId tet) {
   ElementArrays& elements = world.elements;
-  elements.states[tet] = corotational_state(elements.rests[tet], moduli, current_corners(world, tet));
-  const ElementState& state = elements.states[tet];
-  elements.tensile_stresses[tet] = tensile_part(state.stress);
-  elements.stresses[tet] = state.rotation * state.stress * state.rotation.transpose();
+  const ElementDeformation deformation =
+      element_deformation(law.model, elements.rests[tet], current_corners(world, tet));
+  if (plastic) elements.plastic_strains[tet] = flow(*plastic, deformation, elements.plastic_strains[tet]);
+  elements.states[tet] = element_state(law, deformation, elements.plastic_strains[tet]);
+  elements.stresses[tet] = cauchy_stress(elements.states[tet].frame, elements.states[tet].stress);
 }
 
 ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt) {
@@ -40,7 +42,7 @@ void add_elastic_forces(const WorldState& world, const Body& body, std::vector<V
       for (TetId tet : world.mesh.stars[node]) {
         const int corner = local_corner(world.mesh, tet, node);
         const Vec3 traction = elements.states[tet].stress * elements.rests[tet].shape_gradients.col(corner);
-        forces[node] -= elements.rests[tet].volume * (elements.states[tet].rotation * traction);
+        forces[node] -= elements.rests[tet].volume * (elements.states[tet].frame * traction);
       }
     }
   });
@@ -94,7 +96,9 @@ void freeze(WorldState& world, Body& body) {
 SolveReport advance_elastic(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt) {
   add_elastic_forces(world, body, forces);
   const SolveReport report = body.system->solve(implicit_step(world, body, dt), world.nodes.positions, forces,
-                                                world.nodes.masses, world.nodes.velocities);
+                                                world.nodes.masses, world.nodes.constraints, world.nodes.velocities);
+  for (std::size_t i = 0; i < body.system->supports().size(); ++i)
+    world.nodes.reactions[body.system->supports()[i]] = body.system->reaction_forces()[i];
   if (!all_finite(world, body)) return report;
   if (body.supported()) {
     for (NodeId node : body.nodes) world.nodes.positions[node] += dt * world.nodes.velocities[node];
@@ -109,9 +113,10 @@ SolveReport advance_elastic(WorldState& world, Body& body, std::vector<Vec3>& fo
 void update_elements(WorldState& world) {
   for (const Body& body : world.bodies) {
     if (body.rigid) continue;
-    const ElasticModuli moduli = elastic_moduli(world.material_of(body));
+    const ElasticLaw law = elastic_law(world.material_of(body));
+    const std::optional<PlasticLaw> plastic = plastic_law(world.material_of(body));
     parallel_for(static_cast<int>(body.tets.size()), 1024, [&](int begin, int end) {
-      for (int i = begin; i < end; ++i) update_element(world, moduli, body.tets[i]);
+      for (int i = begin; i < end; ++i) update_element(world, law, plastic, body.tets[i]);
     });
     for (TetId tet : body.tets) world.report.inverted_tets += world.elements.states[tet].inverted;
   }
@@ -125,7 +130,7 @@ void assemble_systems(WorldState& world, double dt) {
 }
 
 void assemble_system(WorldState& world, Body& body, double dt) {
-  body.system->assemble(implicit_step(world, body, dt), elastic_moduli(world.material_of(body)), world.elements.rests,
+  body.system->assemble(implicit_step(world, body, dt), elastic_law(world.material_of(body)), world.elements.rests,
                         world.elements.states, world.nodes.positions, world.nodes.masses);
 }
 

@@ -55,6 +55,7 @@ void append_copy(WorldState& world, const NodeCopy& copy) {
   NodeArrays& nodes = world.nodes;
   nodes.positions.push_back(Vec3(nodes.positions[copy.original]));
   nodes.velocities.push_back(Vec3(nodes.velocities[copy.original]));
+  nodes.constraints.push_back(NodeConstraint(nodes.constraints[copy.original]));
   nodes.held.push_back(std::uint8_t(nodes.held[copy.original]));
   nodes.masses.push_back(node_mass(world, copy.copy));
   nodes.masses[copy.original] = node_mass(world, copy.original);
@@ -62,6 +63,7 @@ void append_copy(WorldState& world, const NodeCopy& copy) {
   nodes.at_crack_front[copy.original] = 0;
   nodes.rows.push_back(-1);
   nodes.separations.emplace_back();
+  nodes.reactions.emplace_back(Vec3::Zero());
   nodes.separations[copy.original] = {};
 }
 
@@ -97,8 +99,7 @@ bool crack(WorldState& world, NodeId node) {
 }  // namespace
 
 void evaluate_separation(WorldState& world) {
-  const SeparationInput input{world.mesh, world.elements.rests, world.elements.states,
-                              world.elements.tensile_stresses};
+  const SeparationInput input{world.mesh, world.elements.rests, world.elements.states};
   for (const Body& body : world.bodies) {
     if (body.rigid) continue;
     const Material& material = world.material_of(body);

@@ -65,8 +65,9 @@ struct Frame {
   std::span<const Vec3> rest_positions, positions;      ///< per node [m]
   std::span<const Vec3> velocities;                     ///< per node [m/s]
   std::span<const double> node_masses;                  ///< per node [kg]
-  std::span<const std::uint8_t> node_held;              ///< per node: 1 where a support holds it
+  std::span<const std::uint8_t> node_held;              ///< per node: 1 where a support acts on it
   std::span<const NodeSeparation> separations;          ///< per node
+  std::span<const Vec3> reactions;                      ///< per node: what supports did to it in the last step [N]
   std::span<const std::array<NodeId, 4>> tets;          ///< per tet: corners; face i opposite corner i (kTetFaces)
   std::span<const std::array<TetId, 4>> neighbours;     ///< per tet: behind face i; invalid on the surface
   std::span<const BodyId> tet_bodies;                   ///< per tet

@@ -15,6 +15,10 @@ void launch_projectiles(WorldState& world);
 
 /// A step is divided into this many ticks; substeps are whole numbers of them.
 inline constexpr int kTicksPerStep = 256;
+/// Brings bodies to rest where what acts on them at `time` [s] is in balance; with `supported_only` just those that
+/// supports hold. Prescribed supports go on for `displacement_time` [s]. Free bodies get inertia relief (solve_static()).
+void find_equilibrium(WorldState& world, double time, double displacement_time, bool supported_only);
+
 /// How many substeps the coming step may take, by the work that one costs and the scene's limit.
 int substep_budget(const WorldState& world);
 /// The length of the next substep in ticks: all that is left while nothing strikes; up to an impact in one go, through it

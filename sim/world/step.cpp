@@ -19,6 +19,19 @@ class PhaseTimer {
   Clock::time_point start_;
 };
 
+/// Separation and fracture under the stresses there are.
+void fracture(WorldState& world) {
+  if (!world.scene.simulation.fracture) return;
+  {
+    PhaseTimer timer(world.report.milliseconds.separation);
+    evaluate_separation(world);
+  }
+  {
+    PhaseTimer timer(world.report.milliseconds.fracture);
+    open_cracks(world);
+  }
+}
+
 void substep(WorldState& world, double dt) {
   StepTimings& timings = world.report.milliseconds;
   std::vector<Vec3> external_forces;
@@ -35,15 +48,29 @@ void substep(WorldState& world, double dt) {
     advance_bodies(world, external_forces, dt);
     update_elements(world);
   }
-  if (!world.scene.simulation.fracture) return;
-  {
-    PhaseTimer timer(timings.separation);
-    evaluate_separation(world);
+  fracture(world);
+}
+
+void dynamic_step(WorldState& world, double time_step) {
+  const int budget = substep_budget(world);
+  int substeps = 0;
+  for (int ticks_left = kTicksPerStep; ticks_left > 0; ++substeps) {
+    const int ticks = next_substep(world, ticks_left, budget - substeps);
+    substep(world, time_step * ticks / kTicksPerStep);
+    ticks_left -= ticks;
   }
+  world.report.substeps = substeps;
+  calm_bodies(world);
+}
+
+/// Without inertia: from one equilibrium to the next, as loads and supports move on and cracks open.
+void static_step(WorldState& world, double time_step) {
   {
-    PhaseTimer timer(timings.fracture);
-    open_cracks(world);
+    PhaseTimer timer(world.report.milliseconds.elasticity);
+    find_equilibrium(world, world.time + time_step, time_step, false);
+    update_elements(world);
   }
+  fracture(world);
 }
 
 }  // namespace
@@ -53,17 +80,14 @@ void World::step() {
   world.report = {};
   {
     PhaseTimer timer(world.report.milliseconds.step);
-    launch_projectiles(world);
     const double time_step = world.scene.simulation.time_step;
-    const int budget = substep_budget(world);
-    int substeps = 0;
-    for (int ticks_left = kTicksPerStep; ticks_left > 0; ++substeps) {
-      const int ticks = next_substep(world, ticks_left, budget - substeps);
-      substep(world, time_step * ticks / kTicksPerStep);
-      ticks_left -= ticks;
+    launch_projectiles(world);
+    update_supports(world, world.time, time_step);
+    if (world.scene.analysis == Analysis::equilibrium) {
+      static_step(world, time_step);
+    } else {
+      dynamic_step(world, time_step);
     }
-    world.report.substeps = substeps;
-    calm_bodies(world);
     ++world.step;
     world.time = static_cast<double>(world.step) * time_step;
   }

@@ -17,7 +17,8 @@ Vec3 closest_on_edge(const Vec3& p, const Vec3& a, const Vec3& b, int i, int j) 
   return weights;
 }
 
-/// Barycentric weights of the point of triangle abc closest to p.
+}  // namespace
+
 Vec3 closest_on_triangle(const Vec3& p, const std::array<Vec3, 3>& corners) {
   const auto& [a, b, c] = corners;
   const Vec3 normal = (b - a).cross(c - a);
@@ -38,8 +39,6 @@ Vec3 closest_on_triangle(const Vec3& p, const std::array<Vec3, 3>& corners) {
   }
   return best;
 }
-
-}  // namespace
 
 SurfacePoint closest_surface_point(const WorldState& world, const Body& body, const Vec3& position) {
   SurfacePoint best;

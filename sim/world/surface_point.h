@@ -12,6 +12,9 @@ struct SurfacePoint {
   Vec3 weights = Vec3::Zero();
 };
 
+/// Barycentric weights of the point of triangle abc closest to p.
+Vec3 closest_on_triangle(const Vec3& p, const std::array<Vec3, 3>& corners);
+
 /// The point of the body's present surface closest to `position` (world space).
 SurfacePoint closest_surface_point(const WorldState& world, const Body& body, const Vec3& position);
 

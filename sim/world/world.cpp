@@ -41,6 +41,7 @@ Frame World::frame() const {
   frame.node_masses = world.nodes.masses;
   frame.node_held = world.nodes.held;
   frame.separations = world.nodes.separations;
+  frame.reactions = world.nodes.reactions;
   frame.tets = world.mesh.tets;
   frame.neighbours = world.mesh.neighbours;
   frame.tet_bodies = world.elements.bodies;
@@ -55,6 +56,9 @@ Frame World::frame() const {
   frame.report = world.report;
   return frame;
 }
+
+const std::vector<PlacedProbe>& World::probes() const { return impl_->state.probes; }
+const std::vector<InputError>& World::findings() const { return impl_->state.findings; }
 
 void World::fire(const ProjectileBurst& burst) { queue_burst(impl_->state, burst); }
 

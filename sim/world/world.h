@@ -1,11 +1,15 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
+#include "sim/error.h"
 #include "sim/scene/scene.h"
 #include "sim/world/frame.h"
 
 namespace griffith {
+
+struct PlacedProbe;
 
 /// A scene in motion. Results depend on the scene, the shots and edits, and the number of steps alone: never on the clock,
 /// the number of threads or the frame rate.
@@ -21,6 +25,11 @@ class World {
   void step();
   /// A read-only view, valid until the next call that changes the world.
   Frame frame() const;
+  /// The scene's probes, to be read with probe_values() (probes.h).
+  const std::vector<PlacedProbe>& probes() const;
+  /// What the user should know about the scene although it runs: supports, loads and probes that hold nothing. `where` is
+  /// a JSON pointer, "#/bodies/0/loads/1/region".
+  const std::vector<InputError>& findings() const;
 
   /// Launches `burst`, its start counted from now.
   void fire(const ProjectileBurst& burst);

@@ -6,11 +6,15 @@
 
 #include "sim/contact/contact_world.h"
 #include "sim/elasticity/element.h"
+#include "sim/error.h"
 #include "sim/mesh/topology.h"
 #include "sim/scene/scene.h"
 #include "sim/solver/elastic_system.h"
 #include "sim/solver/rigid_motion.h"
 #include "sim/world/frame.h"
+#include "sim/world/loads.h"
+#include "sim/world/probes.h"
+#include "sim/world/supports.h"
 
 namespace griffith {
 
@@ -18,18 +22,20 @@ namespace griffith {
 struct NodeArrays {
   std::vector<Vec3> positions, velocities;   ///< [m], [m/s]
   std::vector<double> masses;                ///< lumped: a quarter of each tet of the star [kg]
-  std::vector<std::uint8_t> held;            ///< 1 where a support holds the node
+  std::vector<NodeConstraint> constraints;   ///< what supports leave free
+  std::vector<std::uint8_t> held;            ///< 1 where a support acts on the node
   std::vector<std::uint8_t> at_crack_front;  ///< 1 where cut faces end
   std::vector<int> rows;                     ///< row in the system of the node's body, -1 for held ones
   std::vector<NodeSeparation> separations;
+  std::vector<Vec3> reactions;               ///< what supports did to the node in the last step [N]
 };
 
-/// Per tet; the rest data never change.
+/// Per tet; the rests never change.
 struct ElementArrays {
   std::vector<ElementRest> rests;
   std::vector<ElementState> states;
-  std::vector<Mat3> tensile_stresses;  ///< corotated frame [Pa]
-  std::vector<Mat3> stresses;          ///< world frame [Pa], for the frame
+  std::vector<Mat3> plastic_strains;  ///< in rest space, traceless [-]
+  std::vector<Mat3> stresses;         ///< Cauchy stress, world frame [Pa], for the frame
   std::vector<BodyId> bodies;
 };
 
@@ -68,6 +74,10 @@ struct WorldState {
 
   Scene scene;
   std::vector<Material> materials;  ///< per scene body, as in force now
+  std::vector<PlacedSupport> supports;
+  std::vector<PlacedLoad> loads;
+  std::vector<PlacedProbe> probes;   ///< as Scene::probes
+  std::vector<InputError> findings;  ///< what the user should know about the scene; nothing that keeps it from running
   TetMesh mesh;
   NodeArrays nodes;
   ElementArrays elements;

@@ -38,7 +38,9 @@ TEST(Shooting, WhatIsOutOfReachIsShotAtStraight) {
 }
 
 TEST(Shooting, RaysHitTheNearSideThenTheGroundThenNothing) {
-  const World world(small_wall());
+  Scene unloaded = small_wall();
+  unloaded.simulation.static_start = false;  // the wall's weight would move its face by a hair
+  const World world(unloaded);
   const Frame frame = world.frame();
   const Ground ground;
   const auto front = surface_hit(frame, ground, Vec3(0.1, 1.1, 5), -Vec3::UnitZ());

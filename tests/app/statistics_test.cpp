@@ -1,4 +1,5 @@
 #include "app/statistics.h"
+#include "sim/replace_file.h"
 
 #include <gtest/gtest.h>
 
@@ -98,7 +99,7 @@ TEST(Statistics, SumsAndLargestValuesOverSteps) {
 
 TEST(Statistics, FileIsReplacedAsAWhole) {
   const std::filesystem::path path = test_file("out.json", "old");
-  write_text_file(path, "new");
+  replace_file(path, "new");
   std::ifstream file(path);
   std::string text;
   file >> text;

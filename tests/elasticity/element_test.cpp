@@ -2,33 +2,50 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
-#include <limits>
 
-#include "tests/random_values.h"
+#include "tests/elasticity/random_element.h"
 
 namespace griffith {
 namespace {
 
+using testing::elastic_forces;
+using testing::elastic_state;
+using testing::random_corners;
 using testing::RandomValues;
+using testing::shaken;
 
-Corners random_corners(RandomValues& random) {
-  for (;;) {
-    Corners corners;
-    for (int i = 0; i < 4; ++i) corners.col(i) = random.vector();
-    const Mat3 edges = corners.rightCols<3>().colwise() - corners.col(0);
-    if (edges.determinant() > 0.1) return corners;
+class Element : public ::testing::TestWithParam<ElementModel> {
+ protected:
+  ElasticLaw law() const { return {GetParam(), 2e6, 3e6}; }
+};
+INSTANTIATE_TEST_SUITE_P(Models, Element, ::testing::Values(ElementModel::corotational, ElementModel::green_strain));
+
+constexpr ElasticLaw kGreen{ElementModel::green_strain, 2e6, 3e6};
+
+/// −∂f/∂x by central differences, row i of blocks for corner i.
+Eigen::Matrix<double, 12, 12> difference_quotient(const ElasticLaw& law, const ElementRest& rest,
+                                                  const Corners& corners) {
+  const double h = 1e-6;
+  Eigen::Matrix<double, 12, 12> stiffness;
+  for (int i = 0; i < 12; ++i) {
+    Corners plus = corners, minus = corners;
+    plus(i) += h;
+    minus(i) -= h;
+    stiffness.col(i) = ((elastic_forces(law, rest, minus) - elastic_forces(law, rest, plus)) / (2 * h)).reshaped();
   }
+  return stiffness;
 }
 
-ElasticModuli moduli() { return {2e6, 3e6}; }
-
-Corners forces(const ElementRest& rest, const Corners& corners) {
-  const ElementState state = corotational_state(rest, moduli(), corners);
-  return nodal_forces(rest, state.rotation, state.stress);
+Eigen::Matrix<double, 12, 12> stiffness_of(const ElasticLaw& law, const ElementRest& rest, const Corners& corners) {
+  Eigen::Matrix<double, 12, 12> stiffness;
+  for (int i = 0; i < 4; ++i)
+    stiffness.middleRows<3>(3 * i) = stiffness_row(law, rest, elastic_state(law, rest, corners), i);
+  return stiffness;
 }
 
-TEST(Element, GradientsSumToZeroAndReproduceLinearFields) {
+TEST(ElementRest, GradientsSumToZeroAndReproduceLinearFields) {
   RandomValues random(1);
   for (int i = 0; i < 100; ++i) {
     const Corners rest_corners = random_corners(random);
@@ -39,15 +56,14 @@ TEST(Element, GradientsSumToZeroAndReproduceLinearFields) {
   }
 }
 
-TEST(Element, ForceIsMinusTheGradientOfTheEnergy) {
+TEST_P(Element, ForceIsMinusTheGradientOfTheEnergy) {
   RandomValues random(2);
   for (int trial = 0; trial < 50; ++trial) {
     const Corners rest_corners = random_corners(random);
     const ElementRest rest = element_rest(rest_corners);
-    Corners corners = random.rotation() * rest_corners;
-    for (int i = 0; i < 4; ++i) corners.col(i) += random.vector(0.05);
-    const Corners force = forces(rest, corners);
-    const auto energy = [&](const Corners& x) { return rest.volume * corotational_state(rest, moduli(), x).energy_density; };
+    const Corners corners = shaken(random.rotation() * rest_corners, random, 0.05);
+    const Corners force = elastic_forces(law(), rest, corners);
+    const auto energy = [&](const Corners& x) { return rest.volume * elastic_state(law(), rest, x).energy_density; };
     const double h = 1e-5;
     for (int i = 0; i < 12; ++i) {
       Corners plus = corners, minus = corners;
@@ -58,60 +74,72 @@ TEST(Element, ForceIsMinusTheGradientOfTheEnergy) {
   }
 }
 
-TEST(Element, StiffnessIsTheDerivativeOfTheForceAtRest) {
+TEST_P(Element, StiffnessIsTheDerivativeOfTheForceAtRest) {
   RandomValues random(3);
   for (int trial = 0; trial < 20; ++trial) {
     const Corners rest_corners = random_corners(random);
     const ElementRest rest = element_rest(rest_corners);
-    const Mat3 rotation = random.rotation();
-    const Corners corners = rotation * rest_corners, gradients = rotation * rest.shape_gradients;
-    const double h = 1e-6;
-    for (int j = 0; j < 4; ++j)
-      for (int c = 0; c < 3; ++c) {
-        Corners plus = corners, minus = corners;
-        plus(c, j) += h;
-        minus(c, j) -= h;
-        const Corners derivative = (forces(rest, plus) - forces(rest, minus)) / (2 * h);
-        for (int i = 0; i < 4; ++i) {
-          const Mat3 block = rest.volume * stiffness_block(moduli(), gradients.col(i), gradients.col(j));
-          EXPECT_LT((derivative.col(i) + block.col(c)).norm(), 1e-5 * block.norm() + 1e-3);
-        }
-      }
+    const Corners corners = random.rotation() * rest_corners;
+    const auto stiffness = stiffness_of(law(), rest, corners);
+    EXPECT_LT((difference_quotient(law(), rest, corners) - stiffness).norm(), 1e-7 * stiffness.norm());
   }
 }
 
-TEST(Element, RigidMotionMakesNoStress) {
+TEST(GreenElement, StiffnessIsExactInTension) {
   RandomValues random(4);
-  for (int i = 0; i < 200; ++i) {
+  for (int trial = 0; trial < 20; ++trial) {
     const Corners rest_corners = random_corners(random);
     const ElementRest rest = element_rest(rest_corners);
-    const Corners moved = (random.rotation() * rest_corners).colwise() + random.vector(10);
-    EXPECT_LT(corotational_state(rest, moduli(), moved).stress.norm(), 1e-6);
+    const Vec3 stretches(random.uniform(1.2, 2), random.uniform(1.2, 2), random.uniform(1.2, 2));
+    const Corners corners = random.rotation() * stretches.asDiagonal() * random.rotation() * rest_corners;
+    const auto stiffness = stiffness_of(kGreen, rest, corners);
+    EXPECT_LT((difference_quotient(kGreen, rest, corners) - stiffness).norm(), 1e-7 * stiffness.norm());
   }
 }
 
-TEST(Element, StressTurnsWithTheBody) {
+TEST_P(Element, StiffnessIsSymmetricAndPositiveSemidefiniteInAnyShape) {
   RandomValues random(5);
-  for (int i = 0; i < 200; ++i) {
-    const Corners rest_corners = random_corners(random);
-    const ElementRest rest = element_rest(rest_corners);
-    Corners corners = rest_corners;
-    for (int k = 0; k < 4; ++k) corners.col(k) += random.vector(0.1);
-    const Mat3 rotation = random.rotation();
-    const Corners turned = forces(rest, rotation * corners);
-    const Corners expected = rotation * forces(rest, corners);
-    EXPECT_LT((turned - expected).norm(), 1e-9 * expected.norm() + 1e-9);
+  for (int trial = 0; trial < 200; ++trial) {
+    const ElementRest rest = element_rest(random_corners(random));
+    const auto stiffness = stiffness_of(law(), rest, random.matrix(2) * random_corners(random));
+    EXPECT_LT((stiffness - stiffness.transpose()).norm(), 1e-12 * stiffness.norm());
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 12, 12>> solver(stiffness, Eigen::EigenvaluesOnly);
+    EXPECT_GT(solver.eigenvalues()[0], -1e-12 * stiffness.norm());
   }
 }
 
-TEST(Element, ForcesHaveNeitherResultantNorTorque) {
+TEST_P(Element, RigidMotionMakesNoStress) {
   RandomValues random(6);
   for (int i = 0; i < 200; ++i) {
     const Corners rest_corners = random_corners(random);
     const ElementRest rest = element_rest(rest_corners);
-    Corners corners = rest_corners;
-    for (int k = 0; k < 4; ++k) corners.col(k) += random.vector(0.5);
-    const Corners force = forces(rest, corners);
+    const Corners moved = (random.rotation() * rest_corners).colwise() + random.vector(10);
+    EXPECT_LT(elastic_state(law(), rest, moved).stress.norm(), 1e-6);
+  }
+}
+
+TEST_P(Element, ForceAndStressTurnWithTheBody) {
+  RandomValues random(7);
+  for (int i = 0; i < 200; ++i) {
+    const Corners rest_corners = random_corners(random);
+    const ElementRest rest = element_rest(rest_corners);
+    const Corners corners = shaken(rest_corners, random, 0.1);
+    const Mat3 rotation = random.rotation();
+    const ElementState state = elastic_state(law(), rest, corners),
+                       turned = elastic_state(law(), rest, rotation * corners);
+    const Corners expected = rotation * nodal_forces(rest, state.frame, state.stress);
+    EXPECT_LT((nodal_forces(rest, turned.frame, turned.stress) - expected).norm(), 1e-9 * expected.norm());
+    const Mat3 stress = rotation * cauchy_stress(state.frame, state.stress) * rotation.transpose();
+    EXPECT_LT((cauchy_stress(turned.frame, turned.stress) - stress).norm(), 1e-9 * stress.norm());
+  }
+}
+
+TEST_P(Element, ForcesHaveNeitherResultantNorTorque) {
+  RandomValues random(8);
+  for (int i = 0; i < 200; ++i) {
+    const Corners rest_corners = random_corners(random);
+    const Corners corners = shaken(rest_corners, random, 0.5);
+    const Corners force = elastic_forces(law(), element_rest(rest_corners), corners);
     Vec3 torque = Vec3::Zero();
     for (int k = 0; k < 4; ++k) torque += Vec3(corners.col(k)).cross(Vec3(force.col(k)));
     EXPECT_LT(force.rowwise().sum().norm(), 1e-10 * force.norm());
@@ -119,32 +147,50 @@ TEST(Element, ForcesHaveNeitherResultantNorTorque) {
   }
 }
 
-TEST(Element, UniaxialStrainOfARodGivesYoungsModulus) {
+TEST_P(Element, UniaxialStrainOfARodGivesYoungsModulus) {
   Material material;
+  material.element_model = GetParam();
   material.young_modulus = 5e9;
   material.poisson_ratio = 0.3;
-  Corners rest_corners;
-  rest_corners << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1;
-  const ElementRest rest = element_rest(rest_corners);
-  const double strain = 1e-4;
+  RandomValues random(9);
+  const Corners rest_corners = random_corners(random);
+  const double strain = 1e-6;
   const Vec3 stretch(1 + strain, 1 - 0.3 * strain, 1 - 0.3 * strain);
-  const ElementState state = corotational_state(rest, elastic_moduli(material), stretch.asDiagonal() * rest_corners);
-  EXPECT_NEAR(state.stress(0, 0), 5e9 * strain, 1e-6 * 5e9 * strain);
-  EXPECT_LT(std::abs(state.stress(1, 1)), 1e-6 * 5e9 * strain);
-  EXPECT_NEAR(rest.volume, 1.0 / 6, 1e-15);
+  const ElementState state =
+      elastic_state(elastic_law(material), element_rest(rest_corners), stretch.asDiagonal() * rest_corners);
+  EXPECT_NEAR(cauchy_stress(state.frame, state.stress)(0, 0), 5e9 * strain, 1e-5 * 5e9 * strain);
+  EXPECT_LT(std::abs(state.stress(1, 1)), 1e-5 * 5e9 * strain);
 }
 
-TEST(Element, FoldedAndFlatElementsStayFiniteAndAreReported) {
-  RandomValues random(7);
+TEST(GreenElement, CauchyStressIsForcePerPresentArea) {
+  // Corner i gets a third of the traction on the face opposite it; that face's outward area vector is −3 V cof(F) g_i.
+  RandomValues random(10);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Corners rest_corners = random_corners(random);
+    const ElementRest rest = element_rest(rest_corners);
+    const Corners corners = shaken(rest_corners, random, 0.02);
+    const ElementState state = elastic_state(kGreen, rest, corners);
+    const Corners force = nodal_forces(rest, state.frame, state.stress);
+    const Vec3 area = 0.5 * Vec3(corners.col(2) - corners.col(1)).cross(Vec3(corners.col(3) - corners.col(1)));
+    const Vec3 expected = cauchy_stress(state.frame, state.stress) * area / 3;
+    EXPECT_LT((force.col(0) - expected).norm(), 1e-10 * force.norm());
+  }
+}
+
+TEST_P(Element, FoldedAndFlatElementsStayFiniteAndAreReported) {
+  RandomValues random(11);
   const Corners rest_corners = random_corners(random);
   const ElementRest rest = element_rest(rest_corners);
   const Corners mirrored = Vec3(1, 1, -1).asDiagonal() * rest_corners;
-  for (const Corners& corners : {mirrored, Corners(Vec3(1, 1, 0).asDiagonal() * rest_corners), Corners(Corners::Zero())}) {
-    const ElementState state = corotational_state(rest, moduli(), corners);
-    EXPECT_TRUE(state.stress.allFinite());
-    EXPECT_TRUE(state.inverted);
+  const Corners flat = Vec3(1, 1, 0).asDiagonal() * rest_corners,
+                nearly_flat = Vec3(1, 1, 1e-300).asDiagonal() * rest_corners;
+  for (const Corners& corners : {mirrored, flat, nearly_flat, Corners(Corners::Zero())}) {
+    const ElementState state = elastic_state(law(), rest, corners);
+    EXPECT_TRUE(state.stress.allFinite() && state.frame.allFinite());
+    EXPECT_TRUE(cauchy_stress(state.frame, state.stress).allFinite());
+    EXPECT_EQ(state.inverted, corners != nearly_flat);
   }
-  EXPECT_FALSE(corotational_state(rest, moduli(), rest_corners).inverted);
+  EXPECT_FALSE(elastic_state(law(), rest, rest_corners).inverted);
 }
 
 }  // namespace

@@ -86,6 +86,12 @@ class Randomizer {
   void fill(Enum& value, const OneOf& one_of) {
     value = static_cast<Enum>(std::uniform_int_distribution<std::size_t>(0, one_of.names.size() - 1)(random_));
   }
+  template <class Enum>
+  requires std::is_enum_v<Enum>
+  void fill(std::vector<Enum>& values, const OneOf& one_of) {
+    values.resize(std::uniform_int_distribution(0, 3)(random_));
+    for (Enum& value : values) fill(value, one_of);
+  }
   void fill(std::filesystem::path& value, MeshPath) { value = pick(mesh_paths_); }
 
   void fill(Material& material, MaterialChoice) {

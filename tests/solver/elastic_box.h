@@ -17,17 +17,19 @@ struct ElasticBox {
   std::vector<ElementState> states;
   std::vector<Vec3> positions, velocities, forces;
   std::vector<double> masses;
-  std::vector<std::uint8_t> held;
+  std::vector<NodeConstraint> constraints;
   std::vector<int> rows;
 
-  ElasticBox(const Vec3& size, double element_size, double young_modulus) {
-    mesh = build_mesh(make_box(size, Vec3::Constant(element_size), BoxPattern::five_tet));
+  ElasticBox(const Vec3& size, double element_size, double young_modulus)
+      : ElasticBox(make_box(size, Vec3::Constant(element_size), BoxPattern::five_tet), young_modulus) {}
+  ElasticBox(const TetSoup& soup, double young_modulus) {
+    mesh = build_mesh(soup);
     material.young_modulus = young_modulus;
     positions = mesh.rest_positions;
     velocities.assign(positions.size(), Vec3::Zero());
     forces.assign(positions.size(), Vec3::Zero());
     masses.assign(positions.size(), 0);
-    held.assign(positions.size(), 0);
+    constraints.resize(positions.size());
     rows.assign(positions.size(), -1);
     for (int t = 0; t < mesh.tet_count(); ++t) {
       tets.push_back(TetId(t));
@@ -39,23 +41,28 @@ struct ElasticBox {
     update_states();
   }
 
+  ElementState state(TetId tet, std::span<const Vec3> nodes) const {
+    Corners corners;
+    for (int i = 0; i < 4; ++i) corners.col(i) = nodes[mesh.tets[tet][i]];
+    return element_state(law(), element_deformation(material.element_model, rests[tet], corners));
+  }
   void update_states() {
     states.clear();
-    for (TetId tet : tets) {
-      Corners corners;
-      for (int i = 0; i < 4; ++i) corners.col(i) = positions[mesh.tets[tet][i]];
-      states.push_back(corotational_state(rests[tet], elastic_moduli(material), corners));
-    }
+    for (TetId tet : tets) states.push_back(state(tet, positions));
   }
   void add_elastic_forces() {
     for (TetId tet : tets) {
-      const Corners f = nodal_forces(rests[tet], states[tet].rotation, states[tet].stress);
+      const Corners f = nodal_forces(rests[tet], states[tet].frame, states[tet].stress);
       for (int i = 0; i < 4; ++i) forces[mesh.tets[tet][i]] += f.col(i);
     }
   }
-  ElasticSystem system() { return ElasticSystem(mesh, tets, held, rows); }
+  ElasticLaw law() const { return elastic_law(material); }
+  ElasticSystem system() { return ElasticSystem(mesh, tets, constraints, rows); }
   void assemble(ElasticSystem& system, const ImplicitStep& step) const {
-    system.assemble(step, elastic_moduli(material), rests, states, positions, masses);
+    system.assemble(step, law(), rests, states, positions, masses);
+  }
+  SolveReport solve(ElasticSystem& system, const ImplicitStep& step) {
+    return system.solve(step, positions, forces, masses, constraints, velocities);
   }
 };
 

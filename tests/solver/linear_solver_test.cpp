@@ -88,7 +88,7 @@ TEST(ConjugateGradient, ReportsThatItWasCutOff) {
   for (Vec3& velocity : body.velocities) velocity = random.vector();
   const ImplicitStep step{.dt = 0.01, .relative_residual = 1e-8, .max_iterations = 3};
   body.assemble(system, step);
-  const SolveReport report = system.solve(step, body.positions, body.forces, body.masses, body.velocities);
+  const SolveReport report = body.solve(system, step);
   EXPECT_FALSE(report.converged);
   EXPECT_EQ(report.iterations, 3);
   EXPECT_GT(report.relative_residual, 1e-8);
@@ -123,7 +123,7 @@ TEST(Preconditioner, KeepsTheIterationsIndependentOfTheStiffness) {
     for (Vec3& velocity : body.velocities) velocity = random.vector();
     const ImplicitStep step{.dt = 1.0 / 120, .relative_residual = 1e-3};
     body.assemble(system, step);
-    const SolveReport report = system.solve(step, body.positions, body.forces, body.masses, body.velocities);
+    const SolveReport report = body.solve(system, step);
     EXPECT_TRUE(report.converged);
     EXPECT_LE(report.iterations, 40) << "E = " << young_modulus;
   }

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <filesystem>
+#include <variant>
+
+#include "sim/linear_algebra.h"
+#include "sim/mesh/box_pattern.h"
+
+namespace griffith {
+
+// What a body is made in: all centred on the body's origin, except a mesh file, which has its own. Lengths are in
+// metres and > 0; element sizes are wanted ones, rounded so that the cells fill the shape.
+
+/// A box of equal cells.
+struct BoxShape {
+  Vec3 size = Vec3::Ones();                 ///< edge lengths
+  Vec3 element_size = Vec3::Constant(0.5);  ///< cell edge along x, y, z
+  BoxPattern pattern = BoxPattern::five_tet;
+  bool operator==(const BoxShape&) const = default;
+};
+
+/// A cylinder about the z axis.
+struct CylinderShape {
+  double radius = 0.5, length = 2;
+  Vec2 element_size = Vec2::Constant(0.25);  ///< across, along the axis
+  BoxPattern pattern = BoxPattern::five_tet;
+  bool operator==(const CylinderShape&) const = default;
+};
+
+/// A disc across the z axis, as in a Brazilian test.
+struct DiscShape {
+  double radius = 0.5, thickness = 0.2;
+  Vec2 element_size = Vec2::Constant(0.1);  ///< across, through the thickness
+  BoxPattern pattern = BoxPattern::five_tet;
+  bool operator==(const DiscShape&) const = default;
+};
+
+struct SphereShape {
+  double radius = 0.5;
+  double element_size = 0.2;
+  BoxPattern pattern = BoxPattern::five_tet;
+  bool operator==(const SphereShape&) const = default;
+};
+
+/// A plate with a round hole through its middle along z; cells shrink towards the hole.
+struct PlateWithHoleShape {
+  Vec3 size = Vec3(2, 2, 0.1);
+  double hole_radius = 0.2;                   ///< less than half the smaller of size.x and size.y
+  Vec2 element_size = Vec2::Constant(0.1);    ///< at the plate's edge, through its thickness
+  BoxPattern pattern = BoxPattern::five_tet;
+  bool operator==(const PlateWithHoleShape&) const = default;
+};
+
+/// A box with a slit of no width in the plane x = 0, from the side y = −size.y/2 up, as in a three-point bending test.
+struct NotchedBeamShape {
+  Vec3 size = Vec3(4, 1, 0.5);
+  double notch_depth = 0.3;                  ///< less than size.y
+  Vec3 element_size = Vec3::Constant(0.25);  ///< cell edge along x, y, z
+  BoxPattern pattern = BoxPattern::five_tet;
+  bool operator==(const NotchedBeamShape&) const = default;
+};
+
+/// A tetrahedral mesh from a file; for the CSV pair the folder that holds verts.csv and tets.csv.
+struct MeshFileShape {
+  std::filesystem::path path;  ///< as written in the scene; relative paths start at the scene file's folder
+  double scale = 1;            ///< metres per unit of the file, > 0
+  bool operator==(const MeshFileShape&) const = default;
+};
+
+using Shape = std::variant<BoxShape, CylinderShape, DiscShape, SphereShape, PlateWithHoleShape, NotchedBeamShape,
+                           MeshFileShape>;
+
+}  // namespace griffith

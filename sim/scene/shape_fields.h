@@ -1,0 +1,115 @@
+#pragma once
+
+#include <algorithm>
+
+#include "sim/scene/field.h"
+#include "sim/scene/shape.h"
+
+// The fields of shapes, a part of the table in scene_fields.h.
+
+namespace griffith {
+
+/// More cells than this in the box round a shape are refused: a slip of the element size, not a wish.
+inline constexpr double kMaxShapeCells = 2e6;
+
+inline constexpr Numbers kLength = between(1e-4, 1e5, "m");
+inline constexpr Numbers kElementSize = {.minimum = 1e-5, .maximum = 1e5, .unit = "m", .uniform = true};
+
+template <class Archive>
+void describe_pattern(Archive& archive, BoxPattern& pattern) {
+  archive.field("pattern", pattern, OneOf{{"kuhn", "five_tet", "bcc"}}, "How a cell is cut into tetrahedra");
+}
+
+/// Cell edges along x, y, z of a shape that is swept along z.
+inline Vec3 swept(const Vec2& element_size) { return {element_size.x(), element_size.x(), element_size.y()}; }
+
+/// `extent` is the box round the shape [m].
+template <class Archive>
+void require_cells(Archive& archive, const Vec3& extent, const Vec3& element_size) {
+  archive.require((extent.array() / element_size.array()).round().max(1).prod() <= kMaxShapeCells, "element_size",
+                  "cuts the shape into more than 2 million cells", "take a larger element_size or a smaller shape");
+}
+
+template <class Archive>
+void describe(Archive& archive, BoxShape& box) {
+  archive.field("size", box.size, kLength, "Edge lengths along x, y, z");
+  archive.field("element_size", box.element_size, kElementSize,
+                "Wanted cell edge, one number or one each for x, y, z; rounded to fit the box");
+  describe_pattern(archive, box.pattern);
+  require_cells(archive, box.size, box.element_size);
+}
+
+template <class Archive>
+void describe(Archive& archive, CylinderShape& cylinder) {
+  archive.field("radius", cylinder.radius, kLength, "Radius");
+  archive.field("length", cylinder.length, kLength, "Length along z");
+  archive.field("element_size", cylinder.element_size, kElementSize,
+                "Wanted cell edge, one number or one each for across and along the axis");
+  describe_pattern(archive, cylinder.pattern);
+  require_cells(archive, {2 * cylinder.radius, 2 * cylinder.radius, cylinder.length}, swept(cylinder.element_size));
+}
+
+template <class Archive>
+void describe(Archive& archive, DiscShape& disc) {
+  archive.field("radius", disc.radius, kLength, "Radius");
+  archive.field("thickness", disc.thickness, kLength, "Thickness along z");
+  archive.field("element_size", disc.element_size, kElementSize,
+                "Wanted cell edge, one number or one each for across and through the thickness");
+  describe_pattern(archive, disc.pattern);
+  require_cells(archive, {2 * disc.radius, 2 * disc.radius, disc.thickness}, swept(disc.element_size));
+}
+
+template <class Archive>
+void describe(Archive& archive, SphereShape& sphere) {
+  archive.field("radius", sphere.radius, kLength, "Radius");
+  archive.field("element_size", sphere.element_size, between(kElementSize.minimum, kElementSize.maximum, "m"),
+                "Wanted cell edge");
+  describe_pattern(archive, sphere.pattern);
+  require_cells(archive, Vec3::Constant(2 * sphere.radius), Vec3::Constant(sphere.element_size));
+}
+
+template <class Archive>
+void describe(Archive& archive, PlateWithHoleShape& plate) {
+  archive.field("size", plate.size, kLength, "Edge lengths along x, y, z");
+  archive.field("hole_radius", plate.hole_radius, kLength, "Radius of the hole along z");
+  archive.field("element_size", plate.element_size, kElementSize,
+                "Wanted cell edge, one number or one each for the plate's edge and its thickness");
+  describe_pattern(archive, plate.pattern);
+  archive.require(plate.hole_radius < std::min(plate.size.x(), plate.size.y()) / 2, "hole_radius",
+                  "reaches the plate's edge", "take less than half the plate's smaller side");
+  require_cells(archive, plate.size, swept(plate.element_size));
+}
+
+template <class Archive>
+void describe(Archive& archive, NotchedBeamShape& beam) {
+  archive.field("size", beam.size, kLength, "Edge lengths along x, y, z");
+  archive.field("notch_depth", beam.notch_depth, kLength, "Depth of the slit in the plane x = 0, from below");
+  archive.field("element_size", beam.element_size, kElementSize,
+                "Wanted cell edge, one number or one each for x, y, z; rounded to fit the beam");
+  describe_pattern(archive, beam.pattern);
+  archive.require(beam.notch_depth < beam.size.y(), "notch_depth", "cuts the beam through",
+                  "take less than the beam's height, size[1]");
+  require_cells(archive, beam.size, beam.element_size);
+}
+
+template <class Archive>
+void describe(Archive& archive, MeshFileShape& mesh) {
+  archive.field("path", mesh.path, MeshPath{},
+                "Mesh file, or the folder that holds verts.csv and tets.csv; relative to the scene file's folder");
+  archive.field("scale", mesh.scale, between(1e-9, 1e6), "Metres per unit of the file");
+}
+
+template <class Archive>
+void describe(Archive& archive, Shape& shape) {
+  archive.template alternative<BoxShape>("box", shape, Parts{}, "A box centred on the body's origin");
+  archive.template alternative<CylinderShape>("cylinder", shape, Parts{}, "A cylinder about the z axis");
+  archive.template alternative<DiscShape>("disc", shape, Parts{}, "A disc across the z axis, as in a Brazilian test");
+  archive.template alternative<SphereShape>("sphere", shape, Parts{}, "A ball");
+  archive.template alternative<PlateWithHoleShape>("plate_with_hole", shape, Parts{},
+                                                   "A plate with a round hole through its middle along z");
+  archive.template alternative<NotchedBeamShape>("notched_beam", shape, Parts{},
+                                                 "A box with a slit of no width from below, across its length");
+  archive.template alternative<MeshFileShape>("mesh", shape, Parts{}, "A tetrahedral mesh from a file");
+}
+
+}  // namespace griffith

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "sim/elasticity/element.h"
+#include "sim/mesh/tet_mesh.h"
+#include "sim/solver/block_sparse_matrix.h"
+
+namespace griffith {
+
+/// What scales mass and stiffness in a system matrix: mass · M + stiffness · K.
+struct MatrixFactors {
+  double mass = 1;
+  double stiffness = 1;
+};
+
+/// Rows of mass · M + stiffness · K, one a node, and what they are assembled from: the tets of the node's star.
+struct ElementRows {
+  struct TetAtNode {
+    TetId tet;
+    int corner;                ///< which of the tet's corners the node is
+    std::array<int, 4> slots;  ///< per corner of the tet: its block in the row, -1 where it has no column
+  };
+  std::vector<NodeId> nodes;  ///< per row
+  BlockSparseMatrix matrix;
+  std::vector<int> tet_starts = {0};  ///< rows + 1, into `tets`
+  std::vector<TetAtNode> tets;
+
+  /// Appends the row of a node. `column_of_node`: per node of the mesh, -1 for none.
+  void add(const TetMesh& mesh, NodeId node, std::span<const int> column_of_node);
+  /// Computes all blocks for the present states. Spans are per node or tet of the mesh; the diagonal block of row i
+  /// is in the column of node i.
+  void assemble(const MatrixFactors& factors, const ElasticLaw& law, std::span<const ElementRest> rests,
+                std::span<const ElementState> states, std::span<const double> masses);
+};
+
+}  // namespace griffith

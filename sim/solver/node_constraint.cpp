@@ -1,0 +1,28 @@
+#include "sim/solver/node_constraint.h"
+
+#include <cassert>
+
+namespace griffith {
+
+NodeConstraint NodeConstraint::held(const Vec3& velocity) { return {Mat3::Zero(), velocity, 3}; }
+
+NodeConstraint NodeConstraint::sliding(const Vec3& normal, double speed) {
+  NodeConstraint constraint;
+  constraint.block(normal, speed);
+  return constraint;
+}
+
+void NodeConstraint::block(const Vec3& direction, double speed) {
+  assert(direction.norm() > 0);
+  constexpr double kParallel = 1e-6;  // sine of the angle below which a direction counts as blocked already
+  const Vec3 normal = direction.normalized();
+  const Vec3 open = allowed * normal;
+  const double share = open.norm();
+  if (share < kParallel) return;
+  const Vec3 axis = open / share;
+  velocity += (speed - normal.dot(velocity)) / share * axis;
+  ++blocked;
+  allowed = blocked == 3 ? Mat3(Mat3::Zero()) : Mat3(allowed - axis * axis.transpose());
+}
+
+}  // namespace griffith

@@ -1,0 +1,291 @@
+#include "sim/solver/static_solve.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "sim/solver/direct_solve.h"
+
+namespace griffith {
+namespace {
+
+using RigidModes = Eigen::Matrix<double, 6, Eigen::Dynamic>;  // one combination of the six a column
+
+/// The forces on a body's nodes in some configuration, and how far it is from equilibrium.
+struct Balance {
+  std::vector<Vec3> forces;    // per node of the mesh: elastic + loads + inertia [N]
+  std::vector<Vec3> residual;  // the same in the directions that supports leave
+  double norm = 0;             // of the residual
+  double energy = 0;           // elastic − work of loads and inertia [J]
+};
+
+class StaticSolver {
+ public:
+  StaticSolver(const StaticProblem& problem, const StaticSettings& settings, std::span<Vec3> positions,
+               std::span<ElementState> states);
+  StaticReport solve();
+
+ private:
+  using Modes = Eigen::Matrix<double, 3, 6>;
+  Modes modes_at(NodeId node) const;
+  RigidModes find_free_motions() const;
+  std::vector<NodeConstraint> pin_free_motions() const;
+  std::vector<Vec3> relieve(const std::vector<Vec3>& loads) const;
+  Balance balance();
+  double scale(const Balance& balance) const;
+  double rounding_level() const;
+  std::vector<Vec3> newton_step(const Balance& now, std::span<const NodeConstraint> constraints);
+  void hold_free_motions(std::vector<Vec3>& step) const;
+  void move(const std::vector<Vec3>& start, const std::vector<Vec3>& step, double share);
+  bool search_line(Balance& now, const std::vector<Vec3>& step);
+  void finish(const Balance& balance);
+
+  const StaticProblem& problem_;
+  StaticSettings settings_;
+  std::span<Vec3> positions_;
+  std::span<ElementState> states_;
+  std::vector<NodeId> nodes_;  // the body's
+  Vec3 center_;
+  double radius_;  // root mean square distance from the centre
+  RigidModes free_motions_;
+  std::vector<NodeConstraint> still_;  // the problem's and pins, at no velocity
+  std::vector<int> rows_;
+  ElasticSystem system_;
+  StaticReport report_;
+};
+
+std::vector<NodeId> nodes_of(const StaticProblem& problem) {
+  std::set<NodeId> nodes;
+  for (TetId tet : problem.tets) nodes.insert(problem.mesh.tets[tet].begin(), problem.mesh.tets[tet].end());
+  return {nodes.begin(), nodes.end()};
+}
+
+Vec3 center_of(const std::vector<NodeId>& nodes, std::span<const Vec3> positions) {
+  Vec3 sum = Vec3::Zero();
+  for (NodeId node : nodes) sum += positions[node];
+  return sum / static_cast<double>(nodes.size());
+}
+
+double radius_of(const std::vector<NodeId>& nodes, std::span<const Vec3> positions, const Vec3& center) {
+  double squares = 0;
+  for (NodeId node : nodes) squares += (positions[node] - center).squaredNorm();
+  return std::sqrt(squares / static_cast<double>(nodes.size()));
+}
+
+StaticSolver::StaticSolver(const StaticProblem& problem, const StaticSettings& settings, std::span<Vec3> positions,
+                           std::span<ElementState> states)
+    : problem_(problem),
+      settings_(settings),
+      positions_(positions),
+      states_(states),
+      nodes_(nodes_of(problem)),
+      center_(center_of(nodes_, positions)),
+      radius_(radius_of(nodes_, positions, center_)),
+      free_motions_(find_free_motions()),
+      still_(pin_free_motions()),
+      rows_(positions.size(), -1),
+      system_(problem.mesh, problem.tets, still_, rows_) {
+  report_.free_motions = static_cast<int>(free_motions_.cols());
+}
+
+/// The node's velocity in the three unit translations and three rotations, the latter scaled to lengths alike.
+StaticSolver::Modes StaticSolver::modes_at(NodeId node) const {
+  const Vec3 arm = (positions_[node] - center_) / radius_;
+  Modes modes;
+  modes << 1, 0, 0, 0, arm.z(), -arm.y(),  //
+      0, 1, 0, -arm.z(), 0, arm.x(),       //
+      0, 0, 1, arm.y(), -arm.x(), 0;
+  return modes;
+}
+
+/// The rigid motions that move no support in a blocked direction: the null space of sum Rᵀ (I − S) R.
+RigidModes StaticSolver::find_free_motions() const {
+  constexpr double kNegligible = 1e-10;
+  Eigen::Matrix<double, 6, 6> blocked = Eigen::Matrix<double, 6, 6>::Zero();
+  for (NodeId node : nodes_) {
+    if (problem_.constraints[node].is_free()) continue;
+    const Modes modes = modes_at(node);
+    blocked += modes.transpose() * (Mat3::Identity() - problem_.constraints[node].allowed) * modes;
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(blocked);
+  const auto count = (eigen.eigenvalues().array() <= kNegligible * std::max(1.0, eigen.eigenvalues()[5])).count();
+  return eigen.eigenvectors().leftCols(count);
+}
+
+/// The constraints, at no velocity, with pins that just block the free motions: each time the node and direction that
+/// move most. Balanced forces leave no reaction at a pin, so that they only say which of all equal solutions is meant.
+std::vector<NodeConstraint> StaticSolver::pin_free_motions() const {
+  std::vector<NodeConstraint> constraints(problem_.constraints.begin(), problem_.constraints.end());
+  for (NodeConstraint& constraint : constraints) constraint.velocity.setZero();
+  RigidModes motions = free_motions_;
+  while (motions.cols() > 0) {
+    const auto size = [&](NodeId node) { return (modes_at(node) * motions).squaredNorm(); };
+    const NodeId pinned =
+        *std::max_element(nodes_.begin(), nodes_.end(), [&](NodeId a, NodeId b) { return size(a) < size(b); });
+    const Eigen::Matrix3Xd motion = modes_at(pinned) * motions;
+    const Vec3 direction = Eigen::SelfAdjointEigenSolver<Mat3>(motion * motion.transpose()).eigenvectors().col(2);
+    constraints[pinned].block(direction, 0);
+    // What is left moves the node across the direction alone: the null space of directionᵀ motion.
+    const Eigen::VectorXd blocked = motion.transpose() * direction;
+    const Eigen::HouseholderQR<Eigen::MatrixXd> basis(blocked);
+    const Eigen::MatrixXd rotated = motions * Eigen::MatrixXd(basis.householderQ());
+    motions = rotated.rightCols(motions.cols() - 1);
+  }
+  return constraints;
+}
+
+/// The loads less the inertia of the free motion that they cause: f − M Z (Zᵀ M Z)⁻¹ Zᵀ f.
+std::vector<Vec3> StaticSolver::relieve(const std::vector<Vec3>& loads) const {
+  std::vector<Vec3> relieved = loads;
+  if (free_motions_.cols() == 0) return relieved;
+  Eigen::MatrixXd inertia = Eigen::MatrixXd::Zero(free_motions_.cols(), free_motions_.cols());
+  Eigen::VectorXd resultant = Eigen::VectorXd::Zero(free_motions_.cols());
+  for (NodeId node : nodes_) {
+    const Eigen::Matrix3Xd motion = modes_at(node) * free_motions_;
+    inertia += problem_.masses[node] * motion.transpose() * motion;
+    resultant += motion.transpose() * loads[node];
+  }
+  const Eigen::VectorXd acceleration = inertia.inverse() * resultant;
+  for (NodeId node : nodes_) relieved[node] -= problem_.masses[node] * (modes_at(node) * (free_motions_ * acceleration));
+  return relieved;
+}
+
+Balance StaticSolver::balance() {
+  problem_.evaluate(positions_, states_);
+  std::vector<Vec3> forces(positions_.size(), Vec3::Zero());
+  for (NodeId node : nodes_) forces[node] = problem_.loads[node];
+  Balance result;
+  for (TetId tet : problem_.tets) {
+    const Corners f = nodal_forces(problem_.rests[tet], states_[tet].frame, states_[tet].stress);
+    for (int i = 0; i < 4; ++i) forces[problem_.mesh.tets[tet][i]] += f.col(i);
+    result.energy += problem_.rests[tet].volume * states_[tet].energy_density;
+  }
+  result.forces = relieve(forces);
+  result.residual.resize(forces.size(), Vec3::Zero());
+  double squares = 0;
+  for (NodeId node : nodes_) {
+    result.residual[node] = problem_.constraints[node].allowed * result.forces[node];
+    squares += result.residual[node].squaredNorm();
+    result.energy -= (problem_.loads[node] + result.forces[node] - forces[node]).dot(positions_[node] - center_);
+  }
+  result.norm = std::sqrt(squares);
+  return result;
+}
+
+/// |loads and reactions|: what the unbalanced forces are small against.
+double StaticSolver::scale(const Balance& balance) const {
+  double squares = 0;
+  for (NodeId node : nodes_) squares += problem_.loads[node].squaredNorm();
+  for (NodeId node : system_.supports())
+    squares += (balance.forces[node] - problem_.constraints[node].allowed * balance.forces[node]).squaredNorm();
+  return std::sqrt(squares);
+}
+
+/// The unbalanced force that the rounding of positions alone makes: strain is known to 1e-16 of position / element size.
+double StaticSolver::rounding_level() const {
+  return 4 * std::numeric_limits<double>::epsilon() *
+         diagonal_product_norm(system_.matrix(), system_.gather(positions_));
+}
+
+/// Solves K d = residual with these known displacements; returns d of all nodes.
+std::vector<Vec3> StaticSolver::newton_step(const Balance& now, std::span<const NodeConstraint> constraints) {
+  constexpr double kTolerance = 1e-6;
+  system_.assemble(MatrixFactors{0, 1}, problem_.law, problem_.rests, states_, positions_, problem_.masses);
+  const NodeVectors b = system_.gather(now.residual);
+  NodeVectors x = NodeVectors::Zero(3, b.cols());
+  const SolveReport linear = system_.solve_projected(constraints, kTolerance, settings_.max_iterations, b, x);
+  report_.linear_iterations += linear.iterations;
+  if (!linear.converged) report_.factorizations += system_.solve_directly(constraints, b, x);
+  std::vector<Vec3> step(positions_.size(), Vec3::Zero());
+  for (NodeId node : nodes_) {
+    step[node] = constraints[node].velocity;
+    if (rows_[node] >= 0) step[node] += constraints[node].allowed * x.col(rows_[node]);
+  }
+  hold_free_motions(step);
+  return step;
+}
+
+/// Takes the mean free motion, which pins at single nodes let through, out of a step.
+void StaticSolver::hold_free_motions(std::vector<Vec3>& step) const {
+  if (free_motions_.cols() == 0) return;
+  for (NodeId node : nodes_) step[node] *= problem_.masses[node];
+  step = relieve(step);
+  for (NodeId node : nodes_) step[node] /= problem_.masses[node];
+}
+
+void StaticSolver::move(const std::vector<Vec3>& start, const std::vector<Vec3>& step, double share) {
+  for (NodeId node : nodes_) positions_[node] = start[node] + share * step[node];
+}
+
+/// Halves the step until the energy falls enough (Armijo 1966) or the forces come closer to balance; false when neither
+/// happens.
+bool StaticSolver::search_line(Balance& now, const std::vector<Vec3>& step) {
+  constexpr double kSufficientShare = 1e-4;
+  constexpr int kMaxHalvings = 12;
+  const std::vector<Vec3> start(positions_.begin(), positions_.end());
+  double slope = 0;
+  for (NodeId node : nodes_) slope += now.residual[node].dot(step[node]);
+  double share = 1;
+  for (int i = 0; i < kMaxHalvings; ++i, share /= 2) {
+    move(start, step, share);
+    Balance next = balance();
+    const bool closer = next.norm <= (1 - kSufficientShare * share) * now.norm;
+    const bool lower = next.energy <= now.energy - kSufficientShare * share * slope;
+    if (!closer && !lower) continue;
+    now = std::move(next);
+    return true;
+  }
+  std::copy(start.begin(), start.end(), positions_.begin());
+  now = balance();
+  return false;
+}
+
+StaticReport StaticSolver::solve() {
+  // The first step makes the prescribed displacements, with the linear response of all other nodes to them.
+  Balance now = balance();
+  std::vector<NodeConstraint> moving = still_;
+  for (NodeId node : nodes_) moving[node].velocity = problem_.constraints[node].velocity;
+  move({positions_.begin(), positions_.end()}, newton_step(now, moving), 1);
+  now = balance();
+  report_.newton_steps = 1;
+  const auto target = [&] { return std::max(settings_.relative_residual * scale(now), rounding_level()); };
+  while (now.norm > target() && report_.newton_steps < settings_.max_newton_steps) {
+    ++report_.newton_steps;
+    if (!search_line(now, newton_step(now, still_))) break;
+  }
+  report_.converged = now.norm <= target();
+  finish(now);
+  return report_;
+}
+
+void StaticSolver::finish(const Balance& now) {
+  const double reference = scale(now);
+  report_.relative_residual = reference > 0 ? now.norm / reference : 0;
+  for (NodeId node : nodes_) {
+    const NodeConstraint& constraint = problem_.constraints[node];
+    if (constraint.is_free()) continue;
+    report_.supports.push_back(node);
+    report_.reaction_forces.push_back(constraint.allowed * now.forces[node] - now.forces[node]);
+  }
+  const std::vector<Vec3> loads(problem_.loads.begin(), problem_.loads.end());
+  const std::vector<Vec3> relieved = relieve(loads);
+  double accelerating = 0, applied = 0;
+  for (NodeId node : nodes_) {
+    accelerating += (relieved[node] - loads[node]).squaredNorm();
+    applied += loads[node].squaredNorm();
+  }
+  report_.unbalanced_share = applied > 0 ? std::sqrt(accelerating / applied) : 0;
+}
+
+}  // namespace
+
+StaticReport solve_static(const StaticProblem& problem, const StaticSettings& settings, std::span<Vec3> positions,
+                          std::span<ElementState> states) {
+  return StaticSolver(problem, settings, positions, states).solve();
+}
+
+}  // namespace griffith

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "sim/solver/elastic_system.h"
+
+namespace griffith {
+
+/// A body at rest under loads. Spans are per node or tet of the mesh and outlive the problem.
+struct StaticProblem {
+  const TetMesh& mesh;
+  std::span<const TetId> tets;  ///< the body's, ascending
+  std::span<const ElementRest> rests;
+  ElasticLaw law;
+  std::span<const double> masses;  ///< [kg]
+  /// What supports block; the known velocities count as displacements to make [m].
+  std::span<const NodeConstraint> constraints;
+  std::span<const Vec3> loads;  ///< [N]
+  /// Sets the states of the body's tets for these positions, per node and tet of the mesh.
+  std::function<void(std::span<const Vec3> positions, std::span<ElementState> states)> evaluate;
+};
+
+struct StaticSettings {
+  double relative_residual = 1e-10;
+  int max_newton_steps = 60;
+  int max_iterations = 1000;  ///< of conjugate gradients for a Newton step; a sparse factorisation takes over after
+};
+
+struct StaticReport {
+  int newton_steps = 0;
+  int linear_iterations = 0;
+  int factorizations = 0;        ///< Newton steps that conjugate gradients did not finish
+  double relative_residual = 0;  ///< |unbalanced nodal forces| / |loads and reactions|
+  bool converged = false;        ///< to the residual that was asked for, or to what rounding leaves
+  /// Rigid motions that no support blocks, 0..6. Along them the solution is the one with inertia relief: the body
+  /// accelerates as a whole, and its own inertia balances the loads.
+  int free_motions = 0;
+  double unbalanced_share = 0;        ///< of the loads: what accelerates the body; 0 in true equilibrium
+  std::vector<NodeId> supports;       ///< constrained nodes, ascending
+  std::vector<Vec3> reaction_forces;  ///< per support: the force on the node in its blocked directions [N]
+};
+
+/// Static equilibrium f_elastic(x) + loads = 0 by Newton's method with a line search on the potential energy. `positions`
+/// [m] hold the start and the answer, `states` the elements' at the answer; both per node or tet of the mesh, the body's
+/// alone are written.
+StaticReport solve_static(const StaticProblem& problem, const StaticSettings& settings, std::span<Vec3> positions,
+                          std::span<ElementState> states);
+
+}  // namespace griffith

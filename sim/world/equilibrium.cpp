@@ -1,0 +1,57 @@
+#include <algorithm>
+
+#include "sim/parallel.h"
+#include "sim/solver/static_solve.h"
+#include "sim/world/phases.h"
+
+namespace griffith {
+namespace {
+
+Corners corners_of(const TetMesh& mesh, TetId tet, std::span<const Vec3> positions) {
+  Corners corners;
+  for (int i = 0; i < 4; ++i) corners.col(i) = positions[mesh.tets[tet][i]];
+  return corners;
+}
+
+StaticProblem problem_of(const WorldState& world, const Body& body, std::span<const NodeConstraint> displacements,
+                         std::span<const Vec3> loads) {
+  const ElasticLaw law = elastic_law(world.material_of(body));
+  const auto evaluate = [&world, &body, law](std::span<const Vec3> positions, std::span<ElementState> states) {
+    const ElementArrays& elements = world.elements;
+    parallel_for(static_cast<int>(body.tets.size()), 1024, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) {
+        const TetId tet = body.tets[i];
+        const ElementDeformation deformation =
+            element_deformation(law.model, elements.rests[tet], corners_of(world.mesh, tet, positions));
+        states[tet] = element_state(law, deformation, elements.plastic_strains[tet]);
+      }
+    });
+  };
+  return {world.mesh, body.tets, world.elements.rests, law, world.nodes.masses, displacements, loads, evaluate};
+}
+
+void settle(WorldState& world, Body& body, std::span<const NodeConstraint> displacements, std::span<const Vec3> loads) {
+  const StaticProblem problem = problem_of(world, body, displacements, loads);
+  const StaticReport report = solve_static(problem, {}, world.nodes.positions, world.elements.states);
+  for (NodeId node : body.nodes) world.nodes.velocities[node].setZero();
+  for (std::size_t i = 0; i < report.supports.size(); ++i)
+    world.nodes.reactions[report.supports[i]] = report.reaction_forces[i];
+  update_motion(world, body);
+  world.report.solver_iterations = std::max(world.report.solver_iterations, report.linear_iterations);
+  world.report.max_relative_residual = std::max(world.report.max_relative_residual, report.relative_residual);
+  world.report.unconverged_solves += !report.converged;
+}
+
+}  // namespace
+
+void find_equilibrium(WorldState& world, double time, double displacement_time, bool supported_only) {
+  std::vector<NodeConstraint> displacements = world.nodes.constraints;
+  for (NodeConstraint& constraint : displacements) constraint.velocity *= displacement_time;
+  std::vector<Vec3> loads(world.nodes.positions.size());
+  for (std::size_t i = 0; i < loads.size(); ++i) loads[i] = world.nodes.masses[i] * world.scene.gravity;
+  add_load_forces(world, time, loads);
+  for (Body& body : world.bodies)
+    if (!body.rigid && (body.supported() || !supported_only)) settle(world, body, displacements, loads);
+}
+
+}  // namespace griffith

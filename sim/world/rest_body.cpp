@@ -1,0 +1,27 @@
+#include "sim/world/rest_body.h"
+
+namespace griffith {
+
+std::vector<std::uint8_t> nodes_in(const RestBody& body, const Region& region) {
+  constexpr double kTolerance = 1e-9;  // of the body's size
+  Eigen::AlignedBox3d bounds;
+  for (const Vec3& point : body.soup.points) bounds.extend(point);
+  const double tolerance = kTolerance * bounds.diagonal().norm();
+  std::vector<std::uint8_t> inside(body.soup.points.size(), 0);
+  for (std::size_t i = 0; i < body.node_of_point.size(); ++i) {
+    const int node = body.node_of_point[i];
+    if (node >= 0 && contains(region, body.soup.points[node], static_cast<int>(i), tolerance)) inside[node] = 1;
+  }
+  return inside;
+}
+
+std::vector<TetCorner> corners_at(const RestBody& body, const std::vector<std::uint8_t>& marked) {
+  std::vector<TetCorner> corners;
+  for (std::size_t tet = 0; tet < body.soup.tets.size(); ++tet)
+    for (int corner = 0; corner < 4; ++corner)
+      if (marked[body.soup.tets[tet][corner]])
+        corners.push_back({TetId(body.range.first_tet + static_cast<std::int64_t>(tet)), corner});
+  return corners;
+}
+
+}  // namespace griffith

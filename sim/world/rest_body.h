@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/mesh/tet_mesh.h"
+#include "sim/mesh/topology.h"
+#include "sim/scene/region.h"
+
+namespace griffith {
+
+/// Corner `corner` of `tet`. Tets are never added or removed, so it stands for the same piece of material for good, while
+/// a node may be parted into several.
+struct TetCorner {
+  TetId tet;
+  int corner = 0;
+};
+
+/// The node at a corner now. `tets`: per tet, its corners.
+inline NodeId node_at(std::span<const std::array<NodeId, 4>> tets, const TetCorner& place) {
+  return tets[place.tet][place.corner];
+}
+
+/// A scene body in its rest space, before anything has broken, for its regions to be looked up in.
+struct RestBody {
+  TetSoup soup;                    ///< prepared
+  std::vector<int> node_of_point;  ///< per point as read: its node in the soup, -1 where it was removed
+  AppendedRange range;             ///< where the soup's nodes and tets are in the world's mesh
+};
+
+/// Per node of the body: 1 where it lies in the region, borders included. Regions name nodes by their number as read.
+std::vector<std::uint8_t> nodes_in(const RestBody& body, const Region& region);
+
+/// All corners of all tets at the nodes marked with 1.
+std::vector<TetCorner> corners_at(const RestBody& body, const std::vector<std::uint8_t>& marked);
+
+}  // namespace griffith

@@ -1,0 +1,59 @@
+#include "app/export_frame.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "sim/error.h"
+#include "sim/mesh/read_mesh.h"
+#include "sim/world/world.h"
+#include "tests/world/scenes.h"
+
+namespace griffith::app {
+namespace {
+
+World broken_wall() {
+  World world(testing::shot_wall(Vec3(3, 3, 1), 1.5, testing::brick(0.02)));
+  for (int i = 0; i < 40; ++i) world.step();
+  return world;
+}
+
+std::filesystem::path output(const std::string& name) {
+  return std::filesystem::path(::testing::TempDir()) / name;
+}
+
+class ExportFrame : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(ExportFrame, TheMeshReadsBackAsItIs) {
+  const World world = broken_wall();
+  const Frame frame = world.frame();
+  ASSERT_GT(frame.bodies.size(), 1u);
+  export_frame(output(GetParam()), frame);
+  const TetSoup soup = read_mesh(output(GetParam()));
+  ASSERT_EQ(soup.points.size(), frame.positions.size());
+  for (std::size_t i = 0; i < soup.points.size(); ++i) EXPECT_EQ(soup.points[i], frame.positions[i]);
+  ASSERT_EQ(soup.tets.size(), frame.tets.size());
+  for (std::size_t i = 0; i < soup.tets.size(); ++i)
+    for (int k = 0; k < 4; ++k) EXPECT_EQ(soup.tets[i][k], frame.tets[i][k]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, ExportFrame, ::testing::Values("frame.vtu", "frame.msh"));
+
+TEST(ExportFrameFields, EveryFieldIsThere) {
+  const World world = broken_wall();
+  export_frame(output("fields.vtu"), world.frame());
+  std::stringstream text;
+  text << std::ifstream(output("fields.vtu"), std::ios::binary).rdbuf();
+  for (const char* name : {"displacement [m]", "velocity [m/s]", "reaction [N]", "separation_stress [Pa]", "margin",
+                           "separation_direction", "stress [Pa]", "von_mises [Pa]", "body", "scene_body"})
+    EXPECT_NE(text.str().find('"' + std::string(name) + '"'), std::string::npos) << name;
+}
+
+TEST(ExportFrameFields, AnotherEndingIsRefused) {
+  EXPECT_THROW(check_export_path("wall.obj"), InputError);
+  EXPECT_NO_THROW(check_export_path("wall.vtu"));
+}
+
+}  // namespace
+}  // namespace griffith::app

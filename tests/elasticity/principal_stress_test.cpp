@@ -1,0 +1,67 @@
+#include "sim/elasticity/principal_stress.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "tests/random_values.h"
+
+namespace griffith {
+namespace {
+
+using testing::RandomValues;
+
+/// By Eigen's iterative solver, the accurate one.
+Mat3 reference(const Mat3& stress) {
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(stress);
+  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).asDiagonal() * solver.eigenvectors().transpose();
+}
+
+Mat3 symmetric(const Mat3& axes, const Vec3& values) {
+  const Mat3 m = axes * values.asDiagonal() * axes.transpose();
+  return 0.5 * (m + m.transpose());
+}
+
+TEST(TensilePart, KeepsTensionDropsCompression) {
+  RandomValues random(1);
+  for (int i = 0; i < 5000; ++i) {
+    const Mat3 m = random.matrix(1e6), stress = m + m.transpose(), tensile = tensile_part(stress);
+    const Mat3 compressive = stress - tensile;
+    EXPECT_GT(principal_values(tensile).values[0], -1);
+    EXPECT_LT(principal_values(compressive).values[2], 1);
+    EXPECT_LT((tensile * compressive).norm(), 1e-9 * stress.squaredNorm());
+  }
+}
+
+TEST(TensilePart, AgreesWithTheEigenvaluesOfAnySigns) {
+  RandomValues random(2);
+  for (int i = 0; i < 20000; ++i) {
+    const Vec3 values = std::pow(10, random.uniform(-20, 12)) * random.vector();
+    const Mat3 stress = symmetric(random.rotation(), values);
+    EXPECT_LT((tensile_part(stress) - reference(stress)).norm(), 1e-13 * stress.norm()) << values.transpose();
+  }
+}
+
+TEST(TensilePart, StaysAccurateForDoubleTinyAndVanishingValues) {
+  RandomValues random(3);
+  for (double tiny : {0.0, 1e-16, 1e-12, 1e-9, 1e-8, 1e-7, 1e-5, 1e-3})
+    for (const Vec3& values : {Vec3(1, 1, -1), Vec3(1, -1, -1), Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(1, 1, 0),
+                               Vec3(1, 1, 1), Vec3(-1, -1, -1), Vec3(1, -1, 0), Vec3(-1, -1, 0)})
+      for (int i = 0; i < 50; ++i) {
+        const Mat3 stress = 1e8 * symmetric(random.rotation(), values + random.vector(tiny));
+        EXPECT_LT((tensile_part(stress) - reference(stress)).norm(), 1e-13 * stress.norm())
+            << values.transpose() << ", " << tiny;
+      }
+}
+
+TEST(TensilePart, OfNothingIsNothing) { EXPECT_EQ(tensile_part(Mat3::Zero()), Mat3::Zero()); }
+
+TEST(TensilePart, OfDiagonalStressesIsExact) {
+  const Mat3 stress = Vec3(2, -3, 5).asDiagonal();
+  EXPECT_LT((tensile_part(stress) - Mat3(Vec3(2, 0, 5).asDiagonal())).norm(), 1e-14);
+  EXPECT_LT((tensile_part(-stress) - Mat3(Vec3(0, 3, 0).asDiagonal())).norm(), 1e-14);
+}
+
+}  // namespace
+}  // namespace griffith

@@ -1,0 +1,143 @@
+#include <cmath>
+#include <numeric>
+
+#include "tests/validation/specimen.h"
+
+namespace griffith::validation {
+namespace {
+
+// Of a square section; Timoshenko (1921).
+constexpr double kShearFactor = 5.0 / 6;
+
+struct Beam {
+  double length, inertia, area;  // [m], [m⁴], [m²]
+  double young_modulus, shear;   // [Pa]
+};
+
+Beam beam_of(const Scene& scene) {
+  const Vec3& size = std::get<BoxShape>(scene.bodies[0].shape).size;
+  const Material& material = scene.bodies[0].material;
+  return {size.x(), size.z() * std::pow(size.y(), 3) / 12, size.y() * size.z(), material.young_modulus,
+          shear_modulus(material)};
+}
+
+double tip_load_deflection(const Scene& scene) {
+  const Beam beam = beam_of(scene);
+  const double load = scene.bodies[0].loads[0].traction.norm() * beam.area;
+  return load * std::pow(beam.length, 3) / (3 * beam.young_modulus * beam.inertia) +
+         load * beam.length / (kShearFactor * beam.shear * beam.area);
+}
+
+double gravity_deflection(const Scene& scene) {
+  const Beam beam = beam_of(scene);
+  const double load = scene.bodies[0].material.density * beam.area * scene.gravity.norm();
+  return load * std::pow(beam.length, 4) / (8 * beam.young_modulus * beam.inertia) +
+         load * std::pow(beam.length, 2) / (2 * kShearFactor * beam.shear * beam.area);
+}
+
+void cut(Scene& scene, BoxPattern pattern, int cells_through_thickness) {
+  auto& box = std::get<BoxShape>(scene.bodies[0].shape);
+  box.pattern = pattern;
+  box.element_size = Vec3::Constant(box.size.y() / cells_through_thickness);
+}
+
+/// How far the end face sinks, on average [m].
+double tip_deflection(const Scene& scene) {
+  Specimen specimen(scene);
+  specimen.equilibrate();
+  const double end = beam_of(scene).length / 2;
+  const std::vector<int> tip = specimen.nodes_where([&](const Vec3& x) { return x.x() > end - 1e-9; });
+  const double sum = std::accumulate(tip.begin(), tip.end(), 0.0,
+                                     [&](double total, int node) { return total - specimen.displacement(node).y(); });
+  return sum / static_cast<double>(tip.size());
+}
+
+/// Nodes of a beam of ten cubes, n cells through its thickness.
+double node_count(BoxPattern pattern, int n) {
+  const double corners = (10.0 * n + 1) * (n + 1) * (n + 1);
+  return pattern == BoxPattern::bcc ? corners + 10.0 * n * n * n : corners;
+}
+
+/// What a finer or coarser mesh of a pattern would give: log(1 − share) is nearly linear in the logarithm of the nodes.
+double interpolated_share(const std::vector<int>& cells, const std::vector<double>& shares, BoxPattern pattern,
+                          double nodes) {
+  std::size_t i = 1;
+  while (i + 1 < cells.size() && node_count(pattern, cells[i]) < nodes) ++i;
+  const double before = std::log(node_count(pattern, cells[i - 1])), after = std::log(node_count(pattern, cells[i]));
+  const double t = (std::log(nodes) - before) / (after - before);
+  return 1 - std::exp((1 - t) * std::log(1 - shares[i - 1]) + t * std::log(1 - shares[i]));
+}
+
+struct Expectation {
+  BoxPattern pattern;
+  std::array<double, 4> shares;  // of Timoshenko's deflection at n = 1, 2, 4, 8
+};
+
+std::vector<int> refinements(Extent extent) {
+  return extent == Extent::table ? std::vector<int>{1, 2, 4, 8} : std::vector<int>{1, 2, 4};
+}
+
+/// Kuhn and five-tet against the shares that linear tets give; BCC, which has more nodes, against five-tet.
+std::vector<Row> cantilever(const char* scene_name, double (*closed_form)(const Scene&), double tolerance,
+                            Extent extent) {
+  constexpr std::array<Expectation, 2> kExpected = {
+      {{BoxPattern::kuhn, {.22, .50, .79, .93}}, {BoxPattern::five_tet, {.35, .67, .89, .96}}}};
+  const std::vector<int> cells = refinements(extent);
+  std::array<std::vector<double>, 3> shares;
+  for (BoxPattern pattern : kPatterns)
+    for (int n : cells) {
+      Scene scene = validation_scene(scene_name);
+      cut(scene, pattern, n);
+      shares[static_cast<int>(pattern)].push_back(tip_deflection(scene) / closed_form(scene));
+    }
+  std::vector<Row> rows;
+  for (const auto& [pattern, expected] : kExpected)
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      rows.push_back(near(mesh_label(pattern, cells[i]), "share of the deflection", expected[i],
+                          shares[static_cast<int>(pattern)][i], tolerance));
+  const auto& five_tet = shares[static_cast<int>(BoxPattern::five_tet)];
+  const auto& bcc = shares[static_cast<int>(BoxPattern::bcc)];
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    rows.push_back(at_least(mesh_label(BoxPattern::bcc, cells[i]), "share; five_tet's with as many nodes",
+                            interpolated_share(cells, five_tet, BoxPattern::five_tet,
+                                               node_count(BoxPattern::bcc, cells[i])),
+                            bcc[i]));
+  for (BoxPattern pattern : kPatterns) {
+    const auto& own = shares[static_cast<int>(pattern)];
+    for (std::size_t i = 1; i < cells.size(); ++i)
+      rows.push_back(at_most(mesh_label(pattern, cells[i]), "error over that of twice the element size", 0.85,
+                             (1 - own[i]) / (1 - own[i - 1])));
+  }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<Row> cantilever_tip_load(Extent extent) {
+  return cantilever("cantilever_tip_load", tip_load_deflection, 0.03, extent);
+}
+
+std::vector<Row> cantilever_gravity(Extent extent) {
+  return cantilever("cantilever_gravity", gravity_deflection, 0.014, extent);
+}
+
+std::vector<Row> locking(Extent extent) {
+  const int cells = extent == Extent::table ? 4 : 2;
+  std::vector<Row> rows;
+  for (BoxPattern pattern : kPatterns) {
+    double previous = 1;
+    for (double poisson_ratio : {0.0, 0.3, 0.4, 0.45, 0.49, 0.499}) {
+      Scene scene = validation_scene("cantilever_tip_load");
+      scene.bodies[0].material.poisson_ratio = poisson_ratio;
+      cut(scene, pattern, cells);
+      const double share = tip_deflection(scene) / tip_load_deflection(scene);
+      char quantity[64];
+      std::snprintf(quantity, sizeof quantity, "share at nu = %.3g; that at the smaller nu", poisson_ratio);
+      rows.push_back(at_most(mesh_label(pattern, cells), quantity, previous, share));
+      previous = share;
+    }
+  }
+  return rows;
+}
+
+}  // namespace griffith::validation

@@ -1,0 +1,67 @@
+#include <cmath>
+
+#include "tests/validation/validation_case.h"
+
+namespace griffith::validation {
+
+bool Row::passes() const {
+  switch (check) {
+    case Check::near: return std::abs(error()) <= tolerance;
+    case Check::at_most: return got <= expected;
+    case Check::at_least: return got >= expected;
+  }
+  return false;
+}
+
+Row near(const MeshLabel& mesh, const std::string& quantity, double expected, double got, double tolerance) {
+  return {mesh, quantity, expected, got, tolerance, Check::near};
+}
+Row at_most(const MeshLabel& mesh, const std::string& quantity, double limit, double got) {
+  return {mesh, quantity, limit, got, 0, Check::at_most};
+}
+Row at_least(const MeshLabel& mesh, const std::string& quantity, double limit, double got) {
+  return {mesh, quantity, limit, got, 0, Check::at_least};
+}
+
+std::span<const Case> cases() {
+  static constexpr Case kCases[] = {
+      {"AffineDeformation", "Affine deformation",
+       "A block under a uniform deformation gradient: every tet has the stress that the gradient gives, and no node inside "
+       "a force.",
+       affine_deformation},
+      {"RigidMotion", "Rigid motion", "A block turned twenty ways and moved: no strain, no force.", rigid_motion},
+      {"DifferenceQuotients", "Forces and stiffness against difference quotients",
+       "A single tet: its forces are the slope of its energy, its stiffness that of its forces, and forces turn with the "
+       "element.",
+       difference_quotients},
+      {"CantileverTipLoad", "Cantilever 10:1:1 with a load at its tip",
+       "The tip sinks by PL³/3EI + PL/(κGA), κ = 5/6 (Timoshenko); linear tets are too stiff and give the expected share "
+       "with n cells through the thickness. ν = 0.3.",
+       cantilever_tip_load},
+      {"CantileverGravity", "Cantilever 10:1:1 under gravity",
+       "The tip sinks by qL⁴/8EI + qL²/(2κGA); expected are the shares of the load at the tip.", cantilever_gravity},
+      {"Locking", "Locking towards incompressibility",
+       "The cantilever's share of its deflection while ν → 0.5: linear tets lock, each share below the one before.",
+       locking},
+      {"BarInTension", "Bar in tension",
+       "A free bar pulled at its ends, straight and turned: the stress s that pulls a node apart is the bar's stress at "
+       "every node off the ends.",
+       bar_in_tension},
+      {"ThreePointBending", "Three-point bending", "Bottom fibre.", three_point_bending},
+      {"PlateWithHole", "Plate with a hole, d/W = 0.1",
+       "The largest s over the stress far away, n elements round a quadrant of the hole; closed form 3.03.",
+       plate_with_hole},
+      {"BrazilianDisc", "Brazilian disc",
+       "A disc pressed along a diameter: in its middle 2P/(πDt) across the load; n elements along the radius.",
+       brazilian_disc},
+      {"LongitudinalWave", "Longitudinal wave", "ν = 0.", longitudinal_wave},
+      {"FreeFall", "Free fall",
+       "After steps of h the block is at x₀ + v₀t − ½gt(t+h), without stress, for 120 steps and any stiffness.", free_fall},
+      {"ModeDecay", "A mode under implicit Euler, and the stable explicit step",
+       "Implicit Euler multiplies a mode's energy by 1/(1 + ω²h²) a step; the explicit step is stable below 2/ω.",
+       mode_decay},
+  };
+  return kCases;
+}
+
+}  // namespace griffith::validation

@@ -1,0 +1,165 @@
+#include "sim/world/probes.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/world/scenes.h"
+#include "sim/world/phases.h"
+#include "sim/world/world.h"
+#include "sim/world/world_state.h"
+
+namespace griffith::testing {
+namespace {
+
+Probe probe_at(const ProbePlace& place, const std::vector<ProbeQuantity>& quantities) {
+  Probe probe;
+  probe.body = "block";
+  probe.at = place;
+  probe.quantities = quantities;
+  return probe;
+}
+
+Scene probed_block(const std::vector<Probe>& probes) {
+  Scene scene;
+  scene.gravity.setZero();
+  scene.ground.reset();
+  BodyDescription block;
+  block.name = "block";
+  block.shape = BoxShape{Vec3(2, 1, 1), Vec3::Constant(0.5), BoxPattern::five_tet};
+  block.position = Vec3(5, 6, 7);
+  block.rotation_degrees = Vec3(0, 90, 0);
+  scene.bodies = {block};
+  scene.probes = probes;
+  return scene;
+}
+
+/// A frame of the world's arrays as they are now.
+Frame frame_of(const WorldState& world) {
+  Frame frame;
+  frame.rest_positions = world.mesh.rest_positions;
+  frame.positions = world.nodes.positions;
+  frame.velocities = world.nodes.velocities;
+  frame.separations = world.nodes.separations;
+  frame.reactions = world.nodes.reactions;
+  frame.tets = world.mesh.tets;
+  frame.stresses = world.elements.stresses;
+  return frame;
+}
+
+TEST(Probes, APointSeesALinearFieldExactly) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> in(-0.5, 0.5);
+  const Mat3 gradient{{1, 2, 3}, {-4, 5, 6}, {7, 8, -9}};
+  for (int i = 0; i < 30; ++i) {
+    const Vec3 point(2 * in(random), in(random), in(random));
+    WorldState world(probed_block({probe_at(ProbePoint{point}, {ProbeQuantity::displacement, ProbeQuantity::velocity})}));
+    build_world(world);
+    for (std::size_t node = 0; node < world.nodes.positions.size(); ++node) {
+      const Vec3& rest = world.mesh.rest_positions[node];
+      world.nodes.positions[node] = rest + gradient * rest;
+      world.nodes.velocities[node] = gradient.transpose() * rest;
+    }
+    const Vec3 placed = Vec3(5, 6, 7) + Vec3(point.z(), point.y(), -point.x());  // turned by 90° about y
+    const std::vector<double> values = probe_values(world.probes, frame_of(world));
+    ASSERT_EQ(values.size(), 6u);
+    EXPECT_LT((Vec3(values.data()) - gradient * placed).norm(), 1e-11);
+    EXPECT_LT((Vec3(values.data() + 3) - gradient.transpose() * placed).norm(), 1e-11);
+  }
+}
+
+TEST(Probes, APointOutsideSeesTheNearestOfTheBody) {
+  WorldState world(probed_block({probe_at(ProbePoint{Vec3(9, 0.2, -0.1)}, {ProbeQuantity::velocity})}));
+  build_world(world);
+  for (std::size_t node = 0; node < world.nodes.positions.size(); ++node)
+    world.nodes.velocities[node] = world.mesh.rest_positions[node];
+  const std::vector<double> values = probe_values(world.probes, frame_of(world));
+  EXPECT_LT((Vec3(values.data()) - Vec3(5 - 0.1, 6 + 0.2, 7 - 1)).norm(), 1e-12);
+}
+
+TEST(Probes, AUniformStressIsTheSameEverywhere) {
+  const std::vector<ProbeQuantity> stresses = {ProbeQuantity::stress, ProbeQuantity::principal_stress};
+  WorldState world(probed_block({probe_at(ProbePoint{}, stresses), probe_at(ProbeNode{7}, stresses),
+                                 probe_at(SphereRegion{Vec3(1, 0, 0), 0.6}, stresses)}));
+  build_world(world);
+  const Mat3 stress{{1, 4, 6}, {4, 2, 5}, {6, 5, 3}};
+  for (Mat3& of_tet : world.elements.stresses) of_tet = stress;
+  const std::vector<double> values = probe_values(world.probes, frame_of(world));
+  ASSERT_EQ(values.size(), 3 * 9u);
+  const std::vector<double> components = {1, 2, 3, 4, 5, 6};
+  for (int probe = 0; probe < 3; ++probe) {
+    for (int i = 0; i < 6; ++i) EXPECT_NEAR(values[9 * probe + i], components[i], 1e-12);
+    const Vec3 principal(values.data() + 9 * probe + 6);
+    EXPECT_GT(principal[0], principal[1]);
+    EXPECT_GT(principal[1], principal[2]);
+    EXPECT_NEAR(principal.sum(), stress.trace(), 1e-12);
+    EXPECT_NEAR(principal.prod(), stress.determinant(), 1e-11);
+  }
+}
+
+TEST(Probes, ReactionsAreAddedUpAndOthersAveraged) {
+  const Region end = HalfSpaceRegion{Vec3(1, 0, 0), Vec3::UnitX()};
+  WorldState world(probed_block({probe_at(end, {ProbeQuantity::reaction, ProbeQuantity::velocity})}));
+  build_world(world);
+  for (std::size_t node = 0; node < world.nodes.positions.size(); ++node) {
+    world.nodes.reactions[node] = Vec3(1, 2, 3);
+    world.nodes.velocities[node] = Vec3(4, 5, 6);
+  }
+  const std::vector<double> values = probe_values(world.probes, frame_of(world));
+  EXPECT_LT((Vec3(values.data()) - 9 * Vec3(1, 2, 3)).norm(), 1e-12);
+  EXPECT_LT((Vec3(values.data() + 3) - Vec3(4, 5, 6)).norm(), 1e-12);
+}
+
+TEST(Probes, SurviveACrack) {
+  const Region everything = HalfSpaceRegion{Vec3(0, -9, 0), Vec3::UnitY()};
+  WorldState world(probed_block({probe_at(ProbePoint{}, {ProbeQuantity::stress}),
+                                 probe_at(everything, {ProbeQuantity::reaction, ProbeQuantity::separation})}));
+  build_world(world);
+  const int nodes = world.mesh.node_count();
+  for (NodeId node(0); node < nodes; ++node.value) world.nodes.separations[node].margin = 2;
+  open_cracks(world);
+  ASSERT_GT(world.mesh.node_count(), nodes);
+  for (std::size_t tet = 0; tet < world.elements.stresses.size(); ++tet)
+    world.elements.stresses[tet] = Mat3::Identity();
+  for (Vec3& reaction : world.nodes.reactions) reaction = Vec3::UnitX();
+  const std::vector<double> values = probe_values(world.probes, frame_of(world));
+  EXPECT_NEAR(values[0], 1, 1e-14);
+  EXPECT_EQ(values[6], world.mesh.node_count());  // the copies' reactions, too
+}
+
+TEST(Probes, EveryColumnHasAName) {
+  const std::vector<ProbeQuantity> all = {ProbeQuantity::displacement,     ProbeQuantity::velocity,
+                                          ProbeQuantity::stress,           ProbeQuantity::principal_stress,
+                                          ProbeQuantity::separation,       ProbeQuantity::reaction};
+  const World world(probed_block({probe_at(ProbePoint{}, all)}));
+  const std::vector<std::string> columns = probe_columns(world.probes());
+  EXPECT_EQ(columns.size(), probe_values(world.probes(), world.frame()).size());
+  EXPECT_THAT(columns, ::testing::IsSupersetOf({"probe.displacement.x [m]", "probe.stress.zx [Pa]",
+                                                "probe.separation.margin [-]", "probe.reaction.z [N]"}));
+}
+
+TEST(Probes, WhatTheyNameHasToExist) {
+  const auto place_of_error = [](const Scene& scene) -> std::string {
+    try {
+      const World world(scene);
+      return "none";
+    } catch (const InputError& error) {
+      return error.where();
+    }
+  };
+  Probe stranger = probe_at(ProbePoint{}, {ProbeQuantity::velocity});
+  stranger.body = "blok";
+  EXPECT_EQ(place_of_error(probed_block({stranger})), "#/probes/0/body");
+  EXPECT_EQ(place_of_error(probed_block({probe_at(ProbeNode{44}, {})})), "none");
+  EXPECT_EQ(place_of_error(probed_block({probe_at(ProbeNode{45}, {})})), "#/probes/0/at/node");
+
+  const World world(probed_block({probe_at(SphereRegion{Vec3(0, 9, 0), 1}, {ProbeQuantity::velocity})}));
+  ASSERT_EQ(world.findings().size(), 1u);
+  EXPECT_EQ(world.findings()[0].where(), "#/probes/0/at/region");
+  for (const double value : probe_values(world.probes(), world.frame())) EXPECT_TRUE(std::isnan(value));
+}
+
+}  // namespace
+}  // namespace griffith::testing

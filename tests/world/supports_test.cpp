@@ -1,0 +1,101 @@
+#include <gtest/gtest.h>
+
+#include "sim/world/world.h"
+#include "tests/world/scenes.h"
+
+namespace griffith::testing {
+namespace {
+
+/// A weightless block with these supports, moving at the start.
+Scene supported_block(const std::vector<Support>& supports) {
+  Scene scene;
+  scene.gravity.setZero();
+  scene.ground.reset();
+  scene.simulation.fracture = false;
+  scene.simulation.static_start = false;  // it has a velocity
+  scene.simulation.relative_residual = 1e-9;
+  BodyDescription block;
+  block.shape = BoxShape{Vec3(1, 1, 1), Vec3::Constant(0.5), BoxPattern::five_tet};
+  block.velocity = Vec3(0.01, 0.02, -0.03);
+  block.supports = supports;
+  scene.bodies = {block};
+  return scene;
+}
+
+const Region kFoot = HalfSpaceRegion{Vec3(0, -0.5, 0), -Vec3::UnitY()};
+
+Support support_of(SupportKind kind, const Region& region = kFoot) {
+  Support support{region};
+  support.kind = kind;
+  return support;
+}
+
+TEST(Supports, AFixedNodeStandsStill) {
+  World world(supported_block({support_of(SupportKind::fixed)}));
+  for (int i = 0; i < 5; ++i) world.step();
+  const Frame frame = world.frame();
+  int held = 0;
+  for (std::size_t i = 0; i < frame.positions.size(); ++i) {
+    if (!frame.node_held[i]) continue;
+    EXPECT_TRUE(frame.positions[i] == frame.rest_positions[i] && frame.velocities[i].isZero(0));
+    ++held;
+  }
+  EXPECT_EQ(held, 9);
+}
+
+TEST(Supports, ASlidingBlockKeepsItsPlaneAndItsMomentumAlongIt) {
+  Support sliding = support_of(SupportKind::sliding);
+  sliding.normal = Vec3(0, 2, 0);
+  World world(supported_block({sliding}));
+  for (int i = 0; i < 20; ++i) world.step();
+  const Frame frame = world.frame();
+  for (std::size_t i = 0; i < frame.positions.size(); ++i) {
+    if (!frame.node_held[i]) continue;
+    EXPECT_NEAR(frame.positions[i].y(), -0.5, 1e-12);
+  }
+  const Vec3 drift = frame.bodies[0].center_of_mass - Vec3::Zero();
+  EXPECT_NEAR(drift.x(), 0.01 * frame.time, 1e-5 * frame.time);
+  EXPECT_NEAR(drift.z(), -0.03 * frame.time, 1e-5 * frame.time);
+}
+
+TEST(Supports, APrescribedOneGetsExactlyToWhereItStops) {
+  Support prescribed = support_of(SupportKind::prescribed);
+  prescribed.velocity = Vec3(0.1, -0.2, 0.3);
+  prescribed.stop = 0.03;  // within the fourth step
+  World world(supported_block({prescribed}));
+  for (int i = 0; i < 8; ++i) {
+    world.step();
+    const Frame frame = world.frame();
+    const Vec3 way = std::min(frame.time, 0.03) * prescribed.velocity;
+    for (std::size_t node = 0; node < frame.positions.size(); ++node) {
+      if (!frame.node_held[node]) continue;
+      EXPECT_LT((frame.positions[node] - frame.rest_positions[node] - way).norm(), 1e-14);
+    }
+  }
+}
+
+TEST(Supports, OverlappingOnesHoldTogether) {
+  const Support across = support_of(SupportKind::sliding);
+  Support along = support_of(SupportKind::sliding, HalfSpaceRegion{Vec3(-0.5, 0, 0), -Vec3::UnitX()});
+  along.normal = Vec3::UnitX();
+  World world(supported_block({across, along}));
+  for (int i = 0; i < 20; ++i) world.step();
+  const Frame frame = world.frame();
+  for (std::size_t i = 0; i < frame.positions.size(); ++i) {
+    const Vec3 moved = frame.positions[i] - frame.rest_positions[i];
+    const Vec3& rest = frame.rest_positions[i];
+    EXPECT_LT(std::abs(moved.y()), rest.y() == -0.5 ? 1e-12 : 1);
+    EXPECT_LT(std::abs(moved.x()), rest.x() == -0.5 ? 1e-12 : 1);
+    EXPECT_NEAR(moved.z(), -0.03 * frame.time, 1e-4 * frame.time);
+  }
+}
+
+TEST(Supports, OneThatHoldsNothingIsAFinding) {
+  const Support nowhere = support_of(SupportKind::fixed, SphereRegion{Vec3(0, 9, 0), 1});
+  const World world(supported_block({support_of(SupportKind::fixed), nowhere}));
+  ASSERT_EQ(world.findings().size(), 1u);
+  EXPECT_EQ(world.findings()[0].where(), "#/bodies/0/supports/1/region");
+}
+
+}  // namespace
+}  // namespace griffith::testing
