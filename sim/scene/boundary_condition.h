@@ -12,14 +12,14 @@ enum class SupportKind {
   prescribed,  ///< moves with `velocity`
 };
 
-/// The nodes of a region, held. Where supports overlap, a node obeys all of them, the earlier ones first. Directions are
-/// the world's.
+/// The nodes of a region, held. Where supports overlap, a node obeys all of them, the earlier ones first. Directions
+/// are the world's.
 struct Support {
   Region region;
   SupportKind kind = SupportKind::fixed;
-  Vec3 normal = Vec3::UnitY();               ///< of a sliding support; any length but 0
-  Vec3 velocity = Vec3::Zero();              ///< of a prescribed one [m/s]
-  std::optional<double> stop = std::nullopt; ///< when a prescribed one comes to a halt [s]; absent: never
+  Vec3 normal = Vec3::UnitY();                ///< of a sliding support; any length but 0
+  Vec3 velocity = Vec3::Zero();               ///< of a prescribed one [m/s]
+  std::optional<double> stop = std::nullopt;  ///< when a prescribed one comes to a halt [s]; absent: never
   bool operator==(const Support&) const = default;
 };
 
@@ -35,13 +35,13 @@ enum class LoadKind {
 struct Load {
   Region region;
   LoadKind kind = LoadKind::point_force;
-  Vec3 force = Vec3::Zero();                     ///< in all [N]
-  Vec3 traction = Vec3::Zero();                  ///< [Pa]
-  double pressure = 0;                           ///< [Pa], > 0 pushes inwards
-  Vec3 acceleration = Vec3::Zero();              ///< [m/s²], as gravity is
-  double start = 0;                              ///< [s], >= 0
-  std::optional<double> duration = std::nullopt; ///< [s], > 0; absent: for ever
-  double ramp = 0;                               ///< [s], >= 0
+  Vec3 force = Vec3::Zero();                      ///< in all [N]
+  Vec3 traction = Vec3::Zero();                   ///< [Pa]
+  double pressure = 0;                            ///< [Pa], > 0 pushes inwards
+  Vec3 acceleration = Vec3::Zero();               ///< [m/s²], as gravity is
+  double start = 0;                               ///< [s], >= 0
+  std::optional<double> duration = std::nullopt;  ///< [s], > 0; absent: for ever
+  double ramp = 0;                                ///< [s], >= 0
   bool operator==(const Load&) const = default;
 };
 

@@ -56,7 +56,7 @@ enum class Analysis {
 /// How a body moves through a step.
 enum class Integrator {
   implicit_euler,      ///< a linear system a step: stable at any length
-  central_differences, ///< no system, but as many substeps as stability asks for
+  symplectic_euler,    ///< no system, but as many substeps as stability asks for
 };
 
 /// How the step is carried out. Budgets count work, never time, so results do not depend on the machine.

@@ -45,8 +45,8 @@ struct SphereShape {
 /// A plate with a round hole through its middle along z; cells shrink towards the hole.
 struct PlateWithHoleShape {
   Vec3 size = Vec3(2, 2, 0.1);
-  double hole_radius = 0.2;                   ///< less than half the smaller of size.x and size.y
-  Vec2 element_size = Vec2::Constant(0.1);    ///< at the plate's edge, through its thickness
+  double hole_radius = 0.2;                 ///< less than half the smaller of size.x and size.y
+  Vec2 element_size = Vec2::Constant(0.1);  ///< at the plate's edge, through its thickness
   BoxPattern pattern = BoxPattern::five_tet;
   bool operator==(const PlateWithHoleShape&) const = default;
 };
@@ -67,7 +67,7 @@ struct MeshFileShape {
   bool operator==(const MeshFileShape&) const = default;
 };
 
-using Shape = std::variant<BoxShape, CylinderShape, DiscShape, SphereShape, PlateWithHoleShape, NotchedBeamShape,
-                           MeshFileShape>;
+using Shape =
+    std::variant<BoxShape, CylinderShape, DiscShape, SphereShape, PlateWithHoleShape, NotchedBeamShape, MeshFileShape>;
 
 }  // namespace griffith

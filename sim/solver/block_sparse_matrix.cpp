@@ -21,7 +21,8 @@ void multiply(const BlockSparseMatrix& a, const NodeVectors& x, NodeVectors& y) 
   parallel_for(a.rows(), 1024, [&](int begin, int end) {
     for (int row = begin; row < end; ++row) {
       Vec3 sum = Vec3::Zero();
-      for (int k = a.row_starts[row]; k < a.row_starts[row + 1]; ++k) sum.noalias() += a.blocks[k] * x.col(a.columns[k]);
+      for (int k = a.row_starts[row]; k < a.row_starts[row + 1]; ++k)
+        sum.noalias() += a.blocks[k] * x.col(a.columns[k]);
       y.col(row) = sum;
     }
   });

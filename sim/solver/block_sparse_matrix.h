@@ -27,8 +27,8 @@ void multiply(const BlockSparseMatrix& a, const NodeVectors& x, NodeVectors& y);
 /// The sum of the products of all components, in an order that does not depend on the threads.
 double dot(const NodeVectors& x, const NodeVectors& y);
 
-/// |D x| with the norms of the diagonal blocks D: the size of the terms that cancel in A x when x is all but rigid, and so
-/// the size of 1e16 times its rounding errors.
+/// |D x| with the norms of the diagonal blocks D: the size of the terms that cancel in A x when x is all but rigid, and
+/// so the size of 1e16 times its rounding errors.
 double diagonal_product_norm(const BlockSparseMatrix& a, const NodeVectors& x);
 
 }  // namespace griffith

@@ -13,7 +13,8 @@ Eigen::SparseMatrix<double> lower_triangle(const BlockSparseMatrix& a) {
     for (int k = a.row_starts[row]; k < a.row_starts[row + 1]; ++k)
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
-          if (3 * a.columns[k] + j <= 3 * row + i) entries.emplace_back(3 * row + i, 3 * a.columns[k] + j, a.blocks[k](i, j));
+          if (3 * a.columns[k] + j <= 3 * row + i)
+            entries.emplace_back(3 * row + i, 3 * a.columns[k] + j, a.blocks[k](i, j));
   Eigen::SparseMatrix<double> lower(3 * a.rows(), 3 * a.rows());
   lower.setFromTriplets(entries.begin(), entries.end());
   return lower;

@@ -14,7 +14,7 @@ namespace {
 
 /// Small aggregates save iterations, many of them make the coarse matrix dear: these sizes balance the two.
 int aggregate_size(int rows) {
-  constexpr int kSmallest = 20, kMostAggregates = 400;
+  constexpr int kSmallest = 20, kMostAggregates = 600;
   return std::max(kSmallest, rows / kMostAggregates);
 }
 
@@ -75,9 +75,9 @@ void ElasticSystem::assemble(const ImplicitStep& step, const ElasticLaw& law, st
            states, positions, masses);
 }
 
-void ElasticSystem::assemble(const MatrixFactors& factors, const ElasticLaw& law,
-                             std::span<const ElementRest> rests, std::span<const ElementState> states,
-                             std::span<const Vec3> positions, std::span<const double> masses) {
+void ElasticSystem::assemble(const MatrixFactors& factors, const ElasticLaw& law, std::span<const ElementRest> rests,
+                             std::span<const ElementState> states, std::span<const Vec3> positions,
+                             std::span<const double> masses) {
   rows_.assemble(factors, law, rests, states, masses);
   support_rows_.assemble(factors, law, rests, states, masses);
   project_sliding_rows();
@@ -115,8 +115,9 @@ SolveReport ElasticSystem::solve(const ImplicitStep& step, std::span<const Vec3>
   for (std::size_t i = 0; i < supports().size(); ++i)
     reactions_[i] = -masses[supports()[i]] * velocities[supports()[i]] - step.dt * forces[supports()[i]];
 
-  const SolveReport report =
-      is_free() ? solve_free(step, gather(positions), mass, b, x) : solve_projected(constraints, step.relative_residual, step.max_iterations, b, x);
+  const SolveReport report = is_free()
+                                 ? solve_free(step, gather(positions), mass, b, x)
+                                 : solve_projected(constraints, step.relative_residual, step.max_iterations, b, x);
   for (int row = 0; row < count; ++row) velocities[nodes()[row]] = x.col(row);
   for (NodeId node : supports())
     velocities[node] = constraints[node].velocity + constraints[node].allowed * velocities[node];
@@ -185,8 +186,8 @@ SolveReport ElasticSystem::solve_free(const ImplicitStep& step, const NodeVector
   const double noise = 4 * std::numeric_limits<double>::epsilon() * diagonal_product_norm(rows_.matrix, rigid);
   const double scale = std::max(std::sqrt(dot(elastic, elastic)), noise / step.relative_residual);
   x -= rigid_field(x);
-  const SolveReport report =
-      conjugate_gradient(rows_.matrix, *preconditioner_, elastic, x, step.relative_residual, scale, step.max_iterations);
+  const SolveReport report = conjugate_gradient(rows_.matrix, *preconditioner_, elastic, x, step.relative_residual,
+                                                scale, step.max_iterations);
   x += rigid - rigid_field(x);
   return report;
 }

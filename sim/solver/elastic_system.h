@@ -49,15 +49,16 @@ class ElasticSystem {
   void assemble(const MatrixFactors& factors, const ElasticLaw& law, std::span<const ElementRest> rests,
                 std::span<const ElementState> states, std::span<const Vec3> positions, std::span<const double> masses);
 
-  /// Replaces the velocities of the body's nodes by v⁺ under `forces` (elastic plus external, per node of the mesh [N]);
-  /// after assemble(). `constraints` block the directions that they blocked at construction, at any speed. The linear
-  /// and angular momentum of a free body are exact, whatever residual is left; it is solved in axes that turn with it, so
-  /// its owner moves it by turning (turn_step() in rigid_motion.h), not along tangents.
+  /// Replaces the velocities of the body's nodes by v⁺ under `forces` (elastic plus external, per node of the mesh
+  /// [N]); after assemble(). `constraints` block the directions that they blocked at construction, at any speed. The
+  /// linear and angular momentum of a free body are exact, whatever residual is left; it is solved in axes that turn
+  /// with it, so its owner moves it by turning (turn_step() in rigid_motion.h), not along tangents.
   SolveReport solve(const ImplicitStep& step, std::span<const Vec3> positions, std::span<const Vec3> forces,
                     std::span<const double> masses, std::span<const NodeConstraint> constraints,
                     std::span<Vec3> velocities);
 
-  /// Solves S A S x = S (b − A w) for x = S x, w the known part of the constraints; one column a row. `x` holds a guess.
+  /// Solves S A S x = S (b − A w) for x = S x, w the known part of the constraints; one column a row. `x` holds a
+  /// guess.
   SolveReport solve_projected(std::span<const NodeConstraint> constraints, double relative_residual, int max_iterations,
                               NodeVectors b, NodeVectors& x) const;
   /// The same by a factorisation; false when it breaks down, and `x` is left alone.

@@ -32,9 +32,8 @@ void ElementRows::add(const TetMesh& mesh, NodeId node, std::span<const int> col
   tet_starts.push_back(static_cast<int>(tets.size()));
 }
 
-void ElementRows::assemble(const MatrixFactors& factors, const ElasticLaw& law,
-                           std::span<const ElementRest> rests, std::span<const ElementState> states,
-                           std::span<const double> masses) {
+void ElementRows::assemble(const MatrixFactors& factors, const ElasticLaw& law, std::span<const ElementRest> rests,
+                           std::span<const ElementState> states, std::span<const double> masses) {
   parallel_for(matrix.rows(), 256, [&](int begin, int end) {
     for (int row = begin; row < end; ++row) {
       for (int k = matrix.row_starts[row]; k < matrix.row_starts[row + 1]; ++k) matrix.blocks[k].setZero();
@@ -42,8 +41,7 @@ void ElementRows::assemble(const MatrixFactors& factors, const ElasticLaw& law,
         const TetAtNode& entry = tets[e];
         const StiffnessRow stiffness = stiffness_row(law, rests[entry.tet], states[entry.tet], entry.corner);
         for (int i = 0; i < 4; ++i)
-          if (entry.slots[i] >= 0)
-            matrix.blocks[entry.slots[i]] += factors.stiffness * stiffness.middleCols<3>(3 * i);
+          if (entry.slots[i] >= 0) matrix.blocks[entry.slots[i]] += factors.stiffness * stiffness.middleCols<3>(3 * i);
       }
       const TetAtNode& any = tets[tet_starts[row]];
       matrix.blocks[any.slots[any.corner]].diagonal().array() += factors.mass * masses[nodes[row]];

@@ -10,8 +10,8 @@
 
 namespace griffith {
 
-/// The highest frequency of a body, ω = √(largest eigenvalue of M⁻¹K) [rad/s], by Lanczos' method (1950) on M^-½ K M^-½.
-/// An estimate from below, usually within 1 %. `stiffness`: K alone [N/m], `masses`: per row [kg].
+/// The highest frequency of a body, ω = √(largest eigenvalue of M⁻¹K) [rad/s], by Lanczos' method (1950) on M^-½ K
+/// M^-½. An estimate from below, usually within 1 %. `stiffness`: K alone [N/m], `masses`: per row [kg].
 double highest_frequency(const BlockSparseMatrix& stiffness, const Eigen::VectorXd& masses);
 
 /// The time step of explicit_step() [s]: 0.9 of the critical one, 2/ω for an undamped body. Stiffness-proportional
@@ -20,8 +20,8 @@ double stable_time_step(double highest_frequency, double stiffness_damping = 0);
 
 /// One step of symplectic Euler (O'Brien & Hodgins 1999 integrate explicitly, too):
 ///   v⁺ = v + h (f/m − alpha v),   x⁺ = x + h v⁺,
-/// for `nodes`, in the directions that their constraints leave; blocked ones move with their known velocities. `forces`:
-/// elastic, damping and external ones at x and v [N]; spans are per node of the mesh.
+/// for `nodes`, in the directions that their constraints leave; blocked ones move with their known velocities.
+/// `forces`: elastic, damping and external ones at x and v [N]; spans are per node of the mesh.
 void explicit_step(double dt, double mass_damping, std::span<const NodeId> nodes,
                    std::span<const NodeConstraint> constraints, std::span<const double> masses,
                    std::span<const Vec3> forces, std::span<Vec3> positions, std::span<Vec3> velocities);

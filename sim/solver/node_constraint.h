@@ -4,7 +4,8 @@
 
 namespace griffith {
 
-/// What a support leaves of a node's freedom: the velocity is unknown in the allowed directions and known in the others.
+/// What a support leaves of a node's freedom: the velocity is unknown in the allowed directions and known in the
+/// others.
 ///   nothing blocked    free
 ///   one direction      slides in a plane: a symmetry plane, a frictionless base
 ///   two                slides along a line: where two such planes meet
@@ -23,8 +24,8 @@ struct NodeConstraint {
   /// Slides in the plane with this normal (any length but 0), which moves at `speed` along it [m/s].
   static NodeConstraint sliding(const Vec3& normal, double speed = 0);
 
-  /// Adds the condition direction · v = speed (direction of any length but 0, speed along its unit vector [m/s]). One that
-  /// follows from earlier conditions, or contradicts them, changes nothing: who comes first wins.
+  /// Adds the condition direction · v = speed (direction of any length but 0, speed along its unit vector [m/s]). One
+  /// that follows from earlier conditions, or contradicts them, changes nothing: who comes first wins.
   void block(const Vec3& direction, double speed);
 };
 

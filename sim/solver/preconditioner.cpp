@@ -32,7 +32,8 @@ RigidModePreconditioner::RigidModePreconditioner(const BlockSparseMatrix& matrix
 
 void RigidModePreconditioner::update(const BlockSparseMatrix& matrix, const NodeVectors& positions) {
   parallel_for(matrix.rows(), 1024, [&](int begin, int end) {
-    for (int node = begin; node < end; ++node) inverse_diagonal_[node] = matrix.blocks[matrix.slot(node, node)].inverse();
+    for (int node = begin; node < end; ++node)
+      inverse_diagonal_[node] = matrix.blocks[matrix.slot(node, node)].inverse();
   });
   arms_.resize(3, matrix.rows());
   for (const std::vector<int>& nodes : members_) {
@@ -42,6 +43,7 @@ void RigidModePreconditioner::update(const BlockSparseMatrix& matrix, const Node
     for (int node : nodes) arms_.col(node) = positions.col(node) - center;
   }
   assemble_coarse_matrix(matrix);
+  factor_coarse_matrix();
 }
 
 void RigidModePreconditioner::build_coarse_pattern(const BlockSparseMatrix& matrix) {
@@ -60,7 +62,8 @@ void RigidModePreconditioner::build_coarse_pattern(const BlockSparseMatrix& matr
     });
     std::sort(neighbours.begin(), neighbours.end());
     visit([&](int k, int other) {
-      coarse_slots_[k] = static_cast<int>(std::lower_bound(neighbours.begin(), neighbours.end(), other) - neighbours.begin());
+      coarse_slots_[k] =
+          static_cast<int>(std::lower_bound(neighbours.begin(), neighbours.end(), other) - neighbours.begin());
     });
     for (int mode = 0; mode < 6; ++mode) {
       for (int other : neighbours)
@@ -101,7 +104,18 @@ void RigidModePreconditioner::assemble_coarse_matrix(const BlockSparseMatrix& ma
     double& diagonal = coarse_.valuePtr()[coarse_.outerIndexPtr()[mode] + mode % 6];
     diagonal = diagonal * (1 + 1e-10) + shift;
   }
+}
+
+void RigidModePreconditioner::factor_coarse_matrix() {
+  // The factors of a matrix this close do as well: where little moves, most of the set-up is saved.
+  constexpr double kSameMatrix = 1e-3;
+  const auto values = coarse_.coeffs();
+  if (factored_.size() == values.size() &&
+      (values - factored_).matrix().squaredNorm() <= kSameMatrix * kSameMatrix * factored_.matrix().squaredNorm())
+    return;
   coarse_factors_.factorize(coarse_);
+  factored_ = values;
+  ++factorizations_;
 }
 
 void RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) const {

@@ -7,8 +7,8 @@
 
 namespace griffith {
 
-/// z = D⁻¹ r + R (Rᵀ A R)⁻¹ Rᵀ r: block Jacobi and a coarse space of the six rigid-body modes of each aggregate of nodes
-/// (additive Schwarz). With it the iteration count depends neither on stiffness nor on cracks.
+/// z = D⁻¹ r + R (Rᵀ A R)⁻¹ Rᵀ r: block Jacobi and a coarse space of the six rigid-body modes of each aggregate of
+/// nodes (additive Schwarz). With it the iteration count depends neither on stiffness nor on cracks.
 ///   A  the system matrix      D  its 3×3 block diagonal
 ///   R  one 3×6 block a node: [I, −[x − c]×], c the aggregate's centre
 class RigidModePreconditioner {
@@ -21,20 +21,25 @@ class RigidModePreconditioner {
   void apply(const NodeVectors& r, NodeVectors& z) const;
   /// D⁻¹ of a node: how far it would go under a unit impulse, its neighbours standing still [1/kg].
   const Mat3& inverse_diagonal(int node) const { return inverse_diagonal_[node]; }
+  /// How often update() found the coarse matrix changed enough to factor it anew.
+  int factorization_count() const { return factorizations_; }
   int aggregate_count() const { return static_cast<int>(members_.size()); }
 
  private:
   void build_coarse_pattern(const BlockSparseMatrix& matrix);
   void assemble_coarse_matrix(const BlockSparseMatrix& matrix);
+  void factor_coarse_matrix();
 
   std::vector<int> aggregates_;            // per node
   std::vector<std::vector<int>> members_;  // per aggregate: its nodes, ascending
   NodeVectors arms_;                       // per node: x − c
   std::vector<Mat3> inverse_diagonal_;
   std::vector<std::vector<int>> coarse_rows_;  // per aggregate: itself and its neighbours of a higher number
-  std::vector<int> coarse_slots_;          // per block of the matrix: index into the column's coarse_rows_, or -1
-  Eigen::SparseMatrix<double> coarse_;     // Rᵀ A R: the lower triangle, by 6×6 blocks
+  std::vector<int> coarse_slots_;              // per block of the matrix: index into the column's coarse_rows_, or -1
+  Eigen::SparseMatrix<double> coarse_;         // Rᵀ A R: the lower triangle, by 6×6 blocks
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> coarse_factors_;
+  Eigen::ArrayXd factored_;  // values of the coarse matrix when it was factored
+  int factorizations_ = 0;
 };
 
 }  // namespace griffith

@@ -150,7 +150,8 @@ std::vector<Vec3> StaticSolver::relieve(const std::vector<Vec3>& loads) const {
     resultant += motion.transpose() * loads[node];
   }
   const Eigen::VectorXd acceleration = inertia.inverse() * resultant;
-  for (NodeId node : nodes_) relieved[node] -= problem_.masses[node] * (modes_at(node) * (free_motions_ * acceleration));
+  for (NodeId node : nodes_)
+    relieved[node] -= problem_.masses[node] * (modes_at(node) * (free_motions_ * acceleration));
   return relieved;
 }
 
@@ -185,7 +186,8 @@ double StaticSolver::scale(const Balance& balance) const {
   return std::sqrt(squares);
 }
 
-/// The unbalanced force that the rounding of positions alone makes: strain is known to 1e-16 of position / element size.
+/// The unbalanced force that the rounding of positions alone makes: strain is known to 1e-16 of position / element
+/// size.
 double StaticSolver::rounding_level() const {
   return 4 * std::numeric_limits<double>::epsilon() *
          diagonal_product_norm(system_.matrix(), system_.gather(positions_));

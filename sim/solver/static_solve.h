@@ -42,9 +42,9 @@ struct StaticReport {
   std::vector<Vec3> reaction_forces;  ///< per support: the force on the node in its blocked directions [N]
 };
 
-/// Static equilibrium f_elastic(x) + loads = 0 by Newton's method with a line search on the potential energy. `positions`
-/// [m] hold the start and the answer, `states` the elements' at the answer; both per node or tet of the mesh, the body's
-/// alone are written.
+/// Static equilibrium f_elastic(x) + loads = 0 by Newton's method with a line search on the potential energy.
+/// `positions` [m] hold the start and the answer, `states` the elements' at the answer; both per node or tet of the
+/// mesh, the body's alone are written.
 StaticReport solve_static(const StaticProblem& problem, const StaticSettings& settings, std::span<Vec3> positions,
                           std::span<ElementState> states);
 

@@ -125,6 +125,7 @@ void rebuild_body(WorldState& world, Body& body) {
   // A single tet cannot break any further: it is debris from the start.
   body.rigid = body.tets.size() == 1 && !body.supported();
   body.calm_steps = 0;
+  body.highest_frequency = 0;
   if (body.rigid) clear_stress(world, body);
   place_stand_in(world, body);
   world.contact_world.set_brittle(body.stand_in, body.tets.size() > 1);

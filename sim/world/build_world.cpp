@@ -36,8 +36,9 @@ RestBody append_mesh(WorldState& world, int scene_body) {
   body.soup = make_soup(description.shape, world.scene.folder);
   MeshReport report = prepare(body.soup, description.name);
   body.node_of_point = std::move(report.node_of_point);
-  for (const std::string& finding : findings(report))
-    world.findings.emplace_back("#/bodies/" + std::to_string(scene_body) + "/shape", finding, "");
+  if (std::holds_alternative<MeshFileShape>(description.shape))
+    for (const std::string& finding : findings(report))
+      world.findings.emplace_back("#/bodies/" + std::to_string(scene_body) + "/shape/mesh", finding, "");
   TetSoup placed = body.soup;
   const Quat rotation = rotation_of(description);
   for (Vec3& point : placed.points) point = rotation * point + description.position;

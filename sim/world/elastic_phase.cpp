@@ -95,6 +95,10 @@ void freeze(WorldState& world, Body& body) {
 
 SolveReport advance_elastic(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt) {
   add_elastic_forces(world, body, forces);
+  if (world.integrates_explicitly()) {
+    advance_explicit(world, body, forces, dt);
+    return {};
+  }
   const SolveReport report = body.system->solve(implicit_step(world, body, dt), world.nodes.positions, forces,
                                                 world.nodes.masses, world.nodes.constraints, world.nodes.velocities);
   for (std::size_t i = 0; i < body.system->supports().size(); ++i)
@@ -130,6 +134,7 @@ void assemble_systems(WorldState& world, double dt) {
 }
 
 void assemble_system(WorldState& world, Body& body, double dt) {
+  if (world.integrates_explicitly()) return;
   body.system->assemble(implicit_step(world, body, dt), elastic_law(world.material_of(body)), world.elements.rests,
                         world.elements.states, world.nodes.positions, world.nodes.masses);
 }

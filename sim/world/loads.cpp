@@ -45,20 +45,29 @@ PlacedLoad place_load(const TetMesh& mesh, const Load& load, const RestBody& bod
   const std::vector<std::uint8_t> marked = nodes_in(body, load.region);
   PlacedLoad placed{load, {}, {}, {}};
   switch (load.kind) {
-    case LoadKind::point_force: placed.corners = one_corner_a_node(body, marked); break;
+    case LoadKind::point_force:
+      placed.corners = one_corner_a_node(body, marked);
+      break;
     case LoadKind::traction:
-    case LoadKind::pressure: placed.faces = faces_of(mesh, body, marked); break;
-    case LoadKind::body_force: placed.tets = tets_of(body, marked); break;
+    case LoadKind::pressure:
+      placed.faces = faces_of(mesh, body, marked);
+      break;
+    case LoadKind::body_force:
+      placed.tets = tets_of(body, marked);
+      break;
   }
   return placed;
 }
 
 const char* loaded_things(LoadKind kind) {
   switch (kind) {
-    case LoadKind::point_force: return "node";
+    case LoadKind::point_force:
+      return "node";
     case LoadKind::traction:
-    case LoadKind::pressure: return "surface face with all its nodes";
-    case LoadKind::body_force: return "tetrahedron with all its nodes";
+    case LoadKind::pressure:
+      return "surface face with all its nodes";
+    case LoadKind::body_force:
+      return "tetrahedron with all its nodes";
   }
   return "";
 }
@@ -112,10 +121,24 @@ void place_loads(WorldState& world, int scene_body, const RestBody& body) {
     world.loads.push_back(place_load(world.mesh, loads[i], body));
     const PlacedLoad& placed = world.loads.back();
     if (!placed.corners.empty() || !placed.faces.empty() || !placed.tets.empty()) continue;
-    world.findings.emplace_back(
-        "#/bodies/" + std::to_string(scene_body) + "/loads/" + std::to_string(i) + "/region",
-        std::string("holds no ") + loaded_things(loads[i].kind),
-        "make it larger, or move it: regions are in the body's rest space");
+    world.findings.emplace_back("#/bodies/" + std::to_string(scene_body) + "/loads/" + std::to_string(i) + "/region",
+                                std::string("holds no ") + loaded_things(loads[i].kind),
+                                "make it larger, or move it: regions are in the body's rest space");
+  }
+}
+
+void wake_loaded_bodies(WorldState& world, double before, double time) {
+  const auto wake = [&](TetId tet) {
+    Body& body = world.bodies[world.elements.bodies[tet]];
+    if (!body.rigid || body.supported()) return;
+    body.rigid = body.tets.size() == 1;
+    body.calm_steps = 0;
+  };
+  for (const PlacedLoad& placed : world.loads) {
+    if (load_factor(placed.load, before) == load_factor(placed.load, time)) continue;
+    for (const TetCorner& corner : placed.corners) wake(corner.tet);
+    for (const SurfaceFace& face : placed.faces) wake(face.tet);
+    for (TetId tet : placed.tets) wake(tet);
   }
 }
 
@@ -124,10 +147,18 @@ void add_load_forces(const WorldState& world, double time, std::vector<Vec3>& fo
     const double factor = load_factor(placed.load, time);
     if (factor == 0) continue;
     switch (placed.load.kind) {
-      case LoadKind::point_force: add_point_force(world, placed, factor, forces); break;
-      case LoadKind::traction: add_traction(world, placed, factor, forces); break;
-      case LoadKind::pressure: add_pressure(world, placed, factor, forces); break;
-      case LoadKind::body_force: add_body_force(world, placed, factor, forces); break;
+      case LoadKind::point_force:
+        add_point_force(world, placed, factor, forces);
+        break;
+      case LoadKind::traction:
+        add_traction(world, placed, factor, forces);
+        break;
+      case LoadKind::pressure:
+        add_pressure(world, placed, factor, forces);
+        break;
+      case LoadKind::body_force:
+        add_body_force(world, placed, factor, forces);
+        break;
     }
   }
 }

@@ -21,6 +21,9 @@ double load_factor(const Load& load, double time);
 /// Finds what a body's loads act on; one that acts on nothing becomes a finding.
 void place_loads(WorldState& world, int scene_body, const RestBody& body);
 
+/// Ends the rest of rigid bodies on which a load has changed between `before` and `time` [s].
+void wake_loaded_bodies(WorldState& world, double before, double time);
+
 /// Adds the forces of all loads at `time` [s] to `forces`, per node [N]. Their sums are exact: a point force adds up to
 /// itself, a traction to itself times the undeformed area; a uniform pressure on a closed surface has no resultant. A
 /// face's load goes in equal parts to its corners, which keeps its torque too.

@@ -36,6 +36,10 @@ std::vector<Vec3> contact_forces(WorldState& world, double dt);
 /// Moves every body by `dt` under these forces.
 /// Elastic forces are added to them.
 void advance_bodies(WorldState& world, std::vector<Vec3>& forces, double dt);
+/// How many equal substeps keep explicit integration of all elastic bodies stable.
+int stable_substeps(WorldState& world, double time_step);
+/// One substep of a body by explicit integration; `forces` hold the elastic and external ones.
+void advance_explicit(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt);
 /// Separation tensors, and the margin of every node against the material's resistance.
 void evaluate_separation(WorldState& world);
 /// Opens the mesh where the margin is passed, worst first; parted pieces become bodies.

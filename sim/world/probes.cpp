@@ -92,9 +92,7 @@ std::vector<ProbedNode> nodes_at(const RestBody& body, const Region& region) {
   return nodes;
 }
 
-std::string place_of(std::size_t probe, const char* field) {
-  return "#/probes/" + std::to_string(probe) + "/" + field;
-}
+std::string place_of(std::size_t probe, const char* field) { return "#/probes/" + std::to_string(probe) + "/" + field; }
 
 // --- What it measures -----------------------------------------------------------------------------------------------
 
@@ -171,13 +169,18 @@ std::vector<double> values_of(const Vec3& vector) { return {vector.x(), vector.y
 std::vector<double> values_of(ProbeQuantity quantity, const Sample& sample) {
   const Mat3& stress = sample.stress;
   switch (quantity) {
-    case ProbeQuantity::displacement: return values_of(sample.displacement);
-    case ProbeQuantity::velocity: return values_of(sample.velocity);
+    case ProbeQuantity::displacement:
+      return values_of(sample.displacement);
+    case ProbeQuantity::velocity:
+      return values_of(sample.velocity);
     case ProbeQuantity::stress:
       return {stress(0, 0), stress(1, 1), stress(2, 2), stress(0, 1), stress(1, 2), stress(2, 0)};
-    case ProbeQuantity::principal_stress: return values_of(Vec3(principal_values(stress).values.reverse()));
-    case ProbeQuantity::separation: return {sample.margin, sample.separation_stress, sample.eigenvalue};
-    case ProbeQuantity::reaction: return values_of(sample.reaction);
+    case ProbeQuantity::principal_stress:
+      return values_of(Vec3(principal_values(stress).values.reverse()));
+    case ProbeQuantity::separation:
+      return {sample.margin, sample.separation_stress, sample.eigenvalue};
+    case ProbeQuantity::reaction:
+      return values_of(sample.reaction);
   }
   return {};
 }

@@ -15,9 +15,9 @@ struct WorldState;
 
 /// One of the nodes that a probe looks at.
 struct ProbedNode {
-  TetCorner corner;                ///< it stays with this corner where a crack parts it
-  double weight = 0;               ///< in the probe's mean; all add up to 1
-  std::vector<TetCorner> star;     ///< all corners at the node before anything broke
+  TetCorner corner;             ///< it stays with this corner where a crack parts it
+  double weight = 0;            ///< in the probe's mean; all add up to 1
+  std::vector<TetCorner> star;  ///< all corners at the node before anything broke
 };
 
 /// A probe and where it measures.
@@ -36,8 +36,8 @@ void check_probes(const Scene& scene);
 /// "name.displacement.x [m]", …: what probe_values() gives, in its order.
 std::vector<std::string> probe_columns(std::span<const PlacedProbe> probes);
 
-/// The values of all probes in a frame, SI units. A node's stress is the mean of its tets', weighted by their volumes; a
-/// point's values are interpolated between the corners of its tet; a region's are means over its nodes. Reactions are
+/// The values of all probes in a frame, SI units. A node's stress is the mean of its tets', weighted by their volumes;
+/// a point's values are interpolated between the corners of its tet; a region's are means over its nodes. Reactions are
 /// sums over the probe's nodes and the copies that cracks made of them.
 std::vector<double> probe_values(std::span<const PlacedProbe> probes, const Frame& frame);
 

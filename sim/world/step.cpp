@@ -51,7 +51,14 @@ void substep(WorldState& world, double dt) {
   fracture(world);
 }
 
-void dynamic_step(WorldState& world, double time_step) {
+void step_explicitly(WorldState& world, double time_step) {
+  world.report.substeps = stable_substeps(world, time_step);
+  const double dt = time_step / world.report.substeps;
+  for (int i = 0; i < world.report.substeps; ++i) substep(world, dt);
+  calm_bodies(world);
+}
+
+void step_implicitly(WorldState& world, double time_step) {
   const int budget = substep_budget(world);
   int substeps = 0;
   for (int ticks_left = kTicksPerStep; ticks_left > 0; ++substeps) {
@@ -64,7 +71,7 @@ void dynamic_step(WorldState& world, double time_step) {
 }
 
 /// Without inertia: from one equilibrium to the next, as loads and supports move on and cracks open.
-void static_step(WorldState& world, double time_step) {
+void step_statically(WorldState& world, double time_step) {
   {
     PhaseTimer timer(world.report.milliseconds.elasticity);
     find_equilibrium(world, world.time + time_step, time_step, false);
@@ -83,10 +90,13 @@ void World::step() {
     const double time_step = world.scene.simulation.time_step;
     launch_projectiles(world);
     update_supports(world, world.time, time_step);
+    wake_loaded_bodies(world, world.time - time_step, world.time);
     if (world.scene.analysis == Analysis::equilibrium) {
-      static_step(world, time_step);
+      step_statically(world, time_step);
+    } else if (world.integrates_explicitly()) {
+      step_explicitly(world, time_step);
     } else {
-      dynamic_step(world, time_step);
+      step_implicitly(world, time_step);
     }
     ++world.step;
     world.time = static_cast<double>(world.step) * time_step;

@@ -25,9 +25,8 @@ void place_supports(WorldState& world, int scene_body, const RestBody& body) {
   for (std::size_t i = 0; i < supports.size(); ++i) {
     world.supports.push_back({supports[i], corners_at(body, nodes_in(body, supports[i].region))});
     if (!world.supports.back().corners.empty()) continue;
-    world.findings.emplace_back(
-        "#/bodies/" + std::to_string(scene_body) + "/supports/" + std::to_string(i) + "/region", "holds no node",
-        "make it larger, or move it: regions are in the body's rest space");
+    world.findings.emplace_back("#/bodies/" + std::to_string(scene_body) + "/supports/" + std::to_string(i) + "/region",
+                                "holds no node", "make it larger, or move it: regions are in the body's rest space");
   }
 }
 

@@ -27,8 +27,8 @@ class World {
   Frame frame() const;
   /// The scene's probes, to be read with probe_values() (probes.h).
   const std::vector<PlacedProbe>& probes() const;
-  /// What the user should know about the scene although it runs: supports, loads and probes that hold nothing. `where` is
-  /// a JSON pointer, "#/bodies/0/loads/1/region".
+  /// What the user should know about the scene although it runs: supports, loads and probes that hold nothing, oddities of
+  /// mesh files. `where` is a JSON pointer, "#/bodies/0/loads/1/region".
   const std::vector<InputError>& findings() const;
 
   /// Launches `burst`, its start counted from now.

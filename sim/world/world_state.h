@@ -51,6 +51,7 @@ struct Body {
   ProxyId stand_in;
   RigidMotion motion;                    ///< mass, momentum and inertia of the nodes now
   Quat orientation = Quat::Identity();   ///< from the reference shape to now
+  double highest_frequency = 0;          ///< [rad/s]; 0 until explicit integration asks for it
   bool rigid = false;                    ///< moves as a whole: nothing about it is elastic until it is hit
   int calm_steps = 0;                    ///< steps in a row with next to no stress
 
@@ -97,6 +98,7 @@ struct WorldState {
   std::vector<ProjectileView> projectile_views;
   Totals totals;
 
+  bool integrates_explicitly() const { return scene.simulation.integrator == Integrator::symplectic_euler; }
   const Material& material_of(const Body& body) const { return materials[body.scene_body]; }
 };
 

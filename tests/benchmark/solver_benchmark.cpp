@@ -21,8 +21,8 @@ ElasticBox wall(const benchmark::State& state, Damage damage = Damage::intact, d
 }
 
 void count_tets(benchmark::State& state, const ElasticBox& body) {
-  state.counters["per tet"] = benchmark::Counter(body.mesh.tet_count(), benchmark::Counter::kIsIterationInvariantRate |
-                                                                            benchmark::Counter::kInvert);
+  state.counters["per tet"] = benchmark::Counter(
+      body.mesh.tet_count(), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 void build(benchmark::State& state) {
@@ -68,7 +68,10 @@ void solve(benchmark::State& state, Damage damage, double young_modulus) {
 }
 BENCHMARK_CAPTURE(solve, soft, Damage::intact, 1e6)->Args({32, 2})->Args({52, 4})->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(solve, stiff, Damage::intact, 4e11)->Args({32, 2})->Args({52, 4})->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(solve, cracked, Damage::half_cracked, 30e9)->Args({32, 2})->Args({52, 4})->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(solve, cracked, Damage::half_cracked, 30e9)
+    ->Args({32, 2})
+    ->Args({52, 4})
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace griffith

@@ -234,6 +234,17 @@ TEST(SceneReader, ReportsValuesThatCannotBe) {
         "doc#/bodies/0/shape/box/element_size", "2 million"},
        {R"({"version": 1, "bodies": [{"supports": [{"region": {"box": {"minimum": [0, 1, 0]}}}]}]})",
         "doc#/bodies/0/supports/0/region/box", "maximum lies below the minimum"},
+       {R"({"version": 1, "bodies": [{"supports": [{"velocity": [0, 1, 0]}]}]})", "doc#/bodies/0/supports/0/velocity",
+        "\"kind\": \"prescribed\""},
+       {R"({"version": 1, "bodies": [{"loads": [{"kind": "traction", "pressure": 7}]}]})",
+        "doc#/bodies/0/loads/0/pressure", "\"kind\": \"pressure\""},
+       {R"({"version": 1, "bodies": [{"shape": {"plate_with_hole": {"hole_radius": 1}}}]})",
+        "doc#/bodies/0/shape/plate_with_hole/hole_radius", "less than half"},
+       {R"({"version": 1, "bodies": [{"shape": {"notched_beam": {"notch_depth": 1}}}]})",
+        "doc#/bodies/0/shape/notched_beam/notch_depth", "height"},
+       {R"({"version": 1, "probes": [{"quantities": ["stress", "strain"]}]})", "doc#/probes/0/quantities/1",
+        "\"principal_stress\""},
+       {R"({"version": 1, "probes": [{"at": {"node": 1, "point": [0, 0, 0]}}]})", "doc#/probes/0/at", "has 2 of"},
        {R"({"version": 1, "projectiles": [{"direction": [0, 0, 0]}]})", "doc#/projectiles/0/direction", "other than 0"},
        {R"({"version": 1, "projectiles": [{"direction": [1e-200, 0, 0]}]})", "doc#/projectiles/0/direction",
         "other than 0"},
@@ -315,6 +326,28 @@ TEST(SceneReader, ReadsShapesRegionsAndNothings) {
   EXPECT_EQ(std::get<NodeListRegion>(body.supports.at(0).region).nodes, (std::vector{3, 1}));
   EXPECT_EQ(std::get<SphereRegion>(body.supports.at(1).region), (SphereRegion{Vec3(1, 2, 3), 4}));
   EXPECT_EQ(std::get<HalfSpaceRegion>(body.supports.at(2).region).normal, Vec3::UnitX());
+}
+
+TEST(SceneReader, ReadsSupportsLoadsAndProbes) {
+  const Scene scene = scene_from_json(R"({"version": 1, "analysis": "static", "simulation": {"integrator": "explicit"},
+    "bodies": [{"supports": [{"kind": "prescribed", "velocity": [0, -1, 0], "stop": 2}],
+                "loads": [{"kind": "pressure", "pressure": 5, "region": {"nodes": [1]}, "ramp": 3}]}],
+    "probes": [{"at": {"region": {"sphere": {"radius": 2}}}, "quantities": ["stress", "reaction"]}]})");
+  EXPECT_EQ(scene.analysis, Analysis::equilibrium);
+  EXPECT_EQ(scene.simulation.integrator, Integrator::symplectic_euler);
+  Support support;
+  support.kind = SupportKind::prescribed;
+  support.velocity = -Vec3::UnitY();
+  support.stop = 2;
+  EXPECT_EQ(scene.bodies[0].supports.at(0), support);
+  Load load;
+  load.region = NodeListRegion{{1}};
+  load.kind = LoadKind::pressure;
+  load.pressure = 5;
+  load.ramp = 3;
+  EXPECT_EQ(scene.bodies[0].loads.at(0), load);
+  EXPECT_EQ(std::get<Region>(scene.probes.at(0).at), Region(SphereRegion{Vec3::Zero(), 2}));
+  EXPECT_EQ(scene.probes[0].quantities, (std::vector{ProbeQuantity::stress, ProbeQuantity::reaction}));
 }
 
 TEST(SceneReader, SurvivesRandomDamage) {

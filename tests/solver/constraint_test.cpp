@@ -90,7 +90,8 @@ TEST(Constraints, AMovingBodyBalancesItsMomentum) {
     EXPECT_LT((momentum() - before - kTight.dt * force).norm(), 1e-8 * force.norm() * kTight.dt);
     for (NodeId node : system.supports()) {
       const NodeConstraint& constraint = body.constraints[node];
-      EXPECT_LT((body.velocities[node] - constraint.allowed * body.velocities[node] - constraint.velocity).norm(), 1e-12);
+      EXPECT_LT((body.velocities[node] - constraint.allowed * body.velocities[node] - constraint.velocity).norm(),
+                1e-12);
     }
   }
 }
@@ -140,8 +141,7 @@ TEST(Constraints, PrescribedEndsStretchABarUniformly) {
   const double stress = 1e7 * 10 * 2 * speed / 4;
   for (TetId tet : body.tets) EXPECT_NEAR(body.states[tet].stress(0, 0), stress, 1e-3 * stress);
   double pull = 0;
-  for (std::size_t i = 0; i < system.supports().size(); ++i)
-    pull += 0.5 * std::abs(system.reaction_forces()[i].x());
+  for (std::size_t i = 0; i < system.supports().size(); ++i) pull += 0.5 * std::abs(system.reaction_forces()[i].x());
   EXPECT_NEAR(pull, stress, 1e-3 * stress) << "on a cross-section of 1 m²";
 }
 

@@ -9,8 +9,8 @@
 namespace griffith {
 namespace {
 
-using testing::RandomValues;
 using testing::ElasticBox;
+using testing::RandomValues;
 
 Vec3 momentum(const ElasticBox& body) {
   Vec3 sum = Vec3::Zero();
@@ -73,12 +73,10 @@ TEST(ElasticSystem, MomentumIsExactWhateverResidualIsLeft) {
 }
 
 TEST(ElasticSystem, ImplicitEulerNeverGainsEnergy) {
-
   ElasticBox body(Vec3(4, 1, 1), 0.5, 1e6);
   body.material.poisson_ratio = 0;
   ElasticSystem system = body.system();
   const ImplicitStep tight{.dt = 1e-3, .relative_residual = 1e-12, .max_iterations = 2000};
-
 
   for (std::size_t i = 0; i < body.velocities.size(); ++i)
     body.velocities[i] = Vec3(body.positions[i].x() > 0 ? 1 : -1, 0, 0);

@@ -23,7 +23,8 @@ ElasticBox vibrating_box(double amplitude) {
 double frequency(ElasticBox& body) {
   ElasticSystem system = body.system();
   system.assemble(MatrixFactors{0, 1}, body.law(), body.rests, body.states, body.positions, body.masses);
-  return highest_frequency(system.matrix(), Eigen::Map<const Eigen::VectorXd>(body.masses.data(), body.mesh.node_count()));
+  return highest_frequency(system.matrix(),
+                           Eigen::Map<const Eigen::VectorXd>(body.masses.data(), body.mesh.node_count()));
 }
 
 void step(ElasticBox& body, double dt) {

@@ -9,8 +9,8 @@
 namespace griffith {
 namespace {
 
-using testing::RandomValues;
 using testing::ElasticBox;
+using testing::RandomValues;
 
 Eigen::MatrixXd dense(const BlockSparseMatrix& a) {
   Eigen::MatrixXd m = Eigen::MatrixXd::Zero(3 * a.rows(), 3 * a.rows());
@@ -75,9 +75,11 @@ TEST(ConjugateGradient, AgreesWithADenseSolve) {
   preconditioner.update(system.matrix(), positions);
   const NodeVectors b = random_vectors(random, static_cast<int>(positions.cols()));
   NodeVectors x = NodeVectors::Zero(3, b.cols());
-  const SolveReport report = conjugate_gradient(system.matrix(), preconditioner, b, x, 1e-12, std::sqrt(dot(b, b)), 500);
+  const SolveReport report =
+      conjugate_gradient(system.matrix(), preconditioner, b, x, 1e-12, std::sqrt(dot(b, b)), 500);
   EXPECT_TRUE(report.converged);
-  const Eigen::VectorXd exact = dense(system.matrix()).ldlt().solve(Eigen::Map<const Eigen::VectorXd>(b.data(), b.size()));
+  const Eigen::VectorXd exact =
+      dense(system.matrix()).ldlt().solve(Eigen::Map<const Eigen::VectorXd>(b.data(), b.size()));
   EXPECT_LT((Eigen::Map<const Eigen::VectorXd>(x.data(), x.size()) - exact).norm(), 1e-9 * exact.norm());
 }
 
@@ -112,6 +114,39 @@ TEST(Preconditioner, IsSymmetric) {
     preconditioner.apply(v, mv);
     EXPECT_NEAR(dot(u, mv), dot(v, mu), 1e-10 * std::abs(dot(u, mu)));
     EXPECT_GT(dot(u, mu), 0);
+  }
+}
+
+TEST(Preconditioner, ReusesItsFactorsAtNoCostWhereLittleMoves) {
+  for (double young_modulus : {1e8, 3e10}) {
+    RandomValues random(5);
+    ElasticBox body(Vec3(2, 2, 0.5), 0.125, young_modulus);
+    const ImplicitStep step{.dt = 1.0 / 120};
+    ElasticSystem system = body.system();
+    body.assemble(system, step);
+    NodeVectors positions = system.gather(body.positions);
+    RigidModePreconditioner kept(system.matrix(), 20), renewed(system.matrix(), 20);
+    kept.update(system.matrix(), positions);
+    // Turned a little and strained more than brittle bodies bear.
+    const Mat3 turn = Eigen::AngleAxisd(2e-4, random.direction()).toRotationMatrix();
+    for (Vec3& position : body.positions) position = turn * position + random.vector(2e-5);
+    body.update_states();
+    body.assemble(system, step);
+    positions = system.gather(body.positions);
+    kept.update(system.matrix(), positions);
+    EXPECT_EQ(kept.factorization_count(), 1);
+    renewed.update(system.matrix(), positions);
+    const NodeVectors b = random_vectors(random, static_cast<int>(positions.cols()));
+    NodeVectors x = NodeVectors::Zero(3, b.cols()), y = x;
+    const double scale = std::sqrt(dot(b, b));
+    const int iterations = conjugate_gradient(system.matrix(), kept, b, x, 1e-6, scale, 500).iterations;
+    EXPECT_LE(iterations, conjugate_gradient(system.matrix(), renewed, b, y, 1e-6, scale, 500).iterations + 2);
+    // A quarter turn is no little motion.
+    for (Vec3& position : body.positions) position = Vec3(-position.y(), position.x(), position.z());
+    body.update_states();
+    body.assemble(system, step);
+    kept.update(system.matrix(), system.gather(body.positions));
+    EXPECT_EQ(kept.factorization_count(), 2);
   }
 }
 

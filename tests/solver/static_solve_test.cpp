@@ -80,7 +80,8 @@ TEST(StaticSolve, APulledBarHasTheExactStressAndStrain) {
   const Vec3 stretch(strain, -body.material.poisson_ratio * strain, -body.material.poisson_ratio * strain);
   for (int i = 0; i < body.mesh.node_count(); ++i) {
     const Vec3 from_corner = body.mesh.rest_positions[i] - Vec3(-2, -0.5, -0.5);
-    EXPECT_LT((body.positions[i] - body.mesh.rest_positions[i] - stretch.cwiseProduct(from_corner)).norm(), 1e-6 * strain);
+    EXPECT_LT((body.positions[i] - body.mesh.rest_positions[i] - stretch.cwiseProduct(from_corner)).norm(),
+              1e-6 * strain);
   }
 }
 
@@ -94,7 +95,8 @@ TEST(StaticSolve, ACantileverBendsAsItsMeshAllows) {
   EXPECT_TRUE(solve(body).converged);
   double tip = 0;
   int count = 0;
-  at_plane(body, 0, 5, [&](NodeId node) { tip += body.mesh.rest_positions[node].y() - body.positions[node].y(), ++count; });
+  at_plane(body, 0, 5,
+           [&](NodeId node) { tip += body.mesh.rest_positions[node].y() - body.positions[node].y(), ++count; });
   const double inertia = 1.0 / 12, shear_modulus = 1e9 / 2.6, shear_factor = 10 * 1.3 / (12 + 11 * 0.3);
   const double expected = load * 1000 / (3 * 1e9 * inertia) + load * 10 / (shear_factor * shear_modulus);
   EXPECT_NEAR(tip / count / expected, 0.89, 0.02);

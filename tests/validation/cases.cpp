@@ -60,6 +60,7 @@ std::span<const Case> cases() {
       {"ModeDecay", "A mode under implicit Euler, and the stable explicit step",
        "Implicit Euler multiplies a mode's energy by 1/(1 + ω²h²) a step; the explicit step is stable below 2/ω.",
        mode_decay},
+      {"LongRun", "Energy and momentum over a long run", "x", long_run},
   };
   return kCases;
 }

@@ -3,9 +3,7 @@
 #include <stdexcept>
 
 #include "sim/fracture/separation_tensor.h"
-#include "sim/mesh/topology.h"
 #include "sim/scene/scene_reader.h"
-#include "sim/solver/static_solve.h"
 #include "sim/world/phases.h"
 
 namespace griffith::validation {
@@ -27,29 +25,9 @@ void Specimen::deform(const std::function<Vec3(const Vec3&)>& map) {
 }
 
 void Specimen::equilibrate() {
-  const Material& material = world_.materials[0];
-  std::vector<Vec3> loads;
-  for (double mass : world_.nodes.masses) loads.push_back(mass * world_.scene.gravity);
-  add_load_forces(world_, 0, loads);
-  const ElasticLaw law = elastic_law(material);
-  const auto state = [&](TetId tet, std::span<const Vec3> positions) {
-    Corners corners;
-    for (int i = 0; i < 4; ++i) corners.col(i) = positions[world_.mesh.tets[tet][i]];
-    return element_state(law, element_deformation(law.model, world_.elements.rests[tet], corners));
-  };
-  const std::vector<TetId>& tets = world_.bodies[0].tets;
-  const StaticProblem problem{.mesh = world_.mesh,
-                              .tets = tets,
-                              .rests = world_.elements.rests,
-                              .law = law,
-                              .masses = world_.nodes.masses,
-                              .constraints = world_.nodes.constraints,
-                              .loads = loads,
-                              .evaluate = [&](std::span<const Vec3> positions, std::span<ElementState> states) {
-                                for (TetId tet : tets) states[tet] = state(tet, positions);
-                              }};
-  if (!solve_static(problem, {}, world_.nodes.positions, world_.elements.states).converged)
-    throw std::runtime_error(world_.scene.name + ": found no equilibrium");
+  world_.report = {};
+  find_equilibrium(world_, 0, 0, false);
+  if (world_.report.unconverged_solves > 0) throw std::runtime_error(world_.scene.name + ": found no equilibrium");
   update_elements(world_);
 }
 

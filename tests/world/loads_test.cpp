@@ -2,9 +2,9 @@
 
 #include <numbers>
 
-#include "tests/world/scenes.h"
 #include "sim/world/phases.h"
 #include "sim/world/world.h"
+#include "tests/world/scenes.h"
 
 namespace griffith::testing {
 namespace {
@@ -165,6 +165,21 @@ TEST(Loads, KeepTheirSumWhenWhatTheyActOnBreaks) {
   open_cracks(world);
   ASSERT_GT(world.mesh.node_count(), nodes);
   EXPECT_LT((resultant(forces_at(world, 0)) - before).norm(), 1e-11 * before.norm());
+}
+
+TEST(Loads, ABodyThatHasGoneRigidBreaksUnderALoadThatSetsIn) {
+  Load push = load_of(LoadKind::traction, kRightSide);
+  Load pull = load_of(LoadKind::traction, HalfSpaceRegion{Vec3(-0.5, 0, 0), -Vec3::UnitX()});
+  push.traction = Vec3(4e7, 0, 0);
+  push.start = pull.start = 0.5;
+  pull.traction = -push.traction;
+  Scene scene = loaded(kBox, {push, pull}).scene;
+  scene.gravity.setZero();
+  World world(scene);
+  while (world.frame().time < 0.5 - 1e-9) world.step();
+  EXPECT_TRUE(world.frame().crack_events.empty());
+  for (int i = 0; i < 6; ++i) world.step();
+  EXPECT_FALSE(world.frame().crack_events.empty());
 }
 
 TEST(Loads, OneThatActsOnNothingIsAFinding) {

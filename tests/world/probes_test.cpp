@@ -6,10 +6,10 @@
 #include <cmath>
 #include <random>
 
-#include "tests/world/scenes.h"
 #include "sim/world/phases.h"
 #include "sim/world/world.h"
 #include "sim/world/world_state.h"
+#include "tests/world/scenes.h"
 
 namespace griffith::testing {
 namespace {
@@ -55,7 +55,8 @@ TEST(Probes, APointSeesALinearFieldExactly) {
   const Mat3 gradient{{1, 2, 3}, {-4, 5, 6}, {7, 8, -9}};
   for (int i = 0; i < 30; ++i) {
     const Vec3 point(2 * in(random), in(random), in(random));
-    WorldState world(probed_block({probe_at(ProbePoint{point}, {ProbeQuantity::displacement, ProbeQuantity::velocity})}));
+    WorldState world(
+        probed_block({probe_at(ProbePoint{point}, {ProbeQuantity::displacement, ProbeQuantity::velocity})}));
     build_world(world);
     for (std::size_t node = 0; node < world.nodes.positions.size(); ++node) {
       const Vec3& rest = world.mesh.rest_positions[node];
@@ -130,9 +131,9 @@ TEST(Probes, SurviveACrack) {
 }
 
 TEST(Probes, EveryColumnHasAName) {
-  const std::vector<ProbeQuantity> all = {ProbeQuantity::displacement,     ProbeQuantity::velocity,
-                                          ProbeQuantity::stress,           ProbeQuantity::principal_stress,
-                                          ProbeQuantity::separation,       ProbeQuantity::reaction};
+  const std::vector<ProbeQuantity> all = {ProbeQuantity::displacement, ProbeQuantity::velocity,
+                                          ProbeQuantity::stress,       ProbeQuantity::principal_stress,
+                                          ProbeQuantity::separation,   ProbeQuantity::reaction};
   const World world(probed_block({probe_at(ProbePoint{}, all)}));
   const std::vector<std::string> columns = probe_columns(world.probes());
   EXPECT_EQ(columns.size(), probe_values(world.probes(), world.frame()).size());

@@ -1,0 +1,72 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sim/mesh/topology.h"
+#include "sim/parallel.h"
+#include "sim/solver/explicit_step.h"
+#include "sim/world/phases.h"
+
+namespace griffith {
+namespace {
+
+/// The highest frequency of a body's present shape [rad/s].
+double frequency_of(const WorldState& world, Body& body) {
+  body.system->assemble(MatrixFactors{.mass = 0, .stiffness = 1}, elastic_law(world.material_of(body)),
+                        world.elements.rests, world.elements.states, world.nodes.positions, world.nodes.masses);
+  Eigen::VectorXd masses(body.system->nodes().size());
+  for (Eigen::Index row = 0; row < masses.size(); ++row) masses[row] = world.nodes.masses[body.system->nodes()[row]];
+  return highest_frequency(body.system->matrix(), masses);
+}
+
+/// Rayleigh's damping of the stiffness, −beta K v, element by element: the forces of beta times the rate of stress.
+Vec3 damping_force(const WorldState& world, const ElasticLaw& law, double stiffness_damping, TetId tet, int corner) {
+  const ElementRest& rest = world.elements.rests[tet];
+  const Mat3& frame = world.elements.states[tet].frame;
+  Corners velocities;
+  for (int i = 0; i < 4; ++i) velocities.col(i) = world.nodes.velocities[world.mesh.tets[tet][i]];
+  const Mat3 rate = frame.transpose() * deformation_gradient(rest, velocities);
+  const Mat3 strain_rate = 0.5 * (rate + rate.transpose());
+  Mat3 stress_rate = 2 * law.mu * strain_rate;
+  stress_rate.diagonal().array() += law.lambda * strain_rate.trace();
+  return -rest.volume * stiffness_damping * (frame * (stress_rate * rest.shape_gradients.col(corner)));
+}
+
+void add_damping_forces(const WorldState& world, const Body& body, std::vector<Vec3>& forces) {
+  const Material& material = world.material_of(body);
+  if (material.stiffness_damping == 0) return;
+  const ElasticLaw law = elastic_law(material);
+  parallel_for(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      for (TetId tet : world.mesh.stars[body.nodes[i]])
+        forces[body.nodes[i]] += damping_force(world, law, material.stiffness_damping, tet,
+                                               local_corner(world.mesh, tet, body.nodes[i]));
+  });
+}
+
+}  // namespace
+
+int stable_substeps(WorldState& world, double time_step) {
+  double stable = time_step;
+  for (Body& body : world.bodies) {
+    if (body.rigid) continue;
+    if (body.highest_frequency == 0) body.highest_frequency = frequency_of(world, body);
+    stable = std::min(stable, stable_time_step(body.highest_frequency, world.material_of(body).stiffness_damping));
+  }
+  return static_cast<int>(std::ceil(time_step / stable));
+}
+
+void advance_explicit(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt) {
+  add_damping_forces(world, body, forces);
+  std::vector<Vec3> before;
+  for (NodeId node : body.system->supports()) before.push_back(world.nodes.velocities[node]);
+  explicit_step(dt, world.material_of(body).mass_damping, body.nodes, world.nodes.constraints, world.nodes.masses,
+                forces, world.nodes.positions, world.nodes.velocities);
+  // What the supports did is what the momentum of their nodes lacks.
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const NodeId node = body.system->supports()[i];
+    world.nodes.reactions[node] =
+        world.nodes.masses[node] / dt * (world.nodes.velocities[node] - before[i]) - forces[node];
+  }
+}
+
+}  // namespace griffith

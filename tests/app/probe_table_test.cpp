@@ -1,0 +1,75 @@
+#include "app/probe_table.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "program.h"
+#include "sim/scene/scene_writer.h"
+#include "sim/world/probes.h"
+
+namespace griffith::app {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+Scene probed_wall() {
+  Scene scene = small_wall();
+  Probe probe;
+  probe.name = "top, \"left\"";
+  probe.body = scene.bodies[0].name;
+  probe.quantities = {ProbeQuantity::velocity};
+  scene.probes = {probe};
+  return scene;
+}
+
+TEST(ProbeTable, HasAHeadingAndARowAFrameWithEveryBit) {
+  World world(probed_wall());
+  ProbeTable table(world, "wall.json");
+  world.step();
+  table.add(world);
+  EXPECT_THAT(table.csv(), StartsWith("step,time [s],\"top, \"\"left\"\".velocity.x [m/s]\",\"top"));
+  std::istringstream lines(table.csv());
+  std::string line, last;
+  int rows = 0;
+  while (std::getline(lines, line)) last = line, ++rows;
+  EXPECT_EQ(rows, 3);
+  double step = 0, time = 0, x = 0, y = 0, z = 0;
+  ASSERT_EQ(std::sscanf(last.c_str(), "%lf,%lf,%lf,%lf,%lf", &step, &time, &x, &y, &z), 5) << last;
+  const std::vector<double> values = probe_values(world.probes(), world.frame());
+  EXPECT_EQ(step, 1);
+  EXPECT_EQ(time, world.frame().time);
+  EXPECT_EQ((std::vector{x, y, z}), values);
+}
+
+TEST(ProbeTable, IsWrittenByTheProgram) {
+  const auto scene = test_folder() / "probed.json", csv = test_folder() / "probed.csv";
+  write_scene(probed_wall(), scene);
+  const Outcome outcome = run_program("simulate --frames 4 " + scene.string() + " --probes " + csv.string());
+  ASSERT_EQ(outcome.code, 0) << outcome.output;
+  std::ifstream file(csv);
+  EXPECT_EQ(std::count(std::istreambuf_iterator<char>(file), {}, '\n'), 6);
+}
+
+TEST(ProbeTable, ASceneWithoutProbesIsBadInput) {
+  const Outcome outcome = run_program("simulate --frames 1 " + small_wall_file().string() + " --probes a.csv");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.output, HasSubstr("small_wall.json#/probes"));
+}
+
+TEST(CheckCommand, WarnsOfALoadThatActsOnNothingAndCallsTheSceneGood) {
+  Scene scene = small_wall();
+  scene.bodies[0].loads.push_back({SphereRegion{Vec3(0, 99, 0), 1}});
+  const auto path = test_folder() / "loaded.json";
+  write_scene(scene, path);
+  const Outcome outcome = run_program("check " + path.string());
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.output, HasSubstr("warning: " + path.string() + "#/bodies/0/loads/0/region: holds no node"));
+  EXPECT_THAT(outcome.output, HasSubstr("loaded.json: good"));
+}
+
+}  // namespace
+}  // namespace griffith::app
