@@ -120,7 +120,7 @@ void build_world(WorldState& world) {
   if (world.scene.simulation.static_start && world.scene.analysis == Analysis::dynamic)
     find_equilibrium(world, 0, 0, true);
   update_elements(world);
-  evaluate_separation(world);
+  evaluate_separation(world, false);
   publish(world);
 }
 

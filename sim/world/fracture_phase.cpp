@@ -19,15 +19,14 @@ double element_size(const WorldState& world, NodeId node) {
 }
 
 NodeSeparation evaluate_node(const WorldState& world, const SeparationInput& input, const Material& material,
-                             NodeId node) {
+                             NodeId node, bool averaged) {
   NodeSeparation separation;
   separation.tensor = separation_tensor(input, node, world.nodes.held[node] != 0);
   const PrincipalValues principal = principal_values(separation.tensor);
   separation.eigenvalue = principal.values[2];
   separation.direction = principal.directions.col(2);
   const double stress = separation_stress(input, node, separation.eigenvalue, separation.direction);
-  // The mean of two substeps: the noise of a stiff body does not crack it.
-  separation.stress = 0.5 * (stress + world.nodes.separations[node].stress);
+  separation.stress = averaged ? 0.5 * (stress + world.nodes.separations[node].stress) : stress;
   separation.resistance = resistance(material, world.nodes.at_crack_front[node] != 0, element_size(world, node));
   const double load =
       material.criterion == FractureCriterion::strength ? separation.stress : separation.eigenvalue;
@@ -98,14 +97,14 @@ bool crack(WorldState& world, NodeId node) {
 
 }  // namespace
 
-void evaluate_separation(WorldState& world) {
+void evaluate_separation(WorldState& world, bool averaged) {
   const SeparationInput input{world.mesh, world.elements.rests, world.elements.states};
   for (const Body& body : world.bodies) {
     if (body.rigid) continue;
     const Material& material = world.material_of(body);
     parallel_for(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
       for (int i = begin; i < end; ++i)
-        world.nodes.separations[body.nodes[i]] = evaluate_node(world, input, material, body.nodes[i]);
+        world.nodes.separations[body.nodes[i]] = evaluate_node(world, input, material, body.nodes[i], averaged);
     });
     for (NodeId node : body.nodes)
       world.report.peak_margin = std::max(world.report.peak_margin, world.nodes.separations[node].margin);

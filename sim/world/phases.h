@@ -40,8 +40,9 @@ void advance_bodies(WorldState& world, std::vector<Vec3>& forces, double dt);
 int stable_substeps(WorldState& world, double time_step);
 /// One substep of a body by explicit integration; `forces` hold the elastic and external ones.
 void advance_explicit(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt);
-/// Separation tensors, and the margin of every node against the material's resistance.
-void evaluate_separation(WorldState& world);
+/// Separation tensors, and the margin of every node against the material's resistance. `averaged`: the stress is the
+/// mean of this evaluation and the last, so that the noise of a stiff body in motion does not crack it.
+void evaluate_separation(WorldState& world, bool averaged);
 /// Opens the mesh where the margin is passed, worst first; parted pieces become bodies.
 void open_cracks(WorldState& world);
 /// Bodies whose stress has died turn rigid.

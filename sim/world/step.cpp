@@ -21,12 +21,11 @@ class PhaseTimer {
 
 /// Separation and fracture under the stresses there are.
 void fracture(WorldState& world) {
-  if (!world.scene.simulation.fracture) return;
   {
     PhaseTimer timer(world.report.milliseconds.separation);
-    evaluate_separation(world);
+    evaluate_separation(world, world.scene.analysis == Analysis::dynamic);
   }
-  {
+  if (world.scene.simulation.fracture) {
     PhaseTimer timer(world.report.milliseconds.fracture);
     open_cracks(world);
   }

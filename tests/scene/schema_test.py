@@ -17,7 +17,7 @@ Draft202012Validator.check_schema(schema)
 validator = Draft202012Validator(schema)
 
 failures = []
-shipped = [path for path in sorted(scenes.glob("*.json")) if not path.name.endswith(".schema.json")]
+shipped = [path for path in sorted(scenes.rglob("*.json")) if not path.name.endswith(".schema.json")]
 for path in shipped:
     for error in validator.iter_errors(json.loads(path.read_text(encoding="utf-8"))):
         failures.append(f"{path.name}: {error.message}")

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -18,7 +19,7 @@ const fs::path kScenes = fs::path(GRIFFITH_SOURCE_DIR) / "scenes";
 
 std::vector<fs::path> shipped_scenes() {
   std::vector<fs::path> paths;
-  for (const auto& entry : fs::directory_iterator(kScenes)) {
+  for (const auto& entry : fs::recursive_directory_iterator(kScenes)) {
     const std::string name = entry.path().filename().string();
     if (name.ends_with(".json") && !name.ends_with(".schema.json")) paths.push_back(entry.path());
   }
@@ -33,14 +34,18 @@ std::string text_of(const fs::path& path) {
 
 std::vector<std::string> shipped_names() {
   std::vector<std::string> names;
-  for (const fs::path& path : shipped_scenes()) names.push_back(path.stem().string());
+  for (const fs::path& path : shipped_scenes()) names.push_back(path.lexically_relative(kScenes).replace_extension().generic_string());
   return names;
 }
 
 class ShippedScene : public testing::TestWithParam<std::string> {};
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ShippedScene, testing::ValuesIn(shipped_names()),
-                         [](const auto& parameter) { return parameter.param; });
+                         [](const auto& parameter) {
+                           std::string name = parameter.param;
+                           std::ranges::replace(name, '/', '_');
+                           return name;
+                         });
 
 TEST_P(ShippedScene, IsWithoutAProblemAndSaysWhatItShows) {
   const fs::path path = kScenes / (GetParam() + ".json");

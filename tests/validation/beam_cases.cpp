@@ -94,8 +94,8 @@ std::vector<Row> cantilever(const char* scene_name, double (*closed_form)(const 
   for (std::size_t i = 0; i < cells.size(); ++i)
     for (BoxPattern other : {BoxPattern::kuhn, BoxPattern::five_tet}) {
       if (other == BoxPattern::five_tet && cells[i] < 4) continue;
-      const double share = interpolated_share(cells, shares[static_cast<int>(other)], other,
-                                              node_count(BoxPattern::bcc, cells[i]));
+      const double share =
+          interpolated_share(cells, shares[static_cast<int>(other)], other, node_count(BoxPattern::bcc, cells[i]));
       rows.push_back(at_least(mesh_label(BoxPattern::bcc, cells[i]),
                               "share; " + mesh_label(other, 0).pattern + "'s with as many nodes", share,
                               shares[static_cast<int>(BoxPattern::bcc)][i]));
@@ -111,13 +111,9 @@ std::vector<Row> cantilever(const char* scene_name, double (*closed_form)(const 
 
 }  // namespace
 
-std::vector<Row> cantilever_tip_load(Extent) {
-  return cantilever("cantilever_tip_load", tip_load_deflection, 0.03);
-}
+std::vector<Row> cantilever_tip_load(Extent) { return cantilever("cantilever_tip_load", tip_load_deflection, 0.03); }
 
-std::vector<Row> cantilever_gravity(Extent) {
-  return cantilever("cantilever_gravity", gravity_deflection, 0.014);
-}
+std::vector<Row> cantilever_gravity(Extent) { return cantilever("cantilever_gravity", gravity_deflection, 0.014); }
 
 std::vector<Row> locking(Extent) {
   constexpr int kCells = 4;

@@ -50,7 +50,8 @@ Modes modes_of(const LinearSystem& linear) {
   const Eigen::VectorXd roots = linear.masses.cwiseSqrt().cwiseInverse();
   Eigen::VectorXd scale(3 * roots.size());
   for (int i = 0; i < scale.size(); ++i) scale[i] = roots[i / 3];
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * linear.stiffness * scale.asDiagonal());
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scale.asDiagonal() * linear.stiffness *
+                                                             scale.asDiagonal());
   return {eigen.eigenvalues().cwiseMax(0).cwiseSqrt(), scale.asDiagonal() * eigen.eigenvectors()};
 }
 
@@ -159,20 +160,20 @@ double momentum_error(const Balance& now, const Balance& start) {
                   (now.angular_momentum - start.angular_momentum).norm() / start.angular_momentum.norm());
 }
 
-/// A turning, flying block, let go stretched by some percent.
+/// A turning, flying block, let go stretched by some tenths of a percent.
 Scene spinning_block(BoxPattern pattern) {
   Scene scene = validation_scene("spinning_block");
   std::get<BoxShape>(scene.bodies[0].shape).pattern = pattern;
   return scene;
 }
 
-Vec3 stretched(const Vec3& x) { return Vec3(1.04, 0.98, 1.02).cwiseProduct(x); }
+Vec3 stretched(const Vec3& x) { return Vec3(1.004, 0.998, 1.002).cwiseProduct(x); }
 
 /// Energy drift, energy swing and momentum error of 10,000 explicit steps.
 std::vector<Row> explicit_run(BoxPattern pattern) {
   constexpr int kSteps = 10'000, kWindow = 1'000;
   Specimen specimen(spinning_block(pattern));
-  const double dt = stable_step(specimen);
+  const double dt = stable_step(specimen) / 2;
   specimen.deform(stretched);
   const Balance start = balance_of(specimen);
   const std::vector<Vec3> no_forces(specimen.node_count(), Vec3::Zero());
@@ -186,7 +187,7 @@ std::vector<Row> explicit_run(BoxPattern pattern) {
     momentum = std::max(momentum, momentum_error(now, start));
   }
   const MeshLabel mesh = mesh_label(pattern, 2);
-  return {at_most(mesh, "explicit: drift of the mean energy", 0.01, std::abs(last / first - 1)),
+  return {at_most(mesh, "explicit: drift of the mean energy", 1e-3, std::abs(last / first - 1)),
           at_most(mesh, "explicit: largest swing of the energy", 0.1, swing),
           at_most(mesh, "explicit: momentum and angular momentum", 1e-10, momentum)};
 }
@@ -207,7 +208,7 @@ std::vector<Row> implicit_run(BoxPattern pattern) {
     before = now.energy;
   }
   const MeshLabel mesh = mesh_label(pattern, 2);
-  return {at_most(mesh, "implicit: largest gain of energy in a step", 1e-9, gain),
+  return {at_most(mesh, "implicit: largest gain of energy in a step", 1e-8, gain),
           at_most(mesh, "implicit: energy at the end / at the start", 1, before / start.energy),
           at_most(mesh, "implicit: momentum and angular momentum", 1e-10, momentum)};
 }
@@ -305,14 +306,15 @@ std::vector<Row> mode_decay(Extent) {
     const MeshLabel mesh = mesh_label(pattern, 2);
     for (int mode : {0, last / 2, last}) {
       const double omega = modes.frequencies[mode];
-      const ImplicitStep step{.dt = 1 / modes.frequencies[last / 2], .relative_residual = 1e-14, .max_iterations = 2000};
+      const ImplicitStep step{
+          .dt = 1 / modes.frequencies[last / 2], .relative_residual = 1e-14, .max_iterations = 2000};
       Motion motion{1e-3 * modes.shapes.col(mode), 1e-3 * omega * modes.shapes.col(mode)};
       const double start = energy(linear, motion);
       constexpr int kSteps = 5;
       for (int i = 0; i < kSteps; ++i) step_implicitly(specimen, linear, step, motion);
       const double decay = std::pow(1 + std::pow(omega * step.dt, 2), -kSteps);
-      rows.push_back(at_most(mesh, formatted("energy after 5 steps · (1+ω²h²)⁵, error, ωh = %.3g", omega * step.dt), 1e-10,
-                             std::abs(energy(linear, motion) / start / decay - 1)));
+      rows.push_back(at_most(mesh, formatted("energy after 5 steps · (1+ω²h²)⁵, error, ωh = %.3g", omega * step.dt),
+                             1e-10, std::abs(energy(linear, motion) / start / decay - 1)));
     }
     linear_system(specimen);  // leaves the stiffness alone in the system's matrix
     const double estimate = highest_frequency(linear.system.matrix(), linear.masses);

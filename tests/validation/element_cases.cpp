@@ -201,8 +201,9 @@ std::vector<Row> difference_quotients(Extent) {
     }
     const bool green = model == ElementModel::green_strain;
     rows.push_back(at_most(mesh, name_of(model) + ": force and energy's slope", 1e-8, force));
-    rows.push_back(at_most(
-        mesh, name_of(model) + ": stiffness and force's slope, " + (green ? "in tension" : "at rest"), 1e-8, stiffness));
+    rows.push_back(at_most(mesh,
+                           name_of(model) + ": stiffness and force's slope, " + (green ? "in tension" : "at rest"),
+                           1e-8, stiffness));
     rows.push_back(at_most(mesh, name_of(model) + ": f(Rx) and R f(x)", 1e-12, rotated));
   }
   return rows;

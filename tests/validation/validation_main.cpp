@@ -12,8 +12,10 @@ int print_row(const Row& row) {
   constexpr const char* kSigns[] = {"", "≤ ", "≥ "};
   std::printf("| %s | %s | %s | %s%.4g | %.4g | ", row.mesh.pattern.c_str(), row.mesh.resolution.c_str(),
               row.quantity.c_str(), kSigns[static_cast<int>(row.check)], row.expected, row.got);
-  if (row.check == Check::near) std::printf("%+.2g | %.2g", row.error(), row.tolerance);
-  else std::printf("| ");
+  if (row.check == Check::near)
+    std::printf("%+.2g | %.2g", row.error(), row.tolerance);
+  else
+    std::printf("| ");
   std::printf(" | %s |\n", row.passes() ? "yes" : "**no**");
   return row.passes() ? 0 : 1;
 }
@@ -37,8 +39,10 @@ int main(int argc, char** argv) try {
   Extent extent = Extent::table;
   std::string_view wanted;
   for (int i = 1; i < argc; ++i) {
-    if (std::string_view(argv[i]) == "--quick") extent = Extent::test;
-    else wanted = argv[i];
+    if (std::string_view(argv[i]) == "--quick")
+      extent = Extent::test;
+    else
+      wanted = argv[i];
   }
   int outside = 0;
   for (const Case& known : cases())

@@ -14,8 +14,8 @@ TEST_P(Validation, IsWithinItsTolerances) {
   const std::vector<Row> rows = GetParam().run(Extent::test);
   EXPECT_FALSE(rows.empty());
   for (const Row& row : rows)
-    EXPECT_TRUE(row.passes()) << row.mesh.pattern << ", " << row.mesh.resolution << ": " << row.quantity << ": expected "
-                              << row.expected << ", got " << row.got;
+    EXPECT_TRUE(row.passes()) << row.mesh.pattern << ", " << row.mesh.resolution << ": " << row.quantity
+                              << ": expected " << row.expected << ", got " << row.got;
 }
 
 }  // namespace
