@@ -119,6 +119,7 @@ void build_world(WorldState& world) {
   for (const ProjectileBurst& burst : world.scene.projectiles) queue_burst(world, burst);
   if (world.scene.simulation.static_start && world.scene.analysis == Analysis::dynamic)
     find_equilibrium(world, 0, 0, true);
+  place_stand_ins(world);
   update_elements(world);
   evaluate_separation(world, false);
   publish(world);

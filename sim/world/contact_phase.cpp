@@ -21,14 +21,6 @@ Body* body_of(WorldState& world, ProxyId proxy) {
   return id.valid() ? &world.bodies[id] : nullptr;
 }
 
-void place_stand_ins(WorldState& world) {
-  for (const Body& body : world.bodies) {
-    RigidState state{{body.motion.center, body.orientation}, body.motion.velocity, body.motion.angular_velocity};
-    if (body.supported()) state.velocity = state.angular_velocity = Vec3::Zero();
-    world.contact_world.set_state(body.stand_in, state);
-  }
-}
-
 Touch touch(WorldState& world, ProxyId proxy, const Vec3& position) {
   Body* body = body_of(world, proxy);
   if (!body || body->rigid) return {};
@@ -109,8 +101,15 @@ void apply_corrections(WorldState& world) {
 
 }  // namespace
 
+void place_stand_ins(WorldState& world) {
+  for (const Body& body : world.bodies) {
+    RigidState state{{body.motion.center, body.orientation}, body.motion.velocity, body.motion.angular_velocity};
+    if (body.supported()) state.velocity = state.angular_velocity = Vec3::Zero();
+    world.contact_world.set_state(body.stand_in, state);
+  }
+}
+
 std::vector<Vec3> contact_forces(WorldState& world, double dt) {
-  place_stand_ins(world);
   world.contact_world.detect();
   const std::vector<std::array<Touch, 2>> touches = soften_contacts(world);
   world.contact_world.solve(dt);

@@ -159,6 +159,7 @@ void advance_bodies(WorldState& world, std::vector<Vec3>& forces, double dt) {
     world.report.max_relative_residual = std::max(world.report.max_relative_residual, reports[i].relative_residual);
     world.report.unconverged_solves += !reports[i].converged;
   }
+  place_stand_ins(world);
 }
 
 void calm_bodies(WorldState& world) {

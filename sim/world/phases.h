@@ -31,6 +31,8 @@ void update_elements(WorldState& world);
 void assemble_systems(WorldState& world, double dt);
 /// The same for one body, which was rigid until now.
 void assemble_system(WorldState& world, Body& body, double dt);
+/// Puts the stand-ins where their bodies are: after bodies move, so that impacts are foreseen from where they are now.
+void place_stand_ins(WorldState& world);
 /// Finds and solves all contacts; returns the external force on each node [N], gravity included.
 std::vector<Vec3> contact_forces(WorldState& world, double dt);
 /// Moves every body by `dt` under these forces.
