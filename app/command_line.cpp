@@ -77,9 +77,9 @@ void add_render(CLI::App& program, Options& options) {
   add_threads(*command, options);
   command->footer(
       "Examples:\n"
-      "  griffith render scenes/wall.json --frame 60 -o wall.png\n"
-      "  griffith render scenes/wall.json --frame 240 --every 4 -o wall.png    wall_0000.png, wall_0004.png, ...\n"
-      "  griffith render scenes/wall.json --frame 30 --view margin --size 1920x1080 -o margin.png");
+      "  griffith render scenes/wall_small.json --frame 60 -o wall.png\n"
+      "  griffith render scenes/wall_small.json --frame 240 --every 4 -o wall.png    wall_0000.png, wall_0004.png, ...\n"
+      "  griffith render scenes/wall_small.json --frame 30 --view margin --size 1920x1080 -o margin.png");
 }
 
 void add_simulate(CLI::App& program, Options& options) {
@@ -98,16 +98,16 @@ void add_simulate(CLI::App& program, Options& options) {
   add_threads(*command, options);
   command->footer(
       "Examples:\n"
-      "  griffith simulate scenes/wall.json --frames 600\n"
-      "  griffith simulate scenes/wall.json --frames 60 --export wall.vtu\n"
+      "  griffith simulate scenes/wall_small.json --frames 600\n"
+      "  griffith simulate scenes/wall_small.json --frames 60 --export wall.vtu\n"
       "  griffith simulate scenes/cantilever.json --frames 1 --probes cantilever.csv\n"
-      "  griffith simulate scenes/wall.json --frames 600 --threads 1 --stats wall.stats.json");
+      "  griffith simulate scenes/wall_small.json --frames 600 --threads 1 --stats wall.stats.json");
 }
 
 void add_check(CLI::App& program, Options& options) {
   CLI::App* command = program.add_subcommand("check", "List every problem of scene files");
   command->add_option("SCENE", options.check.scenes, "Scene files")->required()->type_name("FILE");
-  command->footer("Example:\n  griffith check scenes/*.json");
+  command->footer("Example:\n  griffith check scenes/wall_small.json scenes/materials.json");
 }
 
 /// The message that CLI11 makes for --help, --version and bad usage; nothing where the arguments are good.
@@ -154,7 +154,7 @@ int run(int argc, const char* const* argv) {
     add_simulate(program, options);
     add_check(program, options);
     program.footer(
-        "Examples:\n  griffith scenes/wall.json\n  griffith render --help\n\n"
+        "Examples:\n  griffith scenes/wall_small.json\n  griffith render --help\n\n"
         "Exit code: 0 done, 1 the work failed, 2 bad usage or bad input.");
     if (const std::optional<int> code = parse(program, argc, argv)) return *code;
     return dispatch(program, options);

@@ -11,6 +11,7 @@
 #include "app/scene_legend.h"
 #include "renderer/egl_context.h"
 #include "renderer/target.h"
+#include "sim/error.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/view_quantity.h"
 
@@ -114,6 +115,8 @@ void render_editor(const RenderOptions& options, const Scene& scene) {
 }  // namespace
 
 void render_command(const RenderOptions& options) {
+  if (options.output.extension() != ".png")
+    throw InputError(options.output.string(), "is no name of a PNG file", "end it in .png");
   Scene scene = read_scene(options.scene);
   use_view(scene.view, options.view);
   const render::EglContext context(options.egl_device);

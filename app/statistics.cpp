@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
-#include "sim/error.h"
 
 namespace griffith::app {
 namespace {
@@ -62,9 +61,12 @@ void add_counters(Json& json, const StepReport& sums, const StepReport& largest)
   json["non_finite_values"] = largest.non_finite_values;
 }
 
-void add_totals(Json& json, const Totals& totals, double initial_mass) {
-  json["mass"] = totals.mass;
-  json["initial_mass"] = initial_mass;
+/// Without the projectiles, so that it stays what it was [kg].
+double mass_of_bodies(const Frame& frame) {
+  return std::accumulate(frame.node_masses.begin(), frame.node_masses.end(), 0.0);
+}
+
+void add_totals(Json& json, const Totals& totals) {
   json["momentum"] = vector_json(totals.momentum);
   json["angular_momentum"] = vector_json(totals.angular_momentum);
   json["kinetic_energy"] = totals.kinetic_energy;
@@ -74,7 +76,7 @@ void add_totals(Json& json, const Totals& totals, double initial_mass) {
 }  // namespace
 
 RunStatistics::RunStatistics(const Frame& start, double time_step, int threads)
-    : time_step_(time_step), threads_(threads), initial_mass_(start.totals.mass) {
+    : time_step_(time_step), threads_(threads), initial_mass_(mass_of_bodies(start)) {
   sums_.substeps = 0;
   largest_.substeps = 0;
 }
@@ -104,7 +106,9 @@ std::string RunStatistics::json(const Frame& frame, std::uint64_t state_hash) co
   json["bodies"] = frame.bodies.size();
   json["fragments"] = frame.fragments;
   json["crack_events"] = frame.crack_events.size();
-  add_totals(json, frame.totals, initial_mass_);
+  json["mass"] = mass_of_bodies(frame);
+  json["initial_mass"] = initial_mass_;
+  add_totals(json, frame.totals);
   add_counters(json, sums_, largest_);
   json["state_hash"] = hash_text(state_hash);
   json["threads"] = threads_;

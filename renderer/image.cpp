@@ -44,17 +44,22 @@ std::array<std::uint8_t, 4> Image::pixel(int x, int y) const {
 }
 
 void save_png(const std::filesystem::path& path, const Image& image) {
-  std::filesystem::path beside = path;
-  beside += ".part";
-  if (!stbi_write_png(beside.c_str(), image.width, image.height, kChannels, image.rgba.data(),
+  namespace fs = std::filesystem;
+  std::error_code error;
+  // A link stays a link; what is no file (a pipe) is written to as it is.
+  const fs::path target = fs::is_symlink(path, error) ? fs::canonical(path, error) : path;
+  const fs::file_status status = fs::status(target, error);
+  fs::path written = target;
+  if (!fs::exists(status) || fs::is_regular_file(status)) written += ".part";
+  if (!stbi_write_png(written.c_str(), image.width, image.height, kChannels, image.rgba.data(),
                       kChannels * image.width)) {
     throw RenderError("can't write the image " + path.string() + ": is its folder there and writable?");
   }
-  std::error_code error;
-  std::filesystem::rename(beside, path, error);
+  if (written == target) return;
+  fs::rename(written, target, error);
   if (error) {
     std::error_code ignored;
-    std::filesystem::remove(beside, ignored);
+    fs::remove(written, ignored);
     throw RenderError("can't write the image " + path.string() + ": " + error.message());
   }
 }
