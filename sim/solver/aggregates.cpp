@@ -1,11 +1,14 @@
 #include "sim/solver/aggregates.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <numeric>
 
 namespace griffith {
 namespace {
 
-/// Adds unassigned rows to `aggregate`, breadth first from `seed`, until it has `target_size` of them. Returns the rows.
+/// Adds unassigned rows to `aggregate`, breadth first from `seed`, until it has `target_size` of them. Returns the
+/// rows.
 std::vector<int> grow(const BlockSparseMatrix& matrix, int seed, int aggregate, int target_size,
                       std::vector<int>& aggregates) {
   std::vector<int> members = {seed};
@@ -24,31 +27,89 @@ std::vector<int> grow(const BlockSparseMatrix& matrix, int seed, int aggregate, 
 }
 
 /// An aggregate next to these rows other than their own, or -1.
-int adjacent_aggregate(const BlockSparseMatrix& matrix, const std::vector<int>& rows, const std::vector<int>& aggregates) {
+int adjacent_aggregate(const BlockSparseMatrix& matrix, const std::vector<int>& rows,
+                       const std::vector<int>& aggregates) {
   for (int row : rows)
     for (int k = matrix.row_starts[row]; k < matrix.row_starts[row + 1]; ++k)
       if (const int other = aggregates[matrix.columns[k]]; other >= 0 && other != aggregates[row]) return other;
   return -1;
 }
 
-}  // namespace
-
-std::vector<int> aggregate_rows(const BlockSparseMatrix& matrix, int target_size) {
-  std::vector<int> aggregates(matrix.rows(), -1);
-  int count = 0;
+/// Groups the rows that have no aggregate, from number `count` on.
+void group_the_rest(const BlockSparseMatrix& matrix, int target_size, int count, std::vector<int>& aggregates) {
   for (int seed = 0; seed < matrix.rows(); ++seed) {
     if (aggregates[seed] >= 0) continue;
     const std::vector<int> members = grow(matrix, seed, count, target_size, aggregates);
     // Left-over islands between grown aggregates join a neighbour: modes of a few nodes cost as much as any others.
-    const int neighbour = static_cast<int>(members.size()) * 4 < target_size
-                              ? adjacent_aggregate(matrix, members, aggregates)
-                              : -1;
+    const int neighbour =
+        static_cast<int>(members.size()) * 4 < target_size ? adjacent_aggregate(matrix, members, aggregates) : -1;
     if (neighbour < 0) {
       ++count;
     } else {
       for (int row : members) aggregates[row] = neighbour;
     }
   }
+}
+
+void join_neighbours(const BlockSparseMatrix& matrix, std::vector<int>& aggregates) {
+  for (int row = 0; row < matrix.rows(); ++row)
+    for (int k = matrix.row_starts[row]; k < matrix.row_starts[row + 1] && aggregates[row] < 0; ++k)
+      aggregates[row] = aggregates[matrix.columns[k]];
+}
+
+/// Marks the rows that `seed` reaches within its aggregate and returns how many they are.
+int mark_connected(const BlockSparseMatrix& matrix, const std::vector<int>& aggregates, int seed,
+                   std::vector<std::uint8_t>& marked) {
+  std::vector<int> reached = {seed};
+  marked[seed] = 1;
+  for (std::size_t next = 0; next < reached.size(); ++next) {
+    const int row = reached[next];
+    for (int k = matrix.row_starts[row]; k < matrix.row_starts[row + 1]; ++k) {
+      const int neighbour = matrix.columns[k];
+      if (marked[neighbour] || aggregates[neighbour] != aggregates[seed]) continue;
+      marked[neighbour] = 1;
+      reached.push_back(neighbour);
+    }
+  }
+  return static_cast<int>(reached.size());
+}
+
+/// Takes the rows of aggregates that are in several parts, or have come down to a few rows, out of them.
+void release_broken(const BlockSparseMatrix& matrix, int target_size, int count, std::vector<int>& aggregates) {
+  std::vector<std::uint8_t> marked(matrix.rows(), 0), broken(count, 0), seen(count, 0);
+  for (int row = 0; row < matrix.rows(); ++row) {
+    const int aggregate = aggregates[row];
+    if (aggregate < 0 || marked[row]) continue;
+    const int size = mark_connected(matrix, aggregates, row, marked);
+    if (seen[aggregate] || 4 * size < target_size) broken[aggregate] = 1;
+    seen[aggregate] = 1;
+  }
+  for (int& aggregate : aggregates)
+    if (aggregate >= 0 && broken[aggregate]) aggregate = -1;
+}
+
+void number_without_gaps(std::vector<int>& aggregates) {
+  std::vector<int> numbers(aggregates.empty() ? 0 : *std::max_element(aggregates.begin(), aggregates.end()) + 1, 0);
+  for (int aggregate : aggregates) numbers[aggregate] = 1;
+  std::exclusive_scan(numbers.begin(), numbers.end(), numbers.begin(), 0);
+  for (int& aggregate : aggregates) aggregate = numbers[aggregate];
+}
+
+}  // namespace
+
+std::vector<int> aggregate_rows(const BlockSparseMatrix& matrix, int target_size) {
+  std::vector<int> aggregates(matrix.rows(), -1);
+  group_the_rest(matrix, target_size, 0, aggregates);
+  return aggregates;
+}
+
+std::vector<int> patch_aggregates(const BlockSparseMatrix& matrix, int target_size, std::vector<int> aggregates) {
+  if (aggregates.empty()) return aggregates;
+  const int count = *std::max_element(aggregates.begin(), aggregates.end()) + 1;
+  join_neighbours(matrix, aggregates);
+  release_broken(matrix, target_size, count, aggregates);
+  group_the_rest(matrix, target_size, count, aggregates);
+  number_without_gaps(aggregates);
   return aggregates;
 }
 

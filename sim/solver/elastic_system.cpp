@@ -27,6 +27,18 @@ std::vector<NodeId> nodes_of(const TetMesh& mesh, std::span<const TetId> tets) {
   return nodes;
 }
 
+/// Numbers the nodes that are not held, and returns them.
+std::vector<NodeId> number_rows(std::span<const NodeId> body_nodes, std::span<const NodeConstraint> constraints,
+                                std::span<int> row_of_node) {
+  std::vector<NodeId> numbered;
+  numbered.reserve(body_nodes.size());
+  for (NodeId node : body_nodes) {
+    row_of_node[node] = constraints[node].is_held() ? -1 : static_cast<int>(numbered.size());
+    if (!constraints[node].is_held()) numbered.push_back(node);
+  }
+  return numbered;
+}
+
 /// What spinning does to the shape, seen by a body that turns along: h·m ω×(a×ω) for a node at arm a.
 void add_centrifugal_impulses(const RigidMotion& motion, const NodeVectors& positions, const Eigen::VectorXd& masses,
                               double dt, NodeVectors& impulses) {
@@ -41,23 +53,30 @@ void add_centrifugal_impulses(const RigidMotion& motion, const NodeVectors& posi
 
 ElasticSystem::ElasticSystem(const TetMesh& mesh, std::span<const TetId> tets,
                              std::span<const NodeConstraint> constraints, std::span<int> row_of_node) {
-  const std::vector<NodeId> nodes = nodes_of(mesh, tets);
-  int row = 0;
-  for (NodeId node : nodes) row_of_node[node] = constraints[node].is_held() ? -1 : row++;
-  for (NodeId node : nodes) {
-    if (row_of_node[node] >= 0) rows_.add(mesh, node, row_of_node);
-    if (row_of_node[node] >= 0 && !constraints[node].is_free())
-      sliding_.push_back({row_of_node[node], constraints[node].allowed});
-  }
-  add_support_rows(mesh, nodes, constraints, row_of_node);
+  const std::vector<NodeId> body_nodes = nodes_of(mesh, tets);
+  for (NodeId node : number_rows(body_nodes, constraints, row_of_node)) rows_.add(mesh, node, row_of_node);
+  rebuild_support_rows(mesh, body_nodes, constraints, row_of_node);
   preconditioner_ = std::make_unique<RigidModePreconditioner>(rows_.matrix, aggregate_size(rows_.matrix.rows()));
 }
 
-void ElasticSystem::add_support_rows(const TetMesh& mesh, const std::vector<NodeId>& nodes,
-                                     std::span<const NodeConstraint> constraints, std::span<const int> row_of_node) {
+void ElasticSystem::patch(const TetMesh& mesh, std::span<const NodeId> body_nodes,
+                          std::span<const NodeConstraint> constraints, std::span<int> row_of_node) {
+  const std::vector<NodeId> unknown = number_rows(body_nodes, constraints, row_of_node);
+  const std::vector<int> previous_rows = rows_.patch(mesh, unknown, row_of_node);
+  rebuild_support_rows(mesh, body_nodes, constraints, row_of_node);
+  preconditioner_->patch(rows_.matrix, previous_rows, aggregate_size(rows_.matrix.rows()));
+}
+
+void ElasticSystem::rebuild_support_rows(const TetMesh& mesh, std::span<const NodeId> body_nodes,
+                                         std::span<const NodeConstraint> constraints,
+                                         std::span<const int> row_of_node) {
+  sliding_.clear();
+  support_rows_ = {};
+  row_of_support_column_.clear();
   std::vector<int> column_of_node;
-  for (NodeId node : nodes) {
+  for (NodeId node : body_nodes) {
     if (constraints[node].is_free()) continue;
+    if (row_of_node[node] >= 0) sliding_.push_back({row_of_node[node], constraints[node].allowed});
     if (column_of_node.empty()) {
       column_of_node.resize(mesh.node_count());
       std::iota(column_of_node.begin(), column_of_node.end(), 0);

@@ -25,13 +25,20 @@ struct ImplicitStep {
 /// block a node) and w the known velocities, v⁺ = w + x where
 ///   S A S x = S (b − A w).
 /// Held nodes have no row; in the row of a sliding one I − S, scaled, keeps the matrix positive definite. The pattern
-/// and the aggregates stand as long as the body's topology does.
+/// and the aggregates stand as long as the body's topology does, and are patched where it changes.
 class ElasticSystem {
  public:
   /// `tets`: the body's; `constraints`: per node of the mesh. Writes the row of each of the body's nodes to
   /// `row_of_node` (per node of the mesh), -1 for held ones.
   ElasticSystem(const TetMesh& mesh, std::span<const TetId> tets, std::span<const NodeConstraint> constraints,
                 std::span<int> row_of_node);
+
+  /// Fits the system to a body that cracked or lost pieces since: `body_nodes` are all its nodes now, ascending. Tets
+  /// may have left it and nodes may have been copied (split_node() in split.h); the constraints of old nodes block what
+  /// they did. Only the rows round the cracks are made anew; assemble() comes next. As after construction but for the
+  /// aggregates, which stand where they still hold together. Writes `row_of_node` as the constructor does.
+  void patch(const TetMesh& mesh, std::span<const NodeId> body_nodes, std::span<const NodeConstraint> constraints,
+             std::span<int> row_of_node);
 
   /// The body's nodes that are not held, ascending; row i of the system is nodes()[i].
   std::span<const NodeId> nodes() const { return rows_.nodes; }
@@ -79,8 +86,8 @@ class ElasticSystem {
     int row;
     Mat3 allowed;
   };
-  void add_support_rows(const TetMesh& mesh, const std::vector<NodeId>& nodes,
-                        std::span<const NodeConstraint> constraints, std::span<const int> row_of_node);
+  void rebuild_support_rows(const TetMesh& mesh, std::span<const NodeId> body_nodes,
+                            std::span<const NodeConstraint> constraints, std::span<const int> row_of_node);
   void project_sliding_rows();
   void project(NodeVectors& x) const;
   /// b becomes S (b − A w).

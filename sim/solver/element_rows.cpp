@@ -1,10 +1,28 @@
 #include "sim/solver/element_rows.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cstdint>
+#include <utility>
 
 #include "sim/parallel.h"
 
 namespace griffith {
+namespace {
+
+/// Where each of `nodes` is in `rows`, both ascending; -1 for those that are not.
+std::vector<int> find_rows(const std::vector<NodeId>& rows, std::span<const NodeId> nodes) {
+  std::vector<int> found;
+  found.reserve(nodes.size());
+  std::size_t row = 0;
+  for (NodeId node : nodes) {
+    while (row < rows.size() && rows[row] < node) ++row;
+    found.push_back(row < rows.size() && rows[row] == node ? static_cast<int>(row) : -1);
+  }
+  return found;
+}
+
+}  // namespace
 
 void ElementRows::add(const TetMesh& mesh, NodeId node, std::span<const int> column_of_node) {
   const std::vector<TetId>& star = mesh.stars[node];
@@ -30,6 +48,57 @@ void ElementRows::add(const TetMesh& mesh, NodeId node, std::span<const int> col
     tets.push_back(entry);
   }
   tet_starts.push_back(static_cast<int>(tets.size()));
+}
+
+void ElementRows::keep(const ElementRows& from, int row, std::span<const int> column_of_node) {
+  const int first = from.matrix.row_starts[row], last = from.matrix.row_starts[row + 1];
+  const int shift = static_cast<int>(matrix.columns.size()) - first;
+  for (int k = first; k < last; ++k) {
+    matrix.columns.push_back(column_of_node[from.nodes[from.matrix.columns[k]]]);
+    assert(matrix.columns.back() >= 0);
+  }
+  matrix.row_starts.push_back(last + shift);
+  nodes.push_back(from.nodes[row]);
+  for (int e = from.tet_starts[row]; e < from.tet_starts[row + 1]; ++e) {
+    tets.push_back(from.tets[e]);
+    for (int& slot : tets.back().slots)
+      if (slot >= 0) slot += shift;
+  }
+  tet_starts.push_back(static_cast<int>(tets.size()));
+}
+
+std::vector<int> ElementRows::patch(const TetMesh& mesh, std::span<const NodeId> node_list,
+                                    std::span<const int> column_of_node) {
+  const std::vector<int> previous = find_rows(nodes, node_list);
+  // A row changes when its star has lost tets or a neighbour is new.
+  std::vector<std::uint8_t> changed(node_list.size(), 0);
+  for (std::size_t row = 0; row < node_list.size(); ++row) {
+    const std::vector<TetId>& star = mesh.stars[node_list[row]];
+    if (const int before = previous[row]; before >= 0) {
+      if (static_cast<int>(star.size()) != tet_starts[before + 1] - tet_starts[before]) changed[row] = 1;
+      continue;
+    }
+    for (TetId tet : star)
+      for (NodeId corner : mesh.tets[tet])
+        if (column_of_node[corner] >= 0) changed[column_of_node[corner]] = 1;
+  }
+  ElementRows patched;
+  patched.nodes.reserve(node_list.size());
+  patched.matrix.row_starts.reserve(node_list.size() + 1);
+  patched.matrix.columns.reserve(matrix.columns.size());
+  patched.tet_starts.reserve(node_list.size() + 1);
+  patched.tets.reserve(tets.size());
+  patched.matrix.blocks = std::move(matrix.blocks);
+  for (std::size_t row = 0; row < node_list.size(); ++row) {
+    if (changed[row]) {
+      patched.add(mesh, node_list[row], column_of_node);
+    } else {
+      patched.keep(*this, previous[row], column_of_node);
+    }
+  }
+  patched.matrix.blocks.resize(patched.matrix.columns.size());
+  *this = std::move(patched);
+  return previous;
 }
 
 void ElementRows::assemble(const MatrixFactors& factors, const ElasticLaw& law, std::span<const ElementRest> rests,

@@ -30,10 +30,19 @@ struct ElementRows {
 
   /// Appends the row of a node. `column_of_node`: per node of the mesh, -1 for none.
   void add(const TetMesh& mesh, NodeId node, std::span<const int> column_of_node);
+  /// Fits the rows to a topology in which stars have only lost tets, or got them from one that did: `node_list` are the
+  /// nodes now, `column_of_node` their rows. Rows whose star and neighbours stand are moved, all others made anew; the
+  /// blocks are left for assemble(). The columns must be the rows' own nodes. Returns the row that each node had, -1
+  /// for a new one.
+  std::vector<int> patch(const TetMesh& mesh, std::span<const NodeId> node_list, std::span<const int> column_of_node);
   /// Computes all blocks for the present states. Spans are per node or tet of the mesh; the diagonal block of row i
   /// is in the column of node i.
   void assemble(const MatrixFactors& factors, const ElasticLaw& law, std::span<const ElementRest> rests,
                 std::span<const ElementState> states, std::span<const double> masses);
+
+ private:
+  /// Appends a row of other ElementRows whose star and neighbours stand.
+  void keep(const ElementRows& from, int row, std::span<const int> column_of_node);
 };
 
 }  // namespace griffith

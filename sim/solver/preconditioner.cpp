@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <utility>
 
 #include "sim/parallel.h"
 #include "sim/solver/aggregates.h"
@@ -22,15 +23,31 @@ ModeBlock rigid_modes(const Vec3& arm) {
 }  // namespace
 
 RigidModePreconditioner::RigidModePreconditioner(const BlockSparseMatrix& matrix, int aggregate_size)
-    : aggregates_(aggregate_rows(matrix, aggregate_size)), inverse_diagonal_(matrix.rows()) {
-  for (int node = 0; node < matrix.rows(); ++node) {
-    if (aggregates_[node] >= aggregate_count()) members_.resize(aggregates_[node] + 1);
-    members_[aggregates_[node]].push_back(node);
-  }
+    : aggregates_(aggregate_rows(matrix, aggregate_size)) {
+  collect_members();
   build_coarse_pattern(matrix);
 }
 
+void RigidModePreconditioner::patch(const BlockSparseMatrix& matrix, const std::vector<int>& previous_rows,
+                                    int aggregate_size) {
+  std::vector<int> aggregates(matrix.rows());
+  for (int row = 0; row < matrix.rows(); ++row)
+    aggregates[row] = previous_rows[row] < 0 ? -1 : aggregates_[previous_rows[row]];
+  aggregates_ = patch_aggregates(matrix, aggregate_size, std::move(aggregates));
+  collect_members();
+  build_coarse_pattern(matrix);
+}
+
+void RigidModePreconditioner::collect_members() {
+  members_.clear();
+  for (std::size_t node = 0; node < aggregates_.size(); ++node) {
+    if (aggregates_[node] >= aggregate_count()) members_.resize(aggregates_[node] + 1);
+    members_[aggregates_[node]].push_back(static_cast<int>(node));
+  }
+}
+
 void RigidModePreconditioner::update(const BlockSparseMatrix& matrix, const NodeVectors& positions) {
+  inverse_diagonal_.resize(matrix.rows());
   parallel_for(matrix.rows(), 1024, [&](int begin, int end) {
     for (int node = begin; node < end; ++node)
       inverse_diagonal_[node] = matrix.blocks[matrix.slot(node, node)].inverse();
@@ -47,11 +64,10 @@ void RigidModePreconditioner::update(const BlockSparseMatrix& matrix, const Node
 }
 
 void RigidModePreconditioner::build_coarse_pattern(const BlockSparseMatrix& matrix) {
-  coarse_rows_.resize(aggregate_count());
+  std::vector<std::vector<int>> coarse_rows(aggregate_count());
   coarse_slots_.assign(matrix.columns.size(), -1);
-  std::vector<int> row_starts = {0}, rows;
   for (int a = 0; a < aggregate_count(); ++a) {
-    std::vector<int>& neighbours = coarse_rows_[a];
+    std::vector<int>& neighbours = coarse_rows[a];
     const auto visit = [&](const auto& action) {
       for (int node : members_[a])
         for (int k = matrix.row_starts[node]; k < matrix.row_starts[node + 1]; ++k)
@@ -65,17 +81,26 @@ void RigidModePreconditioner::build_coarse_pattern(const BlockSparseMatrix& matr
       coarse_slots_[k] =
           static_cast<int>(std::lower_bound(neighbours.begin(), neighbours.end(), other) - neighbours.begin());
     });
+  }
+  if (coarse_rows == coarse_rows_) return;
+  coarse_rows_ = std::move(coarse_rows);
+  allocate_coarse_matrix();
+}
+
+void RigidModePreconditioner::allocate_coarse_matrix() {
+  std::vector<int> row_starts = {0}, rows;
+  for (const std::vector<int>& neighbours : coarse_rows_)
     for (int mode = 0; mode < 6; ++mode) {
       for (int other : neighbours)
         for (int i = 0; i < 6; ++i) rows.push_back(6 * other + i);
       row_starts.push_back(static_cast<int>(rows.size()));
     }
-  }
   const std::vector<double> zeros(rows.size(), 0.0);
   const int modes = 6 * aggregate_count();
   coarse_ = Eigen::Map<const Eigen::SparseMatrix<double>>(modes, modes, static_cast<Eigen::Index>(rows.size()),
                                                           row_starts.data(), rows.data(), zeros.data());
   coarse_factors_.analyzePattern(coarse_);
+  factored_.resize(0);
 }
 
 void RigidModePreconditioner::assemble_coarse_matrix(const BlockSparseMatrix& matrix) {

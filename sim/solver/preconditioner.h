@@ -16,6 +16,9 @@ class RigidModePreconditioner {
   /// Aggregates of about `aggregate_size` nodes on the pattern of `matrix`; values come with update().
   RigidModePreconditioner(const BlockSparseMatrix& matrix, int aggregate_size);
 
+  /// Fits the aggregates to a matrix whose pattern changed; `previous_rows`: the row that each row was, -1 for new
+  /// ones. Aggregates stand where they still hold together.
+  void patch(const BlockSparseMatrix& matrix, const std::vector<int>& previous_rows, int aggregate_size);
   /// Takes the values of `matrix` and the positions of its nodes [m]. The matrix must be positive definite.
   void update(const BlockSparseMatrix& matrix, const NodeVectors& positions);
   void apply(const NodeVectors& r, NodeVectors& z) const;
@@ -26,7 +29,9 @@ class RigidModePreconditioner {
   int aggregate_count() const { return static_cast<int>(members_.size()); }
 
  private:
+  void collect_members();
   void build_coarse_pattern(const BlockSparseMatrix& matrix);
+  void allocate_coarse_matrix();
   void assemble_coarse_matrix(const BlockSparseMatrix& matrix);
   void factor_coarse_matrix();
 

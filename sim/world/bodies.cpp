@@ -118,7 +118,11 @@ void rebuild_body(WorldState& world, Body& body) {
     for (int face = 0; face < 4; ++face)
       if (!world.mesh.neighbours[tet][face].valid()) body.surface.push_back({tet, face});
   }
-  body.system = std::make_unique<ElasticSystem>(world.mesh, body.tets, world.nodes.constraints, world.nodes.rows);
+  if (body.system) {
+    body.system->patch(world.mesh, body.nodes, world.nodes.constraints, world.nodes.rows);
+  } else {
+    body.system = std::make_unique<ElasticSystem>(world.mesh, body.tets, world.nodes.constraints, world.nodes.rows);
+  }
   body.motion = motion_of(world, body);
   body.reference_arms = gather(world.nodes.positions, body.nodes).colwise() - body.motion.center;
   body.orientation.setIdentity();

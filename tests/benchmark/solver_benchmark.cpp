@@ -1,5 +1,6 @@
-// What an implicit step of a wall of 2 × 2 m costs: building its system, assembling it and solving it. Arguments: cells
-// across, cells through the thickness; 32 × 2 are about 10,000 tets, 52 × 4 about 54,000. CPU time of one thread.
+// What an implicit step of a wall of 2 × 2 m costs: building its system or patching it, assembling it and solving it.
+// Arguments: cells across, cells through the thickness; 32 × 2 are about 10,000 tets, 52 × 4 about 54,000. CPU time of
+// one thread.
 
 #include <benchmark/benchmark.h>
 
@@ -32,6 +33,25 @@ void build(benchmark::State& state) {
   count_tets(state, body);
 }
 BENCHMARK(build)->Args({32, 2})->Args({52, 4})->Unit(benchmark::kMillisecond);
+
+/// After one split at a random node.
+void patch(benchmark::State& state) {
+  const ThreadLimit one(1);
+  ElasticBox body = wall(state);
+  ElasticSystem system = body.system();
+  testing::RandomValues random(1);
+  std::vector<NodeId> nodes(body.mesh.node_count());
+  for (auto _ : state) {
+    state.PauseTiming();
+    body.split(NodeId(random.index(body.mesh.node_count())), random.direction());
+    nodes.resize(body.mesh.node_count());
+    for (int i = 0; i < body.mesh.node_count(); ++i) nodes[i] = NodeId(i);
+    state.ResumeTiming();
+    system.patch(body.mesh, nodes, body.constraints, body.rows);
+  }
+  count_tets(state, body);
+}
+BENCHMARK(patch)->Args({32, 2})->Args({52, 4})->Unit(benchmark::kMillisecond);
 
 void assemble_rows(benchmark::State& state) {
   const ThreadLimit one(1);

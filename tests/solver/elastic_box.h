@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "sim/fracture/split.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/topology.h"
 #include "sim/solver/elastic_system.h"
@@ -54,6 +55,23 @@ struct ElasticBox {
     for (TetId tet : tets) {
       const Corners f = nodal_forces(rests[tet], states[tet].frame, states[tet].stress);
       for (int i = 0; i < 4; ++i) forces[mesh.tets[tet][i]] += f.col(i);
+    }
+  }
+  double lumped_mass(NodeId node) const {
+    double mass = 0;
+    for (TetId tet : mesh.stars[node]) mass += material.density * rests[tet].volume / 4;
+    return mass;
+  }
+  /// Opens the mesh at a node; everything per node follows.
+  void split(NodeId node, const Vec3& normal) {
+    for (const NodeCopy& copy : split_node(mesh, positions, node, normal).copies) {
+      positions.push_back(Vec3(positions[copy.original]));
+      velocities.push_back(Vec3(velocities[copy.original]));
+      forces.push_back(Vec3(forces[copy.original]));
+      constraints.push_back(NodeConstraint(constraints[copy.original]));
+      masses.push_back(lumped_mass(copy.copy));
+      masses[copy.original] = lumped_mass(copy.original);
+      rows.push_back(-1);
     }
   }
   ElasticLaw law() const { return elastic_law(material); }
