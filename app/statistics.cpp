@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
-
 namespace griffith::app {
 namespace {
 

@@ -48,7 +48,7 @@ int ticks_before_impact(const WorldState& world, double tick, double speed, int 
 }  // namespace
 
 int substep_budget(const WorldState& world) {
-  constexpr double kWorkPerStep = 20'000;                   // elements times substeps
+  constexpr double kWorkPerStep = 13'000;                   // elements times substeps
   constexpr double kWorkPerBody = 20, kWorkPerContact = 10; // in elements
   double work = kWorkPerContact * world.contacts_before;
   for (const Body& body : world.bodies) work += kWorkPerBody + (body.rigid ? 0.0 : static_cast<double>(body.tets.size()));

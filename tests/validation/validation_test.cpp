@@ -3,6 +3,10 @@
 #include "tests/validation/validation_case.h"
 
 namespace griffith::validation {
+
+// Googletest finds it by this name: what a failure and a list of tests call a case.
+void PrintTo(const Case& validation_case, std::ostream* stream) { *stream << validation_case.name; }
+
 namespace {
 
 class Validation : public ::testing::TestWithParam<Case> {};
