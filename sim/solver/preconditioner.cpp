@@ -139,6 +139,7 @@ void RigidModePreconditioner::factor_coarse_matrix() {
       (values - factored_).matrix().squaredNorm() <= kSameMatrix * kSameMatrix * factored_.matrix().squaredNorm())
     return;
   coarse_factors_.factorize(coarse_);
+  lower_ = coarse_factors_.matrixL().nestedExpression().cast<float>();
   factored_ = values;
   ++factorizations_;
 }
@@ -153,7 +154,10 @@ void RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) const 
     }
     coarse.segment<6>(6 * a) = sum;
   }
-  coarse = coarse_factors_.solve(coarse).eval();
+  Eigen::VectorXf solved = (coarse_factors_.permutationP() * coarse).cast<float>();
+  lower_.triangularView<Eigen::Lower>().solveInPlace(solved);
+  lower_.transpose().triangularView<Eigen::Upper>().solveInPlace(solved);
+  coarse = coarse_factors_.permutationPinv() * solved.cast<double>();
   z.resize(3, r.cols());
   parallel_for(static_cast<int>(r.cols()), 2048, [&](int begin, int end) {
     for (int node = begin; node < end; ++node) {

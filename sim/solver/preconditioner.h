@@ -43,6 +43,7 @@ class RigidModePreconditioner {
   std::vector<int> coarse_slots_;              // per block of the matrix: index into the column's coarse_rows_, or -1
   Eigen::SparseMatrix<double> coarse_;         // Rᵀ A R: the lower triangle, by 6×6 blocks
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> coarse_factors_;
+  Eigen::SparseMatrix<float> lower_;           // their triangle, for apply(): a preconditioner need not be more exact
   Eigen::ArrayXd factored_;  // values of the coarse matrix when it was factored
   int factorizations_ = 0;
 };
