@@ -126,6 +126,15 @@ std::array<NodeId, 3> face_nodes(const TetMesh& mesh, TetId tet, int face) {
   return {corners[kTetFaces[face][0]], corners[kTetFaces[face][1]], corners[kTetFaces[face][2]]};
 }
 
+std::vector<NodeId> nodes_of(const TetMesh& mesh, std::span<const TetId> tets) {
+  std::vector<NodeId> nodes;
+  nodes.reserve(4 * tets.size());
+  for (TetId tet : tets) nodes.insert(nodes.end(), mesh.tets[tet].begin(), mesh.tets[tet].end());
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  return nodes;
+}
+
 std::vector<std::vector<TetId>> connected_components(const TetMesh& mesh, std::span<const TetId> tets) {
   std::vector<TetId> ascending(tets.begin(), tets.end());
   std::sort(ascending.begin(), ascending.end());

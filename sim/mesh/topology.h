@@ -34,6 +34,9 @@ int local_corner(const TetMesh& mesh, TetId tet, NodeId node);
 /// The nodes of face i of a tet, counter-clockwise seen from outside.
 std::array<NodeId, 3> face_nodes(const TetMesh& mesh, TetId tet, int face);
 
+/// The nodes of `tets`, ascending, each once.
+std::vector<NodeId> nodes_of(const TetMesh& mesh, std::span<const TetId> tets);
+
 /// The pieces into which `tets` (any order, no repetition) fall when they hold together through common faces only. Each
 /// piece is ascending, and the pieces are ordered by their first tets.
 std::vector<std::vector<TetId>> connected_components(const TetMesh& mesh, std::span<const TetId> tets);

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "sim/solver/direct_solve.h"
+#include "sim/mesh/topology.h"
 #include "sim/solver/rigid_motion.h"
 
 namespace griffith {
@@ -16,15 +17,6 @@ namespace {
 int aggregate_size(int rows) {
   constexpr int kSmallest = 20, kMostAggregates = 600;
   return std::max(kSmallest, rows / kMostAggregates);
-}
-
-std::vector<NodeId> nodes_of(const TetMesh& mesh, std::span<const TetId> tets) {
-  std::vector<NodeId> nodes;
-  nodes.reserve(4 * tets.size());
-  for (TetId tet : tets) nodes.insert(nodes.end(), mesh.tets[tet].begin(), mesh.tets[tet].end());
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  return nodes;
 }
 
 /// Numbers the nodes that are not held, and returns them.

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
+#include "sim/mesh/topology.h"
 #include "sim/solver/direct_solve.h"
 
 namespace griffith {
@@ -58,12 +58,6 @@ class StaticSolver {
   StaticReport report_;
 };
 
-std::vector<NodeId> nodes_of(const StaticProblem& problem) {
-  std::set<NodeId> nodes;
-  for (TetId tet : problem.tets) nodes.insert(problem.mesh.tets[tet].begin(), problem.mesh.tets[tet].end());
-  return {nodes.begin(), nodes.end()};
-}
-
 Vec3 center_of(const std::vector<NodeId>& nodes, std::span<const Vec3> positions) {
   Vec3 sum = Vec3::Zero();
   for (NodeId node : nodes) sum += positions[node];
@@ -82,7 +76,7 @@ StaticSolver::StaticSolver(const StaticProblem& problem, const StaticSettings& s
       settings_(settings),
       positions_(positions),
       states_(states),
-      nodes_(nodes_of(problem)),
+      nodes_(nodes_of(problem.mesh, problem.tets)),
       center_(center_of(nodes_, positions)),
       radius_(radius_of(nodes_, positions, center_)),
       free_motions_(find_free_motions()),

@@ -21,14 +21,6 @@ Eigen::VectorXd gather(const std::vector<double>& values, const std::vector<Node
   return gathered;
 }
 
-std::vector<NodeId> nodes_of(const TetMesh& mesh, const std::vector<TetId>& tets) {
-  std::vector<NodeId> nodes;
-  for (TetId tet : tets) nodes.insert(nodes.end(), mesh.tets[tet].begin(), mesh.tets[tet].end());
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-  return nodes;
-}
-
 /// Convex parts of the body's present shape, relative to its centre of mass.
 std::vector<ConvexPart> collision_parts(const WorldState& world, const Body& body) {
   std::vector<Vec3> points;

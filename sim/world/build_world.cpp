@@ -46,16 +46,10 @@ RestBody append_mesh(WorldState& world, int scene_body) {
   return body;
 }
 
-Corners rest_corners(const TetMesh& mesh, TetId tet) {
-  Corners corners;
-  for (int i = 0; i < 4; ++i) corners.col(i) = mesh.rest_positions[mesh.tets[tet][i]];
-  return corners;
-}
-
 void append_elements(WorldState& world, TetId first, BodyId body) {
   ElementArrays& elements = world.elements;
   for (TetId tet = first; tet < world.mesh.tet_count(); ++tet.value)
-    elements.rests.push_back(element_rest(rest_corners(world.mesh, tet)));
+    elements.rests.push_back(element_rest(corners_of(world.mesh, tet, world.mesh.rest_positions)));
   elements.states.resize(world.mesh.tets.size());
   elements.plastic_strains.resize(world.mesh.tets.size(), Mat3::Zero());
   elements.stresses.resize(world.mesh.tets.size(), Mat3::Zero());

@@ -11,16 +11,10 @@
 namespace griffith {
 namespace {
 
-Corners current_corners(const WorldState& world, TetId tet) {
-  Corners corners;
-  for (int i = 0; i < 4; ++i) corners.col(i) = world.nodes.positions[world.mesh.tets[tet][i]];
-  return corners;
-}
-
 void update_element(WorldState& world, const ElasticLaw& law, const std::optional<PlasticLaw>& plastic, TetId tet) {
   ElementArrays& elements = world.elements;
   const ElementDeformation deformation =
-      element_deformation(law.model, elements.rests[tet], current_corners(world, tet));
+      element_deformation(law.model, elements.rests[tet], corners_of(world.mesh, tet, world.nodes.positions));
   if (plastic) elements.plastic_strains[tet] = flow(*plastic, deformation, elements.plastic_strains[tet]);
   elements.states[tet] = element_state(law, deformation, elements.plastic_strains[tet]);
   elements.stresses[tet] = cauchy_stress(elements.states[tet].frame, elements.states[tet].stress);

@@ -7,12 +7,6 @@
 namespace griffith {
 namespace {
 
-Corners corners_of(const TetMesh& mesh, TetId tet, std::span<const Vec3> positions) {
-  Corners corners;
-  for (int i = 0; i < 4; ++i) corners.col(i) = positions[mesh.tets[tet][i]];
-  return corners;
-}
-
 StaticProblem problem_of(const WorldState& world, const Body& body, std::span<const NodeConstraint> displacements,
                          std::span<const Vec3> loads) {
   const ElasticLaw law = elastic_law(world.material_of(body));

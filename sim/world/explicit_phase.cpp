@@ -22,8 +22,7 @@ double frequency_of(const WorldState& world, Body& body) {
 Vec3 damping_force(const WorldState& world, const ElasticLaw& law, double stiffness_damping, TetId tet, int corner) {
   const ElementRest& rest = world.elements.rests[tet];
   const Mat3& frame = world.elements.states[tet].frame;
-  Corners velocities;
-  for (int i = 0; i < 4; ++i) velocities.col(i) = world.nodes.velocities[world.mesh.tets[tet][i]];
+  const Corners velocities = corners_of(world.mesh, tet, world.nodes.velocities);
   const Mat3 rate = frame.transpose() * deformation_gradient(rest, velocities);
   const Mat3 strain_rate = 0.5 * (rate + rate.transpose());
   Mat3 stress_rate = 2 * law.mu * strain_rate;

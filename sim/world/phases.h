@@ -58,6 +58,12 @@ void rebuild_body(WorldState& world, Body& body);
 RigidMotion motion_of(const WorldState& world, const Body& body);
 /// Takes mass, momentum and orientation of a body from its nodes.
 void update_motion(WorldState& world, Body& body);
+/// A tet's values out of values per node of the mesh.
+inline Corners corners_of(const TetMesh& mesh, TetId tet, std::span<const Vec3> values) {
+  Corners corners;
+  for (int i = 0; i < 4; ++i) corners.col(i) = values[mesh.tets[tet][i]];
+  return corners;
+}
 /// Edge length of the cubes that six of the body's tets would fill [m].
 double mean_element_size(const WorldState& world, const Body& body);
 /// Lumped mass of a node from its star [kg].

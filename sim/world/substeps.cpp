@@ -64,9 +64,8 @@ int next_substep(WorldState& world, int ticks_left, int substeps_left) {
   const int most = std::min(wanted, ticks_left);
   const int calm = ticks_before_impact(world, tick, scale.speed, most, finest);
   // A pause before a strike is no reason to lengthen what follows it.
-  world.substep_ticks = calm == most ? most : finest;
-  if (calm == most && most < wanted) world.substep_ticks = wanted;  // cut short by the end of the step alone
-  return std::min(ticks_left, std::max({calm, finest, least}));
+  world.substep_ticks = calm == most ? wanted : finest;
+  return std::min(ticks_left, std::max(calm, finest));
 }
 
 }  // namespace griffith
