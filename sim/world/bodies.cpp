@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/elasticity/polar_decomposition.h"
 #include "sim/mesh/topology.h"
@@ -80,6 +81,14 @@ std::size_t heir(const WorldState& world, const std::vector<std::vector<TetId>>&
 
 }  // namespace
 
+double hurting_speed(const WorldState& world, const Body& body) {
+  // Slower meetings do not come near the breaking speed sigma_t / (rho c).
+  constexpr double kShareOfBreakingSpeed = 0.5;
+  if (body.tets.size() == 1) return std::numeric_limits<double>::infinity();
+  const Material& material = world.material_of(body);
+  return kShareOfBreakingSpeed * material.tensile_strength / (material.density * bar_wave_speed(material));
+}
+
 RigidMotion motion_of(const WorldState& world, const Body& body) {
   return rigid_motion(gather(world.nodes.positions, body.nodes), gather(world.nodes.velocities, body.nodes),
                       gather(world.nodes.masses, body.nodes));
@@ -124,7 +133,7 @@ void rebuild_body(WorldState& world, Body& body) {
   body.highest_frequency = 0;
   if (body.rigid) clear_stress(world, body);
   place_stand_in(world, body);
-  world.contact_world.set_brittle(body.stand_in, body.tets.size() > 1);
+  world.contact_world.set_impact_speed(body.stand_in, hurting_speed(world, body));
 }
 
 void part_body(WorldState& world, BodyId id) {

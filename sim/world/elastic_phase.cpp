@@ -20,11 +20,12 @@ void update_element(WorldState& world, const ElasticLaw& law, const std::optiona
   elements.stresses[tet] = cauchy_stress(elements.states[tet].frame, elements.states[tet].stress);
 }
 
-ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt) {
-  const Material& material = world.material_of(body);
-  const SimulationSettings& settings = world.scene.simulation;
-  return {dt, material.mass_damping, material.stiffness_damping, settings.relative_residual,
-          settings.max_solver_iterations};
+void update_elements(WorldState& world, const Body& body) {
+  const ElasticLaw law = elastic_law(world.material_of(body));
+  const std::optional<PlasticLaw> plastic = plastic_law(world.material_of(body));
+  parallel_for(static_cast<int>(body.tets.size()), 1024, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) update_element(world, law, plastic, body.tets[i]);
+  });
 }
 
 /// Elastic plus external force of the body's nodes, per node of the mesh; only the body's own entries are written.
@@ -63,7 +64,7 @@ void move_free(WorldState& world, Body& body, double dt) {
 }
 
 /// The rigid motion under the external forces; the shape stays as it is.
-void advance_rigid(WorldState& world, Body& body, const std::vector<Vec3>& forces, double dt) {
+void predict_rigid(WorldState& world, Body& body, const std::vector<Vec3>& forces, double dt) {
   if (body.supported()) return;  // frozen by freeze(): its supports hold it
   const double damping = 1 + dt * world.material_of(body).mass_damping;
   for (NodeId node : body.nodes)
@@ -72,7 +73,6 @@ void advance_rigid(WorldState& world, Body& body, const std::vector<Vec3>& force
   const RigidMotion motion = motion_of(world, body);
   for (NodeId node : body.nodes)
     world.nodes.velocities[node] = motion.velocity_at(world.nodes.positions[node]);
-  move_free(world, body, dt);
 }
 
 bool all_finite(const WorldState& world, const Body& body) {
@@ -87,37 +87,46 @@ void freeze(WorldState& world, Body& body) {
   ++world.report.non_finite_values;
 }
 
-SolveReport advance_elastic(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt) {
+SolveReport predict_elastic(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt) {
   add_elastic_forces(world, body, forces);
   if (world.integrates_explicitly()) {
-    advance_explicit(world, body, forces, dt);
+    predict_explicitly(world, body, forces, dt);
     return {};
   }
   const SolveReport report = body.system->solve(implicit_step(world, body, dt), world.nodes.positions, forces,
                                                 world.nodes.masses, world.nodes.constraints, world.nodes.velocities);
   for (std::size_t i = 0; i < body.system->supports().size(); ++i)
     world.nodes.reactions[body.system->supports()[i]] = body.system->reaction_forces()[i];
-  if (!all_finite(world, body)) return report;
-  if (body.supported()) {
-    for (NodeId node : body.nodes) world.nodes.positions[node] += dt * world.nodes.velocities[node];
-  } else {
-    move_free(world, body, dt);
-  }
   return report;
+}
+
+void move_body(WorldState& world, Body& body, double dt) {
+  const bool turns = !body.supported() && (body.rigid || !world.integrates_explicitly());
+  if (turns) return move_free(world, body, dt);
+  for (NodeId node : body.nodes) world.nodes.positions[node] += dt * world.nodes.velocities[node];
 }
 
 }  // namespace
 
+ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt) {
+  const Material& material = world.material_of(body);
+  const SimulationSettings& settings = world.scene.simulation;
+  return {dt, material.mass_damping, material.stiffness_damping, settings.relative_residual,
+          settings.max_solver_iterations};
+}
+
 void update_elements(WorldState& world) {
   for (const Body& body : world.bodies) {
     if (body.rigid) continue;
-    const ElasticLaw law = elastic_law(world.material_of(body));
-    const std::optional<PlasticLaw> plastic = plastic_law(world.material_of(body));
-    parallel_for(static_cast<int>(body.tets.size()), 1024, [&](int begin, int end) {
-      for (int i = begin; i < end; ++i) update_element(world, law, plastic, body.tets[i]);
-    });
+    update_elements(world, body);
     for (TetId tet : body.tets) world.report.inverted_tets += world.elements.states[tet].inverted;
   }
+}
+
+void wake(WorldState& world, Body& body) {
+  body.rigid = false;
+  body.calm_steps = 0;
+  update_elements(world, body);  // it has turned since
 }
 
 void assemble_systems(WorldState& world, double dt) {
@@ -133,25 +142,37 @@ void assemble_system(WorldState& world, Body& body, double dt) {
                         world.elements.states, world.nodes.positions, world.nodes.masses);
 }
 
-void advance_bodies(WorldState& world, std::vector<Vec3>& forces, double dt) {
+void count_solve(WorldState& world, const SolveReport& solve) {
+  world.report.solver_iterations = std::max(world.report.solver_iterations, solve.iterations);
+  world.report.max_relative_residual = std::max(world.report.max_relative_residual, solve.relative_residual);
+  world.report.unconverged_solves += !solve.converged;
+}
+
+void predict_velocities(WorldState& world, std::vector<Vec3>& forces, double dt) {
   std::vector<SolveReport> reports(world.bodies.size());
   parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       Body& body = world.bodies[i];
       if (body.rigid) {
-        advance_rigid(world, body, forces, dt);
+        predict_rigid(world, body, forces, dt);
       } else {
-        reports[i] = advance_elastic(world, body, forces, dt);
+        reports[i] = predict_elastic(world, body, forces, dt);
       }
     }
   });
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
-    Body& body = world.bodies[i];
+    if (!all_finite(world, world.bodies[i])) freeze(world, world.bodies[i]);
+    count_solve(world, reports[i]);
+  }
+}
+
+void move_bodies(WorldState& world, double dt) {
+  parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) move_body(world, world.bodies[i], dt);
+  });
+  for (Body& body : world.bodies) {
     if (!all_finite(world, body)) freeze(world, body);
     update_motion(world, body);
-    world.report.solver_iterations = std::max(world.report.solver_iterations, reports[i].iterations);
-    world.report.max_relative_residual = std::max(world.report.max_relative_residual, reports[i].relative_residual);
-    world.report.unconverged_solves += !reports[i].converged;
   }
   place_stand_ins(world);
 }

@@ -33,18 +33,19 @@ void fracture(WorldState& world) {
 
 void substep(WorldState& world, double dt) {
   StepTimings& timings = world.report.milliseconds;
-  std::vector<Vec3> external_forces;
   {
     PhaseTimer timer(timings.elasticity);
     assemble_systems(world, dt);
+    std::vector<Vec3> forces = external_forces(world);
+    predict_velocities(world, forces, dt);
   }
   {
     PhaseTimer timer(timings.contact);
-    external_forces = contact_forces(world, dt);
+    resolve_contacts(world, dt);
   }
   {
     PhaseTimer timer(timings.elasticity);
-    advance_bodies(world, external_forces, dt);
+    move_bodies(world, dt);
     update_elements(world);
   }
   fracture(world);

@@ -54,6 +54,7 @@ struct Body {
   double highest_frequency = 0;          ///< [rad/s]; 0 until explicit integration asks for it
   bool rigid = false;                    ///< moves as a whole: nothing about it is elastic until it is hit
   int calm_steps = 0;                    ///< steps in a row with next to no stress
+  double compliance_factor = 1;          ///< true compliance at contacts over the estimated one, as seen last
 
   bool supported() const { return !system->is_free(); }
 };
@@ -99,6 +100,11 @@ struct WorldState {
   Totals totals;
 
   bool integrates_explicitly() const { return scene.simulation.integrator == Integrator::symplectic_euler; }
+  /// Whose stand-in this is; invalid for projectiles and the ground.
+  BodyId body_of(ProxyId proxy) const {
+    const auto index = static_cast<std::size_t>(proxy.value);
+    return index < body_of_proxy.size() ? body_of_proxy[index] : BodyId();
+  }
   const Material& material_of(const Body& body) const { return materials[body.scene_body]; }
 };
 
