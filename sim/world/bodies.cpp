@@ -127,6 +127,9 @@ void rebuild_body(WorldState& world, Body& body) {
   body.motion = motion_of(world, body);
   body.reference_arms = gather(world.nodes.positions, body.nodes).colwise() - body.motion.center;
   body.orientation.setIdentity();
+  body.element_size = mean_element_size(world, body);
+  body.asleep = false;
+  body.still_steps = 0;
   // A single tet cannot break any further: it is debris from the start.
   body.rigid = body.tets.size() == 1 && !body.supported();
   body.calm_steps = 0;

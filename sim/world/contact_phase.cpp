@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "sim/fracture/resistance.h"
 #include "sim/parallel.h"
@@ -13,7 +14,7 @@ namespace {
 bool could_hurt(const WorldState& world, const Body& body, double force) {
   constexpr double kWakingShare = 0.25;
   if (body.tets.size() == 1) return false;
-  const double element_size = mean_element_size(world, body);
+  const double element_size = body.element_size;
   const Material& material = world.material_of(body);
   const double limit = resistance(material, true, element_size);
   const double load = material.criterion == FractureCriterion::strength ? force / (element_size * element_size) : force;
@@ -28,7 +29,9 @@ bool wake_struck_bodies(WorldState& world, double dt) {
       const BodyId id = world.body_of(side);
       if (!id.valid() || !world.bodies[id].rigid || world.bodies[id].supported()) continue;
       if (!could_hurt(world, world.bodies[id], contact.impulse.norm() / dt)) continue;
+      place_rigid_nodes(world, world.bodies[id]);
       wake(world, world.bodies[id]);
+      world.bodies[id].energy = mechanical_energy(world, world.bodies[id]);
       assemble_system(world, world.bodies[id], dt);
       any = true;
     }
@@ -37,19 +40,18 @@ bool wake_struck_bodies(WorldState& world, double dt) {
 
 void tell_rigid_velocities(WorldState& world) {
   for (const Body& body : world.bodies) {
-    if (body.supported()) continue;
-    const RigidMotion motion = motion_of(world, body);
+    if (body.supported() || body.asleep) continue;
+    const RigidMotion motion = body.rigid ? body.motion : motion_of(world, body);
     world.contact_world.set_velocity(body.stand_in, motion.velocity, motion.angular_velocity);
   }
 }
 
 void take_rigid_velocities(WorldState& world) {
-  for (const Body& body : world.bodies) {
-    if (!body.rigid || body.supported()) continue;
+  for (Body& body : world.bodies) {
+    if (!body.rigid || body.asleep || body.supported()) continue;
     const RigidState state = world.contact_world.state(body.stand_in);
-    for (NodeId node : body.nodes)
-      world.nodes.velocities[node] =
-          state.velocity + state.angular_velocity.cross(world.nodes.positions[node] - state.pose.translation);
+    body.motion.velocity = state.velocity;
+    body.motion.angular_velocity = state.angular_velocity;
   }
 }
 
@@ -85,7 +87,7 @@ struct Answer {
 /// Lets a body answer the impulses that its contacts have now, and learns from it: the response becomes exact under
 /// these impulses, its compliance right for their direction.
 Answer answer(WorldState& world, TouchedBody& touched, ElasticResponse& response, double dt, std::vector<Vec3>& nodal) {
-  constexpr double kForeseen = 0.1;
+  constexpr double kForeseen = 0.1, kNegligible = 0.25;
   Body& body = world.bodies[touched.body];
   const std::span<const Contact> contacts = world.contact_world.contacts();
   Eigen::Matrix3Xd impulses(3, touched.points.size());
@@ -104,7 +106,8 @@ Answer answer(WorldState& world, TouchedBody& touched, ElasticResponse& response
   const Eigen::Matrix3Xd velocities = point_velocities(world, touched), moved = velocities - response.velocities;
   Eigen::Matrix3Xd expected = added;
   expected.reshaped() = response.compliance * added.reshaped();
-  answer.foreseen = (moved - expected).norm() <= kForeseen * expected.norm();
+  const double negligible = kNegligible * dt * world.scene.gravity.norm() * std::sqrt(added.cols());
+  answer.foreseen = (moved - expected).norm() <= kForeseen * expected.norm() + negligible;
   const double ratio = moved.cwiseProduct(added).sum() / expected.cwiseProduct(added).sum();
   if (ratio > 0 && !world.integrates_explicitly()) {
     const double factor = std::clamp(ratio * body.compliance_factor, 0.1, 100.0);
@@ -135,7 +138,13 @@ bool answer_all(WorldState& world, TouchedBodies& touched, double dt) {
 void limit_energy(WorldState& world, TouchedBodies& touched, double dt) {
   const std::vector<double> factors = world.contact_world.limit_energy(dt, touched.responses);
   for (std::size_t i = 0; i < factors.size(); ++i) {
-    if (factors[i] == 1 || touched.bodies[i].change.size() == 0) continue;
+    if (touched.bodies[i].change.size() == 0) continue;
+    const ElasticResponse& response = touched.responses[i];
+    const Eigen::Matrix3Xd velocities =
+        response.free_velocities + factors[i] * (response.velocities - response.free_velocities);
+    world.bodies[touched.bodies[i].body].contact_work = factors[i] * response.impulses.cwiseProduct(velocities).sum();
+    if (factors[i] == 1) continue;
+    ++world.report.limited_impulses;
     const std::span<const NodeId> nodes = world.bodies[touched.bodies[i].body].system->nodes();
     for (std::size_t row = 0; row < nodes.size(); ++row)
       world.nodes.velocities[nodes[row]] -= (1 - factors[i]) * touched.bodies[i].change.col(row);
@@ -143,23 +152,30 @@ void limit_energy(WorldState& world, TouchedBodies& touched, double dt) {
 }
 
 void apply_corrections(WorldState& world) {
-  for (const Body& body : world.bodies) {
-    if (body.supported()) continue;
+  for (Body& body : world.bodies) {
+    if (body.supported() || body.asleep) continue;
     const ContactWorld::Correction correction = world.contact_world.position_correction(body.stand_in);
     if (correction.translation.isZero(0) && correction.rotation.isZero(0)) continue;
     const double angle = correction.rotation.norm();
     const Mat3 turn = angle > 0 ? Eigen::AngleAxisd(angle, correction.rotation / angle).toRotationMatrix()
                                 : Mat3(Mat3::Identity());
+    const Vec3 center = body.motion.center;
+    body.motion.center += correction.translation;
+    if (body.rigid) {
+      body.orientation = (Quat(turn) * body.orientation).normalized();
+      body.motion.inertia = turn * body.motion.inertia * turn.transpose();
+      continue;
+    }
     for (NodeId node : body.nodes) {
       Vec3& position = world.nodes.positions[node];
-      position = body.motion.center + correction.translation + turn * (position - body.motion.center);
+      position = body.motion.center + turn * (position - center);
     }
   }
 }
 
 /// Impulses that the rigid and the elastic agree on: what is elastic is known by an estimate first, then by its answers.
 TouchedBodies solve_contacts(WorldState& world, double dt) {
-  constexpr int kMostRounds = 4;
+  constexpr int kMostRounds = 3;
   TouchedBodies touched = touched_bodies(world);
   correct_distances(world, touched);
   do {
@@ -178,6 +194,7 @@ TouchedBodies solve_contacts(WorldState& world, double dt) {
 
 void place_stand_ins(WorldState& world) {
   for (const Body& body : world.bodies) {
+    if (body.asleep) continue;
     RigidState state{{body.motion.center, body.orientation}, body.motion.velocity, body.motion.angular_velocity};
     if (body.supported()) state.velocity = state.angular_velocity = Vec3::Zero();
     world.contact_world.set_state(body.stand_in, state);

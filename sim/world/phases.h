@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/fracture/separation_tensor.h"
 #include "sim/world/world_state.h"
 
 /// The phases of a step, in the order in which step() calls them.
@@ -22,10 +23,12 @@ void find_equilibrium(WorldState& world, double time, double displacement_time, 
 /// How many substeps the coming step may take, by the work that one costs and the scene's limit.
 int substep_budget(const WorldState& world);
 /// The length of the next substep in ticks: all that is left while nothing strikes; up to an impact in one go, through it
-/// in substeps in which a wave crosses a quarter of an element, then ever longer ones. `substeps_left` is kept.
+/// in substeps in which a wave crosses a quarter of an element, then ever longer ones; while a crack runs, no longer than it
+/// takes to cross an element. `substeps_left` is kept.
 int next_substep(WorldState& world, int ticks_left, int substeps_left);
 
-/// Elastic state of all tets of bodies that are not rigid.
+/// Elastic state of a body's tets, or of all of bodies that are not rigid.
+void update_elements(WorldState& world, const Body& body);
 void update_elements(WorldState& world);
 /// Makes a rigid body elastic again.
 void wake(WorldState& world, Body& body);
@@ -37,13 +40,20 @@ void assemble_system(WorldState& world, Body& body, double dt);
 void place_stand_ins(WorldState& world);
 /// External force on each node [N]: gravity and loads.
 std::vector<Vec3> external_forces(const WorldState& world);
-/// The velocities after a substep of `dt` under external forces [N] and elastic ones, which are added to them, as if
-/// nothing touched.
-void predict_velocities(WorldState& world, std::vector<Vec3>& forces, double dt);
+/// The velocities after a substep of `dt` under `external` and elastic forces [N] as if nothing touched; the nodes of
+/// rigid bodies keep theirs until they move.
+void predict_velocities(WorldState& world, std::vector<Vec3> external, double dt);
+void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>& forces, double dt);
 /// Finds all contacts and changes the velocities so that nothing penetrates; moves the projectiles.
 void resolve_contacts(WorldState& world, double dt);
-/// Moves every body by its velocities.
-void move_bodies(WorldState& world, double dt);
+/// Moves every body by its velocities and takes the elastic state after; `external` as in predict_velocities().
+void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt);
+/// Puts the nodes of a rigid body where its motion and orientation say.
+void place_rigid_nodes(WorldState& world, const Body& body);
+/// A body whose numbers broke down stays where it is, rigid and at rest: one lost body, not a lost scene.
+void freeze_if_broken_down(WorldState& world, Body& body);
+/// Kinetic and elastic energy of a body [J].
+double mechanical_energy(const WorldState& world, const Body& body);
 /// The implicit step of a body.
 ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt);
 /// Counts what a linear solve needed.
@@ -55,8 +65,11 @@ void predict_explicitly(WorldState& world, Body& body, std::vector<Vec3>& forces
 /// Separation tensors, and the margin of every node against the material's resistance. `averaged`: the stress is the
 /// mean of this evaluation and the last, so that the noise of a stiff body in motion does not crack it.
 void evaluate_separation(WorldState& world, bool averaged);
-/// Opens the mesh where the margin is passed, worst first; parted pieces become bodies.
-void open_cracks(WorldState& world);
+/// What the separation tensors are made of.
+SeparationInput separation_input(const WorldState& world);
+/// Opens the mesh where the margin is passed, worst first; parted pieces become bodies. What exceeds the budget of cracks
+/// opens in the next step. New cracks start no nearer to each other than a wave gets in the `substep` [s].
+void open_cracks(WorldState& world, double substep);
 /// Bodies whose stress has died turn rigid.
 void calm_bodies(WorldState& world);
 

@@ -17,7 +17,7 @@ double impact_substep(const WorldState& world) {
   for (const Body& body : world.bodies) {
     if (body.tets.size() == 1) continue;
     const double wave_speed = bar_wave_speed(world.material_of(body));
-    length = std::min(length, mean_element_size(world, body) / (kSubstepsPerElement * wave_speed));
+    length = std::min(length, body.element_size / (kSubstepsPerElement * wave_speed));
   }
   return length;
 }
@@ -25,6 +25,10 @@ double impact_substep(const WorldState& world) {
 /// No slower approach is an impact [m/s]: what rests falls by g·dt in every step, and is caught again.
 double least_impact_speed(const WorldState& world) {
   return std::max(0.1, 2 * world.scene.gravity.norm() * world.scene.simulation.time_step);
+}
+
+int whole_ticks(double time, double tick) {
+  return static_cast<int>(std::clamp(time / tick, 1.0, static_cast<double>(kTicksPerStep)));
 }
 
 /// The longest time, in ticks, in which nothing strikes, up to `most` and within `tolerance`.
@@ -51,12 +55,16 @@ int substep_budget(const WorldState& world) {
 int next_substep(WorldState& world, int ticks_left, int substeps_left) {
   const double tick = world.scene.simulation.time_step / kTicksPerStep;
   const int least = (ticks_left + substeps_left - 1) / substeps_left;
-  const int finest = std::max(least, std::clamp(static_cast<int>(impact_substep(world) / tick), 1, kTicksPerStep));
-  const int wanted = std::clamp(static_cast<int>(std::ceil(kGrowth * world.substep_ticks)), finest, kTicksPerStep);
+  const int impact_ticks = whole_ticks(impact_substep(world), tick), crack_ticks = whole_ticks(world.crack_transit_time, tick);
+  const int finest = std::max(least, impact_ticks);
+  const int grown = std::clamp(static_cast<int>(std::ceil(kGrowth * world.substep_ticks)), finest, kTicksPerStep);
+  const int wanted = std::min(grown, std::max(crack_ticks, least));
   const int most = std::min(wanted, ticks_left);
   const int calm = ticks_before_impact(world, tick, least_impact_speed(world), most, finest);
+  const bool struck = calm < most;
+  world.report.coarse_substeps += least > crack_ticks || (struck && least > impact_ticks);
   // A pause before a strike is no reason to lengthen what follows it.
-  world.substep_ticks = calm == most ? wanted : finest;
+  world.substep_ticks = struck ? finest : wanted;
   return std::min(ticks_left, std::max(calm, finest));
 }
 

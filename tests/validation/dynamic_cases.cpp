@@ -133,8 +133,7 @@ void step_implicitly(Specimen& specimen, double dt) {
   std::vector<Vec3> forces(specimen.node_count(), Vec3::Zero());
   assemble_systems(world, dt);
   predict_velocities(world, forces, dt);
-  move_bodies(world, dt);
-  update_elements(world);
+  move_bodies(world, forces, dt);
 }
 
 struct Balance {
