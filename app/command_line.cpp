@@ -93,6 +93,9 @@ void add_simulate(CLI::App& program, Options& options) {
       ->type_name("FILE");
   command->add_option("--probes", options.simulate.probes, "Write the scene's probes as CSV, one row a time step")
       ->type_name("FILE");
+  command->add_option("--events", options.simulate.events,
+                      "Write all crack events as JSON: place, plane, load, elements on both sides, bodies")
+      ->type_name("FILE");
   command->add_option("--export", options.simulate.export_file, "Write the last time step as .vtu (ParaView) or .msh (Gmsh)")
       ->type_name("FILE");
   add_threads(*command, options);

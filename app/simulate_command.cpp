@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "app/command_options.h"
+#include "app/crack_event_file.h"
 #include "app/probe_table.h"
 #include "app/progress.h"
 #include "app/statistics.h"
@@ -29,6 +30,7 @@ void simulate_command(const SimulateOptions& options) {
     }
   }
   if (probes) replace_file(options.probes, probes->csv());
+  if (!options.events.empty()) replace_file(options.events, crack_events_json(world.frame()));
   if (!options.export_file.empty()) export_frame(options.export_file, world.frame());
   if (options.stats.empty()) {
     std::printf("%s", statistics.summary(world.frame(), world.state_hash()).c_str());
