@@ -1,6 +1,8 @@
 #include <Eigen/LU>
+#include <algorithm>
 #include <numbers>
 
+#include "sim/fracture/slit_tips.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/phases.h"
@@ -29,21 +31,58 @@ void append_nodes(WorldState& world, const BodyDescription& body) {
   nodes.reactions.resize(placed.size(), Vec3::Zero());
 }
 
-/// Makes or reads the body's mesh and places it in the world's.
-RestBody append_mesh(WorldState& world, int scene_body) {
+std::string shape_pointer(int scene_body, const char* shape) {
+  return "#/bodies/" + std::to_string(scene_body) + "/shape/" + shape;
+}
+
+/// Makes or reads the body's mesh, telling findings and errors by their place in the scene.
+TetSoup make_body_soup(WorldState& world, int scene_body, const Monitor& monitor) {
+  const Shape& shape = world.scene.bodies[scene_body].shape;
+  std::vector<std::string> list;
+  try {
+    TetSoup soup = make_soup(shape, world.scene.folder, &list, monitor);
+    for (const std::string& finding : list) world.findings.emplace_back(shape_pointer(scene_body, "surface"), finding, "");
+    return soup;
+  } catch (const InputError& error) {
+    if (!std::holds_alternative<SurfaceShape>(shape)) throw;
+    throw InputError(shape_pointer(scene_body, "surface"), error.where() + ": " + error.problem(), error.remedy());
+  }
+}
+
+/// Places the body's mesh in the world's.
+RestBody append_mesh(WorldState& world, int scene_body, const Monitor& monitor) {
   const BodyDescription& description = world.scene.bodies[scene_body];
   RestBody body;
-  body.soup = make_soup(description.shape, world.scene.folder);
+  body.soup = make_body_soup(world, scene_body, monitor);
   MeshReport report = prepare(body.soup, description.name);
   body.node_of_point = std::move(report.node_of_point);
   if (std::holds_alternative<MeshFileShape>(description.shape))
     for (const std::string& finding : findings(report))
-      world.findings.emplace_back("#/bodies/" + std::to_string(scene_body) + "/shape/mesh", finding, "");
+      world.findings.emplace_back(shape_pointer(scene_body, "mesh"), finding, "");
   TetSoup placed = body.soup;
   const Quat rotation = rotation_of(description);
   for (Vec3& point : placed.points) point = rotation * point + description.position;
   body.range = append(world.mesh, placed);
   return body;
+}
+
+/// The body's direction of weakness, placed as its rest space is.
+std::optional<Weakness> place_weakness(const BodyDescription& body) {
+  std::optional<Weakness> weakness = body.weakness;
+  if (weakness) weakness->direction = rotation_of(body) * weakness->direction.normalized();
+  return weakness;
+}
+
+void draw_strengths(WorldState& world, const std::optional<StrengthScatter>& scatter, NodeId first) {
+  world.nodes.strength_factors.resize(world.mesh.stars.size(), 1);
+  if (!scatter) return;
+  std::vector<double> volumes;
+  for (NodeId node = first; node < world.mesh.node_count(); ++node.value) {
+    volumes.push_back(0);
+    for (TetId tet : world.mesh.stars[node]) volumes.back() += world.elements.rests[tet].volume / 4;
+  }
+  const std::vector<double> factors = strength_factors(*scatter, volumes);
+  std::copy(factors.begin(), factors.end(), world.nodes.strength_factors.begin() + first);
 }
 
 void append_elements(WorldState& world, TetId first, BodyId body) {
@@ -66,9 +105,9 @@ void set_initial_motion(WorldState& world, Body& body, const BodyDescription& de
   update_motion(world, body);
 }
 
-void add_scene_body(WorldState& world, int scene_body) {
+void add_scene_body(WorldState& world, int scene_body, const Monitor& monitor) {
   const BodyDescription& description = world.scene.bodies[scene_body];
-  const RestBody rest = append_mesh(world, scene_body);
+  const RestBody rest = append_mesh(world, scene_body, monitor);
   const auto [first_node, first_tet] = rest.range;
   append_nodes(world, description);
   place_supports(world, scene_body, rest);
@@ -79,6 +118,8 @@ void add_scene_body(WorldState& world, int scene_body) {
   Body body;
   body.id = BodyId(static_cast<std::int64_t>(world.bodies.size()));
   append_elements(world, first_tet, body.id);
+  for (NodeId node : slit_tips(world.mesh, first_tet)) world.nodes.at_crack_front[node] = 1;
+  draw_strengths(world, description.strength_scatter, first_node);
   body.scene_body = scene_body;
   for (TetId tet = first_tet; tet < world.mesh.tet_count(); ++tet.value) body.tets.push_back(tet);
   world.bodies.push_back(std::move(body));
@@ -103,13 +144,16 @@ double node_mass(const WorldState& world, NodeId node) {
   return mass;
 }
 
-void build_world(WorldState& world) {
+void build_world(WorldState& world, const Monitor& monitor) {
   check_probes(world.scene);
   world.substep_ticks = kTicksPerStep;
-  for (const BodyDescription& body : world.scene.bodies) world.materials.push_back(body.material);
+  for (const BodyDescription& body : world.scene.bodies) {
+    world.materials.push_back(body.material);
+    world.weaknesses.push_back(place_weakness(body));
+  }
   if (const auto& ground = world.scene.ground)
     world.contact_world.add_ground(ground->height, {ground->friction, ground->restitution});
-  for (std::size_t i = 0; i < world.scene.bodies.size(); ++i) add_scene_body(world, static_cast<int>(i));
+  for (std::size_t i = 0; i < world.scene.bodies.size(); ++i) add_scene_body(world, static_cast<int>(i), monitor);
   for (const ProjectileBurst& burst : world.scene.projectiles) queue_burst(world, burst);
   if (world.scene.simulation.static_start && world.scene.analysis == Analysis::dynamic)
     find_equilibrium(world, 0, 0, true);
