@@ -5,6 +5,7 @@
 #include "app/crack_event_file.h"
 #include "app/probe_table.h"
 #include "app/progress.h"
+#include "app/scene_world.h"
 #include "app/statistics.h"
 #include "app/export_frame.h"
 #include "sim/replace_file.h"
@@ -16,7 +17,7 @@ namespace griffith::app {
 void simulate_command(const SimulateOptions& options) {
   if (!options.export_file.empty()) check_export_path(options.export_file);
   const Scene scene = read_scene(options.scene);
-  World world(scene);
+  World world = make_world(scene, options.scene);
   std::optional<ProbeTable> probes;
   if (!options.probes.empty()) probes.emplace(world, options.scene);
   RunStatistics statistics(world.frame(), scene.simulation.time_step, options.threads);
