@@ -110,11 +110,16 @@ Json library_json(const Library& library) {
   return object;
 }
 
+/// Makes the paths of a scene's files start at `folder`.
 Scene with_mesh_paths_from(Scene scene, const std::filesystem::path& folder) {
+  const auto move = [&](std::filesystem::path& path) {
+    if (path.is_absolute() || scene.folder == folder) return;
+    path = std::filesystem::absolute(scene.folder / path).lexically_normal().lexically_proximate(folder);
+  };
   for (BodyDescription& body : scene.bodies) {
-    auto* mesh = std::get_if<MeshFileShape>(&body.shape);
-    if (!mesh || mesh->path.is_absolute() || scene.folder == folder) continue;
-    mesh->path = std::filesystem::absolute(scene.folder / mesh->path).lexically_normal().lexically_proximate(folder);
+    if (auto* mesh = std::get_if<MeshFileShape>(&body.shape)) move(mesh->path);
+    if (!body.splinters) continue;
+    if (auto* points = std::get_if<PointSplinters>(&*body.splinters)) move(points->path);
   }
   return scene;
 }

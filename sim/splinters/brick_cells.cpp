@@ -1,7 +1,6 @@
 #include <array>
 #include <cmath>
 
-#include "sim/error.h"
 #include "sim/splinters/convex_cells.h"
 
 namespace griffith {
@@ -32,7 +31,7 @@ Cuts make_cuts(const BrickSplinters& pattern, int axis, bool halved, const Eigen
   if (joint > 0) cuts.offsets.push_back(length);
   const double low = std::floor((bounds.min()[axis] - cuts.origin) / cuts.period) - 1;
   const double high = std::floor((bounds.max()[axis] - cuts.origin) / cuts.period) + 2;
-  if (high - low > kMaxSplinterCells) throw InputError("splinters", "bricks are too small for the body", "take larger ones");
+  check_cell_count(high - low);
   cuts.first_period = static_cast<std::int64_t>(low);
   cuts.periods = static_cast<std::int64_t>(high - low);
   return cuts;
@@ -45,8 +44,7 @@ class BrickLattice {
       : mortar_(pattern.mortar > 0),
         cuts_{make_cuts(pattern, 0, true, bounds), make_cuts(pattern, 1, false, bounds),
               make_cuts(pattern, 2, false, bounds)} {
-    const double cells = double(cuts_[0].slabs()) * double(cuts_[1].slabs()) * double(cuts_[2].slabs());
-    if (cells > kMaxSplinterCells) throw InputError("splinters", "bricks are too small for the body", "take larger ones");
+    check_cell_count(double(cuts_[0].slabs()) * double(cuts_[1].slabs()) * double(cuts_[2].slabs()));
   }
 
   CellPartition cells() const {

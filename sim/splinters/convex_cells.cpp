@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/error.h"
 #include "sim/mesh/read_points.h"
 
 namespace griffith {
@@ -48,8 +49,14 @@ int nearest_cell(const CellPartition& cells, const Vec3& point) {
 }  // namespace
 
 CellPartition make_cells(const SplinterPattern& pattern, const Eigen::AlignedBox3d& bounds,
-                         const std::filesystem::path& folder) {
+                         const std::filesystem::path& folder, const std::string& where) try {
   return std::visit(Maker{bounds, folder}, pattern);
+} catch (const TooManyCells&) {
+  throw InputError(where, "would make more than 2 million splinters", "take larger ones");
+}
+
+void check_cell_count(double cells) {
+  if (cells > kMaxSplinterCells) throw TooManyCells();
 }
 
 int locate(const CellPartition& cells, const Vec3& point, int start) {

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "sim/splinters/splinter_pattern.h"
@@ -41,13 +42,17 @@ using CellPartition = std::vector<ConvexCell>;
 inline constexpr double kMaxSplinterCells = 2e6;
 
 /// The cells of a pattern that may meet `bounds` [m]. Relative paths start at `folder`. Throws InputError when a file
-/// cannot be read or there would be more than kMaxSplinterCells cells.
+/// cannot be read or, naming the place `where`, when there would be more than kMaxSplinterCells cells.
 CellPartition make_cells(const SplinterPattern& pattern, const Eigen::AlignedBox3d& bounds,
-                         const std::filesystem::path& folder);
+                         const std::filesystem::path& folder = {}, const std::string& where = "splinters");
 
+// One maker a pattern, behind make_cells().
 CellPartition make_voronoi_cells(const VoronoiSplinters& pattern, const Eigen::AlignedBox3d& bounds);
 CellPartition make_radial_cells(const RadialSplinters& pattern, const Eigen::AlignedBox3d& bounds);
 CellPartition make_brick_cells(const BrickSplinters& pattern, const Eigen::AlignedBox3d& bounds);
+/// Throws TooManyCells when `cells` are more than kMaxSplinterCells.
+void check_cell_count(double cells);
+struct TooManyCells {};
 
 /// The Voronoi cells of any different points, those that matter within `bounds`; coincident points count once.
 CellPartition voronoi_cells(std::vector<Vec3> points, const Eigen::AlignedBox3d& bounds);

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/error.h"
 #include "sim/splinters/convex_cells.h"
 #include "sim/splinters/random_unit.h"
 
@@ -18,8 +17,7 @@ class RadialPattern {
     const double reach = (bounds.center() - pattern.center).norm() + bounds.diagonal().norm() / 2;
     double width = pattern.first_ring, radius = 0;
     while (radius < reach) {
-      if ((std::ssize(radii_) + 2.0) * pattern.sectors > kMaxSplinterCells)
-        throw InputError("splinters", "more than 2 million splinters would come of these rings", "take larger ones");
+      check_cell_count((std::ssize(radii_) + 2.0) * pattern.sectors);
       radii_.push_back(radius += width);
       widths_.push_back(width);
       width *= pattern.growth;

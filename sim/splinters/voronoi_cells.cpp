@@ -3,7 +3,6 @@
 #include <cmath>
 #include <voro++/voro++.hh>
 
-#include "sim/error.h"
 #include "sim/splinters/convex_cells.h"
 #include "sim/splinters/random_unit.h"
 
@@ -29,8 +28,7 @@ std::vector<Vec3> jittered_lattice(const VoronoiSplinters& pattern, const Eigen:
   constexpr double kMargin = 2;
   const Vec3 low = (bounds.min() / pattern.size).array().floor() - kMargin;
   const Vec3 high = (bounds.max() / pattern.size).array().floor() + kMargin;
-  if ((high - low).array().max(1).prod() > kMaxSplinterCells)
-    throw InputError("splinters", "more than 2 million splinters would come of this size", "take a larger size");
+  check_cell_count((high - low).array().max(1).prod());
   std::vector<Vec3> points;
   for (double z = low.z(); z <= high.z(); ++z)
     for (double y = low.y(); y <= high.y(); ++y)

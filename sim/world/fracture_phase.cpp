@@ -80,19 +80,19 @@ CrackEvent describe(const WorldState& world, NodeId node, const Material& materi
   return event;
 }
 
-/// Opens the mesh at one node; whether anything was parted.
-bool crack(WorldState& world, NodeId node) {
+/// Opens the mesh at one node; the tets that were parted from a neighbour.
+std::vector<TetId> crack(WorldState& world, NodeId node) {
   const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
   CrackEvent event = describe(world, node, world.material_of(body));
-  const SplitResult result = split_node(world.mesh, world.nodes.positions, node, event.normal,
+  SplitResult result = split_node(world.mesh, world.nodes.positions, node, event.normal,
                                         world.scene.simulation.min_fragment_tets);
   world.report.cracks_suppressed += result.too_small;
-  if (result.changed_tets.empty()) return false;
+  if (result.changed_tets.empty()) return {};
   for (const NodeCopy& copy : result.copies) append_copy(world, copy);
   for (NodeId front : result.front) world.nodes.at_crack_front[front] = 1;
   event.nodes_made = static_cast<int>(result.copies.size());
   world.crack_events.push_back(event);
-  return true;
+  return std::move(result.changed_tets);
 }
 
 }  // namespace
@@ -117,6 +117,7 @@ void open_cracks(WorldState& world) {
   // A split relieves its neighbourhood: nodes there wait until their stress is known again.
   std::set<NodeId> waiting;
   std::set<BodyId> cracked;
+  std::vector<TetId> parted;
   for (NodeId node : overloaded) {
     if (world.report.cracks >= world.scene.simulation.max_cracks_per_step) {
       ++world.report.cracks_postponed;
@@ -125,12 +126,15 @@ void open_cracks(WorldState& world) {
     if (waiting.contains(node)) continue;
     const std::vector<TetId> star = world.mesh.stars[node];
     const BodyId body = world.elements.bodies[star.front()];
-    if (!crack(world, node)) continue;
+    const std::vector<TetId> changed = crack(world, node);
+    if (changed.empty()) continue;
+    parted.insert(parted.end(), changed.begin(), changed.end());
     ++world.report.cracks;
     cracked.insert(body);
     for (TetId tet : star) waiting.insert(world.mesh.tets[tet].begin(), world.mesh.tets[tet].end());
   }
   for (BodyId body : cracked) part_body(world, body);
+  follow_cracks(world.splinters, world.mesh.neighbours, parted, world.splinter_state);
 }
 
 }  // namespace griffith

@@ -20,7 +20,7 @@ class CrackedBox {
  public:
   explicit CrackedBox(const SplinterPattern& pattern)
       : mesh(build_mesh(make_box(Vec3(0.8, 0.6, 0.4), Vec3::Constant(0.2), BoxPattern::five_tet))),
-        set(make_splinters(mesh, make_cells(pattern, testing::bounds(mesh), ""))),
+        set(make_splinters(mesh, make_cells(pattern, testing::bounds(mesh)))),
         state(intact_state(set)) {}
 
   void split(RandomValues& random) {

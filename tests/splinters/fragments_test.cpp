@@ -42,7 +42,7 @@ std::vector<TetMesh> bodies() {
 
 TEST_P(Fragments, FillEveryTetWithoutOverlap) {
   for (const TetMesh& mesh : bodies()) {
-    const CellPartition cells = make_cells(GetParam().pattern, testing::bounds(mesh), "");
+    const CellPartition cells = make_cells(GetParam().pattern, testing::bounds(mesh));
     std::vector<double> filled(mesh.tets.size(), 0);
     for (const Fragment& fragment : make_fragments(mesh, cells)) {
       EXPECT_GE(fragment.volume, 0);
@@ -55,7 +55,7 @@ TEST_P(Fragments, FillEveryTetWithoutOverlap) {
 
 TEST_P(Fragments, AreClosed) {
   const TetMesh mesh = bodies()[0];
-  for (const Fragment& fragment : make_fragments(mesh, make_cells(GetParam().pattern, testing::bounds(mesh), ""))) {
+  for (const Fragment& fragment : make_fragments(mesh, make_cells(GetParam().pattern, testing::bounds(mesh)))) {
     Vec3 sum = Vec3::Zero();
     for (const PolyhedronFace& face : fragment.polyhedron.faces) sum += area_vector(fragment.polyhedron, face);
     EXPECT_LT(sum.norm(), 1e-9);
@@ -64,7 +64,7 @@ TEST_P(Fragments, AreClosed) {
 
 TEST_P(Fragments, LieInTheirCells) {
   const TetMesh mesh = bodies()[3];
-  const CellPartition cells = make_cells(GetParam().pattern, testing::bounds(mesh), "");
+  const CellPartition cells = make_cells(GetParam().pattern, testing::bounds(mesh));
   for (const Fragment& fragment : make_fragments(mesh, cells))
     for (const PolyhedronFace& face : fragment.polyhedron.faces)
       for (const int corner : face.corners)
@@ -74,7 +74,7 @@ TEST_P(Fragments, LieInTheirCells) {
 
 TEST_P(Fragments, AreTheSameForAnyNumberOfThreads) {
   const TetMesh mesh = bodies()[1];
-  const CellPartition cells = make_cells(GetParam().pattern, testing::bounds(mesh), "");
+  const CellPartition cells = make_cells(GetParam().pattern, testing::bounds(mesh));
   std::vector<std::vector<Fragment>> results;
   for (const int threads : {1, 2}) {
     const ThreadLimit limit(threads);
@@ -88,7 +88,7 @@ TEST_P(Fragments, AreTheSameForAnyNumberOfThreads) {
 }
 
 TEST_P(Fragments, WallsOfNeighboursAreOpposite) {
-  const CellPartition cells = make_cells(GetParam().pattern, testing::bounds(bodies()[0]), "");
+  const CellPartition cells = make_cells(GetParam().pattern, testing::bounds(bodies()[0]));
   for (std::size_t i = 0; i < cells.size(); ++i)
     for (const CellWall& wall : cells[i].walls)
       for (const CellWall& back : cells[wall.neighbour].walls) {
@@ -108,7 +108,7 @@ TEST(FragmentAbuse, NearlyCoincidentPlanesLoseNoVolume) {
     bricks.mortar = 0;
     bricks.origin = std::pow(10.0, -6 - random.index(12)) * random.vector();
     double sum = 0;
-    for (const Fragment& fragment : make_fragments(mesh, make_cells(bricks, testing::bounds(mesh), "")))
+    for (const Fragment& fragment : make_fragments(mesh, make_cells(bricks, testing::bounds(mesh))))
       sum += fragment.volume;
     EXPECT_NEAR(sum, total_volume(mesh), 1e-9 * total_volume(mesh)) << round;
   }
@@ -120,7 +120,7 @@ TEST(FragmentAbuse, SizeDoesNotMatter) {
     VoronoiSplinters shards;
     shards.size = size / 5;
     double sum = 0;
-    for (const Fragment& fragment : make_fragments(mesh, make_cells(shards, testing::bounds(mesh), "")))
+    for (const Fragment& fragment : make_fragments(mesh, make_cells(shards, testing::bounds(mesh))))
       sum += fragment.volume;
     EXPECT_NEAR(sum, size * size * size, 1e-9 * size * size * size);
   }
@@ -138,19 +138,19 @@ TEST(Patterns, TooManyCellsAreRefused) {
   rings.growth = 1;
   rings.sectors = 1000;
   for (const SplinterPattern& pattern : {SplinterPattern(shards), SplinterPattern(bricks), SplinterPattern(rings)})
-    EXPECT_THROW(make_cells(pattern, bounds, ""), InputError);
+    EXPECT_THROW(make_cells(pattern, bounds), InputError);
 }
 
 TEST(Patterns, PointsComeFromAFile) {
   const auto path = std::filesystem::path(::testing::TempDir()) / "splinter_points.csv";
   std::ofstream(path) << "x,y,z\n-25,0,0\n25,0,0\n25,0,0\n";
   const Eigen::AlignedBox3d bounds(Vec3(-1, -1, -1), Vec3(1, 1, 1));
-  const CellPartition cells = make_cells(PointSplinters{path, 0.01}, bounds, "");
+  const CellPartition cells = make_cells(PointSplinters{path, 0.01}, bounds);
   ASSERT_EQ(cells.size(), 2u);  // a repeated point counts once
   ASSERT_EQ(cells[0].walls.size(), 1u);
   EXPECT_NEAR(cells[0].walls[0].inside.distance(Vec3(0.3, 5, 7)), 0.3, 1e-12);
   std::ofstream(path) << "x,y,z\n";
-  EXPECT_THROW(make_cells(PointSplinters{path, 1}, bounds, ""), InputError);
+  EXPECT_THROW(make_cells(PointSplinters{path, 1}, bounds), InputError);
 }
 
 TEST(Patterns, GrainStretchesShards) {
@@ -161,7 +161,7 @@ TEST(Patterns, GrainStretchesShards) {
   const TetMesh mesh = bodies()[0];
   // The mean square extent of a fragment's walls along the grain and across: normals lean away from the grain.
   double along = 0, across = 0;
-  for (const ConvexCell& cell : make_cells(shards, testing::bounds(mesh), ""))
+  for (const ConvexCell& cell : make_cells(shards, testing::bounds(mesh)))
     for (const CellWall& wall : cell.walls) {
       const double share = std::pow(wall.inside.normal.dot(shards.grain.normalized()), 2);
       along += share;

@@ -18,7 +18,7 @@ using testing::NamedPattern;
 TetMesh box() { return build_mesh(make_box(Vec3(0.8, 0.6, 0.4), Vec3::Constant(0.2), BoxPattern::five_tet)); }
 
 SplinterSet splinters_of(const TetMesh& mesh, const SplinterPattern& pattern) {
-  return make_splinters(mesh, make_cells(pattern, testing::bounds(mesh), ""));
+  return make_splinters(mesh, make_cells(pattern, testing::bounds(mesh)));
 }
 
 Vec3 area_vector(const SplinterSet& set, const SplinterFace& face) {
