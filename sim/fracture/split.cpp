@@ -29,7 +29,7 @@ int face_towards(const TetMesh& mesh, TetId tet, TetId neighbour) {
 /// Faces at the node that join tets on opposite sides of the plane, each once.
 std::vector<CutFace> faces_across(const TetMesh& mesh, std::span<const Vec3> positions, NodeId node,
                                   const Vec3& normal) {
-  const auto above = [&](TetId tet) { return normal.dot(centroid(mesh, positions, tet) - positions[node]) > 0; };
+  const auto above = [&](TetId tet) { return is_above(mesh, positions, tet, node, normal); };
   std::vector<CutFace> faces;
   for (TetId tet : mesh.stars[node]) {
     if (!above(tet)) continue;
@@ -89,6 +89,10 @@ void part_node(TetMesh& mesh, NodeId node, SplitResult& result) {
 }
 
 }  // namespace
+
+bool is_above(const TetMesh& mesh, std::span<const Vec3> positions, TetId tet, NodeId node, const Vec3& normal) {
+  return normal.dot(centroid(mesh, positions, tet) - positions[node]) > 0;
+}
 
 SplitResult split_node(TetMesh& mesh, std::span<const Vec3> positions, NodeId node, const Vec3& normal,
                        int min_fragment_tets) {

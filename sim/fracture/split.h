@@ -12,6 +12,9 @@ struct NodeCopy {
   NodeId original, copy;
 };
 
+/// Whether a tet's centroid lies on the side of the plane through `node` to which `normal` points.
+bool is_above(const TetMesh& mesh, std::span<const Vec3> positions, TetId tet, NodeId node, const Vec3& normal);
+
 struct SplitResult {
   std::vector<NodeCopy> copies;
   std::vector<NodeId> front;          ///< nodes of cut faces that still hold both sides together

@@ -81,10 +81,13 @@ Json default_of(const T&, Parts) {
   return Json::object();
 }
 template <class T>
+Json default_of(const std::optional<T>& value, Parts) {
+  return value ? Json::object() : Json();
+}
+template <class T>
 Json default_of(const std::vector<T>&, Parts) {
   return Json::array();
 }
-Json default_of(const std::optional<SplinterPattern>&, Parts) { return Json(); }
 Json default_of(const Shape&, Parts) { return {{"box", Json::object()}}; }
 Json default_of(const Region&, Parts) { return {{"box", Json::object()}}; }
 Json default_of(const ProbePlace&, Parts) { return {{"point", {0, 0, 0}}}; }

@@ -92,7 +92,7 @@ TEST(IncludeRules, LowerFoldersOfTheSimulationKnowNoHigherOnes) {
       {"sim/fracture", "^sim(/mesh|/elasticity|/solver|/fracture)?$"},
       {"sim/contact", "^sim(/mesh|/contact)?$"},
       {"sim/splinters", "^sim(/mesh|/splinters)?$"},
-      {"sim/scene", "^sim(/mesh|/elasticity|/splinters|/scene)?$"},
+      {"sim/scene", "^sim(/mesh|/elasticity|/solver|/fracture|/splinters|/scene)?$"},
       {"sim/world", "^sim(/.*)?$"},
   };
   for (const Include& include : includes_under("sim")) {
