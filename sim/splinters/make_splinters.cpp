@@ -20,7 +20,7 @@ class Barycentric {
     inverse_ = edges.inverse();
   }
 
-  Eigen::Vector4f weights(const Vec3& point) const {
+  Weights weights(const Vec3& point) const {
     const Vec3 last = inverse_ * (point - origin_);
     return Eigen::Vector4d(1 - last.sum(), last[0], last[1], last[2]).cast<float>();
   }

@@ -45,11 +45,13 @@ struct SplinterFace {
   int first_corner = 0, corners = 0;  ///< counter-clockwise seen from outside
 };
 
+using Weights = Eigen::Matrix<float, 4, 1, Eigen::DontAlign>;  ///< barycentric, of a tet's corners
+
 /// A corner of a face and how tets carry it: barycentric weights, which add up to 1.
 struct SplinterCorner {
-  Eigen::Vector3f rest;            ///< in the body's rest space [m]
-  Eigen::Vector4f weights;         ///< in its part's tet, none below 0 but for rounding
-  Eigen::Vector4f owner_weights;   ///< in the owner, of any sign
+  Eigen::Vector3f rest;   ///< in the body's rest space [m]
+  Weights weights;        ///< in its part's tet, none below 0 but for rounding
+  Weights owner_weights;  ///< in the owner, of any sign
 };
 
 /// The splinters of bodies and their surfaces; nothing of it changes when bodies break.
