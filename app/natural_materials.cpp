@@ -18,7 +18,7 @@ constexpr render::Rgb kMortar = {0.72f, 0.70f, 0.66f};
 constexpr NaturalLook kLookTable[] = {
     {"soda_lime_glass", {0.66f, 0.82f, 0.84f}, {0.47f, 0.74f, 0.74f}, 0.02f, 0.02f, 0.06f},
     {"concrete", {0.66f, 0.65f, 0.63f}, {0.57f, 0.56f, 0.54f}, 0.03f, 0.20f, 0.35f},
-    {"brick", {0.62f, 0.30f, 0.22f}, {0.70f, 0.38f, 0.27f}, 0.16f, 0.22f, 0.40f},
+    {"brick", {0.60f, 0.33f, 0.25f}, {0.67f, 0.40f, 0.30f}, 0.12f, 0.22f, 0.40f},
     {"porcelain", {0.93f, 0.93f, 0.91f}, {0.88f, 0.87f, 0.83f}, 0.01f, 0.02f, 0.15f},
     {"alumina", {0.92f, 0.90f, 0.85f}, {0.86f, 0.84f, 0.80f}, 0.01f, 0.03f, 0.15f},
     {"ice", {0.80f, 0.90f, 0.96f}, {0.90f, 0.95f, 0.98f}, 0.03f, 0.05f, 0.25f},
@@ -33,15 +33,16 @@ constexpr NaturalLook kLookTable[] = {
     {"jelly", {0.76f, 0.25f, 0.32f}, {0.83f, 0.36f, 0.42f}, 0.01f, 0.03f, 0.05f},
 };
 
-/// Nearest in the ratios of stiffness and density, so that a tuned preset keeps its look.
+/// Nearest in density and Poisson's ratio, which people hardly tune; stiffness, which they do, parts what is alike.
 const NaturalLook& look_of(const Material& material) {
   const NaturalLook* best = &kLookTable[0];
   double least = std::numeric_limits<double>::infinity();
   for (const NaturalLook& look : kLookTable) {
     const std::optional<Material> preset = find_material_preset(look.preset);
     if (!preset) continue;
-    const double distance = std::abs(std::log(preset->young_modulus / material.young_modulus)) +
-                            4 * std::abs(std::log(preset->density / material.density));
+    const double distance = 8 * std::abs(std::log(preset->density / material.density)) +
+                            20 * std::abs(preset->poisson_ratio - material.poisson_ratio) +
+                            0.1 * std::abs(std::log(preset->young_modulus / material.young_modulus));
     if (distance < least) least = distance, best = &look;
   }
   return *best;
