@@ -146,7 +146,8 @@ InitialSurface initial_surface(const Frame& frame) {
   });
   initial.splinters = splinter_mesh(frame);
   initial.splintered.resize(frame.materials.size(), 0);
-  for (const Splinter& splinter : frame.splinters) initial.splintered[static_cast<std::size_t>(splinter.scene_body)] = 1;
+  for (const Splinter& splinter : frame.splinters)
+    initial.splintered[static_cast<std::size_t>(splinter.scene_body)] = 1;
   return initial;
 }
 

@@ -9,8 +9,8 @@ namespace griffith::app {
 
 /// A closed polygonal surface.
 struct PieceSurface {
-  std::vector<Vec3> points;                 ///< world frame [m]; no two polygons share any
-  std::vector<std::vector<int>> polygons;   ///< indices into `points`, counter-clockwise seen from outside
+  std::vector<Vec3> points;                ///< world frame [m]; no two polygons share any
+  std::vector<std::vector<int>> polygons;  ///< indices into `points`, counter-clockwise seen from outside
 };
 
 /// The surface of a body as it is seen: the splinters that it owns, without the walls between them, or its tets' faces

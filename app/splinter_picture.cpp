@@ -29,8 +29,8 @@ std::shared_ptr<const render::EmbeddedMesh> splinter_mesh(const Frame& frame) {
     mesh->polygons.push_back({face.first_corner, face.corners});
     for (int i = face.first_corner; i < face.first_corner + face.corners; ++i) {
       const SplinterCorner& corner = frame.splinter_corners[static_cast<std::size_t>(i)];
-      mesh->corners.push_back({corner.rest, corner.weights, corner.owner_weights, part.tet.value, face.part,
-                               part.splinter.value, style});
+      mesh->corners.push_back(
+          {corner.rest, corner.weights, corner.owner_weights, part.tet.value, face.part, part.splinter.value, style});
     }
   }
   return mesh;

@@ -82,8 +82,8 @@ void EmbeddedPass::upload_triangles(const EmbeddedSurface& surface) {
   opened_ = surface.opened;
   indices_ = static_cast<GLsizei>(indices.size());
   glBindVertexArray(vertices_.id());
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)),
-               indices.data(), GL_DYNAMIC_DRAW);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)), indices.data(),
+               GL_DYNAMIC_DRAW);
 }
 
 void EmbeddedPass::draw_shadow() const {

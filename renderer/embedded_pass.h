@@ -8,8 +8,8 @@
 
 namespace griffith::render {
 
-/// Polygons that tets carry: the vertex shader finds their places, so that a frame uploads points, tets and what carries
-/// each part, but no polygon.
+/// Polygons that tets carry: the vertex shader finds their places, so that a frame uploads points, tets and what
+/// carries each part, but no polygon.
 class EmbeddedPass {
  public:
   EmbeddedPass();

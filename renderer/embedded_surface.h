@@ -47,25 +47,25 @@ struct EmbeddedMesh {
 /// The look of a matter where no scalar is shown.
 struct EmbeddedMaterial {
   Rgb color = {0.7f, 0.7f, 0.7f};
-  float variation = 0;                               ///< of brightness from piece to piece, as a share
-  float mottle = 0;                                  ///< of brightness within a piece, as a share
-  float roughness = 0;                               ///< how far the normal is turned about, as a slope
-  float noise_size = 0.05f;                          ///< of mottle and roughness [m]
-  Eigen::Vector3f fibre = Eigen::Vector3f::Zero();   ///< direction times √(1 − 1/stretch) of noise along it
+  float variation = 0;                              ///< of brightness from piece to piece, as a share
+  float mottle = 0;                                 ///< of brightness within a piece, as a share
+  float roughness = 0;                              ///< how far the normal is turned about, as a slope
+  float noise_size = 0.05f;                         ///< of mottle and roughness [m]
+  Eigen::Vector3f fibre = Eigen::Vector3f::Zero();  ///< direction times √(1 − 1/stretch) of noise along it
 };
 
 /// Embedded polygons as they are now. Nothing is drawn without a mesh.
 struct EmbeddedSurface {
   std::shared_ptr<const EmbeddedMesh> mesh;
-  std::vector<Eigen::Vector3f> points;           ///< world frame [m]
-  std::vector<std::array<std::int32_t, 4>> tets; ///< indices into `points`; a triangle's id is its own tet
-  std::vector<std::int32_t> carriers;            ///< per part: the tet that carries it
-  std::vector<std::int32_t> opened;              ///< polygons that are drawn besides the outer ones
-  std::vector<float> scalars;                    ///< shown by Surface::scalar_style; may be empty
-  bool scalars_per_point = false;                ///< of `scalars`: one a point, else one a tet
-  std::vector<Rgb> piece_colors;                 ///< per piece, where there are no scalars; else materials are shown
+  std::vector<Eigen::Vector3f> points;            ///< world frame [m]
+  std::vector<std::array<std::int32_t, 4>> tets;  ///< indices into `points`; a triangle's id is its own tet
+  std::vector<std::int32_t> carriers;             ///< per part: the tet that carries it
+  std::vector<std::int32_t> opened;               ///< polygons that are drawn besides the outer ones
+  std::vector<float> scalars;                     ///< shown by Surface::scalar_style; may be empty
+  bool scalars_per_point = false;                 ///< of `scalars`: one a point, else one a tet
+  std::vector<Rgb> piece_colors;                  ///< per piece, where there are no scalars; else materials are shown
   std::vector<EmbeddedMaterial> materials;
-  std::int32_t selected_tet = -1;                ///< highlighted
+  std::int32_t selected_tet = -1;  ///< highlighted
 };
 
 }  // namespace griffith::render

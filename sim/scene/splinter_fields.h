@@ -28,7 +28,8 @@ void describe(Archive& archive, RadialSplinters& rings) {
                 "Direction of the axis; any length but 0");
   archive.field("sectors", rings.sectors, between(4, 1000), "Splinters in a ring");
   archive.field("first_ring", rings.first_ring, kSplinterLength, "Radius of the innermost ring");
-  archive.field("growth", rings.growth, between(1, 10, "-"), "How many times wider each ring is than the one inside it");
+  archive.field("growth", rings.growth, between(1, 10, "-"),
+                "How many times wider each ring is than the one inside it");
   archive.field("jitter", rings.jitter, kJitter, "Irregularity: 0 makes regular sectors and rings");
   archive.field("seed", rings.seed, kSeed, "Another number makes another pattern");
 }

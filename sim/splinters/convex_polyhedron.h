@@ -26,8 +26,8 @@ struct ConvexPolyhedron {
 ConvexPolyhedron tet_polyhedron(const std::array<Vec3, 4>& corners);
 
 /// Cuts off what lies outside of a half-space, the cell's wall number `wall`. Corners nearer to the plane than
-/// `tolerance` [m] count as in it, whichever side of it they are cut from, so that two cells that share the plane part a
-/// polyhedron without overlap or gap. What is thinner than `tolerance` vanishes.
+/// `tolerance` [m] count as in it, whichever side of it they are cut from, so that two cells that share the plane part
+/// a polyhedron without overlap or gap. What is thinner than `tolerance` vanishes.
 void clip(ConvexPolyhedron& polyhedron, const HalfSpace& inside, int wall, double tolerance);
 
 /// Volume [m³] of a polyhedron.

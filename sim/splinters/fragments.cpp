@@ -79,8 +79,7 @@ std::vector<Fragment> make_fragments(const TetMesh& mesh, const CellPartition& c
     }
   });
   std::vector<Fragment> fragments;
-  for (std::vector<Fragment>& of_tet : by_tet)
-    std::ranges::move(of_tet, std::back_inserter(fragments));
+  for (std::vector<Fragment>& of_tet : by_tet) std::ranges::move(of_tet, std::back_inserter(fragments));
   return fragments;
 }
 

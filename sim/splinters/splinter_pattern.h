@@ -12,23 +12,23 @@ namespace griffith {
 
 /// Shards round random points: the Voronoi cells of a jittered lattice.
 struct VoronoiSplinters {
-  double size = 0.1;                ///< distance of the points across the grain, > 0
-  double jitter = 1;                ///< 0: the lattice itself, 1: anywhere within its cells
-  int seed = 1;                     ///< >= 0; another number, another pattern
-  Vec3 grain = Vec3(0, 1, 0);       ///< direction along which splinters are long; any length but 0
-  double elongation = 1;            ///< how many times longer than across, >= 1
+  double size = 0.1;           ///< distance of the points across the grain, > 0
+  double jitter = 1;           ///< 0: the lattice itself, 1: anywhere within its cells
+  int seed = 1;                ///< >= 0; another number, another pattern
+  Vec3 grain = Vec3(0, 1, 0);  ///< direction along which splinters are long; any length but 0
+  double elongation = 1;       ///< how many times longer than across, >= 1
   bool operator==(const VoronoiSplinters&) const = default;
 };
 
 /// Sectors and rings round an axis, as in glass round the point of an impact. The rings' borders are chords.
 struct RadialSplinters {
-  Vec3 center = Vec3::Zero();       ///< a point of the axis
-  Vec3 axis = Vec3(0, 0, 1);        ///< any length but 0
-  int sectors = 16;                 ///< 3..1000
-  double first_ring = 0.05;         ///< radius of the innermost ring, > 0
-  double growth = 1.5;              ///< how many times wider each ring is than the one inside it, 1..10
-  double jitter = 0.5;              ///< 0: regular, 1: as irregular as it may be
-  int seed = 1;                     ///< >= 0
+  Vec3 center = Vec3::Zero();  ///< a point of the axis
+  Vec3 axis = Vec3(0, 0, 1);   ///< any length but 0
+  int sectors = 16;            ///< 3..1000
+  double first_ring = 0.05;    ///< radius of the innermost ring, > 0
+  double growth = 1.5;         ///< how many times wider each ring is than the one inside it, 1..10
+  double jitter = 0.5;         ///< 0: regular, 1: as irregular as it may be
+  int seed = 1;                ///< >= 0
   bool operator==(const RadialSplinters&) const = default;
 };
 

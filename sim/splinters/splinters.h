@@ -83,9 +83,9 @@ struct SplinterState {
 /// Everything attached, all walls closed.
 SplinterState intact_state(const SplinterSet& splinters);
 
-/// Follows the cracks that parted `changed_tets` from some neighbour. `neighbours`: of all tets, as they are now. A part
-/// that has lost its owner is carried by the owner's affine map; a wall opens when what carries its two sides parts.
-/// Walls never close again. Costs the splinters in these tets and their neighbours.
+/// Follows the cracks that parted `changed_tets` from some neighbour. `neighbours`: of all tets, as they are now. A
+/// part that has lost its owner is carried by the owner's affine map; a wall opens when what carries its two sides
+/// parts. Walls never close again. Costs the splinters in these tets and their neighbours.
 void follow_cracks(const SplinterSet& splinters, std::span<const std::array<TetId, 4>> neighbours,
                    std::span<const TetId> changed_tets, SplinterState& state);
 

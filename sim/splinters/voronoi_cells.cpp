@@ -35,9 +35,10 @@ std::vector<Vec3> jittered_lattice(const VoronoiSplinters& pattern, const Eigen:
       for (double x = low.x(); x <= high.x(); ++x) {
         Vec3 point(x, y, z);
         for (int i = 0; i < 3; ++i)
-          point[i] += 0.5 + pattern.jitter * (random_unit(pattern.seed, static_cast<std::int64_t>(x),
-                                                          static_cast<std::int64_t>(y), static_cast<std::int64_t>(z), i) -
-                                              0.5);
+          point[i] +=
+              0.5 + pattern.jitter * (random_unit(pattern.seed, static_cast<std::int64_t>(x),
+                                                  static_cast<std::int64_t>(y), static_cast<std::int64_t>(z), i) -
+                                      0.5);
         points.push_back(pattern.size * point);
       }
   return points;

@@ -130,7 +130,8 @@ TEST(MakeSplinters, NoSplinterReachesAcrossASlit) {
   bricks.size = Vec3(0.5, 0.2, 0.4);
   bricks.mortar = 0;
   bricks.origin = Vec3(-0.25, -0.3, -0.2);
-  for (const Splinter& splinter : splinters_of(mesh, bricks).splinters) EXPECT_LE(splinter.volume, 0.5 * 0.2 * 0.4 + 1e-9);
+  for (const Splinter& splinter : splinters_of(mesh, bricks).splinters)
+    EXPECT_LE(splinter.volume, 0.5 * 0.2 * 0.4 + 1e-9);
   const SplinterSet set = splinters_of(mesh, bricks);
   int beside_slit = 0;
   for (const SplinterFace& face : set.faces) {
