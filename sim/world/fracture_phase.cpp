@@ -11,6 +11,7 @@ namespace {
 struct Opened {
   std::set<BodyId> bodies;
   std::set<NodeId> waiting;       ///< a split relieves its neighbourhood: these wait until their stress is known again
+  std::vector<TetId> parted;      ///< tets that lost a neighbour
   std::size_t first_event = 0;
 };
 
@@ -77,8 +78,8 @@ CrackEvent describe(const WorldState& world, NodeId node) {
   return event;
 }
 
-/// Opens the mesh at one node, or tears it off its support; whether anything was parted.
-bool crack(WorldState& world, NodeId node) {
+/// Opens the mesh at one node, or tears it off its support; whether anything was parted. Adds to `parted`.
+bool crack(WorldState& world, NodeId node, std::vector<TetId>& parted) {
   CrackEvent event = describe(world, node);
   const SplitResult result = split_node(world.mesh, world.nodes.positions, node, event.normal,
                                         world.scene.simulation.min_fragment_tets);
@@ -89,6 +90,7 @@ bool crack(WorldState& world, NodeId node) {
   event.nodes_made = static_cast<int>(result.copies.size());
   event.torn_off = result.changed_tets.empty() ? tear_off(world, node, event.normal) : share_support(world, result.copies);
   if (result.changed_tets.empty() && !event.torn_off) return false;
+  parted.insert(parted.end(), result.changed_tets.begin(), result.changed_tets.end());
   world.report.supports_torn += event.torn_off;
   world.crack_events.push_back(std::move(event));
   return true;
@@ -118,7 +120,7 @@ Opened crack_in_turn(WorldState& world, const std::vector<NodeId>& overloaded, d
     }
     const std::vector<TetId> star = world.mesh.stars[node];
     const BodyId body = world.elements.bodies[star.front()];
-    if (!crack(world, node)) continue;
+    if (!crack(world, node, opened.parted)) continue;
     ++world.report.cracks;
     opened.bodies.insert(body);
     if (world.crack_events.back().torn_off) world.bodies[body].system.reset();
@@ -154,6 +156,7 @@ void open_cracks(WorldState& world, double substep) {
     world.crack_transit_time = std::min(world.crack_transit_time, crack_transit_time(world, world.bodies[body]));
     part_body(world, body);
   }
+  follow_cracks(world.splinters, world.mesh.neighbours, opened.parted, world.splinter_state);
   for (std::size_t i = opened.first_event; i < world.crack_events.size(); ++i)
     world.crack_events[i].children = children_of(world, world.crack_events[i]);
   world.report.cracks_postponed = static_cast<int>(world.postponed.size());
