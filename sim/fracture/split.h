@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -28,5 +29,9 @@ struct SplitResult {
 /// changes when all tets lie on one side, or when a piece of fewer than `min_fragment_tets` would come off.
 SplitResult split_node(TetMesh& mesh, std::span<const Vec3> positions, NodeId node, const Vec3& normal,
                        int min_fragment_tets = 1);
+
+/// The same between any two sides of the node: `above` says for each tet of its star whether (1) or not (0) it lies on
+/// the one.
+SplitResult split_node(TetMesh& mesh, NodeId node, std::span<const std::uint8_t> above, int min_fragment_tets = 1);
 
 }  // namespace griffith
