@@ -32,14 +32,13 @@ render::Rgb body_color(BodyId body) {
   return {channel(0), channel(8), channel(4)};
 }
 
-void add_triangle(render::Surface& surface, const Frame& frame, const SurfaceFaces& initial_faces, std::size_t tet,
-                  std::size_t face, TetId selected) {
+void add_triangle(render::Surface& surface, const Frame& frame, std::size_t tet, std::size_t face, TetId selected) {
   for (const int corner : kTetFaces[face]) {
     const NodeId node = frame.tets[tet][static_cast<std::size_t>(corner)];
     surface.positions.push_back(frame.positions[static_cast<std::size_t>(node.value)].cast<float>());
   }
   std::uint8_t flags = render::kAllEdges;
-  if (!(initial_faces[tet] >> face & 1)) flags |= render::kCrackFace;
+  if (!(frame.first_surface[tet] >> face & 1)) flags |= render::kCrackFace;
   if (static_cast<std::int32_t>(tet) == selected.value) flags |= render::kSelected;
   surface.flags.push_back(flags);
   surface.ids.push_back(static_cast<std::int32_t>(tet));
@@ -80,19 +79,11 @@ float grid_spacing(const Eigen::AlignedBox3f& box) {
 
 }  // namespace
 
-SurfaceFaces surface_faces(const Frame& frame) {
-  SurfaceFaces faces(frame.tets.size(), 0);
-  for_each_surface_face(frame, [&](std::size_t tet, std::size_t face) {
-    faces[tet] = static_cast<std::uint8_t>(faces[tet] | 1 << face);
-  });
-  return faces;
-}
-
-render::DrawScene draw_scene_from_frame(const Frame& frame, const SurfaceFaces& initial_faces, const Scene& scene,
-                                        const ViewSettings& view, TetId selected) {
+render::DrawScene draw_scene_from_frame(const Frame& frame, const Scene& scene, const ViewSettings& view,
+                                        TetId selected) {
   render::DrawScene result;
   for_each_surface_face(frame, [&](std::size_t tet, std::size_t face) {
-    add_triangle(result.surface, frame, initial_faces, tet, face, selected);
+    add_triangle(result.surface, frame, tet, face, selected);
   });
   if (view.quantity == "body") {
     color_by_body(result.surface, frame);

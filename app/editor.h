@@ -80,7 +80,6 @@ class Editor {
   std::vector<std::filesystem::path> scene_files_;
   World world_;
   std::int64_t world_count_ = 0;  ///< worlds made so far
-  SurfaceFaces initial_faces_;
   render::Camera camera_;
   render::Renderer renderer_;
   render::DrawScene picture_;

@@ -145,6 +145,9 @@ void describe(Archive& archive, BodyDescription& body) {
                 "Angular velocity at the start, about the centre of mass");
   archive.field("material", body.material, MaterialChoice{},
                 "Name of a preset or of one of the scene's materials, or an object with its properties");
+  archive.field("remeshing", body.remeshing, "Cracks cut tetrahedra along their plane; false: they follow faces");
+  archive.field("minimum_element_size", body.minimum_element_size, between(0, 1e6, "m"),
+                "Shortest edge that remeshing makes; 0: a quarter of the size of the first elements");
   archive.field("supports", body.supports, Parts{}, "Regions that are held");
   archive.field("loads", body.loads, Parts{}, "Forces on regions");
 }

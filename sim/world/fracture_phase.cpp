@@ -2,11 +2,13 @@
 #include <cmath>
 #include <set>
 
+#include "sim/fracture/remesh.h"
 #include "sim/fracture/resistance.h"
 #include "sim/fracture/separation_tensor.h"
 #include "sim/fracture/split.h"
 #include "sim/parallel.h"
 #include "sim/world/phases.h"
+#include "sim/world/subdivision.h"
 
 namespace griffith {
 namespace {
@@ -80,12 +82,45 @@ CrackEvent describe(const WorldState& world, NodeId node, const Material& materi
   return event;
 }
 
+/// What remeshing did in a step, for what is brought up to date at its end.
+struct Remeshing {
+  std::vector<TetBisection> bisections;
+  MotionsBefore motions;   ///< of free bodies
+  std::set<BodyId> bodies;
+};
+
+SplitResult remesh(WorldState& world, const Body& body, NodeId node, const Vec3& normal, Remeshing& remeshing) {
+  if (!body.supported() && !remeshing.bodies.contains(body.id)) remeshing.motions[body.id] = motion_of(world, body);
+  remeshing.bodies.insert(body.id);
+  RemeshOptions options;
+  options.limits.least_length = world.least_edges[body.scene_body];
+  options.min_fragment_tets = world.scene.simulation.min_fragment_tets;
+  RemeshResult result =
+      remesh_node(world.mesh, world.nodes.positions, world.nodes.at_crack_front, node, normal, options);
+  world.report.remeshing_refused += result.refused_edges;
+  follow_subdivision(world, result.subdivision);
+  remeshing.bisections.insert(remeshing.bisections.end(), result.subdivision.tets.begin(),
+                              result.subdivision.tets.end());
+  return std::move(result.split);
+}
+
+/// Brings up to date what single cracks leave as it was about remeshed bodies; their systems are made anew.
+void finish(WorldState& world, const Remeshing& remeshing) {
+  if (remeshing.bisections.empty()) return;
+  restore_angular_momentum(world, remeshing.motions);
+  follow_bisections(world, remeshing.bisections);
+  update_supports(world, world.time, world.scene.simulation.time_step);
+  for (BodyId body : remeshing.bodies) world.bodies[body].system.reset();
+}
+
 /// Opens the mesh at one node; whether anything was parted.
-bool crack(WorldState& world, NodeId node) {
+bool crack(WorldState& world, NodeId node, Remeshing& remeshing) {
   const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
   CrackEvent event = describe(world, node, world.material_of(body));
-  const SplitResult result = split_node(world.mesh, world.nodes.positions, node, event.normal,
-                                        world.scene.simulation.min_fragment_tets);
+  const SplitResult result = world.scene.bodies[body.scene_body].remeshing
+                                 ? remesh(world, body, node, event.normal, remeshing)
+                                 : split_node(world.mesh, world.nodes.positions, node, event.normal,
+                                              world.scene.simulation.min_fragment_tets);
   world.report.cracks_suppressed += result.too_small;
   if (result.changed_tets.empty()) return false;
   for (const NodeCopy& copy : result.copies) append_copy(world, copy);
@@ -117,6 +152,7 @@ void open_cracks(WorldState& world) {
   // A split relieves its neighbourhood: nodes there wait until their stress is known again.
   std::set<NodeId> waiting;
   std::set<BodyId> cracked;
+  Remeshing remeshing;
   for (NodeId node : overloaded) {
     if (world.report.cracks >= world.scene.simulation.max_cracks_per_step) {
       ++world.report.cracks_postponed;
@@ -125,11 +161,13 @@ void open_cracks(WorldState& world) {
     if (waiting.contains(node)) continue;
     const std::vector<TetId> star = world.mesh.stars[node];
     const BodyId body = world.elements.bodies[star.front()];
-    if (!crack(world, node)) continue;
+    if (!crack(world, node, remeshing)) continue;
     ++world.report.cracks;
     cracked.insert(body);
     for (TetId tet : star) waiting.insert(world.mesh.tets[tet].begin(), world.mesh.tets[tet].end());
   }
+  finish(world, remeshing);
+  cracked.insert(remeshing.bodies.begin(), remeshing.bodies.end());
   for (BodyId body : cracked) part_body(world, body);
 }
 
