@@ -52,6 +52,8 @@ void add_counters(Json& json, const StepReport& sums, const StepReport& largest)
   json["contacts"] = sums.contacts;
   json["cracks_postponed"] = sums.cracks_postponed;
   json["cracks_suppressed"] = sums.cracks_suppressed;
+  json["supports_torn"] = sums.supports_torn;
+  json["coarse_substeps"] = sums.coarse_substeps;
   json["unconverged_solves"] = sums.unconverged_solves;
   json["max_penetration"] = largest.max_penetration;
   json["max_relative_residual"] = largest.max_relative_residual;
@@ -86,6 +88,8 @@ void RunStatistics::add(const Frame& frame) {
   sums_.contacts += report.contacts;
   sums_.cracks_postponed += report.cracks_postponed;
   sums_.cracks_suppressed += report.cracks_suppressed;
+  sums_.supports_torn += report.supports_torn;
+  sums_.coarse_substeps += report.coarse_substeps;
   sums_.unconverged_solves += report.unconverged_solves;
   largest_.max_penetration = std::max(largest_.max_penetration, report.max_penetration);
   largest_.max_relative_residual = std::max(largest_.max_relative_residual, report.max_relative_residual);
@@ -127,12 +131,12 @@ std::string RunStatistics::summary(const Frame& frame, std::uint64_t state_hash)
                 "%lld steps of %.4g ms: %zu tetrahedra, %zu nodes, %zu pieces (%d fragments), %zu crack events\n"
                 "step time: median %.2f ms, 99 %% below %.2f ms, longest %.2f ms\n"
                 "solver: at most %d iterations, relative residual at most %.1e, %d unconverged\n"
-                "trouble: %d cracks postponed, %d suppressed, %d inverted tetrahedra, %d values not finite\n"
+                "trouble: %d cracks postponed, %d suppressed, %d coarse substeps, %d inverted tetrahedra, %d values not finite\n"
                 "state hash %s\n",
                 static_cast<long long>(frame.step), 1e3 * time_step_, frame.tets.size(), frame.positions.size(),
                 frame.bodies.size(), frame.fragments, frame.crack_events.size(), times.median, times.p99, times.max,
                 l.solver_iterations, l.max_relative_residual, sums_.unconverged_solves, sums_.cracks_postponed,
-                sums_.cracks_suppressed, l.inverted_tets, l.non_finite_values, hash_text(state_hash).c_str());
+                sums_.cracks_suppressed, sums_.coarse_substeps, l.inverted_tets, l.non_finite_values, hash_text(state_hash).c_str());
   return text;
 }
 

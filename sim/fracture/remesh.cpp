@@ -126,18 +126,18 @@ int bisect_edges(TetMesh& mesh, std::vector<CrossedEdge>& edges, const Bisection
 
 }  // namespace
 
-RemeshResult remesh_node(TetMesh& mesh, std::span<const Vec3> positions, std::span<const std::uint8_t> at_crack_front,
-                         NodeId node, const Vec3& normal, const RemeshOptions& options) {
+StarCut cut_star(TetMesh& mesh, std::span<const Vec3> positions, std::span<const std::uint8_t> at_crack_front,
+                 NodeId node, const Vec3& normal, const RemeshOptions& options) {
   PlaneSides sides(mesh, positions, node, normal);
   snap_near_nodes(mesh, positions, at_crack_front, node, options, sides);
   snap_surface(mesh, positions, node, normal, options.crack_angle, sides);
   std::vector<CrossedEdge> edges = crossed_edges(mesh, sides, node);
 
-  RemeshResult result;
-  result.refused_edges = snap_edges(mesh, edges, options, sides);
-  result.refused_edges += bisect_edges(mesh, edges, options.limits, result.subdivision);
-  result.split = split_node(mesh, node, sides.tets_above(mesh, mesh.stars[node]), options.min_fragment_tets);
-  return result;
+  StarCut cut;
+  cut.refused_edges = snap_edges(mesh, edges, options, sides);
+  cut.refused_edges += bisect_edges(mesh, edges, options.limits, cut.subdivision);
+  cut.above = sides.tets_above(mesh, mesh.stars[node]);
+  return cut;
 }
 
 }  // namespace griffith

@@ -3,52 +3,97 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/elasticity/principal_stress.h"
 #include "sim/mesh/topology.h"
 
 namespace griffith {
+namespace {
+
+bool constrained(const SeparationInput& input, NodeId node) {
+  return !input.constraints.empty() && !input.constraints[node].is_free();
+}
+
+bool anchored(const SeparationInput& input, TetId tet) {
+  const auto& corners = input.mesh.tets[tet];
+  return std::all_of(corners.begin(), corners.end(), [&](NodeId corner) { return input.constraints[corner].is_held(); });
+}
+
+/// The unit normal n with the largest n·S n / n·T n.
+Vec3 weakest_normal(const Mat3& tensor, const DirectionalStrength& strength) {
+  const Mat3 root = strength.is_uniform() ? Mat3(Mat3::Identity()) : strength.inverse_root();
+  return (root * principal_values(root * tensor * root).directions.col(2)).normalized();
+}
+
+/// Sums over the elements round a node, seen across a plane.
+struct StarSums {
+  double area = 0, volume = 0, largest = 0;
+  Mat3 tension = Mat3::Zero();  ///< volume times stress
+};
+
+StarSums sum_star(const SeparationInput& input, NodeId node, const Vec3& normal) {
+  StarSums sums;
+  const bool held = constrained(input, node);
+  for (TetId tet : input.mesh.stars[node]) {
+    if (held && anchored(input, tet)) continue;
+    const ElementRest& rest = input.rests[tet];
+    const ElementState& state = input.states[tet];
+    const Vec3 face = cofactor(state.frame) * rest.shape_gradients.col(local_corner(input.mesh, tet, node));
+    const Mat3 tensile_stress = cauchy_stress(state.frame, state.tensile_stress);
+    sums.area += 0.5 * rest.volume * std::abs(face.dot(normal));
+    sums.volume += rest.volume;
+    sums.tension += rest.volume * tensile_stress;
+    sums.largest = std::max(sums.largest, tensile_stress.norm());
+  }
+  return sums;
+}
+
+}  // namespace
 
 Mat3 force_dyad(const Vec3& force) {
   const double length = force.norm();
   return length > 0 ? Mat3(force * force.transpose() / length) : Mat3(Mat3::Zero());
 }
 
-Mat3 separation_tensor(const SeparationInput& input, NodeId node, bool held) {
+SplitForce split_force(const SeparationInput& input, TetId tet, NodeId node) {
+  const ElementRest& rest = input.rests[tet];
+  const ElementState& state = input.states[tet];
+  const Vec3 gradient = rest.shape_gradients.col(local_corner(input.mesh, tet, node));
+  const Vec3 tensile = -rest.volume * (state.frame * (state.tensile_stress * gradient));
+  return {tensile, -rest.volume * (state.frame * (state.stress * gradient)) - tensile};
+}
+
+Mat3 separation_tensor(const SeparationInput& input, NodeId node) {
   Mat3 sum = Mat3::Zero();
-  Vec3 total_tensile = Vec3::Zero(), total_compressive = Vec3::Zero();
+  SplitForce total;
   for (TetId tet : input.mesh.stars[node]) {
-    const ElementRest& rest = input.rests[tet];
-    const ElementState& state = input.states[tet];
-    const Vec3 gradient = rest.shape_gradients.col(local_corner(input.mesh, tet, node));
-    const Vec3 tensile = -rest.volume * (state.frame * (state.tensile_stress * gradient));
-    const Vec3 compressive = -rest.volume * (state.frame * (state.stress * gradient)) - tensile;
-    sum += force_dyad(tensile) - force_dyad(compressive);
-    total_tensile += tensile;
-    total_compressive += compressive;
+    const SplitForce force = split_force(input, tet, node);
+    sum += force_dyad(force.tensile) - force_dyad(force.compressive);
+    total.tensile += force.tensile;
+    total.compressive += force.compressive;
   }
-  if (!held) sum += force_dyad(total_compressive) - force_dyad(total_tensile);
+  if (!constrained(input, node)) sum += force_dyad(total.compressive) - force_dyad(total.tensile);
   return 0.5 * sum;
 }
 
-double separation_stress(const SeparationInput& input, NodeId node, double eigenvalue, Vec3& direction) {
-  double area = 0, volume = 0, largest = 0;
-  Mat3 average = Mat3::Zero();
-  for (TetId tet : input.mesh.stars[node]) {
-    const ElementRest& rest = input.rests[tet];
-    const ElementState& state = input.states[tet];
-    const Vec3 normal = cofactor(state.frame) * rest.shape_gradients.col(local_corner(input.mesh, tet, node));
-    const Mat3 tensile_stress = cauchy_stress(state.frame, state.tensile_stress);
-    area += 0.5 * rest.volume * std::abs(normal.dot(direction));
-    volume += rest.volume;
-    average += rest.volume * tensile_stress;
-    largest = std::max(largest, tensile_stress.norm());
-  }
+CandidatePlane candidate_plane(const SeparationInput& input, NodeId node, const Mat3& tensor,
+                               const DirectionalStrength& strength) {
+  const PrincipalValues principal = principal_values(tensor);
+  const double largest_eigenvalue = principal.values[2];
+  CandidatePlane plane;
+  plane.normal = strength.is_uniform() ? Vec3(principal.directions.col(2)) : weakest_normal(tensor, strength);
+  plane.eigenvalue = plane.normal.dot(tensor * plane.normal);
+  const StarSums sums = sum_star(input, node, principal.directions.col(2));
+  if (sums.volume == 0) return plane;
   // Where hardly any face meets the plane (a star of one tet, say) the quotient means nothing: no plane can carry more
   // than the stress that is there.
-  const double stress = area > 0 ? std::min(eigenvalue / area, largest) : 0;
-  const PrincipalValues principal = principal_values(average / volume);
-  if (principal.values[2] <= stress) return stress;
-  direction = principal.directions.col(2);
-  return principal.values[2];
+  if (largest_eigenvalue > 0 && sums.area > 0)
+    plane.stress = std::min(1 / sums.area, sums.largest / largest_eigenvalue) * plane.eigenvalue;
+
+  const Mat3 average = sums.tension / sums.volume;
+  const Vec3 normal = weakest_normal(average, strength);
+  const double stress = normal.dot(average * normal);
+  if (stress * strength.share(plane.normal) <= plane.stress * strength.share(normal)) return plane;
+  return {normal, plane.eigenvalue, stress};
 }
 
 }  // namespace griffith

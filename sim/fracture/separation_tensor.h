@@ -1,11 +1,11 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "sim/elasticity/element.h"
-#include "sim/elasticity/principal_stress.h"
+#include "sim/fracture/strength_variation.h"
 #include "sim/mesh/tet_mesh.h"
+#include "sim/solver/node_constraint.h"
 
 namespace griffith {
 
@@ -15,20 +15,37 @@ Mat3 force_dyad(const Vec3& force);
 /// What the elements round a node contribute to its separation.
 struct SeparationInput {
   const TetMesh& mesh;
-  std::span<const ElementRest> rests;    // per tet
-  std::span<const ElementState> states;  // per tet
+  std::span<const ElementRest> rests;           // per tet
+  std::span<const ElementState> states;         // per tet
+  std::span<const NodeConstraint> constraints;  // per node; empty: all are free
 };
+
+/// What an element does to one of its nodes, world frame [N].
+struct SplitForce {
+  Vec3 tensile = Vec3::Zero(), compressive = Vec3::Zero();  ///< f_e⁺, f_e⁻
+};
+SplitForce split_force(const SeparationInput& input, TetId tet, NodeId node);
 
 /// The separation tensor of a node in the world frame [N] (O'Brien & Hodgins 1999, eq. 16):
 ///   ς = ½ ( −m(f⁺) + Σ m(f_e⁺) + m(f⁻) − Σ m(f_e⁻) )
 ///   f_e⁺, f_e⁻  tensile and compressive force of element e on the node, f⁺, f⁻ their sums
-/// At a `held` node the reaction is missing from the sums, so both total terms are left out.
-Mat3 separation_tensor(const SeparationInput& input, NodeId node, bool held);
+/// At a constrained node the reaction is missing from the sums, so both total terms are left out: a support is no
+/// shield.
+Mat3 separation_tensor(const SeparationInput& input, NodeId node);
 
-/// The stress that pulls a node apart across the plane with unit normal `direction` [Pa], whatever the mesh:
-/// the larger of s = v⁺ / A(n̂), with A(n̂) = ½ Σ_e V_e |(cof(B) g_e)·n̂|, and the largest eigenvalue of the
-/// volume-averaged tensile stress, which makes the onset exact in multiaxial tension. Where the second one is larger, `direction`
-/// becomes its eigenvector. Never more than the largest tensile stress (Frobenius norm) of the node's elements.
-double separation_stress(const SeparationInput& input, NodeId node, double eigenvalue, Vec3& direction);
+/// The plane across which a node would separate, and what pulls there.
+struct CandidatePlane {
+  Vec3 normal = Vec3::UnitX();  ///< n̂, unit length, world frame
+  double eigenvalue = 0;        ///< v⁺ = n̂·ς n̂ [N]: with uniform strength the largest eigenvalue of ς
+  double stress = 0;            ///< s [Pa], whatever the mesh
+};
+
+/// The plane on which the load is largest against the `strength` of that direction, n·ς n / n·T n. The stress across it is the
+/// larger of s = n·ς n / A, with A = ½ Σ_e V_e |(cof(B) g_e)·e| and e the eigenvector of v⁺, and that of the volume-averaged
+/// tensile stress, whose plane it is then: so the onset is exact in multiaxial tension. Never more than the largest
+/// tensile stress (Frobenius norm) of the node's elements. Elements that a support holds at all corners are part of the anchor and do
+/// not count.
+CandidatePlane candidate_plane(const SeparationInput& input, NodeId node, const Mat3& tensor,
+                               const DirectionalStrength& strength = {});
 
 }  // namespace griffith

@@ -85,12 +85,17 @@ void part_node(TetMesh& mesh, NodeId node, SplitResult& result) {
 
 }  // namespace
 
-SplitResult split_node(TetMesh& mesh, std::span<const Vec3> positions, NodeId node, const Vec3& normal,
-                       int min_fragment_tets) {
+std::vector<std::uint8_t> tets_above(const TetMesh& mesh, std::span<const Vec3> positions, NodeId node,
+                                     const Vec3& normal) {
   std::vector<std::uint8_t> above;
   for (TetId tet : mesh.stars[node])
     above.push_back(normal.dot(centroid(mesh, positions, tet) - positions[node]) > 0);
-  return split_node(mesh, node, above, min_fragment_tets);
+  return above;
+}
+
+SplitResult split_node(TetMesh& mesh, std::span<const Vec3> positions, NodeId node, const Vec3& normal,
+                       int min_fragment_tets) {
+  return split_node(mesh, node, tets_above(mesh, positions, node, normal), min_fragment_tets);
 }
 
 SplitResult split_node(TetMesh& mesh, NodeId node, std::span<const std::uint8_t> above, int min_fragment_tets) {

@@ -13,6 +13,11 @@ struct NodeCopy {
   NodeId original, copy;
 };
 
+/// For each tet of a node's star whether its centroid lies on the side of the plane through the node to which `normal`
+/// points (1) or not (0).
+std::vector<std::uint8_t> tets_above(const TetMesh& mesh, std::span<const Vec3> positions, NodeId node,
+                                     const Vec3& normal);
+
 struct SplitResult {
   std::vector<NodeCopy> copies;
   std::vector<NodeId> front;          ///< nodes of cut faces that still hold both sides together
@@ -30,8 +35,7 @@ struct SplitResult {
 SplitResult split_node(TetMesh& mesh, std::span<const Vec3> positions, NodeId node, const Vec3& normal,
                        int min_fragment_tets = 1);
 
-/// The same between any two sides of the node: `above` says for each tet of its star whether (1) or not (0) it lies on
-/// the one.
+/// The same between any two sides of the node, as tets_above() gives them.
 SplitResult split_node(TetMesh& mesh, NodeId node, std::span<const std::uint8_t> above, int min_fragment_tets = 1);
 
 }  // namespace griffith

@@ -20,6 +20,7 @@ struct Support {
   Vec3 normal = Vec3::UnitY();                ///< of a sliding support; any length but 0
   Vec3 velocity = Vec3::Zero();               ///< of a prescribed one [m/s]
   std::optional<double> stop = std::nullopt;  ///< when a prescribed one comes to a halt [s]; absent: never
+  bool can_tear = true;                       ///< whether the body tears off it where its material fails there
   bool operator==(const Support&) const = default;
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim/elasticity/material.h"
+#include "sim/fracture/strength_variation.h"
 #include "sim/linear_algebra.h"
 #include "sim/scene/boundary_condition.h"
 #include "sim/scene/probe.h"
@@ -23,6 +24,8 @@ struct BodyDescription {
   Material material;
   bool remeshing = false;           ///< cracks cut tets along their plane instead of following faces
   double minimum_element_size = 0;  ///< edges that remeshing may make [m]; 0: a quarter of the first elements' size
+  std::optional<Weakness> weakness;
+  std::optional<StrengthScatter> strength_scatter;
   std::vector<Support> supports;
   std::vector<Load> loads;
   bool operator==(const BodyDescription&) const = default;
@@ -66,7 +69,7 @@ struct SimulationSettings {
   double time_step = 1.0 / 120;     ///< [s], 1e-5..0.1
   Integrator integrator = Integrator::implicit_euler;
   bool static_start = true;         ///< supported bodies start at rest under gravity and their loads at time 0
-  int impact_substeps = 32;         ///< most substeps of a step in which something strikes, 1..256
+  int impact_substeps = 32;         ///< most substeps of a step in which something strikes or cracks, 1..256
   double relative_residual = 1e-4;  ///< the linear solver stops here, 1e-12..0.1
   int max_solver_iterations = 400;  ///< per body and substep, 1..100000
   bool fracture = true;

@@ -98,6 +98,7 @@ void describe(Archive& archive, Support& support) {
                 "Of the plane in which a sliding support lets its nodes move, in the world's axes; any length but 0");
   archive.field("velocity", support.velocity, between(-1e5, 1e5, "m/s"),
                 "With which a prescribed support moves its nodes, in the world's axes");
+  archive.field("can_tear", support.can_tear, Flag{}, "Whether the body tears off it where its material fails there");
   archive.field("stop", support.stop, between(0, 1e6, "s"), "When a prescribed support comes to a halt; null: never");
   archive.require(support.kind == SupportKind::sliding || support.normal == Support{}.normal, "normal",
                   "belongs to another kind of support", "add \"kind\": \"sliding\" or take it out");
@@ -134,6 +135,24 @@ void describe(Archive& archive, Load& load) {
 }
 
 template <class Archive>
+void describe(Archive& archive, Weakness& weakness) {
+  archive.field("kind", weakness.kind, OneOf{{"grain", "layers"}},
+                "grain: planes that contain the direction are weak, as in wood; layers: planes across it, as in slate");
+  archive.field("direction", weakness.direction, kDirection, "In the body's rest space; any length but 0");
+  archive.field("strength_ratio", weakness.strength_ratio, between(1e-4, 1, "-"),
+                "Resistance of the weak planes over that of the strongest, which the material gives");
+}
+
+template <class Archive>
+void describe(Archive& archive, StrengthScatter& scatter) {
+  archive.field("weibull_modulus", scatter.weibull_modulus, between(1, 1000, "-"),
+                "Weibull's m: the smaller, the wider the scatter; glass and ceramics 5 to 20");
+  archive.field("reference_volume", scatter.reference_volume, between(1e-15, 1e9, "m³"),
+                "Volume of the specimens whose mean strength is tensile_strength; larger bodies are weaker");
+  archive.field("seed", scatter.seed, between(0, 2147483647), "Of the random numbers: another seed, another body");
+}
+
+template <class Archive>
 void describe(Archive& archive, BodyDescription& body) {
   archive.field("name", body.name, Text{1}, "Name, different from every other body's");
   archive.field("shape", body.shape, Parts{}, "Geometry");
@@ -145,9 +164,11 @@ void describe(Archive& archive, BodyDescription& body) {
                 "Angular velocity at the start, about the centre of mass");
   archive.field("material", body.material, MaterialChoice{},
                 "Name of a preset or of one of the scene's materials, or an object with its properties");
-  archive.field("remeshing", body.remeshing, "Cracks cut tetrahedra along their plane; false: they follow faces");
+  archive.field("remeshing", body.remeshing, Flag{}, "Cracks cut tetrahedra along their plane; false: they follow faces");
   archive.field("minimum_element_size", body.minimum_element_size, between(0, 1e6, "m"),
                 "Shortest edge that remeshing makes; 0: a quarter of the size of the first elements");
+  archive.field("weakness", body.weakness, Parts{}, "A direction in which it is weaker; null: none");
+  archive.field("strength_scatter", body.strength_scatter, Parts{}, "Random strength from flaws; null: none");
   archive.field("supports", body.supports, Parts{}, "Regions that are held");
   archive.field("loads", body.loads, Parts{}, "Forces on regions");
 }

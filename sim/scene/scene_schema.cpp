@@ -81,6 +81,10 @@ Json default_of(const T&, Parts) {
   return Json::object();
 }
 template <class T>
+Json default_of(const std::optional<T>& value, Parts) {
+  return value ? Json::object() : Json();
+}
+template <class T>
 Json default_of(const std::vector<T>&, Parts) {
   return Json::array();
 }

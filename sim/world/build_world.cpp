@@ -1,6 +1,8 @@
 #include <Eigen/LU>
+#include <algorithm>
 #include <numbers>
 
+#include "sim/fracture/slit_tips.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/phases.h"
@@ -46,6 +48,25 @@ RestBody append_mesh(WorldState& world, int scene_body) {
   return body;
 }
 
+/// The body's direction of weakness, placed as its rest space is.
+std::optional<Weakness> place_weakness(const BodyDescription& body) {
+  std::optional<Weakness> weakness = body.weakness;
+  if (weakness) weakness->direction = rotation_of(body) * weakness->direction.normalized();
+  return weakness;
+}
+
+void draw_strengths(WorldState& world, const std::optional<StrengthScatter>& scatter, NodeId first) {
+  world.nodes.strength_factors.resize(world.mesh.stars.size(), 1);
+  if (!scatter) return;
+  std::vector<double> volumes;
+  for (NodeId node = first; node < world.mesh.node_count(); ++node.value) {
+    volumes.push_back(0);
+    for (TetId tet : world.mesh.stars[node]) volumes.back() += world.elements.rests[tet].volume / 4;
+  }
+  const std::vector<double> factors = strength_factors(*scatter, volumes);
+  std::copy(factors.begin(), factors.end(), world.nodes.strength_factors.begin() + first);
+}
+
 void append_elements(WorldState& world, TetId first, BodyId body) {
   ElementArrays& elements = world.elements;
   for (TetId tet = first; tet < world.mesh.tet_count(); ++tet.value) {
@@ -83,6 +104,8 @@ void add_scene_body(WorldState& world, int scene_body) {
   Body body;
   body.id = BodyId(static_cast<std::int64_t>(world.bodies.size()));
   append_elements(world, first_tet, body.id);
+  for (NodeId node : slit_tips(world.mesh, first_tet)) world.nodes.at_crack_front[node] = 1;
+  draw_strengths(world, description.strength_scatter, first_node);
   body.scene_body = scene_body;
   for (TetId tet = first_tet; tet < world.mesh.tet_count(); ++tet.value) body.tets.push_back(tet);
   world.bodies.push_back(std::move(body));
@@ -112,7 +135,10 @@ double node_mass(const WorldState& world, NodeId node) {
 void build_world(WorldState& world) {
   check_probes(world.scene);
   world.substep_ticks = kTicksPerStep;
-  for (const BodyDescription& body : world.scene.bodies) world.materials.push_back(body.material);
+  for (const BodyDescription& body : world.scene.bodies) {
+    world.materials.push_back(body.material);
+    world.weaknesses.push_back(place_weakness(body));
+  }
   if (const auto& ground = world.scene.ground)
     world.contact_world.add_ground(ground->height, {ground->friction, ground->restitution});
   for (std::size_t i = 0; i < world.scene.bodies.size(); ++i) add_scene_body(world, static_cast<int>(i));

@@ -1,42 +1,33 @@
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "sim/fracture/remesh.h"
-#include "sim/fracture/resistance.h"
-#include "sim/fracture/separation_tensor.h"
 #include "sim/fracture/split.h"
-#include "sim/parallel.h"
 #include "sim/world/phases.h"
 #include "sim/world/subdivision.h"
 
 namespace griffith {
 namespace {
 
-/// Edge length of the cells round a node: that of a cube of six tets.
-double element_size(const WorldState& world, NodeId node) {
-  double volume = 0;
-  for (TetId tet : world.mesh.stars[node]) volume += world.elements.rests[tet].volume;
-  return std::cbrt(6 * volume / static_cast<double>(world.mesh.stars[node].size()));
+/// What open_cracks() did, until the pieces are known.
+struct Opened {
+  std::set<BodyId> bodies;
+  MotionsBefore motions;          ///< of free bodies that were remeshed
+  std::set<NodeId> waiting;       ///< a split relieves its neighbourhood: these wait until their stress is known again
+  std::size_t first_event = 0;
+};
+
+/// Cracks that waited for the budget open as they would have then, unless the load has grown since.
+void restore_postponed(WorldState& world) {
+  for (const PostponedCrack& crack : world.postponed) {
+    const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[crack.node].front()]];
+    NodeSeparation& now = world.nodes.separations[crack.node];
+    if (!body.rigid && now.margin < crack.separation.margin) now = crack.separation;
+  }
+  world.postponed.clear();
 }
 
-NodeSeparation evaluate_node(const WorldState& world, const SeparationInput& input, const Material& material,
-                             NodeId node, bool averaged) {
-  NodeSeparation separation;
-  separation.tensor = separation_tensor(input, node, world.nodes.held[node] != 0);
-  const PrincipalValues principal = principal_values(separation.tensor);
-  separation.eigenvalue = principal.values[2];
-  separation.direction = principal.directions.col(2);
-  const double stress = separation_stress(input, node, separation.eigenvalue, separation.direction);
-  separation.stress = averaged ? 0.5 * (stress + world.nodes.separations[node].stress) : stress;
-  separation.resistance = resistance(material, world.nodes.at_crack_front[node] != 0, element_size(world, node));
-  const double load =
-      material.criterion == FractureCriterion::strength ? separation.stress : separation.eigenvalue;
-  separation.margin = load / separation.resistance;
-  return separation;
-}
-
-/// Nodes past their resistance, the worst first.
+/// Nodes past their resistance, the worst of all bodies first.
 std::vector<NodeId> overloaded_nodes(const WorldState& world) {
   std::vector<NodeId> nodes;
   for (const Body& body : world.bodies) {
@@ -48,7 +39,6 @@ std::vector<NodeId> overloaded_nodes(const WorldState& world) {
     const double margin_a = world.nodes.separations[a].margin, margin_b = world.nodes.separations[b].margin;
     return margin_a != margin_b ? margin_a > margin_b : a < b;
   });
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   return nodes;
 }
 
@@ -60,6 +50,7 @@ void append_copy(WorldState& world, const NodeCopy& copy) {
   nodes.held.push_back(std::uint8_t(nodes.held[copy.original]));
   nodes.masses.push_back(node_mass(world, copy.copy));
   nodes.masses[copy.original] = node_mass(world, copy.original);
+  nodes.strength_factors.push_back(double(nodes.strength_factors[copy.original]));
   nodes.at_crack_front.push_back(0);
   nodes.at_crack_front[copy.original] = 0;
   nodes.rows.push_back(-1);
@@ -68,107 +59,127 @@ void append_copy(WorldState& world, const NodeCopy& copy) {
   nodes.separations[copy.original] = {};
 }
 
-CrackEvent describe(const WorldState& world, NodeId node, const Material& material) {
+/// Cuts the node's star along the plane; which of its tets lie above (1).
+std::vector<std::uint8_t> remesh(WorldState& world, const Body& body, NodeId node, const Vec3& normal, Opened& opened) {
+  note_motion(world, body, opened.motions);
+  RemeshOptions options;
+  options.limits.least_length = world.least_edges[body.scene_body];
+  StarCut cut = cut_star(world.mesh, world.nodes.positions, world.nodes.at_crack_front, node, normal, options);
+  world.report.remeshing_refused += cut.refused_edges;
+  follow_subdivision(world, cut.subdivision);
+  if (!cut.subdivision.tets.empty()) {
+    opened.bodies.insert(body.id);
+    world.bodies[body.id].system.reset();
+  }
+  return std::move(cut.above);
+}
+
+/// `above`: per tet of the node's star.
+CrackEvent describe(const WorldState& world, NodeId node, const std::vector<std::uint8_t>& above) {
+  const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
   const NodeSeparation& separation = world.nodes.separations[node];
   CrackEvent event;
   event.step = world.step;
-  event.body = world.elements.bodies[world.mesh.stars[node].front()];
+  event.body = body.id;
   event.node = node;
   event.position = world.nodes.positions[node];
   event.rest_position = world.mesh.rest_positions[node];
   event.normal = separation.direction;
-  event.load = material.criterion == FractureCriterion::strength ? separation.stress : separation.eigenvalue;
+  event.eigenvalue = separation.eigenvalue;
+  event.load = separation.margin * separation.resistance;
   event.resistance = separation.resistance;
+  const SeparationInput input = separation_input(world);
+  const std::vector<TetId>& star = world.mesh.stars[node];
+  for (std::size_t i = 0; i < star.size(); ++i)
+    event.elements.push_back({star[i], above[i] != 0, split_force(input, star[i], node)});
   return event;
 }
 
-/// What remeshing did in a step, for what is brought up to date at its end.
-struct Remeshing {
-  std::vector<TetBisection> bisections;
-  MotionsBefore motions;   ///< of free bodies
-  std::set<BodyId> bodies;
-};
-
-SplitResult remesh(WorldState& world, const Body& body, NodeId node, const Vec3& normal, Remeshing& remeshing) {
-  if (!body.supported() && !remeshing.bodies.contains(body.id)) remeshing.motions[body.id] = motion_of(world, body);
-  remeshing.bodies.insert(body.id);
-  RemeshOptions options;
-  options.limits.least_length = world.least_edges[body.scene_body];
-  options.min_fragment_tets = world.scene.simulation.min_fragment_tets;
-  RemeshResult result =
-      remesh_node(world.mesh, world.nodes.positions, world.nodes.at_crack_front, node, normal, options);
-  world.report.remeshing_refused += result.refused_edges;
-  follow_subdivision(world, result.subdivision);
-  remeshing.bisections.insert(remeshing.bisections.end(), result.subdivision.tets.begin(),
-                              result.subdivision.tets.end());
-  return std::move(result.split);
-}
-
-/// Brings up to date what single cracks leave as it was about remeshed bodies; their systems are made anew.
-void finish(WorldState& world, const Remeshing& remeshing) {
-  if (remeshing.bisections.empty()) return;
-  restore_angular_momentum(world, remeshing.motions);
-  follow_bisections(world, remeshing.bisections);
-  update_supports(world, world.time, world.scene.simulation.time_step);
-  for (BodyId body : remeshing.bodies) world.bodies[body].system.reset();
-}
-
-/// Opens the mesh at one node; whether anything was parted.
-bool crack(WorldState& world, NodeId node, Remeshing& remeshing) {
+/// Opens the mesh at one node, or tears it off its support; whether anything was parted.
+bool crack(WorldState& world, NodeId node, Opened& opened) {
   const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
-  CrackEvent event = describe(world, node, world.material_of(body));
-  const SplitResult result = world.scene.bodies[body.scene_body].remeshing
-                                 ? remesh(world, body, node, event.normal, remeshing)
-                                 : split_node(world.mesh, world.nodes.positions, node, event.normal,
-                                              world.scene.simulation.min_fragment_tets);
+  const Vec3 normal = world.nodes.separations[node].direction;
+  const std::vector<std::uint8_t> above = world.scene.bodies[body.scene_body].remeshing
+                                              ? remesh(world, body, node, normal, opened)
+                                              : tets_above(world.mesh, world.nodes.positions, node, normal);
+  CrackEvent event = describe(world, node, above);
+  const SplitResult result = split_node(world.mesh, node, above, world.scene.simulation.min_fragment_tets);
   world.report.cracks_suppressed += result.too_small;
-  if (result.changed_tets.empty()) return false;
+  if (result.too_small) return false;
   for (const NodeCopy& copy : result.copies) append_copy(world, copy);
   for (NodeId front : result.front) world.nodes.at_crack_front[front] = 1;
   event.nodes_made = static_cast<int>(result.copies.size());
-  world.crack_events.push_back(event);
+  event.torn_off = result.changed_tets.empty() ? tear_off(world, node, event.normal) : share_support(world, result.copies);
+  if (result.changed_tets.empty() && !event.torn_off) return false;
+  world.report.supports_torn += event.torn_off;
+  world.crack_events.push_back(std::move(event));
   return true;
+}
+
+/// Whether a wave from a crack that opened in this very substep relieves the node within it (Mott 1947). A crack that
+/// runs already outruns such waves.
+bool is_relieved(const WorldState& world, NodeId node, std::size_t first_event, double substep) {
+  if (world.nodes.at_crack_front[node]) return false;
+  const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
+  const double reach = bar_wave_speed(world.material_of(body)) * substep;
+  return std::any_of(world.crack_events.begin() + static_cast<std::ptrdiff_t>(first_event), world.crack_events.end(),
+                     [&](const CrackEvent& event) {
+                       return event.body == body.id && (event.position - world.nodes.positions[node]).norm() < reach;
+                     });
+}
+
+/// Cracks the nodes in their order as far as the budget goes.
+Opened crack_in_turn(WorldState& world, const std::vector<NodeId>& overloaded, double substep) {
+  Opened opened;
+  opened.first_event = world.crack_events.size();
+  for (NodeId node : overloaded) {
+    if (opened.waiting.contains(node) || is_relieved(world, node, opened.first_event, substep)) continue;
+    if (world.report.cracks >= world.scene.simulation.max_cracks_per_step) {
+      world.postponed.push_back({node, world.nodes.separations[node]});
+      continue;
+    }
+    const std::vector<TetId> star = world.mesh.stars[node];
+    const BodyId body = world.elements.bodies[star.front()];
+    if (!crack(world, node, opened)) continue;
+    ++world.report.cracks;
+    opened.bodies.insert(body);
+    if (world.crack_events.back().torn_off) world.bodies[body].system.reset();
+    for (TetId tet : star) opened.waiting.insert(world.mesh.tets[tet].begin(), world.mesh.tets[tet].end());
+  }
+  return opened;
+}
+
+/// How long a crack takes to run across an element [s]. In brittle solids it hardly ever passes half the Rayleigh
+/// wave speed (Freund 1990), some quarter to third of the bar's.
+double crack_transit_time(const WorldState& world, const Body& body) {
+  constexpr double kCrackSpeed = 0.3;  // of the wave speed
+  return mean_element_size(world, body) / (kCrackSpeed * bar_wave_speed(world.material_of(body)));
+}
+
+/// The bodies to which the elements of a crack belong, when there is more than one.
+std::vector<BodyId> children_of(const WorldState& world, const CrackEvent& event) {
+  std::set<BodyId> bodies;
+  for (const CrackElement& element : event.elements) bodies.insert(world.elements.bodies[element.tet]);
+  if (bodies.size() < 2) return {};
+  return {bodies.begin(), bodies.end()};
 }
 
 }  // namespace
 
-void evaluate_separation(WorldState& world, bool averaged) {
-  const SeparationInput input{world.mesh, world.elements.rests, world.elements.states};
-  for (const Body& body : world.bodies) {
-    if (body.rigid) continue;
-    const Material& material = world.material_of(body);
-    parallel_for(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
-      for (int i = begin; i < end; ++i)
-        world.nodes.separations[body.nodes[i]] = evaluate_node(world, input, material, body.nodes[i], averaged);
-    });
-    for (NodeId node : body.nodes)
-      world.report.peak_margin = std::max(world.report.peak_margin, world.nodes.separations[node].margin);
-  }
-}
-
-void open_cracks(WorldState& world) {
+void open_cracks(WorldState& world, double substep) {
+  world.crack_transit_time = std::numeric_limits<double>::infinity();
+  restore_postponed(world);
   const std::vector<NodeId> overloaded = overloaded_nodes(world);
   if (overloaded.empty()) return;
-  // A split relieves its neighbourhood: nodes there wait until their stress is known again.
-  std::set<NodeId> waiting;
-  std::set<BodyId> cracked;
-  Remeshing remeshing;
-  for (NodeId node : overloaded) {
-    if (world.report.cracks >= world.scene.simulation.max_cracks_per_step) {
-      ++world.report.cracks_postponed;
-      continue;
-    }
-    if (waiting.contains(node)) continue;
-    const std::vector<TetId> star = world.mesh.stars[node];
-    const BodyId body = world.elements.bodies[star.front()];
-    if (!crack(world, node, remeshing)) continue;
-    ++world.report.cracks;
-    cracked.insert(body);
-    for (TetId tet : star) waiting.insert(world.mesh.tets[tet].begin(), world.mesh.tets[tet].end());
+  const Opened opened = crack_in_turn(world, overloaded, substep);
+  restore_angular_momentum(world, opened.motions);
+  for (BodyId body : opened.bodies) {
+    world.crack_transit_time = std::min(world.crack_transit_time, crack_transit_time(world, world.bodies[body]));
+    part_body(world, body);
   }
-  finish(world, remeshing);
-  cracked.insert(remeshing.bodies.begin(), remeshing.bodies.end());
-  for (BodyId body : cracked) part_body(world, body);
+  for (std::size_t i = opened.first_event; i < world.crack_events.size(); ++i)
+    world.crack_events[i].children = children_of(world, world.crack_events[i]);
+  world.report.cracks_postponed = static_cast<int>(world.postponed.size());
 }
 
 }  // namespace griffith

@@ -41,9 +41,11 @@ struct StepReport {
   int contacts = 0;
   double peak_margin = 0;            ///< highest margin of any node in any substep
   int cracks = 0;                    ///< nodes split
-  int cracks_postponed = 0;          ///< over the budget, carried to the next step
+  int cracks_postponed = 0;          ///< over the budget at the step's end, carried to the next one
   int cracks_suppressed = 0;         ///< not made: the fragment would have been too small
   int remeshing_refused = 0;         ///< edges not cut: tets would have been too small or too flat
+  int supports_torn = 0;             ///< cracks at which a support lost its hold
+  int coarse_substeps = 0;           ///< longer than impacts or cracks ask for: the budget had ended
   int solver_iterations = 0;         ///< most in any body and substep
   double max_relative_residual = 0;  ///< largest in any body and substep
   int unconverged_solves = 0;        ///< stopped by the iteration limit

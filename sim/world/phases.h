@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/fracture/separation_tensor.h"
 #include "sim/world/world_state.h"
 
 /// The phases of a step, in the order in which step() calls them.
@@ -22,7 +23,8 @@ void find_equilibrium(WorldState& world, double time, double displacement_time, 
 /// How many substeps the coming step may take, by the work that one costs and the scene's limit.
 int substep_budget(const WorldState& world);
 /// The length of the next substep in ticks: all that is left while nothing strikes; up to an impact in one go, through it
-/// in substeps in which a wave crosses a quarter of an element, then ever longer ones. `substeps_left` is kept.
+/// in substeps in which a wave crosses a quarter of an element, then ever longer ones; while a crack runs, no longer than it
+/// takes to cross an element. `substeps_left` is kept.
 int next_substep(WorldState& world, int ticks_left, int substeps_left);
 
 /// Elastic state of all tets of bodies that are not rigid.
@@ -45,8 +47,11 @@ void advance_explicit(WorldState& world, Body& body, std::vector<Vec3>& forces, 
 /// Separation tensors, and the margin of every node against the material's resistance. `averaged`: the stress is the
 /// mean of this evaluation and the last, so that the noise of a stiff body in motion does not crack it.
 void evaluate_separation(WorldState& world, bool averaged);
-/// Opens the mesh where the margin is passed, worst first; parted pieces become bodies.
-void open_cracks(WorldState& world);
+/// What the separation tensors are made of.
+SeparationInput separation_input(const WorldState& world);
+/// Opens the mesh where the margin is passed, worst first; parted pieces become bodies. What exceeds the budget of cracks
+/// opens in the next step. New cracks start no nearer to each other than a wave gets in the `substep` [s].
+void open_cracks(WorldState& world, double substep);
 /// Bodies whose stress has died turn rigid.
 void calm_bodies(WorldState& world);
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <set>
 
+#include "sim/elasticity/principal_stress.h"
 #include "sim/error.h"
-#include "sim/fracture/separation_tensor.h"
 #include "sim/scene/field.h"
 #include "sim/world/surface_point.h"
 #include "sim/world/world_state.h"

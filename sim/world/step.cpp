@@ -1,4 +1,5 @@
 #include <chrono>
+#include <limits>
 
 #include "sim/world/phases.h"
 #include "sim/world/world.h"
@@ -19,15 +20,15 @@ class PhaseTimer {
   Clock::time_point start_;
 };
 
-/// Separation and fracture under the stresses there are.
-void fracture(WorldState& world) {
+/// Separation and fracture under the stresses there are after a substep of this length [s].
+void fracture(WorldState& world, double substep) {
   {
     PhaseTimer timer(world.report.milliseconds.separation);
     evaluate_separation(world, world.scene.analysis == Analysis::dynamic);
   }
   if (world.scene.simulation.fracture) {
     PhaseTimer timer(world.report.milliseconds.fracture);
-    open_cracks(world);
+    open_cracks(world, substep);
   }
 }
 
@@ -47,7 +48,7 @@ void substep(WorldState& world, double dt) {
     advance_bodies(world, external_forces, dt);
     update_elements(world);
   }
-  fracture(world);
+  fracture(world, dt);
 }
 
 void step_explicitly(WorldState& world, double time_step) {
@@ -69,14 +70,26 @@ void step_implicitly(WorldState& world, double time_step) {
   calm_bodies(world);
 }
 
-/// Without inertia: from one equilibrium to the next, as loads and supports move on and cracks open.
+/// Without inertia: from one equilibrium to the next, as loads and supports move on. Each crack changes the balance, so it
+/// is found again until nothing more cracks or the budget ends.
 void step_statically(WorldState& world, double time_step) {
-  {
-    PhaseTimer timer(world.report.milliseconds.elasticity);
-    find_equilibrium(world, world.time + time_step, time_step, false);
-    update_elements(world);
+  const int budget = world.scene.simulation.impact_substeps;
+  double displacement_time = time_step;
+  int cracks_before = -1;
+  for (world.report.substeps = 0; world.report.cracks > cracks_before; ++world.report.substeps) {
+    {
+      PhaseTimer timer(world.report.milliseconds.elasticity);
+      find_equilibrium(world, world.time + time_step, displacement_time, false);
+      update_elements(world);
+    }
+    displacement_time = 0;
+    if (world.report.substeps == budget) {
+      ++world.report.coarse_substeps;
+      return evaluate_separation(world, false);
+    }
+    cracks_before = world.report.cracks;
+    fracture(world, std::numeric_limits<double>::infinity());
   }
-  fracture(world);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "sim/world/subdivision.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <set>
 
 #include "sim/mesh/topology.h"
@@ -13,6 +14,7 @@ void append_node(NodeArrays& nodes, const EdgeNode& node) {
   nodes.positions.push_back(node.interpolate(nodes.positions[node.a], nodes.positions[node.b]));
   nodes.velocities.push_back(node.interpolate(nodes.velocities[node.a], nodes.velocities[node.b]));
   nodes.masses.push_back(0);
+  nodes.strength_factors.push_back(node.interpolate(nodes.strength_factors[node.a], nodes.strength_factors[node.b]));
   nodes.constraints.emplace_back();
   nodes.held.push_back(0);
   nodes.at_crack_front.push_back(0);
@@ -36,19 +38,8 @@ void append_element(WorldState& world, const TetBisection& halves) {
   world.bodies[elements.bodies[tet]].tets.push_back(halves.child);
 }
 
+/// Corners or faces of tets.
 using Places = std::set<std::pair<TetId, int>>;
-
-Places places_of(const std::vector<TetCorner>& corners) {
-  Places places;
-  for (const TetCorner& corner : corners) places.insert({corner.tet, corner.corner});
-  return places;
-}
-
-std::vector<TetCorner> corners_of(const Places& places) {
-  std::vector<TetCorner> corners;
-  for (const auto& [tet, corner] : places) corners.push_back({tet, corner});
-  return corners;
-}
 
 /// The two corners that both halves have.
 std::array<int, 2> common_corners(const TetBisection& halves) {
@@ -84,35 +75,50 @@ void follow_faces(Places& places, const TetBisection& halves) {
     if (places.contains({halves.tet, face})) places.insert({halves.child, face});
 }
 
+/// Lets the corners at bisected tets follow; the others stay.
 template <class Follow>
-void follow_all(std::vector<TetCorner>& corners, std::span<const TetBisection> bisections, Follow follow) {
-  Places places = places_of(corners);
-  for (const TetBisection& halves : bisections) follow(places, halves);
-  corners = corners_of(places);
+void follow_all(std::vector<TetCorner>& corners, const Subdivision& subdivision, Follow follow) {
+  std::set<TetId> halved;
+  for (const TetBisection& halves : subdivision.tets) halved.insert(halves.tet);
+  Places places;
+  std::erase_if(corners, [&](const TetCorner& corner) {
+    return halved.contains(corner.tet) && places.insert({corner.tet, corner.corner}).second;
+  });
+  for (const TetBisection& halves : subdivision.tets) follow(places, halves);
+  for (const auto& [tet, corner] : places) corners.push_back({tet, corner});
 }
 
-void follow_load(PlacedLoad& placed, std::span<const TetBisection> bisections) {
-  follow_all(placed.corners, bisections, follow_nodes);
+void follow_load(PlacedLoad& placed, const Subdivision& subdivision) {
+  follow_all(placed.corners, subdivision, follow_nodes);
   std::vector<TetCorner> faces;
   for (const SurfaceFace& face : placed.faces) faces.push_back({face.tet, face.face});
-  follow_all(faces, bisections, follow_faces);
+  follow_all(faces, subdivision, follow_faces);
   placed.faces.clear();
   for (const TetCorner& face : faces) placed.faces.push_back({face.tet, face.corner});
   std::set<TetId> tets(placed.tets.begin(), placed.tets.end());
-  for (const TetBisection& halves : bisections)
+  for (const TetBisection& halves : subdivision.tets)
     if (tets.contains(halves.tet)) tets.insert(halves.child);
   placed.tets.assign(tets.begin(), tets.end());
 }
 
-void follow_probe(ProbedNode& probed, std::span<const TetBisection> bisections) {
-  for (const TetBisection& halves : bisections)
+void follow_probe(ProbedNode& probed, const Subdivision& subdivision) {
+  for (const TetBisection& halves : subdivision.tets)
     if (probed.corner.tet == halves.tet && probed.corner.corner == halves.moved) probed.corner.tet = halves.child;
-  follow_all(probed.star, bisections, follow_stars);
+  follow_all(probed.star, subdivision, follow_stars);
+}
+
+void follow_places(WorldState& world, const Subdivision& subdivision) {
+  for (PlacedSupport& placed : world.supports) follow_all(placed.corners, subdivision, follow_region);
+  for (PlacedLoad& placed : world.loads) follow_load(placed, subdivision);
+  for (PlacedProbe& placed : world.probes)
+    for (ProbedNode& probed : placed.nodes) follow_probe(probed, subdivision);
+  update_supports(world, world.time, world.scene.simulation.time_step);
 }
 
 }  // namespace
 
 void follow_subdivision(WorldState& world, const Subdivision& subdivision) {
+  if (subdivision.tets.empty()) return;
   for (const EdgeNode& node : subdivision.nodes) append_node(world.nodes, node);
   for (const TetBisection& halves : subdivision.tets) append_element(world, halves);
   for (const TetBisection& halves : subdivision.tets)
@@ -120,23 +126,21 @@ void follow_subdivision(WorldState& world, const Subdivision& subdivision) {
       world.elements.rests[tet] = element_rest(corners_of(world.mesh, tet, world.mesh.rest_positions));
   for (const EdgeNode& node : subdivision.nodes)
     for (NodeId changed : {node.node, node.a, node.b}) world.nodes.masses[changed] = node_mass(world, changed);
+  follow_places(world, subdivision);
 }
 
-void follow_bisections(WorldState& world, std::span<const TetBisection> bisections) {
-  for (PlacedSupport& placed : world.supports) follow_all(placed.corners, bisections, follow_region);
-  for (PlacedLoad& placed : world.loads) follow_load(placed, bisections);
-  for (PlacedProbe& placed : world.probes)
-    for (ProbedNode& probed : placed.nodes) follow_probe(probed, bisections);
+void note_motion(const WorldState& world, const Body& body, MotionsBefore& motions) {
+  const bool is_held = std::ranges::any_of(body.nodes, [&](NodeId node) { return world.nodes.held[node] != 0; });
+  if (!is_held && !motions.contains(body.id)) motions[body.id] = motion_of(world, body);
 }
 
-void restore_angular_momentum(WorldState& world, const MotionsBefore& before) {
-  for (const auto& [id, old] : before) {
+void restore_angular_momentum(WorldState& world, const MotionsBefore& motions) {
+  for (const auto& [id, before] : motions) {
     Body& body = world.bodies[id];
     body.nodes = nodes_of(world.mesh, body.tets);
     const RigidMotion now = motion_of(world, body);
-    const Vec3 spin = now.inertia.inverse() * (old.inertia * old.angular_velocity) - now.angular_velocity;
-    for (NodeId node : body.nodes)
-      world.nodes.velocities[node] += spin.cross(world.nodes.positions[node] - now.center);
+    const Vec3 spin = now.inertia.inverse() * (before.inertia * before.angular_velocity) - now.angular_velocity;
+    for (NodeId node : body.nodes) world.nodes.velocities[node] += spin.cross(world.nodes.positions[node] - now.center);
   }
 }
 

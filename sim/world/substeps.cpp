@@ -34,6 +34,10 @@ ImpactScale impact_scale(const WorldState& world) {
   return scale;
 }
 
+int whole_ticks(double time, double tick) {
+  return static_cast<int>(std::clamp(time / tick, 1.0, static_cast<double>(kTicksPerStep)));
+}
+
 /// The longest time, in ticks, in which nothing strikes, up to `most` and within `tolerance`.
 int ticks_before_impact(const WorldState& world, double tick, double speed, int most, int tolerance) {
   if (!world.contact_world.impact_expected(most * tick, speed)) return most;
@@ -59,12 +63,16 @@ int next_substep(WorldState& world, int ticks_left, int substeps_left) {
   const double tick = world.scene.simulation.time_step / kTicksPerStep;
   const ImpactScale scale = impact_scale(world);
   const int least = (ticks_left + substeps_left - 1) / substeps_left;
-  const int finest = std::max(least, std::clamp(static_cast<int>(scale.length / tick), 1, kTicksPerStep));
-  const int wanted = std::clamp(static_cast<int>(std::ceil(kGrowth * world.substep_ticks)), finest, kTicksPerStep);
+  const int impact_ticks = whole_ticks(scale.length, tick), crack_ticks = whole_ticks(world.crack_transit_time, tick);
+  const int finest = std::max(least, impact_ticks);
+  const int grown = std::clamp(static_cast<int>(std::ceil(kGrowth * world.substep_ticks)), finest, kTicksPerStep);
+  const int wanted = std::min(grown, std::max(crack_ticks, least));
   const int most = std::min(wanted, ticks_left);
   const int calm = ticks_before_impact(world, tick, scale.speed, most, finest);
+  const bool struck = calm < most;
+  world.report.coarse_substeps += least > crack_ticks || (struck && least > impact_ticks);
   // A pause before a strike is no reason to lengthen what follows it.
-  world.substep_ticks = calm == most ? wanted : finest;
+  world.substep_ticks = struck ? finest : wanted;
   return std::min(ticks_left, std::max(calm, finest));
 }
 

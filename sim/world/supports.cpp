@@ -1,6 +1,7 @@
 #include "sim/world/supports.h"
 
 #include <algorithm>
+#include <map>
 
 #include "sim/world/world_state.h"
 
@@ -11,6 +12,31 @@ namespace {
 Vec3 velocity_of(const Support& support, double time, double dt) {
   if (support.kind != SupportKind::prescribed) return Vec3::Zero();
   return support.stop ? Vec3(std::clamp((*support.stop - time) / dt, 0.0, 1.0) * support.velocity) : support.velocity;
+}
+
+/// Takes the node's elements out of the supports that can tear; whether there were any.
+bool release(WorldState& world, NodeId node) {
+  std::size_t released = 0;
+  for (PlacedSupport& placed : world.supports)
+    if (placed.support.can_tear)
+      released += std::erase_if(placed.corners, [&](const TetCorner& corner) {
+        return node_at(world.mesh.tets, corner) == node;
+      });
+  if (released == 0) return false;
+  world.nodes.constraints[node] = {};
+  world.nodes.held[node] = 0;
+  return true;
+}
+
+/// The most corners that supports hold of an element at the node.
+long firmness(const WorldState& world, NodeId node) {
+  long most = 0;
+  for (TetId tet : world.mesh.stars[node]) {
+    const auto& corners = world.mesh.tets[tet];
+    most = std::max(most, static_cast<long>(std::count_if(corners.begin(), corners.end(),
+                                                          [&](NodeId corner) { return world.nodes.held[corner] != 0; })));
+  }
+  return most;
 }
 
 void block(NodeConstraint& constraint, const Support& support, const Vec3& velocity) {
@@ -28,6 +54,29 @@ void place_supports(WorldState& world, int scene_body, const RestBody& body) {
     world.findings.emplace_back("#/bodies/" + std::to_string(scene_body) + "/supports/" + std::to_string(i) + "/region",
                                 "holds no node", "make it larger, or move it: regions are in the body's rest space");
   }
+}
+
+bool tear_off(WorldState& world, NodeId node, const Vec3& normal) {
+  const NodeConstraint& constraint = world.nodes.constraints[node];
+  if ((normal - constraint.allowed * normal).norm() < 0.5 || !release(world, node)) return false;
+  update_supports(world, world.time, world.scene.simulation.time_step);
+  return true;
+}
+
+bool share_support(WorldState& world, std::span<const NodeCopy> copies) {
+  std::map<NodeId, long> firmest;
+  for (const NodeCopy& copy : copies)
+    if (world.nodes.held[copy.original])
+      firmest[copy.original] =
+          std::max({firmest[copy.original], firmness(world, copy.original), firmness(world, copy.copy)});
+  std::vector<NodeId> loose;
+  for (const NodeCopy& copy : copies)
+    for (NodeId node : {copy.original, copy.copy})
+      if (world.nodes.held[copy.original] && firmness(world, node) < firmest[copy.original]) loose.push_back(node);
+  bool torn = false;
+  for (NodeId node : loose) torn |= release(world, node);
+  if (torn) update_supports(world, world.time, world.scene.simulation.time_step);
+  return torn;
 }
 
 void update_supports(WorldState& world, double time, double dt) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "sim/contact/contact_world.h"
@@ -25,6 +27,7 @@ struct NodeArrays {
   std::vector<NodeConstraint> constraints;   ///< what supports leave free
   std::vector<std::uint8_t> held;            ///< 1 where a support acts on the node
   std::vector<std::uint8_t> at_crack_front;  ///< 1 where cut faces end
+  std::vector<double> strength_factors;      ///< what flaws leave of the strength [-]; 1 without scatter
   std::vector<int> rows;                     ///< row in the system of the node's body, -1 for held ones
   std::vector<NodeSeparation> separations;
   std::vector<Vec3> reactions;               ///< what supports did to the node in the last step [N]
@@ -70,6 +73,12 @@ struct PendingShot {
   ProjectileBurst burst;
 };
 
+/// An overloaded node that the budget left whole, as it was then.
+struct PostponedCrack {
+  NodeId node;
+  NodeSeparation separation;
+};
+
 /// Everything behind a World: constant set-up (scene, rest data) and mutable state.
 struct WorldState {
   explicit WorldState(const Scene& authored) : scene(authored), contact_world(authored.gravity) {}
@@ -77,6 +86,7 @@ struct WorldState {
   Scene scene;
   std::vector<Material> materials;  ///< per scene body, as in force now
   std::vector<double> least_edges;  ///< per scene body: shortest edge that remeshing makes [m]
+  std::vector<std::optional<Weakness>> weaknesses;  ///< per scene body, direction in the placed rest space, unit length
   std::vector<PlacedSupport> supports;
   std::vector<PlacedLoad> loads;
   std::vector<PlacedProbe> probes;   ///< as Scene::probes
@@ -90,11 +100,13 @@ struct WorldState {
   std::vector<Projectile> projectiles;
   std::vector<PendingShot> pending_shots;
   int substep_ticks = 0;     ///< length that the last substep had or could have had
+  double crack_transit_time = std::numeric_limits<double>::infinity();  ///< shortest to cross an element that cracked [s]
   int contacts_before = 0;   ///< of the last substep
 
   std::int64_t step = 0;
   double time = 0;  ///< [s]
   std::vector<CrackEvent> crack_events;
+  std::vector<PostponedCrack> postponed;
   StepReport report;
   std::vector<BodyView> body_views;
   std::vector<ProjectileView> projectile_views;

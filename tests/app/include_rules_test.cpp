@@ -90,7 +90,7 @@ TEST(IncludeRules, LowerFoldersOfTheSimulationKnowNoHigherOnes) {
       {"sim/solver", "^sim(/mesh|/elasticity|/solver)?$"},
       {"sim/fracture", "^sim(/mesh|/elasticity|/solver|/fracture)?$"},
       {"sim/contact", "^sim(/mesh|/contact)?$"},
-      {"sim/scene", "^sim(/mesh|/elasticity|/scene)?$"},
+      {"sim/scene", "^sim(/mesh|/elasticity|/solver|/fracture|/scene)?$"},
       {"sim/world", "^sim(/.*)?$"},
   };
   for (const Include& include : includes_under("sim")) {

@@ -42,6 +42,8 @@ TEST(Statistics, EveryFieldIsThereAndMakesSense) {
                            "contacts",
                            "cracks_postponed",
                            "cracks_suppressed",
+                           "supports_torn",
+                           "coarse_substeps",
                            "inverted_tets",
                            "unconverged_solves",
                            "non_finite_values",

@@ -25,10 +25,16 @@ struct Remeshable : MovingMesh {
   std::vector<std::uint8_t> at_crack_front;
 
   using MovingMesh::MovingMesh;
-  RemeshResult remesh(NodeId node, const Vec3& normal, const RemeshOptions& options = {}) {
+  struct Result {
+    StarCut cut;
+    SplitResult split;
+  };
+  Result remesh(NodeId node, const Vec3& normal, const RemeshOptions& options = {}) {
+    Result result;
     at_crack_front.resize(mesh.node_count(), 0);
-    RemeshResult result = remesh_node(mesh, positions, at_crack_front, node, normal, options);
-    follow(result.subdivision);
+    result.cut = cut_star(mesh, positions, at_crack_front, node, normal, options);
+    result.split = split_node(mesh, node, result.cut.above);
+    follow(result.cut.subdivision);
     follow(result.split.copies);
     at_crack_front.resize(mesh.node_count(), 0);
     for (const NodeCopy& copy : result.split.copies) at_crack_front[copy.original] = 0;
@@ -107,8 +113,8 @@ TEST(Remesh, ThePlaneIsTheInterfaceOfTheTwoSides) {
       Remeshable body = box(pattern, seed, 0.03);
       const NodeId node = node_nearest(body, Vec3(0.3, 0.5, random.uniform(-0.3, 0.3)));
       const Vec3 origin = body.positions[node], normal = random.direction();
-      const RemeshResult result = body.remesh(node, normal, exact());
-      EXPECT_EQ(result.refused_edges, 0);
+      const Remeshable::Result result = body.remesh(node, normal, exact());
+      EXPECT_EQ(result.cut.refused_edges, 0);
       ASSERT_FALSE(result.split.copies.empty()) << "a node on the surface parts at once";
       std::set<NodeId> parts = {node};
       for (const NodeCopy& copy : result.split.copies)
@@ -129,7 +135,7 @@ void run_crack(Remeshable& body, NodeId start, const Vec3& normal, const RemeshO
   for (std::deque<NodeId> queue = {start}; !queue.empty(); queue.pop_front()) {
     const NodeId node = queue.front();
     if (node != start && !body.at_crack_front[node]) continue;
-    const RemeshResult result = body.remesh(node, normal, options);
+    const Remeshable::Result result = body.remesh(node, normal, options);
     queue.insert(queue.end(), result.split.front.begin(), result.split.front.end());
   }
 }
@@ -176,9 +182,7 @@ TEST(Remesh, ThousandsOfCutsComeToAnEnd) {
     const BisectionLimits limits{.least_length = 0.1, .least_quality = 0.1};
     for (int i = 0; i < 3000; ++i) {
       const NodeId node(random.index(body.mesh.node_count()));
-      body.at_crack_front.resize(body.mesh.node_count(), 0);
-      remesh_node(body.mesh, body.mesh.rest_positions, body.at_crack_front, node, random.direction(),
-                  {.limits = limits});
+      body.remesh(node, random.direction(), {.limits = limits});
     }
     EXPECT_THAT(check_invariants(body.mesh), ::testing::IsEmpty());
     EXPECT_GE(body.worst_quality(), limits.least_quality);
@@ -194,10 +198,10 @@ TEST(Remesh, TheNormalsSignDoesNotMatter) {
     RandomValues random(seed);
     const NodeId node(random.index(a.mesh.node_count()));
     const Vec3 normal = random.direction();
-    const RemeshResult plus = a.remesh(node, normal), minus = b.remesh(node, -normal);
+    const Remeshable::Result plus = a.remesh(node, normal), minus = b.remesh(node, -normal);
     EXPECT_EQ(a.mesh.rest_positions, b.mesh.rest_positions);
     EXPECT_EQ(plus.split.changed_tets, minus.split.changed_tets);
-    EXPECT_EQ(plus.refused_edges, minus.refused_edges);
+    EXPECT_EQ(plus.cut.refused_edges, minus.cut.refused_edges);
   }
 }
 
@@ -207,7 +211,7 @@ TEST(Remesh, WhereNothingMayBeCutItFollowsFaces) {
   const int tets = body.mesh.tet_count(), nodes = body.mesh.node_count();
   int refused = 0;
   for (int node = 0; node < nodes; ++node)
-    refused += body.remesh(NodeId(node), random.direction(), {.limits = {.least_length = 1}}).refused_edges;
+    refused += body.remesh(NodeId(node), random.direction(), {.limits = {.least_length = 1}}).cut.refused_edges;
   EXPECT_EQ(body.mesh.tet_count(), tets);
   EXPECT_GT(body.mesh.node_count(), nodes) << "nodes are parted all the same";
   EXPECT_GT(refused, nodes / 2);

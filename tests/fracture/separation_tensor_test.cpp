@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
+#include <algorithm>
 
+#include "sim/elasticity/principal_stress.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/topology.h"
 #include "tests/random_values.h"
@@ -18,6 +19,7 @@ struct StressedBox {
   TetMesh mesh;
   std::vector<ElementRest> rests;
   std::vector<ElementState> states;
+  std::vector<NodeConstraint> constraints;  // none: all are free
 
   StressedBox(BoxPattern pattern, int cells, const Mat3& deformation, double jitter = 0,
               ElementModel model = ElementModel::corotational) {
@@ -43,7 +45,10 @@ struct StressedBox {
   static bool is_inside(const Vec3& p) {
     return std::abs(p.x()) < 0.99 && std::abs(p.y()) < 0.49 && std::abs(p.z()) < 0.49;
   }
-  SeparationInput input() const { return {mesh, rests, states}; }
+  SeparationInput input() const { return {mesh, rests, states, constraints}; }
+  CandidatePlane plane(int node, const DirectionalStrength& strength = {}) const {
+    return candidate_plane(input(), NodeId(node), separation_tensor(input(), NodeId(node)), strength);
+  }
   /// Away from the ends, where the grips are.
   bool measured(int node) const { return std::abs(mesh.rest_positions[node].x()) < 0.99; }
 };
@@ -58,8 +63,8 @@ TEST(SeparationTensor, TurnsWithTheBody) {
     const Mat3 rotation = random.rotation();
     const StressedBox turned(BoxPattern::kuhn, 2, rotation * deformation);
     for (int node = 0; node < box.mesh.node_count(); ++node) {
-      const Mat3 expected = rotation * separation_tensor(box.input(), NodeId(node), false) * rotation.transpose();
-      EXPECT_LT((separation_tensor(turned.input(), NodeId(node), false) - expected).norm(), 1e-7 * expected.norm() + 1e-6);
+      const Mat3 expected = rotation * separation_tensor(box.input(), NodeId(node)) * rotation.transpose();
+      EXPECT_LT((separation_tensor(turned.input(), NodeId(node)) - expected).norm(), 1e-7 * expected.norm() + 1e-6);
     }
   }
 }
@@ -74,11 +79,9 @@ TEST(SeparationStress, EqualsTheUniaxialStressOnEveryMesh) {
         const StressedBox bar(pattern, cells, rotation * stretch, jitter);
         for (int node = 0; node < bar.mesh.node_count(); ++node) {
           if (!bar.measured(node)) continue;
-          const PrincipalValues principal = principal_values(separation_tensor(bar.input(), NodeId(node), false));
-          Vec3 direction = principal.directions.col(2);
-          const double stress = separation_stress(bar.input(), NodeId(node), principal.values[2], direction);
-          EXPECT_NEAR(stress, kStress, 1e-5 * kStress);
-          EXPECT_GT(std::abs(direction.dot(rotation.col(0))), 1 - 1e-10) << "the load axis";
+          const CandidatePlane plane = bar.plane(node);
+          EXPECT_NEAR(plane.stress, kStress, 1e-5 * kStress);
+          EXPECT_GT(std::abs(plane.normal.dot(rotation.col(0))), 1 - 1e-10) << "the load axis";
         }
       }
 }
@@ -88,9 +91,7 @@ TEST(SeparationStress, IsTheTrueStressInLargeStretch) {
   const StressedBox bar(BoxPattern::five_tet, 3, Vec3(1.5, 1, 1).asDiagonal(), 0.1, ElementModel::green_strain);
   for (int node = 0; node < bar.mesh.node_count(); ++node) {
     if (!bar.measured(node)) continue;
-    const PrincipalValues principal = principal_values(separation_tensor(bar.input(), NodeId(node), false));
-    Vec3 direction = principal.directions.col(2);
-    EXPECT_NEAR(separation_stress(bar.input(), NodeId(node), principal.values[2], direction), 937.5e6, 1e3);
+    EXPECT_NEAR(bar.plane(node).stress, 937.5e6, 1e3);
   }
 }
 
@@ -99,10 +100,7 @@ TEST(SeparationStress, IsExactInEquibiaxialAndHydrostaticTension) {
     const Mat3 stretch = (Vec3::Ones() + kStrain * strains).asDiagonal();
     const StressedBox box(BoxPattern::five_tet, 3, stretch);
     for (int node = 0; node < box.mesh.node_count(); ++node) {
-      const PrincipalValues principal = principal_values(separation_tensor(box.input(), NodeId(node), false));
-      Vec3 direction = principal.directions.col(2);
-      const double stress = separation_stress(box.input(), NodeId(node), principal.values[2], direction);
-      EXPECT_GE(stress, kStress * (1 - 1e-6));
+      EXPECT_GE(box.plane(node).stress, kStress * (1 - 1e-6));
     }
   }
 }
@@ -111,19 +109,57 @@ TEST(SeparationTensor, PureCompressionSeparatesNothing) {
   const StressedBox box(BoxPattern::five_tet, 3, Vec3::Constant(1 - kStrain).asDiagonal());
   for (int node = 0; node < box.mesh.node_count(); ++node) {
     if (!StressedBox::is_inside(box.mesh.rest_positions[node])) continue;
-    EXPECT_LT(principal_values(separation_tensor(box.input(), NodeId(node), false)).values[2], 1e-3);
+    EXPECT_LT(principal_values(separation_tensor(box.input(), NodeId(node))).values[2], 1e-3);
   }
+}
+
+TEST(SeparationStress, ElementsOfAnAnchorDoNotDiluteIt) {
+  // Everything below x = 0 is held; the nodes in that plane see the stress of the free half alone.
+  StressedBox bar(BoxPattern::bcc, 4, Vec3(1 + kStrain, 1, 1).asDiagonal());
+  bar.constraints.assign(bar.mesh.node_count(), {});
+  for (int node = 0; node < bar.mesh.node_count(); ++node)
+    if (bar.mesh.rest_positions[node].x() < 1e-9) bar.constraints[node] = NodeConstraint::held();
+  for (int tet = 0; tet < bar.mesh.tet_count(); ++tet)
+    if (rest_centroid(bar.mesh, TetId(tet)).x() < 0) bar.states[tet] = {};
+  int border = 0;
+  for (int node = 0; node < bar.mesh.node_count(); ++node) {
+    if (std::abs(bar.mesh.rest_positions[node].x()) > 1e-9) continue;
+    ++border;
+    EXPECT_NEAR(bar.plane(node).stress, kStress, 1e-5 * kStress);
+  }
+  EXPECT_GT(border, 4);
+}
+
+TEST(CandidatePlane, TakesTheWeakestDirectionUnderAUniaxialLoad) {
+  // Hankinson (1921): the load at an angle a to the grain reaches 1/(cos²a + sin²a/ratio) of the strength along it.
+  const StressedBox bar(BoxPattern::five_tet, 3, Vec3(1 + kStrain, 1, 1).asDiagonal(), 0.1);
+  const int node = static_cast<int>(
+      std::find_if(bar.mesh.rest_positions.begin(), bar.mesh.rest_positions.end(), StressedBox::is_inside) -
+      bar.mesh.rest_positions.begin());
+  for (double ratio : {0.03, 0.2, 1.0})
+    for (double angle : {0.0, 0.2, 0.7, 1.5}) {
+      const Vec3 axis(std::cos(angle), std::sin(angle), 0);
+      const DirectionalStrength strength = directional_strength({WeaknessKind::grain, axis, ratio}, axis);
+      const CandidatePlane plane = bar.plane(node, strength);
+      const double expected = std::pow(std::cos(angle), 2) + std::pow(std::sin(angle), 2) / ratio;
+      EXPECT_NEAR(plane.stress / strength.share(plane.normal), kStress * expected, 1e-4 * kStress * expected)
+          << "ratio " << ratio << ", angle " << angle;
+    }
 }
 
 TEST(SeparationTensor, SupportsAreNoShield) {
   // At the gripped end the reaction is missing from the element forces: only with the totals left out does the node
   // see its load.
-  const StressedBox bar(BoxPattern::five_tet, 3, Vec3(1 + kStrain, 1, 1).asDiagonal());
+  StressedBox bar(BoxPattern::five_tet, 3, Vec3(1 + kStrain, 1, 1).asDiagonal());
   for (int node = 0; node < bar.mesh.node_count(); ++node) {
     if (bar.measured(node)) continue;
-    const double held = principal_values(separation_tensor(bar.input(), NodeId(node), true)).values[2];
-    const double free = principal_values(separation_tensor(bar.input(), NodeId(node), false)).values[2];
-    EXPECT_GT(held, 10 * std::abs(free));
+    const double free = principal_values(separation_tensor(bar.input(), NodeId(node))).values[2];
+    bar.constraints.assign(bar.mesh.node_count(), {});
+    bar.constraints[node] = NodeConstraint::held();
+    const CandidatePlane held = bar.plane(node);
+    EXPECT_GT(held.eigenvalue, 10 * std::abs(free));
+    EXPECT_NEAR(held.stress, kStress, 1e-5 * kStress);
+    bar.constraints.clear();
   }
 }
 

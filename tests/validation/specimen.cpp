@@ -42,12 +42,9 @@ std::vector<Vec3> Specimen::elastic_forces() const {
 }
 
 Separation Specimen::separation(int node) const {
-  const SeparationInput input{world_.mesh, world_.elements.rests, world_.elements.states};
-  const PrincipalValues principal =
-      principal_values(separation_tensor(input, NodeId(node), world_.nodes.held[node] != 0));
-  Separation separation{.normal = principal.directions.col(2)};
-  separation.stress = separation_stress(input, NodeId(node), principal.values[2], separation.normal);
-  return separation;
+  const SeparationInput input{world_.mesh, world_.elements.rests, world_.elements.states, world_.nodes.constraints};
+  const CandidatePlane plane = candidate_plane(input, NodeId(node), separation_tensor(input, NodeId(node)));
+  return {plane.stress, plane.normal};
 }
 
 std::vector<int> Specimen::nodes_where(const std::function<bool(const Vec3&)>& condition) const {

@@ -120,7 +120,7 @@ TEST(Probes, SurviveACrack) {
   build_world(world);
   const int nodes = world.mesh.node_count();
   for (NodeId node(0); node < nodes; ++node.value) world.nodes.separations[node].margin = 2;
-  open_cracks(world);
+  open_cracks(world, 0);
   ASSERT_GT(world.mesh.node_count(), nodes);
   for (std::size_t tet = 0; tet < world.elements.stresses.size(); ++tet)
     world.elements.stresses[tet] = Mat3::Identity();

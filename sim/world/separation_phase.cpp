@@ -1,0 +1,65 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sim/fracture/resistance.h"
+#include "sim/parallel.h"
+#include "sim/world/phases.h"
+
+namespace griffith {
+namespace {
+
+/// Edge length of the cells round a node: that of a cube of six tets.
+double element_size(const WorldState& world, NodeId node) {
+  double volume = 0;
+  for (TetId tet : world.mesh.stars[node]) volume += world.elements.rests[tet].volume;
+  return std::cbrt(6 * volume / static_cast<double>(world.mesh.stars[node].size()));
+}
+
+/// The body's direction of weakness as it lies at a node now.
+DirectionalStrength strength_at(const WorldState& world, const Weakness& weakness, NodeId node) {
+  Vec3 axis = Vec3::Zero();
+  for (TetId tet : world.mesh.stars[node])
+    axis += world.elements.rests[tet].volume * (world.elements.states[tet].frame * weakness.direction);
+  return directional_strength(weakness, axis.normalized());
+}
+
+NodeSeparation evaluate_node(const WorldState& world, const Body& body, NodeId node, bool averaged) {
+  const SeparationInput input = separation_input(world);
+  const Material& material = world.material_of(body);
+  const std::optional<Weakness>& weakness = world.weaknesses[body.scene_body];
+  const DirectionalStrength strength = weakness ? strength_at(world, *weakness, node) : DirectionalStrength();
+
+  NodeSeparation separation;
+  separation.tensor = separation_tensor(input, node);
+  const CandidatePlane plane = candidate_plane(input, node, separation.tensor, strength);
+  separation.eigenvalue = plane.eigenvalue;
+  separation.direction = plane.normal;
+  separation.stress = averaged ? 0.5 * (plane.stress + world.nodes.separations[node].stress) : plane.stress;
+  separation.resistance = strength.share(plane.normal) *
+                          resistance(material, world.nodes.at_crack_front[node] != 0, element_size(world, node),
+                                     world.nodes.strength_factors[node]);
+  const double load =
+      material.criterion == FractureCriterion::strength ? separation.stress : separation.eigenvalue;
+  separation.margin = load / separation.resistance;
+  return separation;
+}
+
+}  // namespace
+
+SeparationInput separation_input(const WorldState& world) {
+  return {world.mesh, world.elements.rests, world.elements.states, world.nodes.constraints};
+}
+
+void evaluate_separation(WorldState& world, bool averaged) {
+  for (const Body& body : world.bodies) {
+    if (body.rigid) continue;
+    parallel_for(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i)
+        world.nodes.separations[body.nodes[i]] = evaluate_node(world, body, body.nodes[i], averaged);
+    });
+    for (NodeId node : body.nodes)
+      world.report.peak_margin = std::max(world.report.peak_margin, world.nodes.separations[node].margin);
+  }
+}
+
+}  // namespace griffith

@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <numbers>
+
+#include "sim/mesh/box_mesh.h"
+#include "sim/mesh/write_mesh.h"
+#include "tests/random_values.h"
+#include "tests/world/loading.h"
+
+namespace griffith::testing {
+namespace {
+
+constexpr double kLength = 1.5;  // of bars 1 m across
+
+Mat3 rotation_of(const Vec3& degrees) {
+  const Vec3 radians = degrees * std::numbers::pi / 180;
+  return (Eigen::AngleAxisd(radians.z(), Vec3::UnitZ()) * Eigen::AngleAxisd(radians.y(), Vec3::UnitY()) *
+          Eigen::AngleAxisd(radians.x(), Vec3::UnitX()))
+      .toRotationMatrix();
+}
+
+/// A bar with a mesh out of line.
+MeshFileShape bar_on_a_rough_mesh(BoxPattern pattern, int cells) {
+  TetSoup bar = make_box(Vec3(kLength, 1, 1), Vec3::Constant(1.0 / cells), pattern);
+  RandomValues random(11);
+  for (Vec3& point : bar.points) {
+    const Vec3 distance = Vec3(kLength, 1, 1) / 2 - point.cwiseAbs();
+    if (distance.minCoeff() > 1e-9) point += random.vector(0.1 / cells);
+  }
+  const auto path = std::filesystem::temp_directory_path() /
+                    ("bar_" + std::to_string(static_cast<int>(pattern)) + "_" + std::to_string(cells) + ".msh");
+  write_gmsh(path, bar);
+  return {path};
+}
+
+/// Pulled at both ends by the tensile strength. Some scatter tells where it breaks; bars of this size keep the strength on
+/// average.
+Scene pulled_bar(BoxPattern pattern, int cells, const Vec3& degrees) {
+  Scene scene;
+  scene.gravity.setZero();
+  scene.ground.reset();
+  BodyDescription bar;
+  bar.shape = bar_on_a_rough_mesh(pattern, cells);
+  bar.rotation_degrees = degrees;
+  bar.material = *find_material_preset("concrete");
+  bar.strength_scatter = StrengthScatter{200, kLength, cells};
+  for (double side : {-1.0, 1.0}) {
+    Load pull;
+    pull.kind = LoadKind::traction;
+    pull.region = HalfSpaceRegion{Vec3(side * kLength / 2, 0, 0), Vec3(side, 0, 0)};
+    pull.traction = rotation_of(degrees) * Vec3(side * bar.material.tensile_strength, 0, 0);
+    bar.loads.push_back(pull);
+  }
+  scene.bodies = {bar};
+  scene.simulation.impact_substeps = 256;
+  return scene;
+}
+
+/// The unit normal of the plane that fits best through the crack's faces, in rest space.
+Vec3 crack_normal(const Frame& frame, double half_length) {
+  std::vector<Vec3> points;
+  for (std::size_t tet = 0; tet < frame.tets.size(); ++tet)
+    for (int face = 0; face < 4; ++face) {
+      if (frame.neighbours[tet][face].valid()) continue;
+      Vec3 middle = Vec3::Zero();
+      for (int corner : kTetFaces[face]) middle += frame.rest_positions[frame.tets[tet][corner]] / 3;
+      // Surfaces of the bar lie at its border.
+      if (middle.tail<2>().cwiseAbs().maxCoeff() < 0.49 && std::abs(middle.x()) < 0.99 * half_length)
+        points.push_back(middle);
+    }
+  Vec3 mean = Vec3::Zero();
+  for (const Vec3& point : points) mean += point / static_cast<double>(points.size());
+  Mat3 scatter = Mat3::Zero();
+  for (const Vec3& point : points) scatter += (point - mean) * (point - mean).transpose();
+  return Eigen::SelfAdjointEigenSolver<Mat3>(scatter).eigenvectors().col(0);
+}
+
+class BarInTension : public ::testing::TestWithParam<BoxPattern> {};
+
+TEST_P(BarInTension, BreaksAtItsStrengthOnEveryMeshInEveryOrientation) {
+  for (int cells : {2, 4, 8})
+    for (const Vec3& degrees : {Vec3(0, 0, 0), Vec3(0, 0, 90), Vec3(25, -40, 70)}) {
+      const double share = breaking_share(pulled_bar(GetParam(), cells, degrees), {0.95, 1.1, 0.005}, has_parted);
+      EXPECT_NEAR(share, 1, 0.03) << cells << " cells across, turned by " << degrees.transpose();
+    }
+}
+
+/// Between grips that move apart; without lateral contraction, so that the stress stays uniform at the grips.
+Scene stretched_bar(BoxPattern pattern, int cells) {
+  Scene scene = pulled_bar(pattern, cells, Vec3::Zero());
+  BodyDescription& bar = scene.bodies[0];
+  bar.loads.clear();
+  bar.material.poisson_ratio = 0;
+  const double breaking_stretch = kLength * bar.material.tensile_strength / bar.material.young_modulus;
+  for (double side : {-1.0, 1.0}) {
+    Support grip;
+    grip.kind = SupportKind::prescribed;
+    grip.region = HalfSpaceRegion{Vec3(side * kLength / 2, 0, 0), Vec3(side, 0, 0)};
+    grip.velocity = Vec3(side * breaking_stretch / 2, 0, 0);
+    grip.can_tear = false;
+    bar.supports.push_back(grip);
+  }
+  scene.analysis = Analysis::equilibrium;
+  scene.simulation.time_step = 0.02;
+  return scene;
+}
+
+TEST_P(BarInTension, BreaksAcrossTheLoad) {
+  Scene scene = stretched_bar(GetParam(), 8);
+  World world(scene);
+  while (!has_parted(world.frame()) && world.frame().time < 1.5) world.step();
+  ASSERT_TRUE(has_parted(world.frame()));
+  const auto degrees_off = [](const Vec3& normal) {
+    return std::acos(std::min(std::abs(normal.x()), 1.0)) * 180 / std::numbers::pi;
+  };
+  EXPECT_LT(degrees_off(world.frame().crack_events.front().normal), 5) << "the first crack";
+  EXPECT_LT(degrees_off(crack_normal(world.frame(), kLength / 2)), 5) << "the broken face as a whole";
+}
+
+INSTANTIATE_TEST_SUITE_P(Patterns, BarInTension,
+                         ::testing::Values(BoxPattern::kuhn, BoxPattern::five_tet, BoxPattern::bcc));
+
+}  // namespace
+}  // namespace griffith::testing
