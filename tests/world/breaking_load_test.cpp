@@ -86,6 +86,20 @@ TEST_P(BarInTension, BreaksAtItsStrengthOnEveryMeshInEveryOrientation) {
     }
 }
 
+TEST_P(BarInTension, BreaksAtNearlyTheSameLoadWhenItIsRemeshed) {
+  for (const Vec3& degrees : {Vec3(0, 0, 0), Vec3(0, 0, 90), Vec3(25, -40, 70)}) {
+    Scene scene = pulled_bar(GetParam(), 4, degrees);
+    const LoadRamp ramp{0.9, 1.2, 0.005};
+    const double along_faces = breaking_share(scene, ramp, has_parted);
+    scene.bodies[0].remeshing = true;
+    int tets = 0;
+    const double remeshed = breaking_share(scene, ramp, has_parted,
+                                           [&](const Frame& frame) { tets = static_cast<int>(frame.tets.size()); });
+    EXPECT_NEAR(remeshed / along_faces, 1, 0.1) << "turned by " << degrees.transpose();
+    EXPECT_GT(tets, static_cast<int>(World(scene).frame().tets.size())) << "tets were cut";
+  }
+}
+
 /// Between grips that move apart; without lateral contraction, so that the stress stays uniform at the grips.
 Scene stretched_bar(BoxPattern pattern, int cells) {
   Scene scene = pulled_bar(pattern, cells, Vec3::Zero());
@@ -107,7 +121,9 @@ Scene stretched_bar(BoxPattern pattern, int cells) {
 }
 
 TEST_P(BarInTension, BreaksAcrossTheLoad) {
+  for (bool remeshing : {false, true}) {
   Scene scene = stretched_bar(GetParam(), 8);
+  scene.bodies[0].remeshing = remeshing;
   World world(scene);
   while (!has_parted(world.frame()) && world.frame().time < 1.5) world.step();
   ASSERT_TRUE(has_parted(world.frame()));
@@ -116,6 +132,8 @@ TEST_P(BarInTension, BreaksAcrossTheLoad) {
   };
   EXPECT_LT(degrees_off(world.frame().crack_events.front().normal), 5) << "the first crack";
   EXPECT_LT(degrees_off(crack_normal(world.frame(), kLength / 2)), 5) << "the broken face as a whole";
+  printf("remeshing %d: first %.2f whole %.2f tets %zu fragments %d cracks %zu\n", remeshing, degrees_off(world.frame().crack_events.front().normal), degrees_off(crack_normal(world.frame(), kLength / 2)), world.frame().tets.size(), world.frame().fragments, world.frame().crack_events.size());
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Patterns, BarInTension,
