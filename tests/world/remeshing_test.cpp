@@ -11,7 +11,6 @@ namespace griffith {
 namespace {
 
 using testing::brick;
-using testing::shot_wall;
 using testing::struck_block;
 
 Scene remeshed(Scene scene) {
@@ -26,6 +25,15 @@ double volume(const Frame& frame) {
     sum += signed_volume(x[a], x[b], x[c], x[d]);
   }
   return sum;
+}
+
+double worst_quality(const Frame& frame) {
+  double worst = 1;
+  for (const auto& [a, b, c, d] : frame.tets) {
+    const auto& x = frame.rest_positions;
+    worst = std::min(worst, tet_quality(x[a], x[b], x[c], x[d]));
+  }
+  return worst;
 }
 
 TEST(Remeshing, MomentumIsKeptThroughAnImpactThatCutsABlock) {
@@ -47,52 +55,68 @@ TEST(Remeshing, MomentumIsKeptThroughAnImpactThatCutsABlock) {
   EXPECT_GT(world.frame().bodies.size(), 1u) << "it did break";
   EXPECT_GT(world.frame().tets.size(), tets) << "tets were cut";
   EXPECT_NEAR(volume(world.frame()), initial_volume, 1e-9 * initial_volume);
-  printf("tets %zu -> %zu, bodies %zu\n", tets, world.frame().tets.size(), world.frame().bodies.size());
+  EXPECT_GE(worst_quality(world.frame()), 0.1);
 }
 
-TEST(Remeshing, AWallThatIsShotKeepsItsInvariantsOnAnyNumberOfThreads) {
-  const Scene scene = remeshed(shot_wall(Vec3(1.5, 1.5, 0.25), 0.25, brick(0.3)));
+TEST(Remeshing, IsTheSameOnAnyNumberOfThreads) {
   std::vector<std::uint64_t> hashes;
   for (int threads : {1, 2, 4}) {
     const ThreadLimit limit(threads);
-    World world(scene);
-    const std::size_t tets = world.frame().tets.size();
-    int refused = 0;
-    for (int step = 0; step < 60; ++step) {
-      world.step();
-      refused += world.frame().report.remeshing_refused;
-      ASSERT_EQ(world.frame().report.non_finite_values, 0);
-    }
+    World world(remeshed(struck_block(brick(0.2))));
+    for (int step = 0; step < 20; ++step) world.step();
+    EXPECT_GT(world.frame().fragments, 0);
     hashes.push_back(world.state_hash());
-    const Frame frame = world.frame();
-    EXPECT_GT(frame.fragments, 0);
-    EXPECT_GT(frame.tets.size(), tets);
-    for (const auto& [a, b, c, d] : frame.tets) {
-      const auto& x = frame.rest_positions;
-      ASSERT_GE(tet_quality(x[a], x[b], x[c], x[d]), 0.1);
-    }
-    printf("tets %zu -> %zu, bodies %zu, cracks %zu refused %d\n", tets, frame.tets.size(), frame.bodies.size(), frame.crack_events.size(), refused);
   }
   EXPECT_THAT(hashes, ::testing::Each(hashes.front()));
 }
 
-/// Nodes at the wall's foot are those that its support holds, however it is cut.
+/// A spinning body that is cut with nothing acting on it.
+TEST(Remeshing, ASpinningBodyKeepsItsMomenta) {
+  Scene scene = remeshed(struck_block(brick(0.1)));
+  scene.projectiles.clear();
+  scene.bodies[0].velocity = Vec3(1, 2, 3);
+  scene.bodies[0].angular_velocity = Vec3(1, 2, 60);  // more than it bears
+  World world(scene);
+  const std::size_t tets = world.frame().tets.size();
+  const Totals before = world.frame().totals;
+  for (int step = 0; step < 20 && world.frame().tets.size() == tets; ++step) world.step();
+  ASSERT_GT(world.frame().tets.size(), tets);
+  const Totals after = world.frame().totals;
+  EXPECT_LT((after.momentum - before.momentum).norm(), 1e-9 * before.momentum.norm());
+  EXPECT_LT((after.angular_momentum - before.angular_momentum).norm(), 1e-6 * before.angular_momentum.norm());
+}
+
+/// Pulled apart on a smooth table, it cracks across the supported face, too.
 TEST(Remeshing, SupportsHoldTheMiddleOfAnEdgeWhereTheyHoldBothEnds) {
-  World world(remeshed(shot_wall(Vec3(1.5, 1.5, 0.25), 0.25, brick(0.1))));
+  Scene scene;
+  scene.gravity.setZero();
+  scene.ground.reset();
+  BodyDescription plate;
+  plate.shape = BoxShape{Vec3(2, 1, 0.3), Vec3::Constant(0.3), BoxPattern::five_tet};
+  plate.material = brick(0.1);
+  plate.remeshing = true;
+  const HalfSpaceRegion foot{Vec3(0, -0.5, 0), -Vec3::UnitY()};
+  plate.supports = {{.region = foot, .kind = SupportKind::sliding, .normal = Vec3::UnitY()}};
+  for (double side : {-1.0, 1.0}) {
+    plate.supports.push_back({.region = HalfSpaceRegion{Vec3(side, 0, 0), Vec3(side, 0, 0)},
+                              .kind = SupportKind::prescribed,
+                              .velocity = Vec3(0.2 * side, 0, 0.1 * side)});
+  }
+  scene.bodies = {plate};
+  World world(scene);
   const std::size_t nodes = world.frame().positions.size();
   for (int step = 0; step < 60; ++step) world.step();
   const Frame frame = world.frame();
-  ASSERT_GT(frame.positions.size(), nodes);
-  int held = 0, new_ones = 0;
+  EXPECT_GT(frame.fragments, 0);
+  int on_cut_edges = 0;
   for (std::size_t node = 0; node < frame.positions.size(); ++node) {
+    if (frame.rest_positions[node].y() > -0.5 + 1e-9) continue;
+    const bool copied = std::ranges::count(frame.rest_positions.first(nodes), frame.rest_positions[node]) > 0;
     if (!frame.node_held[node]) continue;
-    ++held;
-    new_ones += node >= nodes;
-    EXPECT_LT(frame.rest_positions[node].y(), 1e-9);
-    EXPECT_LT((frame.positions[node] - frame.rest_positions[node]).norm(), 1e-12);
+    on_cut_edges += !copied;
+    EXPECT_NEAR(frame.positions[node].y(), -0.5, 1e-9) << "node " << node;
   }
-  EXPECT_GT(held, 0);
-  printf("held %d new %d\n", held, new_ones);
+  EXPECT_GT(on_cut_edges, 0);
 }
 
 /// A bar with loads on faces, tets and nodes that breaks in weightless space.
