@@ -47,6 +47,7 @@ Frame World::frame() const {
   frame.tets = world.mesh.tets;
   frame.neighbours = world.mesh.neighbours;
   frame.tet_bodies = world.elements.bodies;
+  frame.first_surface = world.elements.first_surface;
   frame.stresses = world.elements.stresses;
   frame.materials = world.materials;
   frame.bodies = world.body_views;

@@ -34,13 +34,14 @@ struct NodeArrays {
   std::vector<Vec3> reactions;               ///< what supports did to the node in the last step [N]
 };
 
-/// Per tet; the rests never change.
+/// Per tet; the rests change by remeshing alone.
 struct ElementArrays {
   std::vector<ElementRest> rests;
   std::vector<ElementState> states;
   std::vector<Mat3> plastic_strains;  ///< in rest space, traceless [-]
   std::vector<Mat3> stresses;         ///< Cauchy stress, world frame [Pa], for the frame
   std::vector<BodyId> bodies;
+  std::vector<std::uint8_t> first_surface;  ///< bit i: face i was on the surface before anything broke
 };
 
 /// A connected piece of elastic material and its stand-in in the contact world.
@@ -85,6 +86,7 @@ struct WorldState {
 
   Scene scene;
   std::vector<Material> materials;  ///< per scene body, as in force now
+  std::vector<double> least_edges;  ///< per scene body: shortest edge that remeshing makes [m]
   std::vector<std::optional<Weakness>> weaknesses;  ///< per scene body, direction in the placed rest space, unit length
   std::vector<PlacedSupport> supports;
   std::vector<PlacedLoad> loads;
