@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "app/editor.h"
+#include "app/scene_world.h"
 #include "app/shooting.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/scene_writer.h"
@@ -19,7 +20,7 @@ void Editor::execute(const ui::Command& command) {
         state_.running = false;
         return step();
       case CommandId::reset:
-        world_ = World(history_.scene());
+        world_ = make_world(history_.scene(), path_);
         return restart();
       case CommandId::fire:
         return fire(command.cursor);
@@ -67,7 +68,7 @@ void Editor::show_error(const InputError& error) {
 void Editor::open(const std::filesystem::path& path) {
   try {
     Scene scene = read_scene(path);
-    world_ = World(scene);
+    world_ = make_world(scene, path);
     show_scene(std::move(scene), path);
   } catch (const InputError& error) {
     show_error(error);
@@ -113,7 +114,7 @@ void Editor::frame_all() { camera_ = render::frame_bounds(camera_, render::bound
 void Editor::toggle_range_lock() {
   if (state_.view.range) {
     state_.view.range.reset();
-  } else if (!picture_.surface.scalars.empty()) {
+  } else if (!picture_.surface.scalars.empty() || !picture_.embedded.scalars.empty()) {
     const render::ScalarStyle& style = picture_.surface.scalar_style;
     state_.view.range = Vec2(style.minimum, style.maximum);
   }

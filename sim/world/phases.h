@@ -1,13 +1,17 @@
 #pragma once
 
 #include "sim/fracture/separation_tensor.h"
+#include "sim/meshing/monitor.h"
 #include "sim/world/world_state.h"
 
 /// The phases of a step, in the order in which step() calls them.
 namespace griffith {
 
 /// Builds meshes, bodies and the contact world. Throws InputError for meshes that cannot be simulated.
-void build_world(WorldState& world);
+void build_world(WorldState& world, const Monitor& monitor);
+
+/// Makes a body's splinters, if it has a pattern for them. Throws InputError for one that cannot be made.
+void place_splinters(WorldState& world, int scene_body, const RestBody& body);
 
 /// Queues the shots of a burst, its start counted from now.
 void queue_burst(WorldState& world, const ProjectileBurst& burst);

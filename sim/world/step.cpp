@@ -49,6 +49,7 @@ void substep(WorldState& world, double dt) {
     PhaseTimer timer(timings.elasticity);
     move_bodies(world, external, dt);
   }
+  world.time += dt;
   fracture(world, dt);
 }
 
@@ -78,11 +79,12 @@ void step_implicitly(WorldState& world, double time_step) {
 void step_statically(WorldState& world, double time_step) {
   const int budget = world.scene.simulation.impact_substeps;
   double displacement_time = time_step;
+  world.time += time_step;
   int cracks_before = -1;
   for (world.report.substeps = 0; world.report.cracks > cracks_before; ++world.report.substeps) {
     {
       PhaseTimer timer(world.report.milliseconds.elasticity);
-      find_equilibrium(world, world.time + time_step, displacement_time, false);
+      find_equilibrium(world, world.time, displacement_time, false);
       update_elements(world);
     }
     displacement_time = 0;

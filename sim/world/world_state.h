@@ -13,6 +13,7 @@
 #include "sim/scene/scene.h"
 #include "sim/solver/elastic_system.h"
 #include "sim/solver/rigid_motion.h"
+#include "sim/splinters/splinters.h"
 #include "sim/world/frame.h"
 #include "sim/world/loads.h"
 #include "sim/world/probes.h"
@@ -33,13 +34,14 @@ struct NodeArrays {
   std::vector<Vec3> reactions;               ///< what supports did to the node in the last step [N]
 };
 
-/// Per tet; the rests never change.
+/// Per tet; the rests change by remeshing alone.
 struct ElementArrays {
   std::vector<ElementRest> rests;
   std::vector<ElementState> states;
   std::vector<Mat3> plastic_strains;  ///< in rest space, traceless [-]
   std::vector<Mat3> stresses;         ///< Cauchy stress, world frame [Pa], for the frame
   std::vector<BodyId> bodies;
+  std::vector<std::uint8_t> first_surface;  ///< bit i: face i was on the surface before anything broke
 };
 
 /// A connected piece of elastic material and its stand-in in the contact world.
@@ -89,6 +91,7 @@ struct WorldState {
 
   Scene scene;
   std::vector<Material> materials;  ///< per scene body, as in force now
+  std::vector<double> least_edges;  ///< per scene body: shortest edge that remeshing makes [m]
   std::vector<std::optional<Weakness>> weaknesses;  ///< per scene body, direction in the placed rest space, unit length
   std::vector<PlacedSupport> supports;
   std::vector<PlacedLoad> loads;
@@ -97,6 +100,8 @@ struct WorldState {
   TetMesh mesh;
   NodeArrays nodes;
   ElementArrays elements;
+  SplinterSet splinters;
+  SplinterState splinter_state;
   std::vector<Body> bodies;  ///< by BodyId; never removed
   ContactWorld contact_world;
   std::vector<BodyId> body_of_proxy;  ///< per ProxyId; invalid for projectiles and the ground
