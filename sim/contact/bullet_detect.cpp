@@ -94,9 +94,8 @@ void ContactWorld::Impl::list_contacts() {
 void ContactWorld::Impl::sort_by_height() {
   std::vector<int> order(contacts.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int i, int j) {
-    return gravity.dot(contacts[i].position) < gravity.dot(contacts[j].position);
-  });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int i, int j) { return gravity.dot(contacts[i].position) < gravity.dot(contacts[j].position); });
   std::vector<Contact> sorted_contacts;
   std::vector<btManifoldPoint*> sorted_points;
   for (int i : order) {
@@ -125,8 +124,9 @@ void ContactWorld::Impl::list_pair(std::span<btPersistentManifold* const> of_pai
     listed[kept] = true;
   }
   for (std::size_t i = 0; i < found.size(); ++i)
-    if (!listed[i]) found_points[i]->m_appliedImpulse = found_points[i]->m_appliedImpulseLateral1 =
-        found_points[i]->m_appliedImpulseLateral2 = 0;
+    if (!listed[i])
+      found_points[i]->m_appliedImpulse = found_points[i]->m_appliedImpulseLateral1 =
+          found_points[i]->m_appliedImpulseLateral2 = 0;
 }
 
 }  // namespace griffith

@@ -145,12 +145,9 @@ ProxyId ContactWorld::add_sphere(double radius, double mass, const RigidState& s
 
 ProxyId ContactWorld::add_stand_in(std::span<const ConvexPart> parts, const RigidMass& mass, Mobility mobility,
                                    const RigidState& state, const SurfaceProperties& surface) {
-  return impl_->add({.kind = Kind::stand_in,
-                     .mobility = mobility,
-                     .shape = hull_shape(parts),
-                     .state = state,
-                     .surface = surface},
-                    mass);
+  return impl_->add(
+      {.kind = Kind::stand_in, .mobility = mobility, .shape = hull_shape(parts), .state = state, .surface = surface},
+      mass);
 }
 
 void ContactWorld::reshape(ProxyId stand_in, std::span<const ConvexPart> parts, const RigidMass& mass,

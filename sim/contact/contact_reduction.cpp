@@ -19,7 +19,8 @@ int best_of(const std::vector<int>& group, Value value) {
 std::vector<int> outermost_four(std::span<const Contact> contacts, const std::vector<int>& group) {
   const Vec3 normal = contacts[group.front()].normal, first = normal.unitOrthogonal(), second = normal.cross(first);
   std::vector<int> kept;
-  for (const Vec3& direction : {Vec3(first + second), Vec3(first - second), Vec3(-first - second), Vec3(second - first)})
+  for (const Vec3& direction :
+       {Vec3(first + second), Vec3(first - second), Vec3(-first - second), Vec3(second - first)})
     kept.push_back(best_of(group, [&](int i) { return direction.dot(contacts[i].position); }));
   std::sort(kept.begin(), kept.end());
   kept.erase(std::unique(kept.begin(), kept.end()), kept.end());

@@ -43,10 +43,10 @@ enum class Mobility {
 /// parts have at most four. Between detect() and solve() the owner may correct the distance.
 struct Contact {
   ProxyId a, b;
-  Vec3 position;                 ///< half-way between their surfaces, where the impulse acts on both [m]
-  Vec3 normal;                   ///< unit, points from b to a
-  double distance = 0;           ///< gap along the normal, negative when overlapping, allowed or not [m]
-  Vec3 impulse = Vec3::Zero();   ///< on a, in the substep just solved; b gets the opposite [N·s]
+  Vec3 position;                ///< half-way between their surfaces, where the impulse acts on both [m]
+  Vec3 normal;                  ///< unit, points from b to a
+  double distance = 0;          ///< gap along the normal, negative when overlapping, allowed or not [m]
+  Vec3 impulse = Vec3::Zero();  ///< on a, in the substep just solved; b gets the opposite [N·s]
 };
 
 /// How an elastic object answers at its contacts, linear in their impulses: the velocity of point i is
@@ -69,9 +69,9 @@ struct ElasticResponse {
 ///
 /// The impulses of a free rigid object sum up to its change of momentum, to rounding, linear and angular (at the
 /// contacts' points). Approaches below 0.2 m/s do not bounce, nor does what touches an elastic object, which rebounds
-/// by itself. A gap that closes within `dt` at a higher speed is struck at once with the full approach speed; at a lower
-/// one, objects come to touch. Overlap is taken out by a fifth a substep through position_correction(), which adds no
-/// velocity.
+/// by itself. A gap that closes within `dt` at a higher speed is struck at once with the full approach speed; at a
+/// lower one, objects come to touch. Overlap is taken out by a fifth a substep through position_correction(), which
+/// adds no velocity.
 ///
 /// The same calls give the same bits. Results depend on the history of contacts (the solver starts from the last
 /// impulses), so a state is restored by repeating the calls that led to it. States must be finite: asserted.
@@ -113,9 +113,9 @@ class ContactWorld {
   /// Scales the impulses down in each group of objects that touch where they would add energy: where `velocities`, now
   /// exact under these impulses, show that `compliance` was too small. Returns the factor of each response, mostly 1.
   std::vector<double> limit_energy(double dt, std::span<const ElasticResponse> elastic);
-  /// Gives the rigid objects the velocities that follow from the impulses in contacts() and moves the spheres (swept, so
-  /// that none passes through a thin body). Elastic objects of the last solve() keep the velocity that their owner set
-  /// since.
+  /// Gives the rigid objects the velocities that follow from the impulses in contacts() and moves the spheres (swept,
+  /// so that none passes through a thin body). Elastic objects of the last solve() keep the velocity that their owner
+  /// set since.
   void advance(double dt);
 
   /// The displacement that removes what is left of an overlap, as a rigid motion (translation [m], rotation vector
@@ -133,8 +133,8 @@ class ContactWorld {
   /// Wakes an object.
   void wake(ProxyId object);
 
-  /// The approach speed from which an impact could hurt an object [m/s]; infinite, as for spheres and the ground, unless
-  /// told otherwise.
+  /// The approach speed from which an impact could hurt an object [m/s]; infinite, as for spheres and the ground,
+  /// unless told otherwise.
   void set_impact_speed(ProxyId object, double speed);
   /// Whether, moving freely for `dt`, any pair would meet with an approach speed above `minimum_speed` [m/s] that could
   /// hurt one of them; the reason to take substeps. On the safe side: an object that turns counts as if all of it moved

@@ -21,8 +21,7 @@ Vec3 velocity_at(const Responder& responder, const ContactEnd& end) {
 
 void push(Responder& responder, const ContactEnd& end, const Vec3& impulse) {
   if (responder.compliance) {
-    responder.point_velocities.reshaped().noalias() +=
-        responder.compliance->middleCols<3>(3 * end.point) * impulse;
+    responder.point_velocities.reshaped().noalias() += responder.compliance->middleCols<3>(3 * end.point) * impulse;
   } else if (responder.inverse_mass > 0) {
     responder.velocity += responder.inverse_mass * impulse;
     responder.angular_velocity += responder.inverse_inertia * end.arm.cross(impulse);
@@ -43,7 +42,8 @@ Mat3 compliance_of(const Responder& responder, const ContactEnd& end) {
 
 PreparedRow prepare(const ContactRow& row, std::span<const Responder> responders) {
   PreparedRow prepared;
-  const Mat3 compliance = compliance_of(responders[row.a.responder], row.a) + compliance_of(responders[row.b.responder], row.b);
+  const Mat3 compliance =
+      compliance_of(responders[row.a.responder], row.a) + compliance_of(responders[row.b.responder], row.b);
   prepared.compliance = row.axes.transpose() * compliance * row.axes;
   const Eigen::Matrix2d tangential = prepared.compliance.bottomRightCorner<2, 2>();
   const double mean = tangential.trace() / 2;
@@ -96,7 +96,7 @@ void solve_impulses(std::span<ContactRow> rows, std::span<Responder> responders,
   for (const ContactRow& row : rows) {
     prepared.push_back(prepare(row, responders));
     speed = std::max(speed, row.least_speed - row.axes.col(0).dot(velocity_at(responders[row.a.responder], row.a) -
-                                                                   velocity_at(responders[row.b.responder], row.b)));
+                                                                  velocity_at(responders[row.b.responder], row.b)));
   }
   for (const ContactRow& row : rows)
     if (!row.impulse.isZero(0)) apply(row, row.impulse, responders);

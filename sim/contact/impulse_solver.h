@@ -29,7 +29,7 @@ struct ContactRow {
   ContactEnd a, b;
   Mat3 axes = Mat3::Identity();  ///< columns: the normal from b to a, and two tangents
   double friction = 0;
-  double least_speed = 0;      ///< of the parting along the normal [m/s]
+  double least_speed = 0;       ///< of the parting along the normal [m/s]
   Vec3 impulse = Vec3::Zero();  ///< on a, along the axes: a guess before, the solution after [N·s]
 };
 
@@ -38,9 +38,9 @@ struct SolverLimits {
   double tolerance = 1e-7;  ///< the largest change of velocity in a sweep, as a share of the largest speed to correct
 };
 
-/// The Signorini–Coulomb problem by projected Gauss–Seidel (Jean & Moreau 1992): the normal impulse of a row pushes only
-/// and keeps its parting speed at or above `least_speed`; the tangential one stops the sliding within friction's disc.
-/// Velocities of the responders hold everything but the rows' impulses before, those too after.
+/// The Signorini–Coulomb problem by projected Gauss–Seidel (Jean & Moreau 1992): the normal impulse of a row pushes
+/// only and keeps its parting speed at or above `least_speed`; the tangential one stops the sliding within friction's
+/// disc. Velocities of the responders hold everything but the rows' impulses before, those too after.
 void solve_impulses(std::span<ContactRow> rows, std::span<Responder> responders, const SolverLimits& limits);
 
 }  // namespace griffith::contact

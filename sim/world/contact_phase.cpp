@@ -157,8 +157,8 @@ void apply_corrections(WorldState& world) {
     const ContactWorld::Correction correction = world.contact_world.position_correction(body.stand_in);
     if (correction.translation.isZero(0) && correction.rotation.isZero(0)) continue;
     const double angle = correction.rotation.norm();
-    const Mat3 turn = angle > 0 ? Eigen::AngleAxisd(angle, correction.rotation / angle).toRotationMatrix()
-                                : Mat3(Mat3::Identity());
+    const Mat3 turn =
+        angle > 0 ? Eigen::AngleAxisd(angle, correction.rotation / angle).toRotationMatrix() : Mat3(Mat3::Identity());
     const Vec3 center = body.motion.center;
     body.motion.center += correction.translation;
     if (body.rigid) {
@@ -178,7 +178,8 @@ void take_sleep(WorldState& world) {
   for (Body& body : world.bodies) body.asleep = body.rigid && world.contact_world.asleep(body.stand_in);
 }
 
-/// Impulses that the rigid and the elastic agree on: what is elastic is known by an estimate first, then by its answers.
+/// Impulses that the rigid and the elastic agree on: what is elastic is known by an estimate first, then by its
+/// answers.
 TouchedBodies solve_contacts(WorldState& world, double dt) {
   constexpr int kMostRounds = 3;
   TouchedBodies touched = touched_bodies(world);

@@ -200,9 +200,8 @@ void calm_bodies(WorldState& world) {
   constexpr int kCalmSteps = 20;
   for (Body& body : world.bodies) {
     if (body.rigid || body.supported()) continue;
-    const bool calm = std::all_of(body.nodes.begin(), body.nodes.end(), [&](NodeId node) {
-      return world.nodes.separations[node].margin < kCalmMargin;
-    });
+    const bool calm = std::all_of(body.nodes.begin(), body.nodes.end(),
+                                  [&](NodeId node) { return world.nodes.separations[node].margin < kCalmMargin; });
     body.calm_steps = calm ? body.calm_steps + 1 : 0;
     if (body.calm_steps >= kCalmSteps) stiffen(world, body);
   }

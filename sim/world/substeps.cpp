@@ -45,17 +45,19 @@ int ticks_before_impact(const WorldState& world, double tick, double speed, int 
 }  // namespace
 
 int substep_budget(const WorldState& world) {
-  constexpr double kWorkPerStep = 13'000;                   // elements times substeps
-  constexpr double kWorkPerBody = 20, kWorkPerContact = 10; // in elements
+  constexpr double kWorkPerStep = 13'000;                    // elements times substeps
+  constexpr double kWorkPerBody = 20, kWorkPerContact = 10;  // in elements
   double work = kWorkPerContact * world.contacts_before;
-  for (const Body& body : world.bodies) work += kWorkPerBody + (body.rigid ? 0.0 : static_cast<double>(body.tets.size()));
+  for (const Body& body : world.bodies)
+    work += kWorkPerBody + (body.rigid ? 0.0 : static_cast<double>(body.tets.size()));
   return std::clamp(static_cast<int>(kWorkPerStep / work), 1, world.scene.simulation.impact_substeps);
 }
 
 int next_substep(WorldState& world, int ticks_left, int substeps_left) {
   const double tick = world.scene.simulation.time_step / kTicksPerStep;
   const int least = (ticks_left + substeps_left - 1) / substeps_left;
-  const int impact_ticks = whole_ticks(impact_substep(world), tick), crack_ticks = whole_ticks(world.crack_transit_time, tick);
+  const int impact_ticks = whole_ticks(impact_substep(world), tick),
+            crack_ticks = whole_ticks(world.crack_transit_time, tick);
   const int finest = std::max(least, impact_ticks);
   const int grown = std::clamp(static_cast<int>(std::ceil(kGrowth * world.substep_ticks)), finest, kTicksPerStep);
   const int wanted = std::min(grown, std::max(crack_ticks, least));

@@ -54,7 +54,8 @@ Eigen::MatrixXd surface_compliance(const WorldState& world, const Body& body, st
 }
 
 /// What the offsets of the contacts from the surface add: the rigid answer at the contacts for that at the surface.
-void add_offset_compliance(const WorldState& world, const TouchedBody& touched, double dt, Eigen::MatrixXd& compliance) {
+void add_offset_compliance(const WorldState& world, const TouchedBody& touched, double dt,
+                           Eigen::MatrixXd& compliance) {
   const Body& body = world.bodies[touched.body];
   if (body.supported()) return;
   const Mat3 inverse_inertia = body.motion.inertia.inverse() / (1 + dt * world.material_of(body).mass_damping);
