@@ -4,8 +4,11 @@
 #include "sim/meshing/monitor.h"
 #include "sim/world/world_state.h"
 
-/// The phases of a step, in the order in which step() calls them.
+/// The phases of a step, in the order in which advance() calls them.
 namespace griffith {
+
+/// A whole step.
+void advance(WorldState& world);
 
 /// Builds meshes, bodies and the contact world. Throws InputError for meshes that cannot be simulated.
 void build_world(WorldState& world, const Monitor& monitor);
