@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 #include "sim/contact/bullet_world.h"
@@ -37,6 +38,7 @@ void ContactWorld::Impl::detect() {
   world.performDiscreteCollisionDetection();
   collect_manifolds();
   update_allowances();
+  wake_disturbed();
   list_contacts();
   for (Object& object : objects) object.fresh = false;
 }
@@ -81,9 +83,28 @@ void ContactWorld::Impl::list_contacts() {
       return manifold->getBody0() == (*first)->getBody0() && manifold->getBody1() == (*first)->getBody1();
     };
     const auto end = std::find_if_not(first, manifolds.end(), same_pair);
-    list_pair({first, end});
+    if (objects[id_of((*first)->getBody0())].moves() || objects[id_of((*first)->getBody1())].moves())
+      list_pair({first, end});
     first = end;
   }
+  sort_by_height();
+}
+
+/// Sweeps that go up and down through a pile carry its load at once.
+void ContactWorld::Impl::sort_by_height() {
+  std::vector<int> order(contacts.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int i, int j) {
+    return gravity.dot(contacts[i].position) < gravity.dot(contacts[j].position);
+  });
+  std::vector<Contact> sorted_contacts;
+  std::vector<btManifoldPoint*> sorted_points;
+  for (int i : order) {
+    sorted_contacts.push_back(contacts[i]);
+    sorted_points.push_back(points[i]);
+  }
+  contacts = std::move(sorted_contacts);
+  points = std::move(sorted_points);
 }
 
 void ContactWorld::Impl::list_pair(std::span<btPersistentManifold* const> of_pair) {
@@ -94,7 +115,7 @@ void ContactWorld::Impl::list_pair(std::span<btPersistentManifold* const> of_pai
       btManifoldPoint& point = manifold->getContactPoint(i);
       found_points.push_back(&point);
       found.push_back({id_of(manifold->getBody0()), id_of(manifold->getBody1()),
-                       from_bullet(point.m_positionWorldOnA), from_bullet(point.m_positionWorldOnB),
+                       from_bullet(0.5 * (point.m_positionWorldOnA + point.m_positionWorldOnB)),
                        from_bullet(point.m_normalWorldOnB), point.getDistance()});
     }
   std::vector<bool> listed(found.size(), false);

@@ -75,7 +75,7 @@ double turning_speed(const Object& object) { return object.state.angular_velocit
 void ContactWorld::Impl::move_spheres(double dt) {
   std::vector<std::size_t> spheres;
   for (std::size_t i = 0; i < objects.size(); ++i)
-    if (objects[i].kind == Kind::sphere && objects[i].body) spheres.push_back(i);
+    if (objects[i].kind == Kind::sphere && objects[i].moves()) spheres.push_back(i);
   for (std::size_t i : spheres) {
     objects[i].state.pose.translation += objects[i].correction.translation;
     objects[i].correction = {};

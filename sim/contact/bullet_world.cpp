@@ -11,6 +11,8 @@ namespace {
 
 constexpr int kMovingGroup = 1, kFixedGroup = 2;
 constexpr int kRetired = -1;
+/// A held object that is displaced by a smaller share of its radius does not disturb sleepers.
+constexpr double kNegligibleMove = 1e-5;
 
 [[maybe_unused]] bool is_valid(const RigidState& state) {
   return state.pose.translation.allFinite() && state.pose.rotation.coeffs().allFinite() && state.velocity.allFinite() &&
@@ -35,6 +37,7 @@ namespace contact {
 void CollisionWorld::updateAabbs() {
   for (int i = 0; i < m_collisionObjects.size(); ++i) {
     const btCollisionObject* object = m_collisionObjects[i];
+    if (!object->isActive() && !object->isStaticObject()) continue;
     btBroadphaseProxy* proxy = m_collisionObjects[i]->getBroadphaseHandle();
     btVector3 minimum, maximum;
     object->getCollisionShape()->getAabb(object->getWorldTransform(), minimum, maximum);
@@ -90,6 +93,8 @@ void ContactWorld::Impl::attach(ProxyId id, const RigidMass& mass) {
   object.body->setCollisionShape(object.shape.root());
   object.body->setUserIndex(id);
   object.body->setCollisionFlags(is_free ? 0 : static_cast<int>(btCollisionObject::CF_STATIC_OBJECT));
+  // A pair is looked at when one of them is active: what cannot move is not.
+  object.body->forceActivationState(is_free ? ACTIVE_TAG : ISLAND_SLEEPING);
   place(object);
   world.addCollisionObject(object.body.get(), is_free ? kMovingGroup : kFixedGroup,
                            is_free ? kMovingGroup | kFixedGroup : kMovingGroup);
@@ -152,6 +157,8 @@ void ContactWorld::reshape(ProxyId stand_in, std::span<const ConvexPart> parts, 
                            Mobility mobility, const RigidState& state) {
   Object& object = impl_->objects[stand_in];
   assert(object.kind == Kind::stand_in && object.body);
+  impl_->wake(stand_in);
+  impl_->wake_neighbours(stand_in);
   impl_->retire(object);
   object.mobility = mobility;
   object.state = state;
@@ -161,12 +168,18 @@ void ContactWorld::reshape(ProxyId stand_in, std::span<const ConvexPart> parts, 
 
 void ContactWorld::remove(ProxyId object) {
   assert(impl_->objects[object].body);
+  impl_->wake(object);
+  impl_->wake_neighbours(object);
   impl_->retire(impl_->objects[object]);
 }
 
 void ContactWorld::set_state(ProxyId object, const RigidState& state) {
   Object& changed = impl_->objects[object];
   assert(changed.kind != Kind::ground && changed.body);
+  if (changed.mobility == Mobility::held) {
+    const double moved = (state.pose.translation - changed.state.pose.translation).norm();
+    changed.body->forceActivationState(moved > kNegligibleMove * changed.shape.radius ? ACTIVE_TAG : ISLAND_SLEEPING);
+  }
   changed.state = state;
   impl_->place(changed);
 }

@@ -35,11 +35,17 @@ struct Object {
   Mat3 inverse_inertia = Mat3::Zero();  ///< in its own frame
   ContactWorld::Correction correction = {};
   double impact_speed = std::numeric_limits<double>::infinity();  ///< from which it could be hurt [m/s]
+  bool asleep = false;                           ///< lies still: neither moved nor looked at until something disturbs it
+  Pose resting_place = {};                       ///< that it has hardly left
+  double still_time = 0;                         ///< for so long [s]
   bool elastic = false;                          ///< its owner answers the impulses of the present solve
   bool fresh = true;                             ///< its shape has not yet been seen by detect()
   std::unique_ptr<btCollisionObject> body = {};  ///< null once removed
 
-  bool moves() const { return body && mobility == Mobility::free; }
+  bool is_free() const { return body && mobility == Mobility::free; }
+  bool moves() const { return is_free() && !asleep; }
+  /// Of its fastest point [m/s].
+  double speed() const { return state.velocity.norm() + state.angular_velocity.norm() * shape.radius; }
   /// Whether impulses change its velocities in the present solve.
   bool answers() const { return elastic || moves(); }
 };
@@ -95,7 +101,9 @@ struct ContactWorld::Impl {
   void collect_manifolds();
   void update_allowances();
   double allowance(ProxyId a, ProxyId b) const;
+  void wake_disturbed();
   void list_contacts();
+  void sort_by_height();
   void list_pair(std::span<btPersistentManifold* const> of_pair);
 
   // Solving.
@@ -113,6 +121,13 @@ struct ContactWorld::Impl {
   std::vector<Momentum> impulse_sums() const;
   void take_impulses(double dt);
   void correct_positions(const std::vector<contact::ContactRow>& rows);
+
+  // Rest.
+  double quiet_speed(const contact::Object& object) const;
+  void resist_rolling(double dt);
+  void fall_asleep(double dt);
+  void wake(ProxyId id);
+  void wake_neighbours(ProxyId id);
 
   // Motion.
   void move_spheres(double dt);

@@ -14,14 +14,13 @@ int best_of(const std::vector<int>& group, Value value) {
   return *std::max_element(group.begin(), group.end(), [&](int a, int b) { return value(a) < value(b); });
 }
 
-/// Four of more contacts with nearly the same normal.
-std::vector<int> widest_four(std::span<const Contact> contacts, const std::vector<int>& group) {
-  const auto at = [&](int i) -> const Vec3& { return contacts[i].position_on_a; };
-  const int deepest = best_of(group, [&](int i) { return -contacts[i].distance; });
-  const int farthest = best_of(group, [&](int i) { return (at(i) - at(deepest)).squaredNorm(); });
-  const Vec3 across = contacts[deepest].normal.cross(at(farthest) - at(deepest));
-  const auto side = [&](int i) { return across.dot(at(i) - at(deepest)); };
-  std::vector<int> kept = {deepest, farthest, best_of(group, side), best_of(group, [&](int i) { return -side(i); })};
+/// The outermost along two axes of the contact plane. Which ones these are changes little from step to step, so that
+/// their last impulses stay a good guess.
+std::vector<int> outermost_four(std::span<const Contact> contacts, const std::vector<int>& group) {
+  const Vec3 normal = contacts[group.front()].normal, first = normal.unitOrthogonal(), second = normal.cross(first);
+  std::vector<int> kept;
+  for (const Vec3& direction : {Vec3(first + second), Vec3(first - second), Vec3(-first - second), Vec3(second - first)})
+    kept.push_back(best_of(group, [&](int i) { return direction.dot(contacts[i].position); }));
   std::sort(kept.begin(), kept.end());
   kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
   return kept;
@@ -39,7 +38,7 @@ std::vector<int> representative_contacts(std::span<const Contact> contacts) {
   }
   std::vector<int> kept;
   for (const std::vector<int>& group : groups) {
-    const std::vector<int> some = group.size() > 4 ? widest_four(contacts, group) : group;
+    const std::vector<int> some = group.size() > 4 ? outermost_four(contacts, group) : group;
     kept.insert(kept.end(), some.begin(), some.end());
   }
   std::sort(kept.begin(), kept.end());

@@ -8,7 +8,7 @@
 namespace griffith {
 
 /// Which of the contacts of one pair of objects are enough to hold them apart: of those that point alike (within 18°),
-/// the deepest one and three more that span the largest area with it. Ascending indices.
+/// the four outermost. Ascending indices.
 std::vector<int> representative_contacts(std::span<const Contact> contacts);
 
 }  // namespace griffith

@@ -24,6 +24,7 @@ Mat3 contact_axes(const Vec3& normal) {
 /// The responder of a rigid object.
 Responder rigid_responder(const Object& object) {
   Responder responder;
+  if (object.asleep) return responder;
   responder.inverse_mass = object.inverse_mass;
   const Mat3 rotation = object.state.pose.rotation.toRotationMatrix();
   responder.inverse_inertia = rotation * object.inverse_inertia * rotation.transpose();
@@ -55,7 +56,7 @@ std::vector<Responder> ContactWorld::Impl::rigid_responders(double dt) const {
     made.push_back(rigid_responder(object));
     made.back().velocity = object.state.velocity;
     made.back().angular_velocity = object.state.angular_velocity;
-    if (object.kind == Kind::sphere) made.back().velocity += dt * gravity;
+    if (object.kind == Kind::sphere && object.moves()) made.back().velocity += dt * gravity;
   }
   return made;
 }
@@ -66,8 +67,8 @@ std::vector<ContactRow> ContactWorld::Impl::rows(double dt) const {
     const Contact& contact = contacts[i];
     const Object &a = objects[contact.a], &b = objects[contact.b];
     ContactRow& row = made[i];
-    row.a = {static_cast<int>(contact.a.value), -1, contact.position_on_a - a.state.pose.translation};
-    row.b = {static_cast<int>(contact.b.value), -1, contact.position_on_b - b.state.pose.translation};
+    row.a = {static_cast<int>(contact.a.value), -1, contact.position - a.state.pose.translation};
+    row.b = {static_cast<int>(contact.b.value), -1, contact.position - b.state.pose.translation};
     row.axes = contact_axes(contact.normal);
     row.friction = std::sqrt(a.surface.friction * b.surface.friction);
     row.impulse = dt * (row.axes.transpose() * remembered_force(*points[i]));
@@ -166,6 +167,7 @@ void ContactWorld::Impl::remember_impulses(double dt) {
 void ContactWorld::Impl::advance(double dt) {
   remember_impulses(dt);
   take_impulses(dt);
+  resist_rolling(dt);
   correct_positions(solved);
   move_spheres(dt);
 }

@@ -43,10 +43,10 @@ enum class Mobility {
 /// parts have at most four. Between detect() and solve() the owner may correct the distance.
 struct Contact {
   ProxyId a, b;
-  Vec3 position_on_a, position_on_b;  ///< world space [m]
-  Vec3 normal;                        ///< unit, points from b to a
-  double distance = 0;                ///< gap along the normal, negative when overlapping, allowed or not [m]
-  Vec3 impulse = Vec3::Zero();        ///< on a at its point, in the substep just solved; b gets the opposite [N·s]
+  Vec3 position;                 ///< half-way between their surfaces, where the impulse acts on both [m]
+  Vec3 normal;                   ///< unit, points from b to a
+  double distance = 0;           ///< gap along the normal, negative when overlapping, allowed or not [m]
+  Vec3 impulse = Vec3::Zero();   ///< on a, in the substep just solved; b gets the opposite [N·s]
 };
 
 /// How an elastic object answers at its contacts, linear in their impulses: the velocity of point i is
@@ -124,6 +124,14 @@ class ContactWorld {
     Vec3 translation = Vec3::Zero(), rotation = Vec3::Zero();
   };
   Correction position_correction(ProxyId stand_in) const;
+
+  /// Rigid objects that, like all that they touch, have hardly moved for half a second fall asleep; once a step of `dt`
+  /// [s]. Sleepers stand still and cost nothing until something touches one that is not quiet, or a neighbour is
+  /// reshaped or removed.
+  void fall_asleep(double dt);
+  bool asleep(ProxyId object) const;
+  /// Wakes an object.
+  void wake(ProxyId object);
 
   /// The approach speed from which an impact could hurt an object [m/s]; infinite, as for spheres and the ground, unless
   /// told otherwise.

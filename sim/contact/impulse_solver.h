@@ -34,8 +34,8 @@ struct ContactRow {
 };
 
 struct SolverLimits {
-  int iterations = 40;
-  double tolerance = 1e-5;  ///< the largest change of velocity in a sweep, as a share of the largest speed to correct
+  int iterations = 24;
+  double tolerance = 1e-7;  ///< the largest change of velocity in a sweep, as a share of the largest speed to correct
 };
 
 /// The Signorini–Coulomb problem by projected Gauss–Seidel (Jean & Moreau 1992): the normal impulse of a row pushes only

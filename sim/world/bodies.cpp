@@ -34,7 +34,8 @@ std::vector<ConvexPart> collision_parts(const WorldState& world, const Body& bod
           std::lower_bound(body.nodes.begin(), body.nodes.end(), world.mesh.tets[tet][i]) - body.nodes.begin());
     tets.push_back(corners);
   }
-  return convex_parts(points, tets);
+  constexpr std::size_t kSmallPiece = 20;  // tets
+  return body.tets.size() <= kSmallPiece ? convex_parts(points, tets, 0.5) : convex_parts(points, tets);
 }
 
 void place_stand_in(WorldState& world, Body& body) {
@@ -129,7 +130,6 @@ void rebuild_body(WorldState& world, Body& body) {
   body.orientation.setIdentity();
   body.element_size = mean_element_size(world, body);
   body.asleep = false;
-  body.still_steps = 0;
   // A single tet cannot break any further: it is debris from the start.
   body.rigid = body.tets.size() == 1 && !body.supported();
   body.calm_steps = 0;

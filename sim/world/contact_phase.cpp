@@ -173,18 +173,24 @@ void apply_corrections(WorldState& world) {
   }
 }
 
+/// What the contact world woke is awake.
+void take_sleep(WorldState& world) {
+  for (Body& body : world.bodies) body.asleep = body.rigid && world.contact_world.asleep(body.stand_in);
+}
+
 /// Impulses that the rigid and the elastic agree on: what is elastic is known by an estimate first, then by its answers.
 TouchedBodies solve_contacts(WorldState& world, double dt) {
   constexpr int kMostRounds = 3;
   TouchedBodies touched = touched_bodies(world);
   correct_distances(world, touched);
-  do {
-    touched = touched_bodies(world);
+  for (bool woken = true; woken;) {
     parallel_for(static_cast<int>(touched.bodies.size()), 1, [&](int begin, int end) {
       for (int i = begin; i < end; ++i) prepare_response(world, touched.bodies[i], dt, touched.responses[i]);
     });
     world.contact_world.solve(dt, touched.responses);
-  } while (wake_struck_bodies(world, dt));
+    woken = wake_struck_bodies(world, dt);
+    if (woken) touched = touched_bodies(world);
+  }
   for (int round = 1; !answer_all(world, touched, dt) && round < kMostRounds; ++round)
     world.contact_world.solve(dt, touched.responses);
   return touched;
@@ -201,6 +207,17 @@ void place_stand_ins(WorldState& world) {
   }
 }
 
+void rest_bodies(WorldState& world, double time_step) {
+  world.contact_world.fall_asleep(time_step);
+  take_sleep(world);
+  for (Body& body : world.bodies) {
+    if (!body.asleep) continue;
+    ++world.report.sleeping_bodies;
+    body.motion.velocity = body.motion.angular_velocity = Vec3::Zero();
+    for (NodeId node : body.nodes) world.nodes.velocities[node].setZero();
+  }
+}
+
 std::vector<Vec3> external_forces(const WorldState& world) {
   std::vector<Vec3> forces(world.nodes.positions.size());
   for (std::size_t i = 0; i < forces.size(); ++i) forces[i] = world.nodes.masses[i] * world.scene.gravity;
@@ -211,6 +228,7 @@ std::vector<Vec3> external_forces(const WorldState& world) {
 void resolve_contacts(WorldState& world, double dt) {
   tell_rigid_velocities(world);
   world.contact_world.detect();
+  take_sleep(world);
   TouchedBodies touched = solve_contacts(world, dt);
   limit_energy(world, touched, dt);
   tell_rigid_velocities(world);

@@ -189,6 +189,7 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
 }
 
 void wake(WorldState& world, Body& body) {
+  world.contact_world.wake(body.stand_in);
   body.rigid = body.asleep = false;
   body.calm_steps = 0;
   update_elements(world, body);  // it has turned since

@@ -79,6 +79,8 @@ SeparationInput separation_input(const WorldState& world);
 void open_cracks(WorldState& world, double substep);
 /// Bodies whose stress has died turn rigid.
 void calm_bodies(WorldState& world);
+/// Rigid bodies that lie still fall asleep; after a step of this length [s].
+void rest_bodies(WorldState& world, double time_step);
 
 /// Gives the tets of a body that may have come apart to one body for each connected piece.
 void part_body(WorldState& world, BodyId id);

@@ -58,6 +58,7 @@ void step_explicitly(WorldState& world, double time_step) {
   const double dt = time_step / world.report.substeps;
   for (int i = 0; i < world.report.substeps; ++i) substep(world, dt);
   calm_bodies(world);
+  rest_bodies(world, time_step);
 }
 
 void step_implicitly(WorldState& world, double time_step) {
@@ -70,6 +71,7 @@ void step_implicitly(WorldState& world, double time_step) {
   }
   world.report.substeps = substeps;
   calm_bodies(world);
+  rest_bodies(world, time_step);
 }
 
 /// Without inertia: from one equilibrium to the next, as loads and supports move on. Each crack changes the balance, so it

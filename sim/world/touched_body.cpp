@@ -82,7 +82,7 @@ void list_contacts(const WorldState& world, TouchedBodies& touched) {
         touched.responses.emplace_back().object = world.bodies[id].stand_in;
       }
       TouchedPoint& point = touched.bodies[index_of_body[id]].points.emplace_back();
-      point.contact = is_a ? contacts[i].position_on_a : contacts[i].position_on_b;
+      point.contact = contacts[i].position;
       touched.responses[index_of_body[id]].contacts.push_back(static_cast<int>(i));
     }
 }

@@ -60,7 +60,6 @@ struct Body {
   bool rigid = false;                    ///< moves as a whole: nothing about it is elastic until it is hit
   int calm_steps = 0;                    ///< steps in a row with next to no stress
   bool asleep = false;                   ///< rigid, and lies still until something strikes it
-  int still_steps = 0;                   ///< steps in a row with next to no motion
   double element_size = 0;               ///< edge length of the cubes that six of its tets would fill, mean [m]
   double energy = 0;                     ///< kinetic and elastic, when the substep began [J]
   double contact_work = 0;               ///< of the contacts in the substep, at the velocities after it [J]
