@@ -7,6 +7,7 @@
 #include "app/scene_camera.h"
 #include "app/scene_files.h"
 #include "app/scene_legend.h"
+#include "app/scene_world.h"
 
 namespace griffith::app {
 namespace {
@@ -24,7 +25,7 @@ ProjectileBurst first_shot(const Scene& scene) {
 
 }  // namespace
 
-Editor::Editor(Scene scene, std::filesystem::path path) : history_(scene), world_(scene) {
+Editor::Editor(Scene scene, std::filesystem::path path) : history_(scene), world_(make_world(scene, path)) {
   show_scene(std::move(scene), std::move(path));
 }
 

@@ -9,6 +9,7 @@
 #include "app/progress.h"
 #include "app/scene_camera.h"
 #include "app/scene_legend.h"
+#include "app/scene_world.h"
 #include "renderer/egl_context.h"
 #include "renderer/target.h"
 #include "sim/error.h"
@@ -70,7 +71,7 @@ render::Image with_legend(Interface& interface, const render::Target& target, un
 }
 
 void render_plainly(const RenderOptions& options, const Scene& scene) {
-  World world(scene);
+  World world = make_world(scene, options.scene);
   render::Renderer renderer;
   Interface interface(1);
   const render::Target target(options.width, options.height);

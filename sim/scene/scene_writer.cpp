@@ -110,11 +110,18 @@ Json library_json(const Library& library) {
   return object;
 }
 
+/// The path of the file that a shape is made of; null where it is made of none.
+std::filesystem::path* file_of(Shape& shape) {
+  if (auto* mesh = std::get_if<MeshFileShape>(&shape)) return &mesh->path;
+  if (auto* surface = std::get_if<SurfaceShape>(&shape)) return &surface->path;
+  return nullptr;
+}
+
 Scene with_mesh_paths_from(Scene scene, const std::filesystem::path& folder) {
   for (BodyDescription& body : scene.bodies) {
-    auto* mesh = std::get_if<MeshFileShape>(&body.shape);
-    if (!mesh || mesh->path.is_absolute() || scene.folder == folder) continue;
-    mesh->path = std::filesystem::absolute(scene.folder / mesh->path).lexically_normal().lexically_proximate(folder);
+    std::filesystem::path* path = file_of(body.shape);
+    if (!path || path->is_absolute() || scene.folder == folder) continue;
+    *path = std::filesystem::absolute(scene.folder / *path).lexically_normal().lexically_proximate(folder);
   }
   return scene;
 }

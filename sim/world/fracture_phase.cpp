@@ -80,6 +80,7 @@ CrackEvent describe(const WorldState& world, NodeId node, const std::vector<std:
   const NodeSeparation& separation = world.nodes.separations[node];
   CrackEvent event;
   event.step = world.step;
+  event.time = world.time;
   event.body = body.id;
   event.node = node;
   event.position = world.nodes.positions[node];

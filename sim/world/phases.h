@@ -1,13 +1,14 @@
 #pragma once
 
 #include "sim/fracture/separation_tensor.h"
+#include "sim/meshing/monitor.h"
 #include "sim/world/world_state.h"
 
 /// The phases of a step, in the order in which step() calls them.
 namespace griffith {
 
 /// Builds meshes, bodies and the contact world. Throws InputError for meshes that cannot be simulated.
-void build_world(WorldState& world);
+void build_world(WorldState& world, const Monitor& monitor);
 
 /// Queues the shots of a burst, its start counted from now.
 void queue_burst(WorldState& world, const ProjectileBurst& burst);

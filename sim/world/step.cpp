@@ -48,6 +48,7 @@ void substep(WorldState& world, double dt) {
     advance_bodies(world, external_forces, dt);
     update_elements(world);
   }
+  world.time += dt;
   fracture(world, dt);
 }
 
@@ -75,11 +76,12 @@ void step_implicitly(WorldState& world, double time_step) {
 void step_statically(WorldState& world, double time_step) {
   const int budget = world.scene.simulation.impact_substeps;
   double displacement_time = time_step;
+  world.time += time_step;
   int cracks_before = -1;
   for (world.report.substeps = 0; world.report.cracks > cracks_before; ++world.report.substeps) {
     {
       PhaseTimer timer(world.report.milliseconds.elasticity);
-      find_equilibrium(world, world.time + time_step, displacement_time, false);
+      find_equilibrium(world, world.time, displacement_time, false);
       update_elements(world);
     }
     displacement_time = 0;

@@ -25,7 +25,9 @@ class Hash {
 
 }  // namespace
 
-World::World(const Scene& scene) : impl_(std::make_unique<Impl>(WorldState(scene))) { build_world(impl_->state); }
+World::World(const Scene& scene, const Monitor& monitor) : impl_(std::make_unique<Impl>(WorldState(scene))) {
+  build_world(impl_->state, monitor);
+}
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
