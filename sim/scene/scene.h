@@ -11,6 +11,7 @@
 #include "sim/scene/boundary_condition.h"
 #include "sim/scene/probe.h"
 #include "sim/scene/shape.h"
+#include "sim/splinters/splinter_pattern.h"
 
 namespace griffith {
 
@@ -28,6 +29,7 @@ struct BodyDescription {
   std::optional<StrengthScatter> strength_scatter;
   std::vector<Support> supports;
   std::vector<Load> loads;
+  std::optional<SplinterPattern> splinters;  ///< what is seen of it when it breaks; none: its tets
   bool operator==(const BodyDescription&) const = default;
 };
 
@@ -92,6 +94,7 @@ struct ViewSettings {
   std::string color_map = "viridis";   ///< viridis, coolwarm or cividis
   std::optional<Vec2> range;           ///< in the quantity's unit; automatic when absent
   bool edges = true;
+  bool splinters = true;  ///< shown in place of tets where a body has them
   bool operator==(const ViewSettings&) const = default;
 };
 

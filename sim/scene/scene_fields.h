@@ -5,6 +5,7 @@
 #include "sim/scene/field.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/shape_fields.h"
+#include "sim/scene/splinter_fields.h"
 #include "sim/scene/view_quantity.h"
 
 // The table of all fields of a scene: name, member, values and meaning. An archive (the reader, the writer, the
@@ -171,6 +172,10 @@ void describe(Archive& archive, BodyDescription& body) {
   archive.field("strength_scatter", body.strength_scatter, Parts{}, "Random strength from flaws; null: none");
   archive.field("supports", body.supports, Parts{}, "Regions that are held");
   archive.field("loads", body.loads, Parts{}, "Forces on regions");
+  archive.field("splinters", body.splinters, Parts{},
+                "What it is seen to break into, instead of its tetrahedra; nothing of the simulation depends on it");
+  archive.require(!body.remeshing || !body.splinters, "splinters", "do not go with remeshing, which cuts what they fill",
+                  "take out one of the two");
 }
 
 template <class Archive>
@@ -255,6 +260,7 @@ void describe(Archive& archive, ViewSettings& view) {
   archive.field("range", view.range, range,
                 "Values at the two ends of the colours, in the quantity's unit; null: automatic");
   archive.field("edges", view.edges, Flag{}, "Whether element edges are drawn");
+  archive.field("splinters", view.splinters, Flag{}, "Whether splinters are drawn in place of the tetrahedra");
 }
 
 template <class Archive>

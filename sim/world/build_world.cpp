@@ -117,6 +117,7 @@ void add_scene_body(WorldState& world, int scene_body, const Monitor& monitor) {
   place_supports(world, scene_body, rest);
   place_loads(world, scene_body, rest);
   place_probes(world, scene_body, rest);
+  place_splinters(world, scene_body, rest);
   update_supports(world, world.time, world.scene.simulation.time_step);
 
   Body body;

@@ -14,6 +14,7 @@ struct Opened {
   std::set<BodyId> bodies;
   MotionsBefore motions;          ///< of free bodies that were remeshed
   std::set<NodeId> waiting;       ///< a split relieves its neighbourhood: these wait until their stress is known again
+  std::vector<TetId> parted;      ///< tets that lost a neighbour, but for remeshed bodies, which have no splinters
   std::size_t first_event = 0;
 };
 
@@ -100,9 +101,9 @@ CrackEvent describe(const WorldState& world, NodeId node, const std::vector<std:
 bool crack(WorldState& world, NodeId node, Opened& opened) {
   const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
   const Vec3 normal = world.nodes.separations[node].direction;
-  const std::vector<std::uint8_t> above = world.scene.bodies[body.scene_body].remeshing
-                                              ? remesh(world, body, node, normal, opened)
-                                              : tets_above(world.mesh, world.nodes.positions, node, normal);
+  const bool remeshing = world.scene.bodies[body.scene_body].remeshing;
+  const std::vector<std::uint8_t> above = remeshing ? remesh(world, body, node, normal, opened)
+                                                    : tets_above(world.mesh, world.nodes.positions, node, normal);
   CrackEvent event = describe(world, node, above);
   const SplitResult result = split_node(world.mesh, node, above, world.scene.simulation.min_fragment_tets);
   world.report.cracks_suppressed += result.too_small;
@@ -112,6 +113,7 @@ bool crack(WorldState& world, NodeId node, Opened& opened) {
   event.nodes_made = static_cast<int>(result.copies.size());
   event.torn_off = result.changed_tets.empty() ? tear_off(world, node, event.normal) : share_support(world, result.copies);
   if (result.changed_tets.empty() && !event.torn_off) return false;
+  if (!remeshing) opened.parted.insert(opened.parted.end(), result.changed_tets.begin(), result.changed_tets.end());
   world.report.supports_torn += event.torn_off;
   world.crack_events.push_back(std::move(event));
   return true;
@@ -178,6 +180,7 @@ void open_cracks(WorldState& world, double substep) {
     world.crack_transit_time = std::min(world.crack_transit_time, crack_transit_time(world, world.bodies[body]));
     part_body(world, body);
   }
+  follow_cracks(world.splinters, world.mesh.neighbours, opened.parted, world.splinter_state);
   for (std::size_t i = opened.first_event; i < world.crack_events.size(); ++i)
     world.crack_events[i].children = children_of(world, world.crack_events[i]);
   world.report.cracks_postponed = static_cast<int>(world.postponed.size());

@@ -11,6 +11,7 @@
 #include "sim/fracture/node_separation.h"
 #include "sim/ids.h"
 #include "sim/linear_algebra.h"
+#include "sim/splinters/splinters.h"
 
 namespace griffith {
 
@@ -78,6 +79,12 @@ struct Frame {
   std::span<const Mat3> stresses;                       ///< per tet: Cauchy stress, world frame [Pa]
   std::span<const Material> materials;                  ///< per scene body, as in force now
   std::span<const BodyView> bodies;                     ///< one per BodyId; bodies are never removed
+  std::span<const Splinter> splinters;                  ///< what is seen instead of tets, where bodies have them
+  std::span<const SplinterPart> splinter_parts;         ///< by splinter
+  std::span<const SplinterFace> splinter_faces;         ///< by part
+  std::span<const SplinterCorner> splinter_corners;     ///< by face
+  std::span<const std::uint8_t> attached_parts;         ///< per part: 1 carried by its own tet, 0 by the owner
+  std::span<const int> open_walls;                      ///< faces between splinters that cracks have opened
   std::span<const ProjectileView> projectiles;
   std::span<const CrackEvent> crack_events;             ///< all so far, oldest first
   int fragments = 0;                                    ///< connected pieces beyond the scene's own bodies

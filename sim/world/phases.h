@@ -10,6 +10,9 @@ namespace griffith {
 /// Builds meshes, bodies and the contact world. Throws InputError for meshes that cannot be simulated.
 void build_world(WorldState& world, const Monitor& monitor);
 
+/// Makes a body's splinters, if it has a pattern for them. Throws InputError for one that cannot be made.
+void place_splinters(WorldState& world, int scene_body, const RestBody& body);
+
 /// Queues the shots of a burst, its start counted from now.
 void queue_burst(WorldState& world, const ProjectileBurst& burst);
 /// Puts the shots whose time has come into the contact world.

@@ -13,6 +13,7 @@
 #include "sim/scene/scene.h"
 #include "sim/solver/elastic_system.h"
 #include "sim/solver/rigid_motion.h"
+#include "sim/splinters/splinters.h"
 #include "sim/world/frame.h"
 #include "sim/world/loads.h"
 #include "sim/world/probes.h"
@@ -94,6 +95,8 @@ struct WorldState {
   TetMesh mesh;
   NodeArrays nodes;
   ElementArrays elements;
+  SplinterSet splinters;
+  SplinterState splinter_state;
   std::vector<Body> bodies;  ///< by BodyId; never removed
   ContactWorld contact_world;
   std::vector<BodyId> body_of_proxy;  ///< per ProxyId; invalid for projectiles and the ground
