@@ -174,8 +174,8 @@ void describe(Archive& archive, BodyDescription& body) {
   archive.field("loads", body.loads, Parts{}, "Forces on regions");
   archive.field("splinters", body.splinters, Parts{},
                 "What it is seen to break into, instead of its tetrahedra; nothing of the simulation depends on it");
-  archive.require(!body.remeshing || !body.splinters, "splinters", "do not go with remeshing, which cuts what they fill",
-                  "take out one of the two");
+  archive.require(!body.remeshing || !body.splinters, "remeshing", "is asked for beside splinters",
+                  "take one of them out: splinters are carried by the tetrahedra as they are");
 }
 
 template <class Archive>

@@ -14,7 +14,7 @@ struct Opened {
   std::set<BodyId> bodies;
   MotionsBefore motions;          ///< of free bodies that were remeshed
   std::set<NodeId> waiting;       ///< a split relieves its neighbourhood: these wait until their stress is known again
-  std::vector<TetId> parted;      ///< tets that lost a neighbour, but for remeshed bodies, which have no splinters
+  std::vector<TetId> parted;      ///< tets that lost a neighbour
   std::size_t first_event = 0;
 };
 
@@ -101,9 +101,9 @@ CrackEvent describe(const WorldState& world, NodeId node, const std::vector<std:
 bool crack(WorldState& world, NodeId node, Opened& opened) {
   const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
   const Vec3 normal = world.nodes.separations[node].direction;
-  const bool remeshing = world.scene.bodies[body.scene_body].remeshing;
-  const std::vector<std::uint8_t> above = remeshing ? remesh(world, body, node, normal, opened)
-                                                    : tets_above(world.mesh, world.nodes.positions, node, normal);
+  const std::vector<std::uint8_t> above = world.scene.bodies[body.scene_body].remeshing
+                                              ? remesh(world, body, node, normal, opened)
+                                              : tets_above(world.mesh, world.nodes.positions, node, normal);
   CrackEvent event = describe(world, node, above);
   const SplitResult result = split_node(world.mesh, node, above, world.scene.simulation.min_fragment_tets);
   world.report.cracks_suppressed += result.too_small;
@@ -113,7 +113,7 @@ bool crack(WorldState& world, NodeId node, Opened& opened) {
   event.nodes_made = static_cast<int>(result.copies.size());
   event.torn_off = result.changed_tets.empty() ? tear_off(world, node, event.normal) : share_support(world, result.copies);
   if (result.changed_tets.empty() && !event.torn_off) return false;
-  if (!remeshing) opened.parted.insert(opened.parted.end(), result.changed_tets.begin(), result.changed_tets.end());
+  opened.parted.insert(opened.parted.end(), result.changed_tets.begin(), result.changed_tets.end());
   world.report.supports_torn += event.torn_off;
   world.crack_events.push_back(std::move(event));
   return true;

@@ -23,6 +23,7 @@ struct BodyView {
   double mass = 0;               ///< [kg]
   Vec3 center_of_mass, velocity, angular_velocity;
   bool supported = false;        ///< has nodes held in place
+  bool asleep = false;           ///< lies still until something strikes it
 };
 
 struct ProjectileView {
@@ -51,6 +52,9 @@ struct StepReport {
   double max_relative_residual = 0;  ///< largest in any body and substep
   int unconverged_solves = 0;        ///< stopped by the iteration limit
   int inverted_tets = 0;
+  int shortened_motions = 0;         ///< deformations cut short, whose linearised step would have added energy
+  int limited_impulses = 0;          ///< bodies whose contact impulses were cut, which would have added energy
+  int sleeping_bodies = 0;
   int non_finite_values = 0;         ///< bodies frozen because a value was not finite
   double max_penetration = 0;        ///< [m]
   StepTimings milliseconds;

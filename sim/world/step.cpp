@@ -34,19 +34,20 @@ void fracture(WorldState& world, double substep) {
 
 void substep(WorldState& world, double dt) {
   StepTimings& timings = world.report.milliseconds;
-  std::vector<Vec3> external_forces;
+  std::vector<Vec3> external;
   {
     PhaseTimer timer(timings.elasticity);
     assemble_systems(world, dt);
+    external = external_forces(world);
+    predict_velocities(world, external, dt);
   }
   {
     PhaseTimer timer(timings.contact);
-    external_forces = contact_forces(world, dt);
+    resolve_contacts(world, dt);
   }
   {
     PhaseTimer timer(timings.elasticity);
-    advance_bodies(world, external_forces, dt);
-    update_elements(world);
+    move_bodies(world, external, dt);
   }
   world.time += dt;
   fracture(world, dt);

@@ -59,6 +59,12 @@ struct Body {
   double highest_frequency = 0;          ///< [rad/s]; 0 until explicit integration asks for it
   bool rigid = false;                    ///< moves as a whole: nothing about it is elastic until it is hit
   int calm_steps = 0;                    ///< steps in a row with next to no stress
+  bool asleep = false;                   ///< rigid, and lies still until something strikes it
+  int still_steps = 0;                   ///< steps in a row with next to no motion
+  double element_size = 0;               ///< edge length of the cubes that six of its tets would fill, mean [m]
+  double energy = 0;                     ///< kinetic and elastic, when the substep began [J]
+  double contact_work = 0;               ///< of the contacts in the substep, at the velocities after it [J]
+  double compliance_factor = 1;          ///< true compliance at contacts over the estimated one, as seen last
 
   bool supported() const { return !system->is_free(); }
 };
@@ -116,6 +122,11 @@ struct WorldState {
   Totals totals;
 
   bool integrates_explicitly() const { return scene.simulation.integrator == Integrator::symplectic_euler; }
+  /// Whose stand-in this is; invalid for projectiles and the ground.
+  BodyId body_of(ProxyId proxy) const {
+    const auto index = static_cast<std::size_t>(proxy.value);
+    return index < body_of_proxy.size() ? body_of_proxy[index] : BodyId();
+  }
   const Material& material_of(const Body& body) const { return materials[body.scene_body]; }
 };
 
