@@ -8,7 +8,7 @@
 namespace griffith {
 
 /// Builds meshes, bodies and the contact world. Throws InputError for meshes that cannot be simulated.
-void build_world(WorldState& world, const Monitor& monitor);
+void build_world(WorldState& world, const Monitor& monitor = {});
 
 /// Queues the shots of a burst, its start counted from now.
 void queue_burst(WorldState& world, const ProjectileBurst& burst);
