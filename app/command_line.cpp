@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <map>
 #include <memory>
 
 #include "app/command_options.h"
@@ -19,6 +20,7 @@ struct Options {
   RenderOptions render;
   SimulateOptions simulate;
   CheckOptions check;
+  MeshOptions mesh;
   int threads = 0;  ///< 0: as many as the machine has
 };
 
@@ -93,6 +95,9 @@ void add_simulate(CLI::App& program, Options& options) {
       ->type_name("FILE");
   command->add_option("--probes", options.simulate.probes, "Write the scene's probes as CSV, one row a time step")
       ->type_name("FILE");
+  command->add_option("--events", options.simulate.events,
+                      "Write all crack events as JSON: place, plane, load, elements on both sides, bodies")
+      ->type_name("FILE");
   command->add_option("--export", options.simulate.export_file, "Write the last time step as .vtu (ParaView) or .msh (Gmsh)")
       ->type_name("FILE");
   command->add_option("--export-pieces", options.simulate.export_pieces,
@@ -114,6 +119,51 @@ void add_check(CLI::App& program, Options& options) {
   command->footer("Example:\n  griffith check scenes/wall_small.json scenes/materials.json");
 }
 
+void add_mesh(CLI::App& program, Options& options) {
+  CLI::App* command = program.add_subcommand("mesh", "Fill a surface with tetrahedra");
+  MeshOptions& mesh = options.mesh;
+  const std::map<std::string, MeshingMethod> methods = {{"automatic", MeshingMethod::automatic},
+                                                        {"tetgen", MeshingMethod::tetgen},
+                                                        {"volumetric", MeshingMethod::volumetric}};
+  command->add_option("SURFACE", mesh.surface, "Surface: .obj, .stl, .ply, .off, .gltf or .glb")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("-o,--output", mesh.output, "Mesh to write: .msh, .vtu or .node")->required()->type_name("FILE");
+  command->add_option("--element-size", mesh.meshing.element_size, "Edge of a tetrahedron [m]; 1/20 of the size if not given")
+      ->check(CLI::Range(1e-6, 1e5))
+      ->type_name("M");
+  command
+      ->add_option("--method", mesh.meshing.method,
+                   "automatic (the default), tetgen (keeps the surface's triangles) or volumetric (takes any surface)")
+      ->transform(CLI::CheckedTransformer(methods).description(""))
+      ->type_name("NAME");
+  command->add_option("--grading", mesh.meshing.grading, "TetGen: how many times longer edges may be inside; 1 if not given")
+      ->check(CLI::Range(1.0, 100.0))
+      ->type_name("G");
+  command->add_option("--quality", mesh.meshing.radius_edge_ratio, "TetGen: most circumradius over shortest edge; 1.4 if not given")
+      ->check(CLI::Range(1.1, 10.0))
+      ->type_name("Q");
+  command->add_option("--min-dihedral", mesh.meshing.min_dihedral_angle, "TetGen: angle between faces to work for; 10 if not given")
+      ->check(CLI::Range(0.0, 18.0))
+      ->type_name("DEGREES");
+  command->add_option("--scale", mesh.scale, "Metres per unit of the file; 1 if not given")
+      ->check(CLI::Range(1e-9, 1e6))
+      ->type_name("S");
+  command->add_option("--time-limit", mesh.time_limit, "TetGen: seconds; 300 if not given")
+      ->check(CLI::Range(0.01, 1e6))
+      ->type_name("S");
+  command->add_option("--memory-limit", mesh.memory_limit, "TetGen: megabytes; 8192 if not given")
+      ->check(CLI::Range(16, 1 << 20))
+      ->type_name("MB");
+  command->add_option("--report", mesh.report, "Write what was found and made as JSON")->type_name("FILE");
+  command->add_flag("--cache,!--no-cache", mesh.cache, "Use meshes made before; on if not given");
+  add_threads(*command, options);
+  command->footer(
+      "Examples:\n"
+      "  griffith mesh vase.obj -o vase.msh\n"
+      "  griffith mesh bunny.stl --scale 0.001 --element-size 0.005 --method volumetric -o bunny.vtu --report bunny.json");
+}
+
 /// The message that CLI11 makes for --help, --version and bad usage; nothing where the arguments are good.
 std::optional<int> parse(CLI::App& program, int argc, const char* const* argv) {
   try {
@@ -133,6 +183,8 @@ int dispatch(const CLI::App& program, Options& options) {
     simulate_command(options.simulate);
   } else if (program.got_subcommand("render")) {
     render_command(options.render);
+  } else if (program.got_subcommand("mesh")) {
+    mesh_command(options.mesh);
   } else {
     run_editor(options.editor);
   }
@@ -157,6 +209,7 @@ int run(int argc, const char* const* argv) {
     add_render(program, options);
     add_simulate(program, options);
     add_check(program, options);
+    add_mesh(program, options);
     program.footer(
         "Examples:\n  griffith scenes/wall_small.json\n  griffith render --help\n\n"
         "Exit code: 0 done, 1 the work failed, 2 bad usage or bad input.");

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "sim/meshing/meshing_options.h"
 
 namespace griffith::app {
 
@@ -33,6 +36,7 @@ struct SimulateOptions {
   int frames = 0;
   std::filesystem::path stats;   ///< empty: a summary on stdout
   std::filesystem::path probes;  ///< empty: the scene's probes are not written down
+  std::filesystem::path events;  ///< JSON of all crack events; empty: none
   std::filesystem::path export_file;  ///< .vtu or .msh of the last frame; empty: none
   std::filesystem::path export_pieces;  ///< folder for the last frame's bodies as .obj; empty: none
   int threads = 1;              ///< in use, for the report
@@ -40,6 +44,17 @@ struct SimulateOptions {
 
 struct CheckOptions {
   std::vector<std::filesystem::path> scenes;
+};
+
+/// A surface to be filled with tets.
+struct MeshOptions {
+  std::filesystem::path surface, output;
+  MeshingOptions meshing;
+  double scale = 1;                  ///< metres per unit of the file
+  double time_limit = 300;           ///< of TetGen [s]
+  std::int64_t memory_limit = 8192;  ///< of TetGen [MB]
+  bool cache = true;                 ///< use meshes made before
+  std::filesystem::path report;      ///< JSON; empty: none
 };
 
 /// Opens the window and returns when it is closed. Throws std::runtime_error when there is no display.
@@ -51,5 +66,8 @@ void render_command(const RenderOptions& options);
 void simulate_command(const SimulateOptions& options);
 /// Prints every problem of every scene, and warnings; returns how many problems there are.
 int check_command(const CheckOptions& options);
+/// Throws InputError for a bad surface, when it cannot be filled and for an output file of another kind than .msh, .vtu or
+/// .node; Cancelled after Ctrl-C.
+void mesh_command(const MeshOptions& options);
 
 }  // namespace griffith::app

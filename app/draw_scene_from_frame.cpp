@@ -17,19 +17,19 @@ constexpr render::Rgb kProjectileColor = {0.24f, 0.27f, 0.31f};
 /// Whether a picture shows tets, or splinters in their place.
 class TetFilter {
  public:
-  TetFilter(const Frame& frame, const InitialSurface& initial, const ViewSettings& view)
-      : frame_(frame), initial_(initial), splinters_(view.splinters && initial.splinters) {}
+  TetFilter(const Frame& frame, const SplinterDisplay& display, const ViewSettings& view)
+      : frame_(frame), display_(display), splinters_(view.splinters && display.splinters) {}
 
   bool shows_splinters() const { return splinters_; }
   bool shows(std::size_t tet) const {
     if (!splinters_) return true;
     const auto body = static_cast<std::size_t>(frame_.tet_bodies[tet].value);
-    return !initial_.splintered[static_cast<std::size_t>(frame_.bodies[body].scene_body)];
+    return !display_.splintered[static_cast<std::size_t>(frame_.bodies[body].scene_body)];
   }
 
  private:
   const Frame& frame_;
-  const InitialSurface& initial_;
+  const SplinterDisplay& display_;
   bool splinters_;
 };
 
@@ -53,14 +53,13 @@ render::Rgb id_color(std::int32_t id) {
   return {channel(0), channel(8), channel(4)};
 }
 
-void add_triangle(render::Surface& surface, const Frame& frame, const InitialSurface& initial, std::size_t tet,
-                  std::size_t face, TetId selected) {
+void add_triangle(render::Surface& surface, const Frame& frame, std::size_t tet, std::size_t face, TetId selected) {
   for (const int corner : kTetFaces[face]) {
     const NodeId node = frame.tets[tet][static_cast<std::size_t>(corner)];
     surface.positions.push_back(frame.positions[static_cast<std::size_t>(node.value)].cast<float>());
   }
   std::uint8_t flags = render::kAllEdges;
-  if (!(initial.faces[tet] >> face & 1)) flags |= render::kCrackFace;
+  if (!(frame.first_surface[tet] >> face & 1)) flags |= render::kCrackFace;
   if (static_cast<std::int32_t>(tet) == selected.value) flags |= render::kSelected;
   surface.flags.push_back(flags);
   surface.ids.push_back(static_cast<std::int32_t>(tet));
@@ -138,27 +137,23 @@ float grid_spacing(const Eigen::AlignedBox3f& box) {
 
 }  // namespace
 
-InitialSurface initial_surface(const Frame& frame) {
-  InitialSurface initial;
-  initial.faces.resize(frame.tets.size(), 0);
-  for_each_surface_face(frame, [&](std::size_t tet, std::size_t face) {
-    initial.faces[tet] = static_cast<std::uint8_t>(initial.faces[tet] | 1 << face);
-  });
-  initial.splinters = splinter_mesh(frame);
-  initial.splintered.resize(frame.materials.size(), 0);
+SplinterDisplay splinter_display(const Frame& frame) {
+  SplinterDisplay display;
+  display.splinters = splinter_mesh(frame);
+  display.splintered.resize(frame.materials.size(), 0);
   for (const Splinter& splinter : frame.splinters)
-    initial.splintered[static_cast<std::size_t>(splinter.scene_body)] = 1;
-  return initial;
+    display.splintered[static_cast<std::size_t>(splinter.scene_body)] = 1;
+  return display;
 }
 
-render::DrawScene draw_scene_from_frame(const Frame& frame, const InitialSurface& initial, const Scene& scene,
+render::DrawScene draw_scene_from_frame(const Frame& frame, const SplinterDisplay& display, const Scene& scene,
                                         const ViewSettings& view, TetId selected) {
   render::DrawScene result;
-  const TetFilter filter(frame, initial, view);
+  const TetFilter filter(frame, display, view);
   for_each_surface_face(frame, [&](std::size_t tet, std::size_t face) {
-    if (filter.shows(tet)) add_triangle(result.surface, frame, initial, tet, face, selected);
+    if (filter.shows(tet)) add_triangle(result.surface, frame, tet, face, selected);
   });
-  if (filter.shows_splinters()) result.embedded = splinter_surface(frame, initial.splinters);
+  if (filter.shows_splinters()) result.embedded = splinter_surface(frame, display.splinters);
   result.embedded.materials = natural_materials(scene);
   result.embedded.selected_tet = selected.value;
   add_colors(result, frame, filter, view);

@@ -10,19 +10,18 @@
 
 namespace griffith::app {
 
-/// What the pictures of a world share, found in its first frame.
-struct InitialSurface {
-  std::vector<std::uint8_t> faces;  ///< per tet: bit i is set where face i lies on the surface and is no crack
+/// The splinters of a world for its pictures, found in its first frame.
+struct SplinterDisplay {
   std::shared_ptr<const render::EmbeddedMesh> splinters;  ///< null where no body has any
   std::vector<std::uint8_t> splintered;                   ///< per scene body: 1 when it has splinters
 };
 
-InitialSurface initial_surface(const Frame& frame);
+SplinterDisplay splinter_display(const Frame& frame);
 
 /// The picture of a frame: surface coloured by view.quantity (natural colours for "material", one for each body or
 /// splinter for "body" and "splinter"), cracks and `selected` marked, projectiles, ground. Bodies with splinters show
 /// them if view.splinters says so. A triangle's id is its tet.
-render::DrawScene draw_scene_from_frame(const Frame& frame, const InitialSurface& initial, const Scene& scene,
+render::DrawScene draw_scene_from_frame(const Frame& frame, const SplinterDisplay& display, const Scene& scene,
                                         const ViewSettings& view, TetId selected);
 
 }  // namespace griffith::app

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "app/editor.h"
+#include "app/scene_world.h"
 #include "app/shooting.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/scene_writer.h"
@@ -19,7 +20,7 @@ void Editor::execute(const ui::Command& command) {
         state_.running = false;
         return step();
       case CommandId::reset:
-        world_ = World(history_.scene());
+        world_ = make_world(history_.scene(), path_);
         return restart();
       case CommandId::fire:
         return fire(command.cursor);
@@ -67,7 +68,7 @@ void Editor::show_error(const InputError& error) {
 void Editor::open(const std::filesystem::path& path) {
   try {
     Scene scene = read_scene(path);
-    world_ = World(scene);
+    world_ = make_world(scene, path);
     show_scene(std::move(scene), path);
   } catch (const InputError& error) {
     show_error(error);

@@ -33,4 +33,14 @@ void Progress::update(int done) {
   std::fprintf(stderr, "\r\033[K%s %d/%d  %.0f %%  %.0f s left", label_.c_str(), done, total_, 100 * share, left);
 }
 
+StageProgress::StageProgress() : shown_(isatty(STDERR_FILENO) == 1) {}
+
+StageProgress::~StageProgress() {
+  if (shown_) std::fprintf(stderr, "\r\033[K");
+}
+
+void StageProgress::enter(std::string_view stage) {
+  if (shown_) std::fprintf(stderr, "\r\033[K%.*s ...", static_cast<int>(stage.size()), stage.data());
+}
+
 }  // namespace griffith::app

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <string>
+#include <string_view>
 
 namespace griffith::app {
 
@@ -24,6 +25,21 @@ class Progress {
   int total_;
   bool shown_;
   Clock::time_point start_, last_;
+};
+
+/// A line on the terminal that names the stage of work whose length is unknown; silent when stderr is not a terminal.
+class StageProgress {
+ public:
+  StageProgress();
+  /// Erases the line.
+  ~StageProgress();
+  StageProgress(const StageProgress&) = delete;
+  StageProgress& operator=(const StageProgress&) = delete;
+
+  void enter(std::string_view stage);
+
+ private:
+  bool shown_;
 };
 
 }  // namespace griffith::app

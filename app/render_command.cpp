@@ -9,6 +9,7 @@
 #include "app/progress.h"
 #include "app/scene_camera.h"
 #include "app/scene_legend.h"
+#include "app/scene_world.h"
 #include "renderer/egl_context.h"
 #include "renderer/target.h"
 #include "sim/error.h"
@@ -70,12 +71,12 @@ render::Image with_legend(Interface& interface, const render::Target& target, un
 }
 
 void render_plainly(const RenderOptions& options, const Scene& scene) {
-  World world(scene);
-  const InitialSurface initial = initial_surface(world.frame());
+  World world = make_world(scene, options.scene);
+  const SplinterDisplay display = splinter_display(world.frame());
   render::Renderer renderer;
   Interface interface(1);
   const render::Target target(options.width, options.height);
-  const auto draw_scene = [&] { return draw_scene_from_frame(world.frame(), initial, scene, scene.view, {}); };
+  const auto draw_scene = [&] { return draw_scene_from_frame(world.frame(), display, scene, scene.view, {}); };
   const float aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
   const render::Camera camera = scene_camera(scene, options.camera, draw_scene(), aspect);
   const auto picture = [&] {

@@ -2,8 +2,10 @@
 #include <optional>
 
 #include "app/command_options.h"
+#include "app/crack_event_file.h"
 #include "app/probe_table.h"
 #include "app/progress.h"
+#include "app/scene_world.h"
 #include "app/statistics.h"
 #include "app/export_frame.h"
 #include "app/export_pieces.h"
@@ -16,7 +18,7 @@ namespace griffith::app {
 void simulate_command(const SimulateOptions& options) {
   if (!options.export_file.empty()) check_export_path(options.export_file);
   const Scene scene = read_scene(options.scene);
-  World world(scene);
+  World world = make_world(scene, options.scene);
   std::optional<ProbeTable> probes;
   if (!options.probes.empty()) probes.emplace(world, options.scene);
   RunStatistics statistics(world.frame(), scene.simulation.time_step, options.threads);
@@ -30,6 +32,7 @@ void simulate_command(const SimulateOptions& options) {
     }
   }
   if (probes) replace_file(options.probes, probes->csv());
+  if (!options.events.empty()) replace_file(options.events, crack_events_json(world.frame()));
   if (!options.export_file.empty()) export_frame(options.export_file, world.frame());
   if (!options.export_pieces.empty()) export_pieces(options.export_pieces, world.frame());
   if (options.stats.empty()) {

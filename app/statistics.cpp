@@ -52,6 +52,7 @@ void add_counters(Json& json, const StepReport& sums, const StepReport& largest)
   json["contacts"] = sums.contacts;
   json["cracks_postponed"] = sums.cracks_postponed;
   json["cracks_suppressed"] = sums.cracks_suppressed;
+  json["remeshing_refused"] = sums.remeshing_refused;
   json["supports_torn"] = sums.supports_torn;
   json["coarse_substeps"] = sums.coarse_substeps;
   json["unconverged_solves"] = sums.unconverged_solves;
@@ -88,6 +89,7 @@ void RunStatistics::add(const Frame& frame) {
   sums_.contacts += report.contacts;
   sums_.cracks_postponed += report.cracks_postponed;
   sums_.cracks_suppressed += report.cracks_suppressed;
+  sums_.remeshing_refused += report.remeshing_refused;
   sums_.supports_torn += report.supports_torn;
   sums_.coarse_substeps += report.coarse_substeps;
   sums_.unconverged_solves += report.unconverged_solves;

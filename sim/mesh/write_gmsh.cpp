@@ -1,20 +1,8 @@
-#include <charconv>
-
-#include "sim/replace_file.h"
+#include "sim/mesh/number_text.h"
 #include "sim/mesh/write_mesh.h"
+#include "sim/replace_file.h"
 
 namespace griffith {
-namespace {
-
-/// Appends the shortest text that reads back as the same number.
-template <class T>
-void append_number(std::string& text, T value, char end) {
-  char digits[32];
-  text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
-  text += end;
-}
-
-}  // namespace
 
 void write_gmsh(const std::filesystem::path& path, const TetSoup& soup) {
   std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n";

@@ -23,6 +23,8 @@ struct BodyDescription {
   Vec3 velocity = Vec3::Zero();          ///< at the start [m/s]
   Vec3 angular_velocity = Vec3::Zero();  ///< at the start, about the centre of mass [rad/s]
   Material material;
+  bool remeshing = false;           ///< cracks cut tets along their plane instead of following faces
+  double minimum_element_size = 0;  ///< edges that remeshing may make [m]; 0: a quarter of the first elements' size
   std::optional<Weakness> weakness;
   std::optional<StrengthScatter> strength_scatter;
   std::vector<Support> supports;

@@ -110,6 +110,13 @@ Json library_json(const Library& library) {
   return object;
 }
 
+/// The path of the file that a shape is made of; null where it is made of none.
+std::filesystem::path* file_of(Shape& shape) {
+  if (auto* mesh = std::get_if<MeshFileShape>(&shape)) return &mesh->path;
+  if (auto* surface = std::get_if<SurfaceShape>(&shape)) return &surface->path;
+  return nullptr;
+}
+
 /// Makes the paths of a scene's files start at `folder`.
 Scene with_mesh_paths_from(Scene scene, const std::filesystem::path& folder) {
   const auto move = [&](std::filesystem::path& path) {
@@ -117,7 +124,7 @@ Scene with_mesh_paths_from(Scene scene, const std::filesystem::path& folder) {
     path = std::filesystem::absolute(scene.folder / path).lexically_normal().lexically_proximate(folder);
   };
   for (BodyDescription& body : scene.bodies) {
-    if (auto* mesh = std::get_if<MeshFileShape>(&body.shape)) move(mesh->path);
+    if (std::filesystem::path* file = file_of(body.shape)) move(*file);
     if (!body.splinters) continue;
     if (auto* points = std::get_if<PointSplinters>(&*body.splinters)) move(points->path);
   }

@@ -5,10 +5,11 @@
 
 #include "sim/linear_algebra.h"
 #include "sim/mesh/box_pattern.h"
+#include "sim/meshing/meshing_options.h"
 
 namespace griffith {
 
-// What a body is made in: all centred on the body's origin, except a mesh file, which has its own. Lengths are in
+// What a body is made in: all centred on the body's origin, except a file, which has its own. Lengths are in
 // metres and > 0; element sizes are wanted ones, rounded so that the cells fill the shape.
 
 /// A box of equal cells.
@@ -67,7 +68,15 @@ struct MeshFileShape {
   bool operator==(const MeshFileShape&) const = default;
 };
 
-using Shape =
-    std::variant<BoxShape, CylinderShape, DiscShape, SphereShape, PlateWithHoleShape, NotchedBeamShape, MeshFileShape>;
+/// A closed surface from a file, to be filled with tets.
+struct SurfaceShape {
+  std::filesystem::path path;  ///< as written in the scene; relative paths start at the scene file's folder
+  double scale = 1;            ///< metres per unit of the file, > 0
+  MeshingOptions meshing;
+  bool operator==(const SurfaceShape&) const = default;
+};
+
+using Shape = std::variant<BoxShape, CylinderShape, DiscShape, SphereShape, PlateWithHoleShape, NotchedBeamShape,
+                           MeshFileShape, SurfaceShape>;
 
 }  // namespace griffith

@@ -100,6 +100,24 @@ void describe(Archive& archive, MeshFileShape& mesh) {
 }
 
 template <class Archive>
+void describe(Archive& archive, SurfaceShape& surface) {
+  MeshingOptions& meshing = surface.meshing;
+  archive.field("path", surface.path, MeshPath{},
+                "Surface: .obj, .stl, .ply, .off, .gltf or .glb; relative to the scene file's folder");
+  archive.field("scale", surface.scale, between(1e-9, 1e6), "Metres per unit of the file");
+  archive.field("element_size", meshing.element_size, between(kElementSize.minimum, kElementSize.maximum, "m"),
+                "Wanted edge of a tetrahedron; null: a twentieth of the bounding box's diagonal");
+  archive.field("method", meshing.method, OneOf{{"automatic", "tetgen", "volumetric"}},
+                "TetGen keeps the surface's triangles and needs a sound surface; volumetric takes any, with equal elements; "
+                "automatic: TetGen where it can");
+  archive.field("grading", meshing.grading, between(1, 100), "TetGen: how many times longer edges may be deep inside");
+  archive.field("radius_edge_ratio", meshing.radius_edge_ratio, between(1.1, 10),
+                "TetGen: most circumradius over shortest edge");
+  archive.field("min_dihedral_angle", meshing.min_dihedral_angle, between(0, 18, "degrees"),
+                "TetGen: smallest angle between two faces that it works for");
+}
+
+template <class Archive>
 void describe(Archive& archive, Shape& shape) {
   archive.template alternative<BoxShape>("box", shape, Parts{}, "A box centred on the body's origin");
   archive.template alternative<CylinderShape>("cylinder", shape, Parts{}, "A cylinder about the z axis");
@@ -110,6 +128,8 @@ void describe(Archive& archive, Shape& shape) {
   archive.template alternative<NotchedBeamShape>("notched_beam", shape, Parts{},
                                                  "A box with a slit of no width from below, across its length");
   archive.template alternative<MeshFileShape>("mesh", shape, Parts{}, "A tetrahedral mesh from a file");
+  archive.template alternative<SurfaceShape>("surface", shape, Parts{},
+                                             "A surface from a file, to be filled with tetrahedra");
 }
 
 }  // namespace griffith

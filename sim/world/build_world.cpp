@@ -31,16 +31,34 @@ void append_nodes(WorldState& world, const BodyDescription& body) {
   nodes.reactions.resize(placed.size(), Vec3::Zero());
 }
 
-/// Makes or reads the body's mesh and places it in the world's.
-RestBody append_mesh(WorldState& world, int scene_body) {
+std::string shape_pointer(int scene_body, const char* shape) {
+  return "#/bodies/" + std::to_string(scene_body) + "/shape/" + shape;
+}
+
+/// Makes or reads the body's mesh, telling findings and errors by their place in the scene.
+TetSoup make_body_soup(WorldState& world, int scene_body, const Monitor& monitor) {
+  const Shape& shape = world.scene.bodies[scene_body].shape;
+  std::vector<std::string> list;
+  try {
+    TetSoup soup = make_soup(shape, world.scene.folder, &list, monitor);
+    for (const std::string& finding : list) world.findings.emplace_back(shape_pointer(scene_body, "surface"), finding, "");
+    return soup;
+  } catch (const InputError& error) {
+    if (!std::holds_alternative<SurfaceShape>(shape)) throw;
+    throw InputError(shape_pointer(scene_body, "surface"), error.where() + ": " + error.problem(), error.remedy());
+  }
+}
+
+/// Places the body's mesh in the world's.
+RestBody append_mesh(WorldState& world, int scene_body, const Monitor& monitor) {
   const BodyDescription& description = world.scene.bodies[scene_body];
   RestBody body;
-  body.soup = make_soup(description.shape, world.scene.folder);
+  body.soup = make_body_soup(world, scene_body, monitor);
   MeshReport report = prepare(body.soup, description.name);
   body.node_of_point = std::move(report.node_of_point);
   if (std::holds_alternative<MeshFileShape>(description.shape))
     for (const std::string& finding : findings(report))
-      world.findings.emplace_back("#/bodies/" + std::to_string(scene_body) + "/shape/mesh", finding, "");
+      world.findings.emplace_back(shape_pointer(scene_body, "mesh"), finding, "");
   TetSoup placed = body.soup;
   const Quat rotation = rotation_of(description);
   for (Vec3& point : placed.points) point = rotation * point + description.position;
@@ -69,8 +87,12 @@ void draw_strengths(WorldState& world, const std::optional<StrengthScatter>& sca
 
 void append_elements(WorldState& world, TetId first, BodyId body) {
   ElementArrays& elements = world.elements;
-  for (TetId tet = first; tet < world.mesh.tet_count(); ++tet.value)
+  for (TetId tet = first; tet < world.mesh.tet_count(); ++tet.value) {
     elements.rests.push_back(element_rest(corners_of(world.mesh, tet, world.mesh.rest_positions)));
+    int faces = 0;
+    for (int face = 0; face < 4; ++face) faces |= !world.mesh.neighbours[tet][face].valid() << face;
+    elements.first_surface.push_back(static_cast<std::uint8_t>(faces));
+  }
   elements.states.resize(world.mesh.tets.size());
   elements.plastic_strains.resize(world.mesh.tets.size(), Mat3::Zero());
   elements.stresses.resize(world.mesh.tets.size(), Mat3::Zero());
@@ -87,9 +109,9 @@ void set_initial_motion(WorldState& world, Body& body, const BodyDescription& de
   update_motion(world, body);
 }
 
-void add_scene_body(WorldState& world, int scene_body) {
+void add_scene_body(WorldState& world, int scene_body, const Monitor& monitor) {
   const BodyDescription& description = world.scene.bodies[scene_body];
-  const RestBody rest = append_mesh(world, scene_body);
+  const RestBody rest = append_mesh(world, scene_body, monitor);
   const auto [first_node, first_tet] = rest.range;
   append_nodes(world, description);
   place_supports(world, scene_body, rest);
@@ -108,6 +130,8 @@ void add_scene_body(WorldState& world, int scene_body) {
   world.bodies.push_back(std::move(body));
   for (NodeId node = first_node; node < world.mesh.node_count(); ++node.value)
     world.nodes.masses[node] = node_mass(world, node);
+  const double quarter = mean_element_size(world, world.bodies.back()) / 4;
+  world.least_edges.push_back(description.minimum_element_size > 0 ? description.minimum_element_size : quarter);
   const std::size_t first_piece = world.bodies.size() - 1;
   part_body(world, world.bodies.back().id);
   for (std::size_t i = first_piece; i < world.bodies.size(); ++i) {
@@ -127,7 +151,7 @@ double node_mass(const WorldState& world, NodeId node) {
   return mass;
 }
 
-void build_world(WorldState& world) {
+void build_world(WorldState& world, const Monitor& monitor) {
   check_probes(world.scene);
   world.substep_ticks = kTicksPerStep;
   for (const BodyDescription& body : world.scene.bodies) {
@@ -136,7 +160,7 @@ void build_world(WorldState& world) {
   }
   if (const auto& ground = world.scene.ground)
     world.contact_world.add_ground(ground->height, {ground->friction, ground->restitution});
-  for (std::size_t i = 0; i < world.scene.bodies.size(); ++i) add_scene_body(world, static_cast<int>(i));
+  for (std::size_t i = 0; i < world.scene.bodies.size(); ++i) add_scene_body(world, static_cast<int>(i), monitor);
   for (const ProjectileBurst& burst : world.scene.projectiles) queue_burst(world, burst);
   if (world.scene.simulation.static_start && world.scene.analysis == Analysis::dynamic)
     find_equilibrium(world, 0, 0, true);

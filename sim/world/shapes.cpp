@@ -3,12 +3,16 @@
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/read_mesh.h"
 #include "sim/mesh/shapes.h"
+#include "sim/meshing/mesh_cache.h"
+#include "sim/meshing/mesh_surface.h"
 
 namespace griffith {
 namespace {
 
 struct Maker {
   const std::filesystem::path& folder;
+  std::vector<std::string>* findings;
+  const Monitor& monitor;
 
   TetSoup operator()(const BoxShape& box) const { return make_box(box.size, box.element_size, box.pattern); }
   TetSoup operator()(const CylinderShape& cylinder) const {
@@ -31,10 +35,23 @@ struct Maker {
     for (Vec3& point : soup.points) point *= file.scale;
     return soup;
   }
+  TetSoup operator()(const SurfaceShape& shape) const {
+    const std::filesystem::path path = (folder / shape.path).lexically_normal();
+    MeshingSetup setup;
+    setup.name = path.string();
+    setup.cache = default_mesh_cache();
+    setup.monitor = monitor;
+    SurfaceMesh mesh = mesh_surface(read_surface(path, shape.scale), shape.meshing, setup);
+    if (findings != nullptr) *findings = std::move(mesh.findings);
+    return std::move(mesh.soup);
+  }
 };
 
 }  // namespace
 
-TetSoup make_soup(const Shape& shape, const std::filesystem::path& folder) { return std::visit(Maker{folder}, shape); }
+TetSoup make_soup(const Shape& shape, const std::filesystem::path& folder, std::vector<std::string>* findings,
+                  const Monitor& monitor) {
+  return std::visit(Maker{folder, findings, monitor}, shape);
+}
 
 }  // namespace griffith

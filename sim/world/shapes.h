@@ -1,14 +1,19 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "sim/mesh/tet_mesh.h"
+#include "sim/meshing/monitor.h"
 #include "sim/scene/shape.h"
 
 namespace griffith {
 
-/// The tets of a shape in the body's rest space [m], to be prepared (mesh_report.h). Relative mesh paths start at
-/// `folder`. Throws InputError when the mesh cannot be made or read.
-TetSoup make_soup(const Shape& shape, const std::filesystem::path& folder);
+/// The tets of a shape in the body's rest space [m], to be prepared (mesh_report.h). Relative paths start at `folder`. A
+/// surface is filled, or recalled from the cache of meshes made before. `findings` gets what the user should know about
+/// the file, a sentence each. Throws InputError when the mesh cannot be made or read, Cancelled when the monitor says so.
+TetSoup make_soup(const Shape& shape, const std::filesystem::path& folder, std::vector<std::string>* findings = nullptr,
+                  const Monitor& monitor = {});
 
 }  // namespace griffith

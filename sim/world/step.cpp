@@ -34,20 +34,22 @@ void fracture(WorldState& world, double substep) {
 
 void substep(WorldState& world, double dt) {
   StepTimings& timings = world.report.milliseconds;
-  std::vector<Vec3> external_forces;
+  std::vector<Vec3> external;
   {
     PhaseTimer timer(timings.elasticity);
     assemble_systems(world, dt);
+    external = external_forces(world);
+    predict_velocities(world, external, dt);
   }
   {
     PhaseTimer timer(timings.contact);
-    external_forces = contact_forces(world, dt);
+    resolve_contacts(world, dt);
   }
   {
     PhaseTimer timer(timings.elasticity);
-    advance_bodies(world, external_forces, dt);
-    update_elements(world);
+    move_bodies(world, external, dt);
   }
+  world.time += dt;
   fracture(world, dt);
 }
 
@@ -75,11 +77,12 @@ void step_implicitly(WorldState& world, double time_step) {
 void step_statically(WorldState& world, double time_step) {
   const int budget = world.scene.simulation.impact_substeps;
   double displacement_time = time_step;
+  world.time += time_step;
   int cracks_before = -1;
   for (world.report.substeps = 0; world.report.cracks > cracks_before; ++world.report.substeps) {
     {
       PhaseTimer timer(world.report.milliseconds.elasticity);
-      find_equilibrium(world, world.time + time_step, displacement_time, false);
+      find_equilibrium(world, world.time, displacement_time, false);
       update_elements(world);
     }
     displacement_time = 0;

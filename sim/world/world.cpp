@@ -25,7 +25,9 @@ class Hash {
 
 }  // namespace
 
-World::World(const Scene& scene) : impl_(std::make_unique<Impl>(WorldState(scene))) { build_world(impl_->state); }
+World::World(const Scene& scene, const Monitor& monitor) : impl_(std::make_unique<Impl>(WorldState(scene))) {
+  build_world(impl_->state, monitor);
+}
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
@@ -45,6 +47,7 @@ Frame World::frame() const {
   frame.tets = world.mesh.tets;
   frame.neighbours = world.mesh.neighbours;
   frame.tet_bodies = world.elements.bodies;
+  frame.first_surface = world.elements.first_surface;
   frame.stresses = world.elements.stresses;
   frame.materials = world.materials;
   frame.bodies = world.body_views;

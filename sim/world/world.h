@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/error.h"
+#include "sim/meshing/monitor.h"
 #include "sim/scene/scene.h"
 #include "sim/world/frame.h"
 
@@ -15,8 +16,9 @@ struct PlacedProbe;
 /// the number of threads or the frame rate.
 class World {
  public:
-  /// Builds meshes and set-up. Throws InputError when a mesh or a value of the scene is unusable.
-  explicit World(const Scene& scene);
+  /// Builds meshes and set-up. Throws InputError when a mesh or a value of the scene is unusable, Cancelled when the
+  /// monitor, which is told of work that may last, says so.
+  explicit World(const Scene& scene, const Monitor& monitor = {});
   ~World();
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;

@@ -13,7 +13,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 TEST(CommandLine, HelpAndVersionSucceed) {
-  for (const char* arguments : {"--help", "render --help", "simulate --help", "check --help"}) {
+  for (const char* arguments : {"--help", "render --help", "simulate --help", "check --help", "mesh --help"}) {
     const Outcome outcome = run_program(arguments);
     EXPECT_EQ(outcome.code, 0) << arguments;
     EXPECT_THAT(outcome.output, HasSubstr("Example")) << arguments;
@@ -35,7 +35,12 @@ TEST(CommandLine, BadUsageIsExitCode2WithAMessage) {
                                         "render " + scene + " -o a.png --size 50x50x50",
                                         "render " + scene + " -o a.png --every 0",
                                         "--nonsense",
-                                        "check"};
+                                        "check",
+                                        "mesh",
+                                        "mesh a.obj",
+                                        "mesh a.obj -o a.msh --method quick",
+                                        "mesh a.obj -o a.msh --element-size 0",
+                                        "mesh a.obj -o a.stl"};
   for (const std::string& arguments : bad) {
     const Outcome outcome = run_program(arguments);
     EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.output;
@@ -45,7 +50,8 @@ TEST(CommandLine, BadUsageIsExitCode2WithAMessage) {
 
 TEST(CommandLine, MissingFileIsExitCode2AndNamed) {
   for (const char* arguments :
-       {"simulate no_such.json --frames 1", "render no_such.json -o a.png", "check no_such.json", "no_such.json"}) {
+       {"simulate no_such.json --frames 1", "render no_such.json -o a.png", "check no_such.json", "no_such.json",
+        "mesh no_such.json -o a.msh"}) {
     const Outcome outcome = run_program(arguments);
     EXPECT_EQ(outcome.code, 2) << arguments;
     EXPECT_THAT(outcome.output, HasSubstr("no_such.json")) << arguments;

@@ -75,7 +75,8 @@ TEST(IncludeRules, PanelsMakeNoGraphicsCallAndKnowNoWorld) {
 TEST(IncludeRules, ThirdPartyLibrariesStayInTheirPlaces) {
   expect_only_in(kBullet, "^sim/contact/");
   expect_only_in("^(tbb|oneapi/tbb)/", "^sim/parallel\\.cpp$");
-  expect_only_in("^nlohmann/", "^(sim/scene/|app/statistics\\.cpp$)");
+  expect_only_in("^nlohmann/", "^(sim/scene/|app/(mesh_)?statistics\\.cpp$)");
+  expect_only_in("^assimp/", "^sim/meshing/read_surface\\.cpp$");
   expect_only_in("^GLFW/", "^app/window\\.cpp$");
   expect_only_in("^CLI/", "^app/command_line\\.cpp$");
   expect_only_in("^voro", "^sim/splinters/voronoi_cells\\.cpp$");
@@ -87,12 +88,13 @@ TEST(IncludeRules, LowerFoldersOfTheSimulationKnowNoHigherOnes) {
   const std::map<std::string, std::string> may_include = {
       {"sim", "^sim$"},
       {"sim/mesh", "^sim(/mesh)?$"},
+      {"sim/meshing", "^sim(/mesh|/meshing)?$"},
       {"sim/elasticity", "^sim(/mesh|/elasticity)?$"},
       {"sim/solver", "^sim(/mesh|/elasticity|/solver)?$"},
       {"sim/fracture", "^sim(/mesh|/elasticity|/solver|/fracture)?$"},
       {"sim/contact", "^sim(/mesh|/contact)?$"},
       {"sim/splinters", "^sim(/mesh|/splinters)?$"},
-      {"sim/scene", "^sim(/mesh|/elasticity|/solver|/fracture|/splinters|/scene)?$"},
+      {"sim/scene", "^sim(/mesh|/meshing|/elasticity|/solver|/fracture|/splinters|/scene)?$"},
       {"sim/world", "^sim(/.*)?$"},
   };
   for (const Include& include : includes_under("sim")) {

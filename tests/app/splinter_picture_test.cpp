@@ -27,7 +27,7 @@ Scene bricks(double strength) {
 
 class SplinterPicture : public ::testing::Test {
  protected:
-  render::Image picture(const World& world, const InitialSurface& initial, const Scene& scene,
+  render::Image picture(const World& world, const SplinterDisplay& display, const Scene& scene,
                         const ViewSettings& view) {
     render::Camera camera;
     camera.position = {2, 2, 3};
@@ -36,7 +36,7 @@ class SplinterPicture : public ::testing::Test {
     options.width = 320;
     options.height = 240;
     options.edges = view.edges;
-    renderer_.render(draw_scene_from_frame(world.frame(), initial, scene, view, TetId(7)), camera, options);
+    renderer_.render(draw_scene_from_frame(world.frame(), display, scene, view, TetId(7)), camera, options);
     return renderer_.image();
   }
 
@@ -59,14 +59,14 @@ TEST_F(SplinterPicture, AnIntactBodyLooksAsWithoutSplinters) {
   const Scene scene = bricks(1);
   World world(scene);
   world.step();
-  const InitialSurface initial = initial_surface(world.frame());
+  const SplinterDisplay display = splinter_display(world.frame());
   for (const char* quantity : {"von_mises", "speed", "body"}) {
     ViewSettings with;
     with.quantity = quantity;
     ViewSettings without = with;
     without.splinters = false;
     const int different =
-        different_pixels(picture(world, initial, scene, with), picture(world, initial, scene, without));
+        different_pixels(picture(world, display, scene, with), picture(world, display, scene, without));
     EXPECT_LE(different, 320 * 240 / 2000) << quantity;
   }
 }
@@ -74,14 +74,14 @@ TEST_F(SplinterPicture, AnIntactBodyLooksAsWithoutSplinters) {
 TEST_F(SplinterPicture, ABrokenBodyShowsOtherPieces) {
   const Scene scene = bricks(0.02);
   World world(scene);
-  const InitialSurface initial = initial_surface(world.frame());
+  const SplinterDisplay display = splinter_display(world.frame());
   for (int i = 0; i < 30; ++i) world.step();
   ASSERT_GT(world.frame().fragments, 0);
   ViewSettings with;
   with.quantity = "body";
   ViewSettings without = with;
   without.splinters = false;
-  EXPECT_GT(different_pixels(picture(world, initial, scene, with), picture(world, initial, scene, without)), 200);
+  EXPECT_GT(different_pixels(picture(world, display, scene, with), picture(world, display, scene, without)), 200);
 }
 
 TEST_F(SplinterPicture, BodiesWithoutSplintersShowTheirTets) {
@@ -91,7 +91,7 @@ TEST_F(SplinterPicture, BodiesWithoutSplintersShowTheirTets) {
   scene.bodies[1].position.x() = 5;
   const World world(scene);
   const Frame frame = world.frame();
-  const render::DrawScene drawn = draw_scene_from_frame(frame, initial_surface(frame), scene, {}, {});
+  const render::DrawScene drawn = draw_scene_from_frame(frame, splinter_display(frame), scene, {}, {});
   EXPECT_FALSE(drawn.surface.ids.empty());
   for (const std::int32_t tet : drawn.surface.ids) EXPECT_EQ(frame.tet_bodies[tet], BodyId(1));
   EXPECT_EQ(drawn.surface.scalars.size(), drawn.surface.ids.size());

@@ -93,6 +93,11 @@ TEST_F(SceneRoundTrip, MeshesAreFoundFromWhereTheSceneIsSaved) {
   const auto& mesh = std::get<MeshFileShape>(moved.bodies.at(0).shape);
   EXPECT_TRUE(mesh.path.is_relative());
   EXPECT_TRUE(fs::equivalent(moved.folder / mesh.path, folder_ / "meshes/file.msh"));
+  scene.bodies[0].shape = SurfaceShape{"meshes/file.msh", 2, {}};
+  write_scene(scene, folder_ / "elsewhere/deeper/scene.json");
+  const Scene again = read_scene(folder_ / "elsewhere/deeper/scene.json");
+  EXPECT_TRUE(fs::equivalent(again.folder / std::get<SurfaceShape>(again.bodies.at(0).shape).path,
+                             folder_ / "meshes/file.msh"));
 }
 
 TEST_F(SceneRoundTrip, AFolderIsAMeshOnlyWithBothItsFiles) {

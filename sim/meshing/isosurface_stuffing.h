@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "sim/linear_algebra.h"
+#include "sim/mesh/tet_mesh.h"
+#include "sim/meshing/monitor.h"
+
+namespace griffith {
+
+/// Something with an inside. Asked from many threads at once.
+struct Solid {
+  std::function<bool(const Vec3& point)> inside;
+  /// How far the border is on the way from an inner point to an outer one: 0 at the first, 1 at the second.
+  std::function<double(const Vec3& inner, const Vec3& outer)> crossing;
+};
+
+/// Fills a solid with tets by isosurface stuffing on a uniform body-centred cubic lattice (Labelle & Shewchuk 2007):
+/// lattice vertices near the border move onto it, tets that still cross it are cut. All dihedral angles lie from 10.7°
+/// to 164.8° (their table 1), whatever the solid. What is thinner than a lattice cube may be lost. `box` holds the
+/// solid; `cube_edge` is the lattice's longer edge [m]. Throws InputError, about `name`, when the lattice is too fine,
+/// and Cancelled.
+TetSoup stuff_isosurface(const Solid& solid, const Eigen::AlignedBox3d& box, double cube_edge, const std::string& name,
+                         const Monitor& monitor = {});
+
+}  // namespace griffith

@@ -1,0 +1,121 @@
+#include "sim/meshing/mesh_cache.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <span>
+#include <string_view>
+
+#include "sim/error.h"
+#include "sim/replace_file.h"
+
+namespace griffith {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Changes whenever the same surface and options would give another mesh than before.
+constexpr std::string_view kFormat = "griffith mesh 1\n";
+
+/// FNV-1a (Fowler, Noll & Vo 1991).
+std::uint64_t hash(std::string_view bytes, std::uint64_t start) {
+  for (const char byte : bytes) start = (start ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
+  return start;
+}
+constexpr std::uint64_t kStart = 0xcbf29ce484222325u, kOtherStart = 0x9e3779b97f4a7c15u;
+
+template <class T>
+std::string_view bytes_of(std::span<const T> values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
+}
+template <class T>
+std::string_view bytes_of(const std::vector<T>& values) {
+  return bytes_of(std::span<const T>(values));
+}
+
+std::string options_text(const MeshingOptions& options) {
+  char text[160];
+  std::snprintf(text, sizeof text, "%d %.17g %.17g %.17g %.17g", static_cast<int>(options.method),
+                options.element_size.value_or(0), options.grading, options.radius_edge_ratio,
+                options.min_dihedral_angle);
+  return text;
+}
+
+struct Header {
+  std::int32_t method = 0, refusal_length = 0, points = 0, tets = 0;
+};
+
+/// Takes `count` values off the front of `bytes`; false when there are fewer.
+template <class T>
+bool take(std::string_view& bytes, T* values, std::int64_t count) {
+  const std::int64_t size = count * static_cast<std::int64_t>(sizeof(T));
+  if (count < 0 || size > std::ssize(bytes)) return false;
+  std::memcpy(static_cast<void*>(values), bytes.data(), static_cast<std::size_t>(size));
+  bytes.remove_prefix(static_cast<std::size_t>(size));
+  return true;
+}
+
+std::optional<FilledSurface> decode(std::string_view bytes) {
+  std::uint64_t sum = 0;
+  Header header;
+  if (!bytes.starts_with(kFormat)) return std::nullopt;
+  bytes.remove_prefix(kFormat.size());
+  if (!take(bytes, &sum, 1) || hash(bytes, kStart) != sum || !take(bytes, &header, 1)) return std::nullopt;
+  FilledSurface filled;
+  filled.method = static_cast<MeshingMethod>(header.method);
+  filled.refusal.resize(header.refusal_length);
+  filled.soup.points.resize(header.points);
+  filled.soup.tets.resize(header.tets);
+  const bool whole = take(bytes, filled.refusal.data(), header.refusal_length) &&
+                     take(bytes, filled.soup.points.data(), header.points) &&
+                     take(bytes, filled.soup.tets.data(), header.tets) && bytes.empty();
+  return whole ? std::optional(std::move(filled)) : std::nullopt;
+}
+
+}  // namespace
+
+fs::path default_mesh_cache() {
+  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache) return fs::path(cache) / "griffith";
+  if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".cache" / "griffith";
+  return {};
+}
+
+fs::path cache_entry(const fs::path& folder, const TriangleSurface& surface, const MeshingOptions& options) {
+  const std::string settings = std::string(kFormat) + options_text(options);
+  std::array<std::uint64_t, 2> key = {kStart, kOtherStart};
+  for (std::uint64_t& part : key)
+    for (const std::string_view bytes :
+         {std::string_view(settings), bytes_of(surface.points), bytes_of(surface.triangles)})
+      part = hash(bytes, part);
+  char name[48];
+  std::snprintf(name, sizeof name, "%016llx%016llx.tets", static_cast<unsigned long long>(key[0]),
+                static_cast<unsigned long long>(key[1]));
+  return folder / name;
+}
+
+std::optional<FilledSurface> read_cache_entry(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return std::nullopt;
+  return decode(std::string{std::istreambuf_iterator<char>(file), {}});
+}
+
+void write_cache_entry(const fs::path& path, const FilledSurface& filled) {
+  const Header header = {static_cast<std::int32_t>(filled.method), static_cast<std::int32_t>(filled.refusal.size()),
+                         static_cast<std::int32_t>(filled.soup.points.size()),
+                         static_cast<std::int32_t>(filled.soup.tets.size())};
+  std::string content(bytes_of(std::span(&header, 1)));
+  content.append(filled.refusal).append(bytes_of(filled.soup.points)).append(bytes_of(filled.soup.tets));
+  const std::uint64_t sum = hash(content, kStart);
+  std::error_code ignored;
+  fs::create_directories(path.parent_path(), ignored);
+  try {
+    replace_file(path, std::string(kFormat).append(bytes_of(std::span(&sum, 1))) + content);
+  } catch (const InputError&) {
+    // A full or read-only disk costs time alone.
+  }
+}
+
+}  // namespace griffith

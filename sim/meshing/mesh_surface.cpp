@@ -1,0 +1,161 @@
+#include "sim/meshing/mesh_surface.h"
+
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "sim/error.h"
+#include "sim/mesh/mesh_report.h"
+#include "sim/mesh/topology.h"
+#include "sim/meshing/mesh_cache.h"
+#include "sim/meshing/tetgen.h"
+#include "sim/meshing/triangle_tree.h"
+#include "sim/meshing/volumetric.h"
+
+namespace griffith {
+namespace {
+
+constexpr double kMostTets = 5e6;
+/// A difference in volume from the surface's that is worth a word.
+constexpr double kVolumeTolerance = 0.05;
+
+/// Gives each part of a star that shares no face with the rest a node of its own.
+void part_pinched_nodes(TetSoup& soup) {
+  const TetMesh mesh = build_mesh(soup);
+  for (int node = 0; node < mesh.node_count(); ++node) {
+    const auto components = star_components(mesh, NodeId(node));
+    for (std::size_t i = 1; i < components.size(); ++i) {
+      for (const TetId tet : components[i])
+        soup.tets[tet][local_corner(mesh, tet, NodeId(node))] = static_cast<int>(soup.points.size());
+      soup.points.push_back(Vec3(soup.points[node]));
+    }
+  }
+}
+
+/// TetGen fills cavities, too: what the surface does not wind round is taken out.
+void remove_cavities(TetSoup& soup, const TriangleSurface& surface) {
+  const TriangleTree tree(surface);
+  std::erase_if(soup.tets, [&](const auto& tet) {
+    const Vec3 middle = (soup.points[tet[0]] + soup.points[tet[1]] + soup.points[tet[2]] + soup.points[tet[3]]) / 4;
+    return std::abs(tree.winding_number(middle)) < 0.5;
+  });
+}
+
+/// Why TetGen need not be asked; empty when it may be.
+std::string unsound(const SurfaceReport& report) {
+  if (report.boundary_edges > 0) return "the surface is open";
+  if (report.crowded_edges > 0) return "edges belong to more than two triangles";
+  if (report.one_sided_shells > 0) return "the surface cannot be oriented";
+  if (report.self_intersections.pairs > 0) return "the surface passes through itself";
+  return {};
+}
+
+TetgenResult try_tetgen(const TriangleSurface& surface, const SurfaceReport& report, const MeshingOptions& options,
+                        const MeshingSetup& setup) {
+  TetgenResult result;
+  result.refusal = unsound(report);
+  if (!result.refusal.empty()) return result;
+  result = run_tetgen(surface, options, element_size_for(report, options), setup.limits, setup.name, setup.monitor);
+  if (!result.refusal.empty()) return result;
+  if (report.shells > 1) remove_cavities(result.soup, surface);
+  try {
+    prepare(result.soup, "TetGen's mesh");
+  } catch (const InputError& error) {
+    result.refusal = error.problem();
+  }
+  return result;
+}
+
+void require_reasonable_count(double volume, double element_size, const MeshingSetup& setup) {
+  const double tets = 12 * std::abs(volume) / (element_size * element_size * element_size);
+  if (tets > kMostTets)
+    throw InputError(setup.name, "would take more than 5 million tetrahedra", "give a larger element size");
+}
+
+FilledSurface fill(const TriangleSurface& surface, const SurfaceReport& report, const MeshingOptions& options,
+                   const MeshingSetup& setup) {
+  const double element_size = element_size_for(report, options);
+  require_reasonable_count(report.volume, element_size, setup);
+  FilledSurface filled;
+  if (options.method != MeshingMethod::volumetric) {
+    TetgenResult result = try_tetgen(surface, report, options, setup);
+    if (result.refusal.empty()) {
+      filled.soup = std::move(result.soup);
+      filled.method = MeshingMethod::tetgen;
+      part_pinched_nodes(filled.soup);
+      return filled;
+    }
+    if (options.method == MeshingMethod::tetgen)
+      throw InputError(setup.name, "TetGen cannot mesh it: " + result.refusal,
+                       "repair the surface, or take the method volumetric");
+    filled.refusal = result.refusal;
+    filled.lasting = result.installed;
+  }
+  filled.soup = stuff_surface(surface, element_size, setup.name, setup.monitor);
+  if (filled.soup.tets.empty()) {
+    const bool sound = unsound(report).empty();
+    throw InputError(setup.name,
+                     sound ? "is thinner than the elements everywhere" : "has no inside that could be filled",
+                     sound ? "give a smaller element size" : "close its holes, or give it a thickness");
+  }
+  prepare(filled.soup, setup.name);
+  part_pinched_nodes(filled.soup);
+  return filled;
+}
+
+/// As fill(), but for a surface and options filled before.
+FilledSurface fill_or_recall(const TriangleSurface& surface, const SurfaceReport& report, const MeshingOptions& options,
+                             const MeshingSetup& setup, bool& from_cache) {
+  if (setup.cache.empty()) return fill(surface, report, options, setup);
+  const std::filesystem::path entry = cache_entry(setup.cache, surface, options);
+  if (auto filled = read_cache_entry(entry)) {
+    from_cache = true;
+    return std::move(*filled);
+  }
+  FilledSurface filled = fill(surface, report, options, setup);
+  if (filled.lasting) write_cache_entry(entry, filled);
+  return filled;
+}
+
+double volume_of(const TetSoup& soup) {
+  double volume = 0;
+  for (const auto& [a, b, c, d] : soup.tets)
+    volume += signed_volume(soup.points[a], soup.points[b], soup.points[c], soup.points[d]);
+  return volume;
+}
+
+std::vector<std::string> findings_of(const SurfaceReport& report, const FilledSurface& filled) {
+  std::vector<std::string> list = findings(report);
+  if (!filled.refusal.empty())
+    list.push_back("meshed by the method volumetric, on a lattice of equal elements, because " + filled.refusal);
+  const double change = volume_of(filled.soup) / report.volume - 1;
+  if (unsound(report).empty() && report.shells == 1 && std::abs(change) > kVolumeTolerance) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "the mesh has %.0f %% %s volume than the surface: a smaller element size fits better",
+                  100 * std::abs(change), change < 0 ? "less" : "more");
+    list.push_back(text);
+  }
+  return list;
+}
+
+}  // namespace
+
+double element_size_for(const SurfaceReport& report, const MeshingOptions& options) {
+  constexpr double kShareOfDiagonal = 0.05;
+  return options.element_size.value_or(kShareOfDiagonal * report.size());
+}
+
+SurfaceMesh mesh_surface(TriangleSurface surface, const MeshingOptions& options, const MeshingSetup& setup) {
+  setup.monitor.enter("Checking the surface");
+  SurfaceMesh mesh;
+  mesh.surface_report = prepare_surface(surface, setup.name);
+  FilledSurface filled = fill_or_recall(surface, mesh.surface_report, options, setup, mesh.from_cache);
+  mesh.findings = findings_of(mesh.surface_report, filled);
+  mesh.soup = std::move(filled.soup);
+  mesh.method = filled.method;
+  mesh.surface = std::move(surface);
+  return mesh;
+}
+
+}  // namespace griffith

@@ -1,0 +1,147 @@
+#include "sim/meshing/orient_surface.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "sim/meshing/surface_edges.h"
+#include "sim/meshing/triangle_tree.h"
+
+namespace griffith {
+namespace {
+
+/// Triangles across an edge from each other, and whether they face the same way.
+struct Neighbour {
+  int triangle = 0;
+  bool agrees = true;
+};
+
+std::vector<std::vector<Neighbour>> neighbours_of(const TriangleSurface& surface, const std::vector<HalfEdge>& sides) {
+  std::vector<std::vector<Neighbour>> neighbours(surface.triangles.size());
+  for_each_edge(sides, [&](std::span<const HalfEdge> edge) {
+    if (edge.size() != 2) return;
+    const bool agrees = edge[0].forward != edge[1].forward;
+    neighbours[edge[0].triangle].push_back({edge[1].triangle, agrees});
+    neighbours[edge[1].triangle].push_back({edge[0].triangle, agrees});
+  });
+  return neighbours;
+}
+
+/// A part of the surface that holds together through edges of two triangles.
+struct Shell {
+  std::vector<int> triangles;
+  bool closed = true;
+  bool one_sided = false;
+};
+
+/// Gathers the part of `start` and gives each of its triangles the side (1 or −1) on which it lies.
+Shell flood(int start, const std::vector<std::vector<Neighbour>>& neighbours, std::vector<int>& side) {
+  Shell shell;
+  shell.triangles = {start};
+  side[start] = 1;
+  for (std::size_t i = 0; i < shell.triangles.size(); ++i) {
+    const int triangle = shell.triangles[i];
+    shell.closed = shell.closed && neighbours[triangle].size() == 3;
+    for (const Neighbour& next : neighbours[triangle]) {
+      const int wanted = next.agrees ? side[triangle] : -side[triangle];
+      if (side[next.triangle] == 0) {
+        side[next.triangle] = wanted;
+        shell.triangles.push_back(next.triangle);
+      }
+      shell.one_sided = shell.one_sided || side[next.triangle] != wanted;
+    }
+  }
+  std::sort(shell.triangles.begin(), shell.triangles.end());
+  return shell;
+}
+
+/// Makes the triangles of a shell agree; returns how many it turned.
+int make_consistent(TriangleSurface& surface, const Shell& shell, const std::vector<int>& side) {
+  double balance = 0;
+  for (const int triangle : shell.triangles)
+    balance += side[triangle] * area_vector(corners_of(surface, triangle)).norm();
+  const int wrong = balance < 0 ? 1 : -1;
+  int turned = 0;
+  for (const int triangle : shell.triangles) {
+    if (side[triangle] != wrong) continue;
+    flip_triangle(surface, triangle);
+    ++turned;
+  }
+  return turned;
+}
+
+TriangleSurface part_of(const TriangleSurface& surface, const Shell& shell) {
+  TriangleSurface part;
+  part.points = surface.points;
+  for (const int triangle : shell.triangles) part.triangles.push_back(surface.triangles[triangle]);
+  weld_points(part);
+  return part;
+}
+
+/// A shell as a surface of its own, with what tells whether another one lies inside it.
+struct ShellBody {
+  TriangleSurface surface;
+  TriangleTree tree;
+  Eigen::AlignedBox3d box;
+  double volume = 0;
+
+  explicit ShellBody(TriangleSurface part)
+      : surface(std::move(part)), tree(surface), box(bounds(surface)), volume(enclosed_volume(surface)) {}
+
+  bool holds(const ShellBody& other) const {
+    const Vec3& point = other.surface.points.front();
+    return std::abs(volume) > std::abs(other.volume) && box.contains(point) &&
+           std::abs(tree.winding_number(point)) > 0.5;
+  }
+};
+
+/// The largest of `bodies` that the body lies in; itself where there is none.
+const ShellBody& outermost(const ShellBody& body, const std::vector<ShellBody>& bodies) {
+  const ShellBody* result = &body;
+  for (const ShellBody& other : bodies)
+    if (other.holds(body) && std::abs(other.volume) > std::abs(result->volume)) result = &other;
+  return *result;
+}
+
+/// Turns the closed shells that are inside out; returns their number.
+int turn_inside_out_shells(TriangleSurface& surface, std::vector<Shell> shells) {
+  std::erase_if(shells, [](const Shell& shell) { return !shell.closed || shell.one_sided; });
+  std::vector<ShellBody> bodies;
+  for (const Shell& shell : shells) bodies.emplace_back(part_of(surface, shell));
+  int turned = 0;
+  for (std::size_t i = 0; i < shells.size(); ++i) {
+    if (outermost(bodies[i], bodies).volume >= 0) continue;
+    for (const int triangle : shells[i].triangles) flip_triangle(surface, triangle);
+    ++turned;
+  }
+  return turned;
+}
+
+}  // namespace
+
+void flip_triangle(TriangleSurface& surface, int triangle) {
+  std::swap(surface.triangles[triangle][1], surface.triangles[triangle][2]);
+  if (!surface.uvs.empty()) std::swap(surface.uvs[triangle][1], surface.uvs[triangle][2]);
+  if (surface.normals.empty()) return;
+  std::swap(surface.normals[triangle][1], surface.normals[triangle][2]);
+  for (Vec3& normal : surface.normals[triangle]) normal = -normal;
+}
+
+Orientation orient_surface(TriangleSurface& surface) {
+  const auto neighbours = neighbours_of(surface, half_edges(surface));
+  std::vector<int> side(surface.triangles.size(), 0);
+  std::vector<Shell> shells;
+  Orientation result;
+  for (std::size_t i = 0; i < side.size(); ++i) {
+    if (side[i] != 0) continue;
+    shells.push_back(flood(static_cast<int>(i), neighbours, side));
+    if (shells.back().one_sided)
+      ++result.one_sided_shells;
+    else
+      result.flipped_triangles += make_consistent(surface, shells.back(), side);
+  }
+  constexpr std::size_t kMostShells = 2000;  // beyond, nothing is known of the nesting and everything stays as it is
+  if (shells.size() <= kMostShells) result.inverted_shells = turn_inside_out_shells(surface, shells);
+  return result;
+}
+
+}  // namespace griffith

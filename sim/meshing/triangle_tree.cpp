@@ -1,0 +1,148 @@
+#include "sim/meshing/triangle_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+namespace griffith {
+namespace {
+
+constexpr int kLeafTriangles = 4;
+/// A group of triangles is far when the point is this many of its radii away.
+constexpr double kFarRadii = 3;
+
+Vec3 middle_of(const std::array<Vec3, 3>& corners) { return (corners[0] + corners[1] + corners[2]) / 3; }
+
+Eigen::AlignedBox3d box_of(const std::array<Vec3, 3>& corners) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& corner : corners) box.extend(corner);
+  return box;
+}
+
+/// Under which a triangle is seen from `point`, negative from behind (van Oosterom & Strackee 1983, eq. 8).
+double solid_angle_of(const std::array<Vec3, 3>& corners, const Vec3& point) {
+  const Vec3 a = corners[0] - point, b = corners[1] - point, c = corners[2] - point;
+  const double la = a.norm(), lb = b.norm(), lc = c.norm();
+  const double denominator = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+  return 2 * std::atan2(a.dot(b.cross(c)), denominator);
+}
+
+}  // namespace
+
+TriangleTree::TriangleTree(const TriangleSurface& surface) {
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+    triangles_.push_back(corners_of(surface, static_cast<int>(i)));
+  order_.resize(triangles_.size());
+  std::iota(order_.begin(), order_.end(), 0);
+  if (!triangles_.empty()) build(0, static_cast<int>(triangles_.size()));
+}
+
+int TriangleTree::build(int begin, int end) {
+  const int index = static_cast<int>(nodes_.size());
+  Node& node = nodes_.emplace_back();
+  node.begin = begin;
+  node.end = end;
+  Eigen::AlignedBox3d middles;
+  for (int i = begin; i < end; ++i) {
+    node.box.extend(box_of(triangles_[order_[i]]));
+    middles.extend(middle_of(triangles_[order_[i]]));
+  }
+  set_dipole(node);
+  if (end - begin <= kLeafTriangles) return index;
+  int axis = 0;
+  middles.sizes().maxCoeff(&axis);
+  const auto before = [&](int a, int b) {
+    return std::pair(middle_of(triangles_[a])[axis], a) < std::pair(middle_of(triangles_[b])[axis], b);
+  };
+  const int split = (begin + end) / 2;
+  std::nth_element(order_.begin() + begin, order_.begin() + split, order_.begin() + end, before);
+  const int left = build(begin, split), right = build(split, end);
+  nodes_[index].left = left;  // `node` may have moved
+  nodes_[index].right = right;
+  return index;
+}
+
+void TriangleTree::set_dipole(Node& node) const {
+  double area = 0;
+  for (int i = node.begin; i < node.end; ++i) {
+    const Vec3 vector = area_vector(triangles_[order_[i]]);
+    node.dipole += vector;
+    node.center += vector.norm() * middle_of(triangles_[order_[i]]);
+    area += vector.norm();
+  }
+  node.center = area > 0 ? Vec3(node.center / area) : node.box.center();
+  for (int i = node.begin; i < node.end; ++i)
+    for (const Vec3& corner : triangles_[order_[i]]) node.radius = std::max(node.radius, (corner - node.center).norm());
+}
+
+TriangleTree::Nearest TriangleTree::nearest(const Vec3& point) const {
+  Nearest best;
+  best.distance = std::numeric_limits<double>::infinity();
+  find_nearest(0, point, best);
+  return best;
+}
+
+void TriangleTree::find_nearest(int index, const Vec3& point, Nearest& best) const {
+  const Node& node = nodes_[index];
+  if (node.left >= 0) {
+    const double left = nodes_[node.left].box.exteriorDistance(point);
+    const double right = nodes_[node.right].box.exteriorDistance(point);
+    const bool left_first = left <= right;
+    if (std::min(left, right) < best.distance) find_nearest(left_first ? node.left : node.right, point, best);
+    if (std::max(left, right) < best.distance) find_nearest(left_first ? node.right : node.left, point, best);
+    return;
+  }
+  for (int i = node.begin; i < node.end; ++i) {
+    const Vec3 candidate = nearest_point(triangles_[order_[i]], point);
+    const double distance = (candidate - point).norm();
+    if (distance < best.distance) best = {distance, candidate, order_[i]};
+  }
+}
+
+double TriangleTree::winding_number(const Vec3& point) const {
+  return nodes_.empty() ? 0 : solid_angle(0, point) / (4 * std::numbers::pi);
+}
+
+double TriangleTree::solid_angle(int index, const Vec3& point) const {
+  const Node& node = nodes_[index];
+  const Vec3 arm = node.center - point;
+  const double distance = arm.norm();
+  if (distance > kFarRadii * node.radius) return arm.dot(node.dipole) / (distance * distance * distance);
+  if (node.left >= 0) return solid_angle(node.left, point) + solid_angle(node.right, point);
+  double sum = 0;
+  for (int i = node.begin; i < node.end; ++i) sum += solid_angle_of(triangles_[order_[i]], point);
+  return sum;
+}
+
+void TriangleTree::visit_box(const Eigen::AlignedBox3d& box, const std::function<void(int)>& visit) const {
+  if (!nodes_.empty()) visit_box(0, box, visit);
+}
+
+void TriangleTree::visit_box(int index, const Eigen::AlignedBox3d& box, const std::function<void(int)>& visit) const {
+  const Node& node = nodes_[index];
+  if (!node.box.intersects(box)) return;
+  if (node.left >= 0) {
+    visit_box(node.left, box, visit);
+    return visit_box(node.right, box, visit);
+  }
+  for (int i = node.begin; i < node.end; ++i)
+    if (box_of(triangles_[order_[i]]).intersects(box)) visit(order_[i]);
+}
+
+Vec3 nearest_point(const std::array<Vec3, 3>& corners, const Vec3& point) {
+  const auto& [a, b, c] = corners;
+  const Vec3 ab = b - a, ac = c - a, ap = point - a, bp = point - b, cp = point - c;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp), d6 = ac.dot(cp);
+  if (d1 <= 0 && d2 <= 0) return a;
+  if (d3 >= 0 && d4 <= d3) return b;
+  if (d6 >= 0 && d5 <= d6) return c;
+  const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + d1 / (d1 - d3) * ab;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + d2 / (d2 - d6) * ac;
+  if (va <= 0 && d4 >= d3 && d5 >= d6) return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
+  return a + (vb * ab + vc * ac) / (va + vb + vc);
+}
+
+}  // namespace griffith

@@ -1,0 +1,48 @@
+#include "sim/meshing/volumetric.h"
+
+#include <cmath>
+
+#include "sim/meshing/isosurface_stuffing.h"
+#include "sim/meshing/triangle_tree.h"
+
+namespace griffith {
+namespace {
+
+/// Inside out or not, there is an inside.
+bool is_inside(const TriangleTree& tree, const Vec3& point) { return std::abs(tree.winding_number(point)) >= 0.5; }
+
+/// The border between an inner and an outer point as a share of the way. The signed distance leads there in few steps
+/// (regula falsi); across a hole, where it jumps, halving does.
+double crossing(const TriangleTree& tree, const Vec3& inner, const Vec3& outer) {
+  constexpr int kMostSteps = 12;
+  constexpr double kTolerance = 1e-4;  // of the way
+  const double length = (outer - inner).norm();
+  double low = 0, high = 1;
+  double depth = tree.nearest(inner).distance, height = tree.nearest(outer).distance;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const double share =
+        i % 3 == 2 || depth + height == 0 ? (low + high) / 2 : low + (high - low) * depth / (depth + height);
+    const Vec3 point = inner + share * (outer - inner);
+    const double distance = tree.nearest(point).distance;
+    if (distance < kTolerance * length) return share;
+    if (is_inside(tree, point))
+      low = share, depth = distance;
+    else
+      high = share, height = distance;
+  }
+  return (low + high) / 2;
+}
+
+}  // namespace
+
+TetSoup stuff_surface(const TriangleSurface& surface, double element_size, const std::string& name,
+                      const Monitor& monitor) {
+  const TriangleTree tree(surface);
+  const Eigen::AlignedBox3d box = bounds(surface);
+  Solid solid;
+  solid.inside = [&](const Vec3& point) { return box.contains(point) && is_inside(tree, point); };
+  solid.crossing = [&](const Vec3& inner, const Vec3& outer) { return crossing(tree, inner, outer); };
+  return stuff_isosurface(solid, box, element_size, name, monitor);
+}
+
+}  // namespace griffith

@@ -1,0 +1,92 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+#include "sim/mesh/mesh_report.h"
+#include "sim/mesh/read_mesh.h"
+
+namespace griffith::app {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr char kTetrahedron[] = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+
+/// Meshes a tetrahedron of a sixth of a litre into `output`, with a cache of the test's own.
+Outcome mesh_tetrahedron(const std::string& output, const std::string& options = "") {
+  const auto surface = test_file("tetrahedron.off", kTetrahedron);
+  return run_program("mesh " + surface.string() + " --scale 0.1 --element-size 0.005 --method volumetric -o " +
+                         (test_folder() / output).string() + " " + options,
+                     "XDG_CACHE_HOME=" + (test_folder() / "cache").string());
+}
+
+double volume_of(const std::string& file) {
+  TetSoup soup = read_mesh(test_folder() / file);
+  return prepare(soup).volume;
+}
+
+TEST(MeshCommand, WritesTheSameMeshInEveryFormat) {
+  for (const char* output : {"a.msh", "a.vtu", "a.node"}) {
+    const Outcome outcome = mesh_tetrahedron(output);
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr("dihedral angles"));
+    EXPECT_NEAR(volume_of(output), 1e-3 / 6, 0.1e-3 / 6);
+    EXPECT_EQ(volume_of(output), volume_of("a.msh"));
+  }
+}
+
+TEST(MeshCommand, ReportIsJsonAndTheCacheIsUsedUnlessForbidden) {
+  const auto report = test_folder() / "report.json";
+  const auto read = [&](const std::string& options) {
+    const Outcome outcome = mesh_tetrahedron("a.msh", "--report " + report.string() + " " + options);
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    return nlohmann::json::parse(std::ifstream(report));
+  };
+  std::filesystem::remove_all(test_folder() / "cache");
+  const auto first = read(""), second = read(""), third = read("--no-cache");
+  EXPECT_EQ(first["method"], "volumetric");
+  EXPECT_GT(first["mesh"]["tets"], 50);
+  EXPECT_GT(first["mesh"]["min_dihedral_angle"], 10.7);
+  EXPECT_EQ(first["surface"]["triangles"], 4);
+  EXPECT_EQ(first["from_cache"], false);
+  EXPECT_EQ(second["from_cache"], true);
+  EXPECT_EQ(third["from_cache"], false);
+  EXPECT_EQ(first["mesh"], second["mesh"]);
+}
+
+TEST(MeshCommand, BadSurfacesAreExitCode2AndDefectsAreWarnings) {
+  const auto run = [](const std::string& name, const std::string& text, const std::string& options) {
+    return run_program("mesh " + test_file(name, text).string() + " --no-cache -o " +
+                       (test_folder() / "a.msh").string() + " " + options);
+  };
+  const Outcome empty = run("a.obj", "v 0 0 0\n", "");
+  EXPECT_EQ(empty.code, 2);
+  EXPECT_THAT(empty.output, HasSubstr("a.obj"));
+  const std::string open = std::string(kTetrahedron).replace(6, 1, "3");
+  const Outcome refused = run("open.off", open, "--method tetgen");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_THAT(refused.output, HasSubstr("the surface is open"));
+  const Outcome filled = run("open.off", open, "");
+  EXPECT_EQ(filled.code, 0) << filled.output;
+  EXPECT_THAT(filled.output, HasSubstr("warning: "));
+  EXPECT_THAT(filled.output, HasSubstr("3 edges in 1 loop"));
+}
+
+TEST(MeshCommand, CtrlCStopsItAndLeavesNothing) {
+  const auto surface = test_file("tetrahedron.off", kTetrahedron);
+  const auto folder = test_folder() / "tmp";
+  std::filesystem::create_directories(folder);
+  const Outcome outcome = run_program(
+      "mesh " + surface.string() + " --no-cache --element-size 0.008 -o " + (test_folder() / "a.msh").string(),
+      "TMPDIR=" + folder.string() + " timeout -s INT 0.3");
+  EXPECT_THAT(outcome.output, HasSubstr("cancelled"));
+  EXPECT_FALSE(std::filesystem::exists(test_folder() / "a.msh"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+}
+
+}  // namespace
+}  // namespace griffith::app

@@ -1,0 +1,126 @@
+#include "sim/meshing/isosurface_stuffing.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+#include "sim/mesh/mesh_report.h"
+#include "sim/mesh/topology.h"
+#include "sim/meshing/mesh_quality.h"
+#include "sim/parallel.h"
+
+namespace griffith {
+namespace {
+
+/// The points where `f` is positive; its border by bisection.
+Solid solid_of(std::function<double(const Vec3&)> f) {
+  Solid solid;
+  solid.inside = [f](const Vec3& point) { return f(point) > 0; };
+  solid.crossing = [f](const Vec3& inner, const Vec3& outer) {
+    double low = 0, high = 1;
+    for (int i = 0; i < 40; ++i) {
+      const double middle = (low + high) / 2;
+      (f(inner + middle * (outer - inner)) > 0 ? low : high) = middle;
+    }
+    return low;
+  };
+  return solid;
+}
+
+Eigen::AlignedBox3d cube(double half) { return {Vec3::Constant(-half), Vec3::Constant(half)}; }
+
+double volume_of(const TetSoup& soup) {
+  double volume = 0;
+  for (const auto& [a, b, c, d] : soup.tets)
+    volume += signed_volume(soup.points[a], soup.points[b], soup.points[c], soup.points[d]);
+  return volume;
+}
+
+TEST(IsosurfaceStuffing, DihedralAnglesStayWithinTheProvenBounds) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  double least = 180, most = 0;
+  for (int sample = 0; sample < 15; ++sample) {
+    const Vec3 wave(3 * uniform(random), 3 * uniform(random), 3 * uniform(random)), center(uniform(random), 0, 0);
+    const double wildness = sample % 3, radius = 0.8 + 0.4 * uniform(random);
+    const auto field = [=](const Vec3& p) {
+      return radius - (p - 0.2 * center).norm() + 0.2 * wildness * std::sin(2 * wave.dot(p)) * std::cos(5 * p.x());
+    };
+    const TetSoup soup = stuff_isosurface(solid_of(field), cube(1.6), 0.11 + 0.05 * uniform(random), "test");
+    const MeshQuality quality = mesh_quality(soup);
+    least = std::min(least, quality.min_dihedral);
+    most = std::max(most, quality.max_dihedral);
+  }
+  EXPECT_GT(least, 10.78);
+  EXPECT_LT(most, 164.75);
+}
+
+/// A number in [0, 1) that looks random and belongs to the point.
+double hash_of(const Vec3& p, double seed) {
+  const double value = std::sin(p.dot(Vec3(12.9898, 78.233, 37.719)) + seed) * 43758.5453;
+  return value - std::floor(value);
+}
+
+TEST(IsosurfaceStuffing, DihedralAnglesKeepTheirBoundsInNoise) {
+  for (int seed = 0; seed < 4; ++seed) {
+    Solid noise;
+    noise.inside = [=](const Vec3& p) { return p.cwiseAbs().maxCoeff() < 1 && hash_of(p, seed) < 0.3 + 0.15 * seed; };
+    noise.crossing = [=](const Vec3& inner, const Vec3& outer) { return hash_of(inner + 0.7 * outer, seed + 0.5); };
+    TetSoup soup = stuff_isosurface(noise, cube(1), 0.1, "noise");
+    const MeshQuality quality = mesh_quality(soup);
+    EXPECT_GT(quality.min_dihedral, 10.78);
+    EXPECT_LT(quality.max_dihedral, 164.75);
+    EXPECT_EQ(prepare(soup).overlapping_faces, 0);
+  }
+}
+
+TEST(IsosurfaceStuffing, VolumeOfABallConvergesInSecondOrder) {
+  const auto error = [](double edge) {
+    const auto ball = solid_of([](const Vec3& p) { return 1 - p.norm(); });
+    return 1 - volume_of(stuff_isosurface(ball, cube(1), edge, "ball")) / (4 * std::numbers::pi / 3);
+  };
+  const double coarse = error(0.25), fine = error(0.125);
+  EXPECT_LT(std::abs(coarse), 0.04);
+  EXPECT_LT(std::abs(fine), 0.35 * std::abs(coarse));
+}
+
+TEST(IsosurfaceStuffing, EveryTetIsPositiveAndFacesMatch) {
+  const auto blob =
+      solid_of([](const Vec3& p) { return 0.9 - p.norm() + 0.3 * std::sin(7 * p.x()) * std::cos(6 * p.y()); });
+  TetSoup soup = stuff_isosurface(blob, cube(1.4), 0.15, "blob");
+  const MeshReport report = prepare(soup);
+  EXPECT_EQ(report.reoriented_tets, 0);
+  EXPECT_EQ(report.removed_tets, 0);
+  EXPECT_EQ(report.overlapping_faces, 0);
+  EXPECT_EQ(report.pinched_nodes + report.pinched_edges, 0);
+  EXPECT_TRUE(check_invariants(build_mesh(soup)).empty());
+  // No face inside: all free faces lie on the border.
+  const TetMesh mesh = build_mesh(soup);
+  for (const SurfaceFace& face : surface_faces(mesh))
+    for (const NodeId node : face_nodes(mesh, face.tet, face.face)) {
+      const Vec3& p = mesh.rest_positions[node];
+      EXPECT_NEAR(0.9 - p.norm() + 0.3 * std::sin(7 * p.x()) * std::cos(6 * p.y()), 0, 1e-6);
+    }
+}
+
+TEST(IsosurfaceStuffing, IsTheSameForAnyNumberOfThreads) {
+  const auto ball = solid_of([](const Vec3& p) { return 1 - p.norm(); });
+  const auto with_threads = [&](int threads) {
+    const ThreadLimit limit(threads);
+    return stuff_isosurface(ball, cube(1), 0.2, "ball");
+  };
+  const TetSoup one = with_threads(1), four = with_threads(4);
+  EXPECT_EQ(one.tets, four.tets);
+  EXPECT_EQ(one.points, four.points);
+}
+
+TEST(IsosurfaceStuffing, CanBeCancelled) {
+  const auto ball = solid_of([](const Vec3& p) { return 1 - p.norm(); });
+  Monitor monitor;
+  monitor.cancelled = [] { return true; };
+  EXPECT_THROW(stuff_isosurface(ball, cube(1), 0.2, "ball", monitor), Cancelled);
+}
+
+}  // namespace
+}  // namespace griffith
