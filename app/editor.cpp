@@ -98,6 +98,7 @@ void Editor::draw_picture(int samples) {
 }
 
 void Editor::draw_panels(const ui::Fonts& fonts) {
+  receive_world();
   ui::EditorInput input;
   input.frame = world_.frame();
   input.fonts = fonts;

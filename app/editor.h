@@ -7,6 +7,7 @@
 
 #include "app/draw_scene_from_frame.h"
 #include "app/step_pacer.h"
+#include "app/world_loader.h"
 #include "renderer/camera.h"
 #include "renderer/renderer.h"
 #include "sim/error.h"
@@ -32,7 +33,8 @@ class Editor {
   /// Draws the panels into the current ImGui frame and carries out what the user asked for.
   void draw_panels(const ui::Fonts& fonts);
 
-  /// Opens a scene; a problem is shown and leaves everything as it was.
+  /// Opens a scene; a problem is shown and leaves everything as it was. Where its world takes longer to build, the scene
+  /// appears when that is done, and a dialog that can cancel it shows until then.
   void open(const std::filesystem::path& path);
   /// Looks through that camera of the scene. Throws InputError when there is none.
   void use_camera(const std::string& name);
@@ -49,6 +51,7 @@ class Editor {
   void show_scene(Scene scene, std::filesystem::path path);
   void restart();
   void follow_materials();
+  void receive_world();
   void execute(const ui::Command& command);
   void show_error(const InputError& error);
   void fire(const Vec2& cursor);
@@ -79,6 +82,7 @@ class Editor {
   std::filesystem::path path_;
   std::vector<std::filesystem::path> scene_files_;
   World world_;
+  WorldLoader loader_;
   std::int64_t world_count_ = 0;  ///< worlds made so far
   SplinterDisplay display_;
   render::Camera camera_;

@@ -7,6 +7,12 @@
 #include "sim/scene/scene_writer.h"
 
 namespace griffith::app {
+namespace {
+
+/// Seconds that the window may stand still before it shows that work is going on.
+constexpr double kPatience = 0.3;
+
+}  // namespace
 
 using ui::CommandId;
 
@@ -67,12 +73,26 @@ void Editor::show_error(const InputError& error) {
 
 void Editor::open(const std::filesystem::path& path) {
   try {
-    Scene scene = read_scene(path);
-    world_ = make_world(scene, path);
-    show_scene(std::move(scene), path);
+    loader_.start(read_scene(path), path);
+    loader_.wait(kPatience);
+    receive_world();
   } catch (const InputError& error) {
     show_error(error);
   }
+}
+
+void Editor::receive_world() {
+  if (state_.cancel_work) loader_.cancel();
+  state_.cancel_work = false;
+  try {
+    if (std::optional<WorldLoader::Loaded> loaded = loader_.take()) {
+      world_ = std::move(loaded->world);
+      show_scene(std::move(loaded->scene), std::move(loaded->path));
+    }
+  } catch (const InputError& error) {
+    show_error(error);
+  }
+  state_.work = loader_.stage();
 }
 
 void Editor::save(std::filesystem::path path) {

@@ -2,8 +2,8 @@
 
 namespace griffith::app {
 
-/// While it lives, Ctrl-C does not end the program but is noted, so that long work can stop in good order. A second
-/// Ctrl-C ends the program as usual. One at a time.
+/// While it lives, Ctrl-C does not end the program but is noted, so that long work can stop in good order. After
+/// three of them the next one ends the program as usual. One at a time.
 class Interruption {
  public:
   Interruption();

@@ -66,6 +66,26 @@ void error_dialog(Panel& panel) {
   ImGui::EndPopup();
 }
 
+void work_dialog(Panel& panel) {
+  EditorState& state = panel.state;
+  if (!begin_dialog(panel, "Opening the scene", true, 480)) return;
+  const std::string text = state.work + " ...";
+  ImGui::TextUnformatted(text.c_str());
+  tag_last_item(panel.tags, "work/stage", state.work);
+  ImGui::Spacing();
+  if (text_button(panel, "work/cancel", "Cancel", 120 * ui_scale(panel)) || escape_pressed()) state.cancel_work = true;
+  ImGui::EndPopup();
+}
+
+/// Closes the dialog of work that is done: nothing in it says so itself.
+void close_work_dialog() {
+  if (!ImGui::IsPopupOpen("Opening the scene")) return;
+  if (ImGui::BeginPopupModal("Opening the scene", nullptr, kDialogFlags)) {
+    ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+  }
+}
+
 void open_scene(Panel& panel, const std::filesystem::path& path) {
   issue(panel, {.id = CommandId::open, .path = path});
   panel.state.show_open = false;
@@ -128,7 +148,10 @@ void help_dialog(Panel& panel) {
 }  // namespace
 
 void draw_dialogs(Panel& panel) {
-  if (panel.state.error) {
+  if (panel.state.work.empty()) close_work_dialog();
+  if (!panel.state.work.empty()) {
+    work_dialog(panel);
+  } else if (panel.state.error) {
     error_dialog(panel);
   } else if (panel.state.show_open) {
     open_dialog(panel);

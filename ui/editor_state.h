@@ -51,6 +51,8 @@ struct EditorState {
   float left_width = 0, right_width = 0;                     ///< of the side panels [pixels]; 0: not laid out yet
   bool show_times = true;  ///< milliseconds and pictures a second; off makes pictures of the panels reproducible
   bool show_help = false, show_open = false;
+  std::string work;          ///< what is being done while a scene is opened; empty: nothing
+  bool cancel_work = false;  ///< the user wants no more of it
   std::optional<ErrorMessage> error;
   std::vector<LogLine> log;
   std::array<char, 512> path_text = {};  ///< being typed in the open dialog

@@ -124,18 +124,40 @@ double volume_of(const TetSoup& soup) {
   return volume;
 }
 
-std::vector<std::string> findings_of(const SurfaceReport& report, const FilledSurface& filled) {
+/// What there is to tell about the volume of the mesh; empty: nothing.
+std::string volume_finding(const SurfaceReport& report, const FilledSurface& filled) {
+  const double change = volume_of(filled.soup) / report.volume - 1;
+  if (!unsound(report).empty() || report.shells > 1 || std::abs(change) < kVolumeTolerance) return {};
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "the mesh has %.0f %% %s volume than the surface: a smaller element size fits better",
+                100 * std::abs(change), change < 0 ? "less" : "more");
+  return text;
+}
+
+/// What there is to tell about many more tets than their size asks for; empty: nothing. A thin wall needs its many.
+std::string count_finding(const SurfaceReport& report, const FilledSurface& filled, double element_size) {
+  constexpr double kMany = 4;
+  const double least = 6 * std::sqrt(2.0) * report.volume / std::pow(element_size, 3);
+  const double many = static_cast<double>(filled.soup.tets.size()) / least;
+  const double thickness = 2 * report.volume / report.area;
+  if (filled.method != MeshingMethod::tetgen || many < kMany || thickness < element_size) return {};
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "TetGen kept small triangles of the surface and made %zu tetrahedra, %.0f times as many as their size asks "
+      "for: the method volumetric makes fewer",
+      filled.soup.tets.size(), many);
+  return text;
+}
+
+std::vector<std::string> findings_of(const SurfaceReport& report, const FilledSurface& filled, double element_size) {
   std::vector<std::string> list = findings(report);
   if (!filled.refusal.empty())
     list.push_back("meshed by the method volumetric, on a lattice of equal elements, because " + filled.refusal);
-  const double change = volume_of(filled.soup) / report.volume - 1;
-  if (unsound(report).empty() && report.shells == 1 && std::abs(change) > kVolumeTolerance) {
-    char text[160];
-    std::snprintf(text, sizeof text,
-                  "the mesh has %.0f %% %s volume than the surface: a smaller element size fits better",
-                  100 * std::abs(change), change < 0 ? "less" : "more");
-    list.push_back(text);
-  }
+  list.push_back(volume_finding(report, filled));
+  list.push_back(count_finding(report, filled, element_size));
+  std::erase(list, "");
   return list;
 }
 
@@ -151,7 +173,7 @@ SurfaceMesh mesh_surface(TriangleSurface surface, const MeshingOptions& options,
   SurfaceMesh mesh;
   mesh.surface_report = prepare_surface(surface, setup.name);
   FilledSurface filled = fill_or_recall(surface, mesh.surface_report, options, setup, mesh.from_cache);
-  mesh.findings = findings_of(mesh.surface_report, filled);
+  mesh.findings = findings_of(mesh.surface_report, filled, element_size_for(mesh.surface_report, options));
   mesh.soup = std::move(filled.soup);
   mesh.method = filled.method;
   mesh.surface = std::move(surface);

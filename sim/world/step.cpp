@@ -99,8 +99,9 @@ void step_statically(WorldState& world, double time_step) {
 
 }  // namespace
 
-void World::step() {
-  WorldState& world = impl_->state;
+void World::step() { advance(impl_->state); }
+
+void advance(WorldState& world) {
   world.report = {};
   {
     PhaseTimer timer(world.report.milliseconds.step);

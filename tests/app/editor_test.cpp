@@ -51,6 +51,28 @@ class EditorTest : public testing::Test {
   Editor editor_;
 };
 
+TEST_F(EditorTest, WorkThatLastsShowsADialogThatCancelsIt) {
+  Scene scene = small_wall();
+  test_file("ball.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  SurfaceShape shape;
+  shape.path = test_folder() / "ball.off";
+  shape.meshing.method = MeshingMethod::volumetric;
+  shape.meshing.element_size = 0.01;  // two million lattice vertices
+  scene.bodies[0].shape = shape;
+  scene.bodies[0].supports.clear();
+  const auto path = test_folder() / "ball.json";
+  write_scene(scene, path);
+  const std::string before = editor_.title();
+  editor_.open(path);
+  draw(3);
+  EXPECT_EQ(value("work/stage"), "Finding the inside");
+  click("work/cancel");
+  draw(2);
+  EXPECT_TRUE(editor_.state().work.empty());
+  EXPECT_EQ(editor_.title(), before);
+  EXPECT_FALSE(editor_.state().error);
+}
+
 TEST_F(EditorTest, StepAndResetMoveTheClock) {
   EXPECT_EQ(value("toolbar/step"), "step 0");
   click("command/simulation.step");

@@ -79,10 +79,12 @@ TEST(MeshCommand, BadSurfacesAreExitCode2AndDefectsAreWarnings) {
 TEST(MeshCommand, CtrlCStopsItAndLeavesNothing) {
   const auto surface = test_file("tetrahedron.off", kTetrahedron);
   const auto folder = test_folder() / "tmp";
+  std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   const Outcome outcome = run_program(
       "mesh " + surface.string() + " --no-cache --element-size 0.008 -o " + (test_folder() / "a.msh").string(),
-      "TMPDIR=" + folder.string() + " timeout -s INT 0.3");
+      "TMPDIR=" + folder.string() + " timeout --preserve-status -s INT 1");
+  EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.output, HasSubstr("cancelled"));
   EXPECT_FALSE(std::filesystem::exists(test_folder() / "a.msh"));
   EXPECT_TRUE(std::filesystem::is_empty(folder));

@@ -139,5 +139,17 @@ TEST(ExportPieces, PiecesShareOutTheBodyAndAreFiles) {
   EXPECT_EQ(found, files);
 }
 
+TEST(ExportPieces, TheCommandWritesThem) {
+  const std::filesystem::path folder = test_folder() / "made/pieces";
+  const Outcome outcome =
+      run_program("simulate " + small_wall_file().string() + " --frames 2 --export-pieces " + folder.string());
+  EXPECT_EQ(outcome.code, 0) << outcome.output;
+  EXPECT_TRUE(std::filesystem::exists(folder / "body_0000.obj"));
+  const std::filesystem::path no_folder = test_file("taken", "a file");
+  EXPECT_EQ(
+      run_program("simulate " + small_wall_file().string() + " --frames 0 --export-pieces " + no_folder.string()).code,
+      2);
+}
+
 }  // namespace
 }  // namespace griffith::app

@@ -58,7 +58,7 @@ void hand_to_renderer(benchmark::State& state) {
   const SplinterSet set = shards(mesh, state);
   const SplinterState intact = intact_state(set);
   Frame frame;
-  frame.positions = mesh.rest_positions;
+  frame.rest_positions = frame.positions = mesh.rest_positions;
   frame.tets = mesh.tets;
   frame.splinters = set.splinters;
   frame.splinter_parts = set.parts;

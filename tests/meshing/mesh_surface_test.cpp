@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "sim/error.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"
@@ -202,6 +204,29 @@ TEST(MeshSurface, DamagedCacheEntriesAreIgnored) {
   EXPECT_FALSE(again.from_cache);
   EXPECT_EQ(again.soup.points, made.soup.points);
   EXPECT_TRUE(mesh_surface(ball, wanted, setup).from_cache);
+}
+
+TEST(MeshSurface, RandomTrianglesAreMeshedOrRefused) {
+  std::mt19937 random(21);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  int meshed = 0;
+  for (int sample = 0; sample < 60; ++sample) {
+    TriangleSurface soup;
+    const int points = 4 + static_cast<int>(random() % 12), triangles = 4 + static_cast<int>(random() % 60);
+    for (int i = 0; i < points; ++i) soup.points.emplace_back(uniform(random), uniform(random), uniform(random));
+    for (int i = 0; i < triangles; ++i) {
+      const auto corner = [&] { return static_cast<int>(random() % static_cast<unsigned>(points)); };
+      soup.triangles.push_back({corner(), corner(), corner()});
+    }
+    try {
+      const MeshQuality quality = checked_quality(mesh_surface(soup, options(MeshingMethod::automatic, 0.15)));
+      EXPECT_GT(quality.volume, 0);
+      ++meshed;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("surface: "));
+    }
+  }
+  EXPECT_GT(meshed, 10);
 }
 
 TEST(MeshSurface, RealModelsAreMeshed) {
