@@ -95,12 +95,19 @@ void add_simulate(CLI::App& program, Options& options) {
       ->type_name("FILE");
   command->add_option("--probes", options.simulate.probes, "Write the scene's probes as CSV, one row a time step")
       ->type_name("FILE");
+  command->add_option("--events", options.simulate.events,
+                      "Write all crack events as JSON: place, plane, load, elements on both sides, bodies")
+      ->type_name("FILE");
   command->add_option("--export", options.simulate.export_file, "Write the last time step as .vtu (ParaView) or .msh (Gmsh)")
       ->type_name("FILE");
+  command->add_option("--export-pieces", options.simulate.export_pieces,
+                      "Write each body of the last time step as .obj into a folder, with its splinters if it has any")
+      ->type_name("DIR");
   add_threads(*command, options);
   command->footer(
       "Examples:\n"
       "  griffith simulate scenes/wall_small.json --frames 600\n"
+      "  griffith simulate scenes/brick_wall.json --frames 60 --export-pieces pieces\n"
       "  griffith simulate scenes/wall_small.json --frames 60 --export wall.vtu\n"
       "  griffith simulate scenes/cantilever.json --frames 1 --probes cantilever.csv\n"
       "  griffith simulate scenes/wall_small.json --frames 600 --threads 1 --stats wall.stats.json");

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/natural_materials.h"
 #include "app/quantities.h"
+#include "app/splinter_picture.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/scene/view_quantity.h"
 
@@ -11,6 +13,25 @@ namespace griffith::app {
 namespace {
 
 constexpr render::Rgb kProjectileColor = {0.24f, 0.27f, 0.31f};
+
+/// Whether a picture shows tets, or splinters in their place.
+class TetFilter {
+ public:
+  TetFilter(const Frame& frame, const SplinterDisplay& display, const ViewSettings& view)
+      : frame_(frame), display_(display), splinters_(view.splinters && display.splinters) {}
+
+  bool shows_splinters() const { return splinters_; }
+  bool shows(std::size_t tet) const {
+    if (!splinters_) return true;
+    const auto body = static_cast<std::size_t>(frame_.tet_bodies[tet].value);
+    return !display_.splintered[static_cast<std::size_t>(frame_.bodies[body].scene_body)];
+  }
+
+ private:
+  const Frame& frame_;
+  const SplinterDisplay& display_;
+  bool splinters_;
+};
 
 template <class Visit>
 void for_each_surface_face(const Frame& frame, const Visit& visit) {
@@ -22,9 +43,9 @@ void for_each_surface_face(const Frame& frame, const Visit& visit) {
 }
 
 /// A light, saturated colour of its own for each id; neighbours in number are far apart in hue.
-render::Rgb body_color(BodyId body) {
+render::Rgb id_color(std::int32_t id) {
   constexpr double kGoldenRatio = 0.6180339887498949, kStart = 0.07;
-  const double hue = std::fmod(kStart + kGoldenRatio * body.value, 1.0);
+  const double hue = std::fmod(kStart + kGoldenRatio * id, 1.0);
   const auto channel = [hue](double offset) {
     const double k = std::fmod(offset + 12 * hue, 12);
     return static_cast<float>(0.66 - 0.2 * std::clamp(std::min(k - 3, 9 - k), -1.0, 1.0));
@@ -32,36 +53,60 @@ render::Rgb body_color(BodyId body) {
   return {channel(0), channel(8), channel(4)};
 }
 
-void add_triangle(render::Surface& surface, const Frame& frame, const SurfaceFaces& initial_faces, std::size_t tet,
-                  std::size_t face, TetId selected) {
+void add_triangle(render::Surface& surface, const Frame& frame, std::size_t tet, std::size_t face, TetId selected) {
   for (const int corner : kTetFaces[face]) {
     const NodeId node = frame.tets[tet][static_cast<std::size_t>(corner)];
     surface.positions.push_back(frame.positions[static_cast<std::size_t>(node.value)].cast<float>());
   }
   std::uint8_t flags = render::kAllEdges;
-  if (!(initial_faces[tet] >> face & 1)) flags |= render::kCrackFace;
+  if (!(frame.first_surface[tet] >> face & 1)) flags |= render::kCrackFace;
   if (static_cast<std::int32_t>(tet) == selected.value) flags |= render::kSelected;
   surface.flags.push_back(flags);
   surface.ids.push_back(static_cast<std::int32_t>(tet));
 }
 
-void color_by_body(render::Surface& surface, const Frame& frame) {
-  for (const std::int32_t tet : surface.ids) {
-    surface.colors.push_back(body_color(frame.tet_bodies[static_cast<std::size_t>(tet)]));
+BodyId body_of_splinter(const Frame& frame, const Splinter& splinter) {
+  return frame.tet_bodies[static_cast<std::size_t>(splinter.owner.value)];
+}
+
+void color_by_id(render::DrawScene& picture, const Frame& frame, const ViewSettings& view) {
+  for (const std::int32_t tet : picture.surface.ids)
+    picture.surface.colors.push_back(id_color(frame.tet_bodies[static_cast<std::size_t>(tet)].value));
+  if (!picture.embedded.mesh) return;
+  for (std::size_t i = 0; i < frame.splinters.size(); ++i) {
+    const bool by_body = view.quantity == "body";
+    const std::int32_t id = by_body ? body_of_splinter(frame, frame.splinters[i]).value : static_cast<std::int32_t>(i);
+    picture.embedded.piece_colors.push_back(id_color(id));
   }
 }
 
-void color_by_scalar(render::Surface& surface, const Frame& frame, const ViewSettings& view) {
-  const QuantityValues values = quantity_values(frame, view.quantity);
+void color_by_material(render::DrawScene& picture, const Frame& frame) {
+  for (std::size_t i = 0; i < picture.surface.ids.size(); ++i) {
+    const auto tet = static_cast<std::size_t>(picture.surface.ids[i]);
+    const auto body = static_cast<std::size_t>(frame.tet_bodies[tet].value);
+    const Look look = picture.surface.flags[i] & render::kCrackFace ? Look::inside : Look::outside;
+    const auto index = static_cast<std::size_t>(look_index(frame.bodies[body].scene_body, look));
+    picture.surface.colors.push_back(picture.embedded.materials[index].color);
+  }
+}
+
+void add_scalars(render::Surface& surface, const Frame& frame, const TetFilter& filter, const QuantityValues& values) {
   for_each_surface_face(frame, [&](std::size_t tet, std::size_t face) {
+    if (!filter.shows(tet)) return;
     if (!values.per_node) return surface.scalars.push_back(values.values[tet]);
     for (const int corner : kTetFaces[face]) {
       const NodeId node = frame.tets[tet][static_cast<std::size_t>(corner)];
       surface.scalars.push_back(values.values[static_cast<std::size_t>(node.value)]);
     }
   });
+}
+
+void color_by_scalar(render::DrawScene& picture, const Frame& frame, const TetFilter& filter,
+                     const ViewSettings& view) {
+  QuantityValues values = quantity_values(frame, view.quantity);
+  add_scalars(picture.surface, frame, filter, values);
   const Vec2 range = view.range.value_or(automatic_range(frame, view.quantity, values));
-  render::ScalarStyle& style = surface.scalar_style;
+  render::ScalarStyle& style = picture.surface.scalar_style;
   style.color_map = render::find_color_map(view.color_map).value_or(render::ColorMap::kViridis);
   style.minimum = static_cast<float>(range[0]);
   style.maximum = static_cast<float>(range[1]);
@@ -69,6 +114,18 @@ void color_by_scalar(render::Surface& surface, const Frame& frame, const ViewSet
     if (quantity.key != view.quantity) continue;
     style.quantity = quantity.label;
     style.unit = quantity.unit;
+  }
+  picture.embedded.scalars_per_point = values.per_node;
+  picture.embedded.scalars = std::move(values.values);
+}
+
+void add_colors(render::DrawScene& picture, const Frame& frame, const TetFilter& filter, const ViewSettings& view) {
+  if (view.quantity == "body" || view.quantity == "splinter") {
+    color_by_id(picture, frame, view);
+  } else if (view.quantity == "material") {
+    color_by_material(picture, frame);
+  } else {
+    color_by_scalar(picture, frame, filter, view);
   }
 }
 
@@ -80,25 +137,26 @@ float grid_spacing(const Eigen::AlignedBox3f& box) {
 
 }  // namespace
 
-SurfaceFaces surface_faces(const Frame& frame) {
-  SurfaceFaces faces(frame.tets.size(), 0);
-  for_each_surface_face(frame, [&](std::size_t tet, std::size_t face) {
-    faces[tet] = static_cast<std::uint8_t>(faces[tet] | 1 << face);
-  });
-  return faces;
+SplinterDisplay splinter_display(const Frame& frame) {
+  SplinterDisplay display;
+  display.splinters = splinter_mesh(frame);
+  display.splintered.resize(frame.materials.size(), 0);
+  for (const Splinter& splinter : frame.splinters)
+    display.splintered[static_cast<std::size_t>(splinter.scene_body)] = 1;
+  return display;
 }
 
-render::DrawScene draw_scene_from_frame(const Frame& frame, const SurfaceFaces& initial_faces, const Scene& scene,
+render::DrawScene draw_scene_from_frame(const Frame& frame, const SplinterDisplay& display, const Scene& scene,
                                         const ViewSettings& view, TetId selected) {
   render::DrawScene result;
+  const TetFilter filter(frame, display, view);
   for_each_surface_face(frame, [&](std::size_t tet, std::size_t face) {
-    add_triangle(result.surface, frame, initial_faces, tet, face, selected);
+    if (filter.shows(tet)) add_triangle(result.surface, frame, tet, face, selected);
   });
-  if (view.quantity == "body") {
-    color_by_body(result.surface, frame);
-  } else {
-    color_by_scalar(result.surface, frame, view);
-  }
+  if (filter.shows_splinters()) result.embedded = splinter_surface(frame, display.splinters);
+  result.embedded.materials = natural_materials(scene);
+  result.embedded.selected_tet = selected.value;
+  add_colors(result, frame, filter, view);
   const float spacing = grid_spacing(bounds(result));
   for (const ProjectileView& projectile : frame.projectiles) {
     result.spheres.push_back(

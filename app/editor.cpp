@@ -43,12 +43,12 @@ void Editor::show_scene(Scene scene, std::filesystem::path path) {
 }
 
 void Editor::restart() {
-  initial_faces_ = surface_faces(world_.frame());
+  display_ = splinter_display(world_.frame());
   state_.selected_tet = {};
   pacer_.reset();
   step_seconds_ = 0;
   ++world_count_;
-  picture_ = draw_scene_from_frame(world_.frame(), initial_faces_, history_.scene(), state_.view, {});
+  picture_ = draw_scene_from_frame(world_.frame(), display_, history_.scene(), state_.view, {});
 }
 
 void Editor::use_camera(const std::string& name) { camera_ = scene_camera(history_.scene(), name, picture_, aspect()); }
@@ -88,7 +88,7 @@ void Editor::draw_picture(int samples) {
   const PictureKey key = picture_key();
   if (key == drawn_) return;
   drawn_ = key;
-  picture_ = draw_scene_from_frame(world_.frame(), initial_faces_, history_.scene(), state_.view, state_.selected_tet);
+  picture_ = draw_scene_from_frame(world_.frame(), display_, history_.scene(), state_.view, state_.selected_tet);
   render::RenderOptions options;
   options.width = key.width;
   options.height = key.height;

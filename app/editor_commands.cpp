@@ -134,7 +134,7 @@ void Editor::frame_all() { camera_ = render::frame_bounds(camera_, render::bound
 void Editor::toggle_range_lock() {
   if (state_.view.range) {
     state_.view.range.reset();
-  } else if (!picture_.surface.scalars.empty()) {
+  } else if (!picture_.surface.scalars.empty() || !picture_.embedded.scalars.empty()) {
     const render::ScalarStyle& style = picture_.surface.scalar_style;
     state_.view.range = Vec2(style.minimum, style.maximum);
   }

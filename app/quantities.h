@@ -20,7 +20,7 @@ double von_mises_stress(const Mat3& stress);
 /// The eigenvalues of a symmetric stress, largest first [Pa].
 Vec3 principal_stresses(const Mat3& stress);
 
-/// The values of the quantity `key`, one of view_quantities() but "body", which is no scalar.
+/// The values of the quantity `key`, one of view_quantities() with a unit; the others are no scalars.
 QuantityValues quantity_values(const Frame& frame, std::string_view key);
 
 /// Limits for colours that outliers do not spoil: from 0, or the 2nd percentile if values are negative, to the 98th.

@@ -72,11 +72,11 @@ render::Image with_legend(Interface& interface, const render::Target& target, un
 
 void render_plainly(const RenderOptions& options, const Scene& scene) {
   World world = make_world(scene, options.scene);
-  const SurfaceFaces initial_faces = surface_faces(world.frame());
+  const SplinterDisplay display = splinter_display(world.frame());
   render::Renderer renderer;
   Interface interface(1);
   const render::Target target(options.width, options.height);
-  const auto draw_scene = [&] { return draw_scene_from_frame(world.frame(), initial_faces, scene, scene.view, {}); };
+  const auto draw_scene = [&] { return draw_scene_from_frame(world.frame(), display, scene, scene.view, {}); };
   const float aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
   const render::Camera camera = scene_camera(scene, options.camera, draw_scene(), aspect);
   const auto picture = [&] {

@@ -52,9 +52,13 @@ void add_counters(Json& json, const StepReport& sums, const StepReport& largest)
   json["contacts"] = sums.contacts;
   json["cracks_postponed"] = sums.cracks_postponed;
   json["cracks_suppressed"] = sums.cracks_suppressed;
+  json["remeshing_refused"] = sums.remeshing_refused;
   json["supports_torn"] = sums.supports_torn;
   json["coarse_substeps"] = sums.coarse_substeps;
   json["unconverged_solves"] = sums.unconverged_solves;
+  json["shortened_motions"] = sums.shortened_motions;
+  json["limited_impulses"] = sums.limited_impulses;
+  json["sleeping_bodies"] = largest.sleeping_bodies;
   json["max_penetration"] = largest.max_penetration;
   json["max_relative_residual"] = largest.max_relative_residual;
   json["solver_iterations"] = largest.solver_iterations;
@@ -88,9 +92,13 @@ void RunStatistics::add(const Frame& frame) {
   sums_.contacts += report.contacts;
   sums_.cracks_postponed += report.cracks_postponed;
   sums_.cracks_suppressed += report.cracks_suppressed;
+  sums_.remeshing_refused += report.remeshing_refused;
   sums_.supports_torn += report.supports_torn;
   sums_.coarse_substeps += report.coarse_substeps;
   sums_.unconverged_solves += report.unconverged_solves;
+  sums_.shortened_motions += report.shortened_motions;
+  sums_.limited_impulses += report.limited_impulses;
+  largest_.sleeping_bodies = std::max(largest_.sleeping_bodies, report.sleeping_bodies);
   largest_.max_penetration = std::max(largest_.max_penetration, report.max_penetration);
   largest_.max_relative_residual = std::max(largest_.max_relative_residual, report.max_relative_residual);
   largest_.solver_iterations = std::max(largest_.solver_iterations, report.solver_iterations);

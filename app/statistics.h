@@ -21,7 +21,8 @@ class RunStatistics {
 
   /// One JSON object. SI units, times in milliseconds. Totals describe `frame`, the last one; `max_penetration`,
   /// `max_relative_residual`, `solver_iterations`, `inverted_tets` and `non_finite_values` are the largest of any step,
-  /// `substeps`, `contacts`, `cracks_postponed`, `cracks_suppressed`, `supports_torn`, `coarse_substeps` and `unconverged_solves` sums over all steps.
+  /// `substeps`, `contacts`, `cracks_postponed`, `cracks_suppressed`, `remeshing_refused`, `supports_torn`, `coarse_substeps` and
+  /// `unconverged_solves` sums over all steps.
   std::string json(const Frame& frame, std::uint64_t state_hash) const;
 
   /// The same for a person, a few lines.

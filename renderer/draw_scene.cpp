@@ -12,6 +12,7 @@ Eigen::AlignedBox3f bounds(const DrawScene& scene) {
     box.extend(place + Eigen::Vector3f::Constant(radius));
   };
   for (const Eigen::Vector3f& position : scene.surface.positions) add(position, 0);
+  for (const Eigen::Vector3f& point : scene.embedded.points) add(point, 0);
   for (const Sphere& sphere : scene.spheres) add(sphere.center, sphere.radius);
   for (const Line& line : scene.lines) {
     add(line.start, 0);

@@ -9,6 +9,7 @@
 
 #include "renderer/color.h"
 #include "renderer/color_map.h"
+#include "renderer/embedded_surface.h"
 
 namespace griffith::render {
 
@@ -81,6 +82,7 @@ struct Background {
 /// What must be drawn, as plain data. The renderer knows nothing else about the world.
 struct DrawScene {
   Surface surface;
+  EmbeddedSurface embedded;
   std::vector<Sphere> spheres;
   std::vector<Line> lines;
   std::vector<Point> points;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "renderer/background_pass.h"
+#include "renderer/embedded_pass.h"
 #include "renderer/ground_pass.h"
 #include "renderer/shadow_map.h"
 #include "renderer/sphere_pass.h"
@@ -67,7 +68,9 @@ struct Renderer::Passes {
   ViewBuffer shadow_view, picture_view;
   ShadowMap shadow_map;
   BackgroundPass background;
+  ColorTables color_tables;
   SurfacePass surface;
+  EmbeddedPass embedded;
   SpherePass spheres;
   StrokePass strokes;
   GroundPass ground;
@@ -92,6 +95,7 @@ void Renderer::Passes::resize(const RenderOptions& options) {
 
 void Renderer::Passes::upload(const DrawScene& scene) {
   surface.upload(scene.surface);
+  embedded.upload(scene.embedded);
   spheres.upload(scene.spheres);
   strokes.upload(scene);
 }
@@ -103,6 +107,7 @@ void Renderer::Passes::draw_shadow_map(const ViewBlock& view, bool shadows) cons
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1.5f, 2);  // against self-shadowing
   surface.draw_shadow();
+  embedded.draw_shadow();
   spheres.draw_shadow();
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
@@ -114,7 +119,8 @@ void Renderer::Passes::draw_picture(const DrawScene& scene, const Camera& camera
   shadow_map.bind();
   background.draw(scene.background);
   glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);  // the picture is opaque; alpha only blends
-  surface.draw(scene.surface, options);
+  surface.draw(scene.surface, color_tables, options);
+  embedded.draw(scene.embedded, scene.surface.scalar_style, color_tables, options);
   spheres.draw();
   if (scene.ground) {
     const bool from_below = camera.position.y() < scene.ground->height;

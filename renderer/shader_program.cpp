@@ -51,7 +51,9 @@ ShaderProgram::ShaderProgram(const std::string& name, const char* vertex_source,
   use();
   const std::pair<const char*, int> samplers[] = {{"shadow_map", kShadowUnit}, {"color_table", kColorTableUnit},
                                                   {"scalars", kScalarsUnit},   {"colors", kColorsUnit},
-                                                  {"ids", kIdsUnit},           {"flags", kFlagsUnit}};
+                                                  {"ids", kIdsUnit},           {"flags", kFlagsUnit},
+                                                  {"points", kPointsUnit},     {"tets", kTetsUnit},
+                                                  {"carriers", kCarriersUnit}, {"materials", kMaterialsUnit}};
   for (const auto& [sampler, unit] : samplers) set(sampler, unit);
 }
 

@@ -8,7 +8,8 @@
 namespace griffith::render {
 
 /// The texture units of all programs; every sampler is bound to the unit of its name.
-enum TextureUnit : int { kShadowUnit, kColorTableUnit, kScalarsUnit, kColorsUnit, kIdsUnit, kFlagsUnit };
+enum TextureUnit : int { kShadowUnit, kColorTableUnit, kScalarsUnit, kColorsUnit, kIdsUnit, kFlagsUnit,
+                         kPointsUnit, kTetsUnit, kCarriersUnit, kMaterialsUnit };
 
 /// A vertex and a fragment shader, each preceded by shaders/common.glsl, linked. Throws RenderError with `name`, the
 /// stage and the driver's log if one is rejected.

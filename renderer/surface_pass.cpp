@@ -1,6 +1,7 @@
 #include "renderer/surface_pass.h"
 
 #include <cassert>
+#include <string>
 
 #include "renderer/shaders.h"
 
@@ -22,22 +23,12 @@ void check_sizes([[maybe_unused]] const Surface& surface) {
   assert(surface.flags.empty() || surface.flags.size() == triangles);
 }
 
-void upload_color_table(const Texture& texture, const ColorTable& table) {
-  glBindTexture(GL_TEXTURE_2D, texture.id());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kColorTableSize, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, table.data());
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-}
-
 }  // namespace
 
 SurfacePass::SurfacePass()
-    : program_("surface", shaders::surface_vert, shaders::surface_frag),
+    : program_("surface", shaders::surface_vert,
+               (std::string(shaders::shading_glsl) + shaders::surface_frag).c_str()),
       shadow_program_("surface shadow", shaders::surface_vert, shaders::depth_frag) {
-  glActiveTexture(GL_TEXTURE0 + kColorTableUnit);
-  for (const ColorMap map : kColorMaps) {
-    upload_color_table(color_tables_[static_cast<std::size_t>(map)], color_table(map));
-  }
   glBindVertexArray(vertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, positions_.id());
   glEnableVertexAttribArray(0);
@@ -59,7 +50,7 @@ void SurfacePass::draw_shadow() const {
   draw_triangles();
 }
 
-void SurfacePass::draw(const Surface& surface, const RenderOptions& options) const {
+void SurfacePass::draw(const Surface& surface, const ColorTables& color_tables, const RenderOptions& options) const {
   const ScalarStyle& style = surface.scalar_style;
   program_.use();
   program_.set("scalars_per_triangle", scalars_per_triangle(surface));
@@ -72,8 +63,7 @@ void SurfacePass::draw(const Surface& surface, const RenderOptions& options) con
   program_.set("draw_edges", options.edges);
   program_.set("edge_width", options.edge_width);
   program_.set("unlit", options.unlit_scalars);
-  glActiveTexture(GL_TEXTURE0 + kColorTableUnit);
-  glBindTexture(GL_TEXTURE_2D, color_tables_[static_cast<std::size_t>(style.color_map)].id());
+  color_tables.bind(style.color_map);
   draw_triangles();
 }
 

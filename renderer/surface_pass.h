@@ -1,7 +1,6 @@
 #pragma once
 
-#include <array>
-
+#include "renderer/color_tables.h"
 #include "renderer/draw_scene.h"
 #include "renderer/renderer.h"
 #include "renderer/shader_program.h"
@@ -15,7 +14,7 @@ class SurfacePass {
   SurfacePass();
   void upload(const Surface& surface);
   void draw_shadow() const;
-  void draw(const Surface& surface, const RenderOptions& options) const;
+  void draw(const Surface& surface, const ColorTables& color_tables, const RenderOptions& options) const;
 
  private:
   void draw_triangles() const;
@@ -24,7 +23,6 @@ class SurfacePass {
   VertexArray vertices_;
   StreamBuffer positions_;
   StreamTexture scalars_{GL_R32F}, colors_{GL_R32F}, ids_{GL_R32I}, flags_{GL_R8UI};
-  std::array<Texture, kColorMaps.size()> color_tables_;
   GLsizei corners_ = 0;
 };
 

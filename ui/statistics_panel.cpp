@@ -58,8 +58,15 @@ void solver_rows(const Panel& panel) {
               "Over the budget of cracks a step; they follow in the next steps.");
   trouble_row(panel, "Cracks suppressed", report.cracks_suppressed, palette::kWarning,
               "Not made because the fragment would be too small.");
+  trouble_row(panel, "Cuts refused", report.remeshing_refused, palette::kWarning,
+              "Edges that remeshing left whole, or the tetrahedra would have become too small or too flat.");
   trouble_row(panel, "Coarse substeps", report.coarse_substeps, palette::kWarning,
               "Longer than the impact or crack asks for: allow more impact substeps, or use fewer or larger elements.");
+  trouble_row(panel, "Shortened motions", report.shortened_motions, palette::kWarning,
+              "Deformations cut short, whose linearised step would have added energy: use more substeps.");
+  trouble_row(panel, "Limited impulses", report.limited_impulses, palette::kWarning,
+              "Bodies whose contact impulses were cut, which would have added energy.");
+  count_row(panel, "Sleeping bodies", static_cast<std::size_t>(report.sleeping_bodies));
   value_row(panel, "Penetration", format_quantity(report.max_penetration, "m", 3), palette::kText);
 }
 

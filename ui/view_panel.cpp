@@ -65,6 +65,9 @@ void draw_view_panel(Panel& panel) {
   color_map_row(panel);
   range_part(panel);
   checkbox(panel, "view/edges", "Element edges", panel.state.view.edges);
+  ImGui::BeginDisabled(panel.input.frame.splinters.empty());
+  checkbox(panel, "view/splinters", "Splinters", panel.state.view.splinters);
+  ImGui::EndDisabled();
 }
 
 }  // namespace griffith::ui

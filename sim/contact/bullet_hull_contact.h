@@ -2,7 +2,7 @@
 
 // Private to sim/contact.
 
-#include <btBulletDynamicsCommon.h>
+#include <btBulletCollisionCommon.h>
 
 namespace griffith::contact {
 

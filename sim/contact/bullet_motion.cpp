@@ -75,7 +75,7 @@ double turning_speed(const Object& object) { return object.state.angular_velocit
 void ContactWorld::Impl::move_spheres(double dt) {
   std::vector<std::size_t> spheres;
   for (std::size_t i = 0; i < objects.size(); ++i)
-    if (objects[i].kind == Kind::sphere && objects[i].body) spheres.push_back(i);
+    if (objects[i].kind == Kind::sphere && objects[i].moves()) spheres.push_back(i);
   for (std::size_t i : spheres) {
     objects[i].state.pose.translation += objects[i].correction.translation;
     objects[i].correction = {};
@@ -139,24 +139,24 @@ Vec3 ContactWorld::Impl::carried_end(const Object& sphere, const NextTouch& stru
                                      double dt) const {
   const Object& met = *struck.met;
   if (met.kind != Kind::sphere) return pose_after(met, 1, dt).to_world(struck.local_center);
-  const double own = sphere.body->getInvMass(), other = met.body->getInvMass();
+  const double own = sphere.inverse_mass, other = met.inverse_mass;
   const Vec3 common = (other * sphere.state.velocity + own * met.state.velocity) / (own + other);
   return center + (1 - struck.share) * dt * common;
 }
 
 bool ContactWorld::Impl::would_strike(std::size_t first, std::size_t second, double dt, double minimum_speed) const {
   const Object &a = objects[first], &b = objects[second];
-  if (!a.brittle && !b.brittle) return false;
+  const double hurting_speed = std::max(minimum_speed, std::min(a.impact_speed, b.impact_speed));
   const auto velocity = [&](const Object& object) {
     return object.moves() ? Vec3(object.state.velocity + dt * gravity) : object.state.velocity;
   };
   const Vec3 relative = velocity(a) - velocity(b);
   const double turning = turning_speed(a) + turning_speed(b);
-  if (relative.norm() + turning <= minimum_speed) return false;
+  if (relative.norm() + turning <= hurting_speed) return false;
   bool strikes = false;
   const Encounter encounter{a, b, a.state.pose.translation, dt * relative, dt * turning};
   for_each_touch(encounter, ground_height,
-                 [&](const Touch& touch) { strikes |= turning - touch.normal.dot(relative) > minimum_speed; });
+                 [&](const Touch& touch) { strikes |= turning - touch.normal.dot(relative) > hurting_speed; });
   return strikes;
 }
 

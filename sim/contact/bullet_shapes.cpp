@@ -52,16 +52,12 @@ Shape ground_shape(double height) {
   return shape;
 }
 
-Shape hull_shape(std::span<const ConvexPart> parts, const Quat& rotation) {
+Shape hull_shape(std::span<const ConvexPart> parts) {
   assert(!parts.empty());
   Shape shape;
   for (const ConvexPart& part : parts) {
-    ConvexPart turned;
-    for (const Vec3& corner : part) {
-      turned.push_back(rotation * corner);
-      shape.radius = std::max(shape.radius, corner.norm());
-    }
-    shape.parts.push_back(std::make_unique<HullShape>(turned));
+    shape.radius = std::max(shape.radius, largest_distance(part, Vec3::Zero()));
+    shape.parts.push_back(std::make_unique<HullShape>(part));
   }
   if (parts.size() == 1) return shape;
   auto compound = std::make_unique<btCompoundShape>(true, static_cast<int>(parts.size()));

@@ -2,7 +2,7 @@
 
 // Private to sim/contact: the collision shapes of the contact world.
 
-#include <btBulletDynamicsCommon.h>
+#include <btBulletCollisionCommon.h>
 
 #include <memory>
 #include <span>
@@ -50,7 +50,6 @@ struct Shape {
 Shape sphere_shape(double radius);
 /// The half space below `height`, for an object at the origin.
 Shape ground_shape(double height);
-/// Hulls of the parts, turned by `rotation` (body frame to the frame of the principal axes of inertia).
-Shape hull_shape(std::span<const ConvexPart> parts, const Quat& rotation);
+Shape hull_shape(std::span<const ConvexPart> parts);
 
 }  // namespace griffith::contact

@@ -1,6 +1,6 @@
 #include "sim/contact/bullet_world.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <cassert>
 
 namespace griffith {
@@ -11,6 +11,8 @@ namespace {
 
 constexpr int kMovingGroup = 1, kFixedGroup = 2;
 constexpr int kRetired = -1;
+/// A held object that is displaced by a smaller share of its radius does not disturb sleepers.
+constexpr double kNegligibleMove = 1e-5;
 
 [[maybe_unused]] bool is_valid(const RigidState& state) {
   return state.pose.translation.allFinite() && state.pose.rotation.coeffs().allFinite() && state.velocity.allFinite() &&
@@ -28,19 +30,6 @@ struct DeletePairs final : btOverlapCallback {
   }
 };
 
-/// Principal moments [kg·m²] and the rotation from the principal axes to the object's frame.
-struct PrincipalInertia {
-  Vec3 moments;
-  Quat axes;
-};
-
-PrincipalInertia principal_inertia(const Mat3& inertia) {
-  const Eigen::SelfAdjointEigenSolver<Mat3> eigen(inertia);
-  Mat3 axes = eigen.eigenvectors();
-  if (axes.determinant() < 0) axes.col(2) = -axes.col(2);
-  return {eigen.eigenvalues(), Quat(axes)};
-}
-
 }  // namespace
 
 namespace contact {
@@ -48,6 +37,7 @@ namespace contact {
 void CollisionWorld::updateAabbs() {
   for (int i = 0; i < m_collisionObjects.size(); ++i) {
     const btCollisionObject* object = m_collisionObjects[i];
+    if (!object->isActive() && !object->isStaticObject()) continue;
     btBroadphaseProxy* proxy = m_collisionObjects[i]->getBroadphaseHandle();
     btVector3 minimum, maximum;
     object->getCollisionShape()->getAabb(object->getWorldTransform(), minimum, maximum);
@@ -78,14 +68,6 @@ ContactWorld::Impl::Impl(const Vec3& world_gravity)
   dispatcher.registerCollisionCreateFunc(
       SPHERE_SHAPE_PROXYTYPE, SPHERE_SHAPE_PROXYTYPE,
       configuration.getCollisionAlgorithmCreateFunc(CONVEX_HULL_SHAPE_PROXYTYPE, CONVEX_HULL_SHAPE_PROXYTYPE));
-  settings.m_solverMode =
-      SOLVER_USE_WARMSTARTING | SOLVER_USE_2_FRICTION_DIRECTIONS | SOLVER_ENABLE_FRICTION_DIRECTION_CACHING;
-  settings.m_warmstartingFactor = 1;
-  settings.m_numIterations = 30;
-  settings.m_leastSquaresResidualThreshold = 1e-16;  // [m²/s²], ends early
-  settings.m_splitImpulse = true;
-  settings.m_restitutionVelocityThreshold = kQuietSpeed;
-  settings.m_splitImpulsePenetrationThreshold = 0;
 }
 
 ContactWorld::Impl::~Impl() {
@@ -105,12 +87,14 @@ void ContactWorld::Impl::attach(ProxyId id, const RigidMass& mass) {
   Object& object = objects[id];
   const bool is_free = object.mobility == Mobility::free;
   assert(!is_free || (mass.mass > 0 && mass.inertia.allFinite()));
-  const btVector3 moments = is_free ? to_bullet(principal_inertia(mass.inertia).moments) : btVector3(0, 0, 0);
-  object.body = std::make_unique<btRigidBody>(is_free ? mass.mass : 0, nullptr, object.shape.root(), moments);
+  object.inverse_mass = is_free ? 1 / mass.mass : 0;
+  object.inverse_inertia = is_free ? Mat3(mass.inertia.inverse()) : Mat3(Mat3::Zero());
+  object.body = std::make_unique<btCollisionObject>();
+  object.body->setCollisionShape(object.shape.root());
   object.body->setUserIndex(id);
-  object.body->setFlags(0);  // no gyroscopic torque: the owner of a stand-in knows its rotation
-  object.body->setActivationState(DISABLE_DEACTIVATION);
-  if (object.kind != Kind::ground && !is_free) object.body->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+  object.body->setCollisionFlags(is_free ? 0 : static_cast<int>(btCollisionObject::CF_STATIC_OBJECT));
+  // A pair is looked at when one of them is active: what cannot move is not.
+  object.body->forceActivationState(is_free ? ACTIVE_TAG : ISLAND_SLEEPING);
   place(object);
   world.addCollisionObject(object.body.get(), is_free ? kMovingGroup : kFixedGroup,
                            is_free ? kMovingGroup | kFixedGroup : kMovingGroup);
@@ -134,12 +118,7 @@ void ContactWorld::Impl::delete_retired() {
 
 void ContactWorld::Impl::place(Object& object) {
   assert(is_valid(object.state));
-  Pose pose = object.state.pose;
-  pose.rotation = pose.rotation * object.principal;
-  object.body->setWorldTransform(to_bullet(pose));
-  object.body->setLinearVelocity(to_bullet(object.state.velocity));
-  object.body->setAngularVelocity(to_bullet(object.state.angular_velocity));
-  object.body->updateInertiaTensor();
+  object.body->setWorldTransform(to_bullet(object.state.pose));
 }
 
 ContactWorld::ContactWorld(const Vec3& gravity) : impl_(std::make_unique<Impl>(gravity)) {}
@@ -166,12 +145,10 @@ ProxyId ContactWorld::add_sphere(double radius, double mass, const RigidState& s
 
 ProxyId ContactWorld::add_stand_in(std::span<const ConvexPart> parts, const RigidMass& mass, Mobility mobility,
                                    const RigidState& state, const SurfaceProperties& surface) {
-  const Quat principal = principal_inertia(mass.inertia).axes;
   return impl_->add({.kind = Kind::stand_in,
                      .mobility = mobility,
-                     .shape = hull_shape(parts, principal.conjugate()),
+                     .shape = hull_shape(parts),
                      .state = state,
-                     .principal = principal,
                      .surface = surface},
                     mass);
 }
@@ -180,27 +157,39 @@ void ContactWorld::reshape(ProxyId stand_in, std::span<const ConvexPart> parts, 
                            Mobility mobility, const RigidState& state) {
   Object& object = impl_->objects[stand_in];
   assert(object.kind == Kind::stand_in && object.body);
+  impl_->wake(stand_in);
+  impl_->wake_neighbours(stand_in);
   impl_->retire(object);
   object.mobility = mobility;
   object.state = state;
-  object.principal = principal_inertia(mass.inertia).axes;
-  object.shape = hull_shape(parts, object.principal.conjugate());
+  object.shape = hull_shape(parts);
   impl_->attach(stand_in, mass);
 }
 
 void ContactWorld::remove(ProxyId object) {
   assert(impl_->objects[object].body);
+  impl_->wake(object);
+  impl_->wake_neighbours(object);
   impl_->retire(impl_->objects[object]);
 }
 
 void ContactWorld::set_state(ProxyId object, const RigidState& state) {
   Object& changed = impl_->objects[object];
   assert(changed.kind != Kind::ground && changed.body);
+  if (changed.mobility == Mobility::held) {
+    const double moved = (state.pose.translation - changed.state.pose.translation).norm();
+    changed.body->forceActivationState(moved > kNegligibleMove * changed.shape.radius ? ACTIVE_TAG : ISLAND_SLEEPING);
+  }
   changed.state = state;
   impl_->place(changed);
 }
 
-void ContactWorld::set_brittle(ProxyId object, bool brittle) { impl_->objects[object].brittle = brittle; }
+void ContactWorld::set_velocity(ProxyId object, const Vec3& velocity, const Vec3& angular_velocity) {
+  impl_->objects[object].state.velocity = velocity;
+  impl_->objects[object].state.angular_velocity = angular_velocity;
+}
+
+void ContactWorld::set_impact_speed(ProxyId object, double speed) { impl_->objects[object].impact_speed = speed; }
 void ContactWorld::set_surface(ProxyId object, const SurfaceProperties& surface) {
   impl_->objects[object].surface = surface;
 }
@@ -209,13 +198,22 @@ RigidState ContactWorld::state(ProxyId object) const { return impl_->objects[obj
 void ContactWorld::detect() { impl_->detect(); }
 std::span<Contact> ContactWorld::contacts() { return impl_->contacts; }
 std::span<const Contact> ContactWorld::contacts() const { return impl_->contacts; }
-void ContactWorld::solve(double dt) { impl_->solve(dt); }
+void ContactWorld::solve(double dt, std::span<const ElasticResponse> elastic) { impl_->solve(dt, elastic); }
+std::vector<double> ContactWorld::limit_energy(double dt, std::span<const ElasticResponse> elastic) {
+  return impl_->limit_energy(dt, elastic);
+}
+void ContactWorld::advance(double dt) { impl_->advance(dt); }
 ContactWorld::Correction ContactWorld::position_correction(ProxyId stand_in) const {
   return impl_->objects[stand_in].correction;
 }
 bool ContactWorld::impact_expected(double dt, double minimum_speed) const {
   return impl_->impact_expected(dt, minimum_speed);
 }
-double ContactWorld::max_penetration() const { return impl_->max_penetration; }
+double ContactWorld::max_penetration() const {
+  double deepest = 0;
+  for (const Contact& contact : impl_->contacts)
+    deepest = std::max(deepest, -distance_beyond(contact.distance, impl_->allowance(contact.a, contact.b)));
+  return deepest;
+}
 
 }  // namespace griffith

@@ -2,8 +2,9 @@
 
 // Private to sim/contact: what ContactWorld keeps.
 
-#include <btBulletDynamicsCommon.h>
+#include <btBulletCollisionCommon.h>
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -12,11 +13,15 @@
 #include "sim/contact/bullet_shapes.h"
 #include "sim/contact/bullet_sweep.h"
 #include "sim/contact/contact_world.h"
+#include "sim/contact/impulse_solver.h"
 
 namespace griffith::contact {
 
 /// A slower approach does not bounce, so that resting contacts are quiet [m/s].
 inline constexpr double kQuietSpeed = 0.2;
+
+/// Distance less the overlap that is allowed; a gap stays a gap.
+double distance_beyond(double distance, double allowed_overlap);
 
 enum class Kind { ground, sphere, stand_in };
 
@@ -24,21 +29,31 @@ struct Object {
   Kind kind;
   Mobility mobility;
   Shape shape;
-  RigidState state = {};              ///< as its owner set it or, after solve(), with the solved velocities
-  Quat principal = Quat::Identity();  ///< principal axes of inertia (Bullet's body frame) to the object's frame
+  RigidState state = {};  ///< as its owner set it or, after advance(), with the solved velocities
   SurfaceProperties surface = {};
+  double inverse_mass = 0;              ///< 0 when held
+  Mat3 inverse_inertia = Mat3::Zero();  ///< in its own frame
   ContactWorld::Correction correction = {};
-  bool brittle = kind == Kind::stand_in;  ///< its impacts are worth substeps
-  bool fresh = true;                       ///< its shape has not yet been seen by detect()
-  std::unique_ptr<btRigidBody> body = {};  ///< null once removed
+  double impact_speed = std::numeric_limits<double>::infinity();  ///< from which it could be hurt [m/s]
+  bool asleep = false;                           ///< lies still: neither moved nor looked at until something disturbs it
+  Pose resting_place = {};                       ///< that it has hardly left
+  double still_time = 0;                         ///< for so long [s]
+  bool elastic = false;                          ///< its owner answers the impulses of the present solve
+  bool fresh = true;                             ///< its shape has not yet been seen by detect()
+  std::unique_ptr<btCollisionObject> body = {};  ///< null once removed
 
-  bool moves() const { return body && mobility == Mobility::free; }
+  bool is_free() const { return body && mobility == Mobility::free; }
+  bool moves() const { return is_free() && !asleep; }
+  /// Of its fastest point [m/s].
+  double speed() const { return state.velocity.norm() + state.angular_velocity.norm() * shape.radius; }
+  /// Whether impulses change its velocities in the present solve.
+  bool answers() const { return elastic || moves(); }
 };
 
 /// What is left of an object or a shape that is gone, until Bullet lets go of it.
 struct Retired {
   Shape shape;
-  std::unique_ptr<btRigidBody> body;
+  std::unique_ptr<btCollisionObject> body;
 };
 
 /// Overlap that a pair is allowed because a crack left it behind. Ordered by the pair.
@@ -86,14 +101,33 @@ struct ContactWorld::Impl {
   void collect_manifolds();
   void update_allowances();
   double allowance(ProxyId a, ProxyId b) const;
+  void wake_disturbed();
   void list_contacts();
+  void sort_by_height();
+  void list_pair(std::span<btPersistentManifold* const> of_pair);
 
   // Solving.
-  void solve(double dt);
-  void prepare_contact(std::size_t contact, double dt);
-  Vec3 velocity_at(const contact::Object& object, const Vec3& point, double dt) const;
-  void read_impulses();
-  void read_motion(contact::Object& object);
+  void solve(double dt, std::span<const ElasticResponse> elastic);
+  std::vector<contact::Responder> rigid_responders(double dt) const;
+  std::vector<contact::ContactRow> rows(double dt) const;
+  double least_speed(const Contact& contact, const Vec3& velocity, double dt) const;
+  bool strikes(const Contact& contact, double approach, double dt) const;
+  std::vector<double> limit_energy(double dt, std::span<const ElasticResponse> elastic);
+  void advance(double dt);
+  void remember_impulses(double dt);
+  struct Momentum {
+    Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
+  };
+  std::vector<Momentum> impulse_sums() const;
+  void take_impulses(double dt);
+  void correct_positions(const std::vector<contact::ContactRow>& rows);
+
+  // Rest.
+  double quiet_speed(const contact::Object& object) const;
+  void resist_rolling(double dt);
+  void fall_asleep(double dt);
+  void wake(ProxyId id);
+  void wake_neighbours(ProxyId id);
 
   // Motion.
   void move_spheres(double dt);
@@ -112,7 +146,6 @@ struct ContactWorld::Impl {
 
   Vec3 gravity;
   double ground_height = 0;
-  double last_dt = 0;                    ///< of the last solve() [s]
   std::vector<contact::Object> objects;  ///< by ProxyId
 
   btDefaultCollisionConfiguration configuration;
@@ -122,15 +155,13 @@ struct ContactWorld::Impl {
   contact::PairCache pairs;
   btDbvtBroadphase broadphase;
   contact::CollisionWorld world;
-  btSequentialImpulseConstraintSolver solver;
-  btContactSolverInfo settings;
   std::vector<contact::Retired> retired;  ///< deleted with the next detection
 
   std::vector<btPersistentManifold*> manifolds;  ///< those with points, in an order that depends on ids alone
   std::vector<contact::Allowance> allowances;
   std::vector<Contact> contacts;
   std::vector<btManifoldPoint*> points;  ///< per contact
-  double max_penetration = 0;
+  std::vector<contact::ContactRow> solved;  ///< per contact: as solve() found it
 };
 
 }  // namespace griffith

@@ -40,27 +40,38 @@ enum class Mobility {
 };
 
 /// A point where two objects touch, or soon will: gaps up to 2 % of the smaller object's radius are listed. Two convex
-/// parts have at most four. `compliance` goes in between detect() and solve(), `impulse` comes out of solve().
+/// parts have at most four. Between detect() and solve() the owner may correct the distance.
 struct Contact {
   ProxyId a, b;
-  Vec3 position_on_a, position_on_b;  ///< world space [m]
-  Vec3 normal;                        ///< unit, points from b to a
-  double distance = 0;                ///< gap along the normal, negative when overlapping, allowed or not [m]
-  double compliance = 0;              ///< elastic inverse mass of the touched surfaces along the normal [1/kg]
-  Vec3 impulse = Vec3::Zero();        ///< on a at its point, in the substep just solved; b gets the opposite [N·s]
+  Vec3 position;                 ///< half-way between their surfaces, where the impulse acts on both [m]
+  Vec3 normal;                   ///< unit, points from b to a
+  double distance = 0;           ///< gap along the normal, negative when overlapping, allowed or not [m]
+  Vec3 impulse = Vec3::Zero();   ///< on a, in the substep just solved; b gets the opposite [N·s]
 };
 
-/// Finds and solves the contacts of everything: Bullet, in double precision. Gravity acts on every free object in
-/// solve(); the velocities that the owner sets do not hold it yet.
+/// How an elastic object answers at its contacts, linear in their impulses: the velocity of point i is
+///   velocities_i + sum over j of compliance_ij (p_j − impulses_j),   p_j the impulse on the object at contact j.
+struct ElasticResponse {
+  ProxyId object;
+  std::vector<int> contacts;         ///< indices into contacts(), ascending: all of the object's
+  Eigen::Matrix3Xd free_velocities;  ///< without impulses [m/s]
+  Eigen::Matrix3Xd velocities;       ///< under `impulses` [m/s]
+  Eigen::Matrix3Xd impulses;         ///< on the object [N·s]
+  Eigen::MatrixXd compliance;        ///< symmetric, 3×3 blocks [1/kg]
+};
+
+/// Finds and solves the contacts of everything. Bullet, in double precision, finds them.
 ///
-/// A substep is: add, reshape() and remove(), set_state() of all elastic stand-ins, detect(), compliance into
-/// contacts(), solve(dt), impulses out of contacts(). Purely rigid objects (projectiles) are moved by solve();
-/// stand-ins are not: their owner places them with the next set_state(), after adding position_correction().
+/// A substep is: add, reshape() and remove(), set_state() of all stand-ins, detect(), solve(), advance(), impulses out
+/// of contacts(). Spheres are moved by advance(), and gravity acts on them there; stand-ins are not: their owner sets
+/// velocities that hold all external forces already, and places them with the next set_state(), after adding
+/// position_correction().
 ///
-/// In a solve the impulses of a free object sum up to its change of momentum beyond gravity's, to rounding, linear and
-/// angular (at the contacts' points). Approaches below 0.2 m/s do not bounce. A gap that closes within `dt` at a higher
-/// speed is struck at once with the full approach speed; at a lower one, objects come to touch. Overlap is taken out by
-/// a fifth a substep through position_correction(), which adds no velocity.
+/// The impulses of a free rigid object sum up to its change of momentum, to rounding, linear and angular (at the
+/// contacts' points). Approaches below 0.2 m/s do not bounce, nor does what touches an elastic object, which rebounds
+/// by itself. A gap that closes within `dt` at a higher speed is struck at once with the full approach speed; at a lower
+/// one, objects come to touch. Overlap is taken out by a fifth a substep through position_correction(), which adds no
+/// velocity.
 ///
 /// The same calls give the same bits. Results depend on the history of contacts (the solver starts from the last
 /// impulses), so a state is restored by repeating the calls that led to it. States must be finite: asserted.
@@ -88,32 +99,49 @@ class ContactWorld {
 
   void set_state(ProxyId object, const RigidState& state);
   void set_surface(ProxyId object, const SurfaceProperties& surface);
-  /// As set last; after solve() with the solved velocities and, for a sphere, in its new place.
+  void set_velocity(ProxyId object, const Vec3& velocity, const Vec3& angular_velocity);
+  /// As set last; after advance() with the solved velocities and, for a sphere, in its new place.
   RigidState state(ProxyId object) const;
 
   /// Contacts at the present poses. Invalidates spans handed out before.
   void detect();
   std::span<Contact> contacts();
   std::span<const Contact> contacts() const;
-  /// Solves the velocities over `dt` [s], writes the impulses, moves the purely rigid objects (fast ones swept, so that
-  /// none passes through a thin body). `dt` > 0.
-  void solve(double dt);
+  /// Writes the impulses of a substep of `dt` [s] > 0 into contacts(); to be called again when more is known about the
+  /// responses of what is elastic.
+  void solve(double dt, std::span<const ElasticResponse> elastic = {});
+  /// Scales the impulses down in each group of objects that touch where they would add energy: where `velocities`, now
+  /// exact under these impulses, show that `compliance` was too small. Returns the factor of each response, mostly 1.
+  std::vector<double> limit_energy(double dt, std::span<const ElasticResponse> elastic);
+  /// Gives the rigid objects the velocities that follow from the impulses in contacts() and moves the spheres (swept, so
+  /// that none passes through a thin body). Elastic objects of the last solve() keep the velocity that their owner set
+  /// since.
+  void advance(double dt);
 
   /// The displacement that removes what is left of an overlap, as a rigid motion (translation [m], rotation vector
-  /// [rad] about the centre of mass), from the last solve(). Zero for most.
+  /// [rad] about the centre of mass), from the last advance(). Zero for most.
   struct Correction {
     Vec3 translation = Vec3::Zero(), rotation = Vec3::Zero();
   };
   Correction position_correction(ProxyId stand_in) const;
 
-  /// Whether an object can break; stand-ins can unless told otherwise, spheres cannot.
-  void set_brittle(ProxyId object, bool brittle);
-  /// Whether, moving freely for `dt`, any pair with a brittle object would meet with an approach speed above `minimum_speed` [m/s]; the
-  /// reason to take substeps. On the safe side: an object that turns counts as if all of it moved with its fastest
-  /// point. Pairs that touch already count if they approach that fast.
+  /// Rigid objects that, like all that they touch, have hardly moved for half a second fall asleep; once a step of `dt`
+  /// [s]. Sleepers stand still and cost nothing until something touches one that is not quiet, or a neighbour is
+  /// reshaped or removed.
+  void fall_asleep(double dt);
+  bool asleep(ProxyId object) const;
+  /// Wakes an object.
+  void wake(ProxyId object);
+
+  /// The approach speed from which an impact could hurt an object [m/s]; infinite, as for spheres and the ground, unless
+  /// told otherwise.
+  void set_impact_speed(ProxyId object, double speed);
+  /// Whether, moving freely for `dt`, any pair would meet with an approach speed above `minimum_speed` [m/s] that could
+  /// hurt one of them; the reason to take substeps. On the safe side: an object that turns counts as if all of it moved
+  /// with its fastest point. Pairs that touch already count if they approach that fast.
   bool impact_expected(double dt, double minimum_speed) const;
 
-  /// Deepest overlap of the last detect(), beyond what fresh cracks are allowed [m], >= 0.
+  /// Deepest overlap in contacts(), beyond what fresh cracks are allowed [m], >= 0.
   double max_penetration() const;
 
  private:

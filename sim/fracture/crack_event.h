@@ -19,6 +19,7 @@ struct CrackElement {
 /// One node that separated.
 struct CrackEvent {
   std::int64_t step = 0;
+  double time = 0;               ///< [s], to the substep
   BodyId body;                   ///< the body that cracked
   std::vector<BodyId> children;  ///< bodies that its pieces at the node belong to now, `body` among them; empty: still one
   NodeId node;                   ///< the node that was split

@@ -21,22 +21,17 @@ Vec3 centroid(const TetMesh& mesh, std::span<const Vec3> positions, TetId tet) {
   return sum / 4;
 }
 
-int face_towards(const TetMesh& mesh, TetId tet, TetId neighbour) {
-  const auto& links = mesh.neighbours[tet];
-  return static_cast<int>(std::find(links.begin(), links.end(), neighbour) - links.begin());
-}
-
-/// Faces at the node that join tets on opposite sides of the plane, each once.
-std::vector<CutFace> faces_across(const TetMesh& mesh, std::span<const Vec3> positions, NodeId node,
-                                  const Vec3& normal) {
-  const auto above = [&](TetId tet) { return is_above(mesh, positions, tet, node, normal); };
+/// Faces at the node that join tets on opposite sides, each once.
+std::vector<CutFace> faces_across(const TetMesh& mesh, NodeId node, std::span<const std::uint8_t> above) {
+  const std::vector<TetId>& star = mesh.stars[node];
+  const auto is_above = [&](TetId tet) { return above[std::ranges::lower_bound(star, tet) - star.begin()] != 0; };
   std::vector<CutFace> faces;
-  for (TetId tet : mesh.stars[node]) {
-    if (!above(tet)) continue;
+  for (TetId tet : star) {
+    if (!is_above(tet)) continue;
     for (int face = 0; face < 4; ++face) {
       const TetId neighbour = mesh.neighbours[tet][face];
       const bool at_node = mesh.tets[tet][face] != node;
-      if (at_node && neighbour.valid() && !above(neighbour)) faces.push_back({tet, face, neighbour});
+      if (at_node && neighbour.valid() && !is_above(neighbour)) faces.push_back({tet, face, neighbour});
     }
   }
   return faces;
@@ -90,14 +85,23 @@ void part_node(TetMesh& mesh, NodeId node, SplitResult& result) {
 
 }  // namespace
 
-bool is_above(const TetMesh& mesh, std::span<const Vec3> positions, TetId tet, NodeId node, const Vec3& normal) {
-  return normal.dot(centroid(mesh, positions, tet) - positions[node]) > 0;
+std::vector<std::uint8_t> tets_above(const TetMesh& mesh, std::span<const Vec3> positions, NodeId node,
+                                     const Vec3& normal) {
+  std::vector<std::uint8_t> above;
+  for (TetId tet : mesh.stars[node])
+    above.push_back(normal.dot(centroid(mesh, positions, tet) - positions[node]) > 0);
+  return above;
 }
 
 SplitResult split_node(TetMesh& mesh, std::span<const Vec3> positions, NodeId node, const Vec3& normal,
                        int min_fragment_tets) {
+  return split_node(mesh, node, tets_above(mesh, positions, node, normal), min_fragment_tets);
+}
+
+SplitResult split_node(TetMesh& mesh, NodeId node, std::span<const std::uint8_t> above, int min_fragment_tets) {
+  assert(above.size() == mesh.stars[node].size());
   SplitResult result;
-  const std::vector<CutFace> faces = faces_across(mesh, positions, node, normal);
+  const std::vector<CutFace> faces = faces_across(mesh, node, above);
   if (faces.empty()) return result;
 
   cut(mesh, faces);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -12,8 +13,10 @@ struct NodeCopy {
   NodeId original, copy;
 };
 
-/// Whether a tet's centroid lies on the side of the plane through `node` to which `normal` points.
-bool is_above(const TetMesh& mesh, std::span<const Vec3> positions, TetId tet, NodeId node, const Vec3& normal);
+/// For each tet of a node's star whether its centroid lies on the side of the plane through the node to which `normal`
+/// points (1) or not (0).
+std::vector<std::uint8_t> tets_above(const TetMesh& mesh, std::span<const Vec3> positions, NodeId node,
+                                     const Vec3& normal);
 
 struct SplitResult {
   std::vector<NodeCopy> copies;
@@ -31,5 +34,8 @@ struct SplitResult {
 /// changes when all tets lie on one side, or when a piece of fewer than `min_fragment_tets` would come off.
 SplitResult split_node(TetMesh& mesh, std::span<const Vec3> positions, NodeId node, const Vec3& normal,
                        int min_fragment_tets = 1);
+
+/// The same between any two sides of the node, as tets_above() gives them.
+SplitResult split_node(TetMesh& mesh, NodeId node, std::span<const std::uint8_t> above, int min_fragment_tets = 1);
 
 }  // namespace griffith

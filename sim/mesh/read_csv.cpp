@@ -1,5 +1,7 @@
+#include "sim/error.h"
 #include "sim/mesh/file_cursor.h"
 #include "sim/mesh/mesh_formats.h"
+#include "sim/mesh/read_points.h"
 
 namespace griffith {
 namespace {
@@ -32,13 +34,20 @@ void read_rows(const std::filesystem::path& path, ReadRow read_row) {
 
 }  // namespace
 
-MeshFile read_csv_pair(const std::filesystem::path& folder) {
-  MeshFile file;
-  read_rows(folder / "verts.csv", [&](FileCursor& cursor) {
+std::vector<Vec3> read_points(const std::filesystem::path& path) {
+  std::vector<Vec3> points;
+  read_rows(path, [&](FileCursor& cursor) {
     Vec3 point;
     for (double& coordinate : point) coordinate = cursor.number<double>("x, y, z");
-    file.soup.points.push_back(point);
+    points.push_back(point);
   });
+  if (points.empty()) throw InputError(path.string(), "holds no points", "write x, y, z in each line");
+  return points;
+}
+
+MeshFile read_csv_pair(const std::filesystem::path& folder) {
+  MeshFile file;
+  file.soup.points = read_points(folder / "verts.csv");
   const int point_count = static_cast<int>(file.soup.points.size());
   read_rows(folder / "tets.csv", [&](FileCursor& cursor) {
     std::array<int, 4> tet;

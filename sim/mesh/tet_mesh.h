@@ -18,7 +18,7 @@ struct TetSoup {
 inline constexpr std::array<std::array<int, 3>, 4> kTetFaces = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 /// A tetrahedral mesh with its topology. All bodies of a world live in one mesh; cracks cut neighbour links and append
-/// nodes, tets are never added or removed by splitting. Tets are positively oriented:
+/// nodes, and where bodies are remeshed (bisect.h) they append tets. None is ever removed. Tets are positively oriented:
 /// det(x1−x0, x2−x0, x3−x0) > 0 in rest space.
 struct TetMesh {
   std::vector<Vec3> rest_positions;                 ///< per node [m]

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
 #include <tuple>
 
 namespace griffith {
@@ -126,6 +127,13 @@ std::array<NodeId, 3> face_nodes(const TetMesh& mesh, TetId tet, int face) {
   return {corners[kTetFaces[face][0]], corners[kTetFaces[face][1]], corners[kTetFaces[face][2]]};
 }
 
+int face_towards(const TetMesh& mesh, TetId tet, TetId other) {
+  const auto& links = mesh.neighbours[tet];
+  const auto found = std::find(links.begin(), links.end(), other);
+  assert(found != links.end());
+  return static_cast<int>(found - links.begin());
+}
+
 std::vector<NodeId> nodes_of(const TetMesh& mesh, std::span<const TetId> tets) {
   std::vector<NodeId> nodes;
   nodes.reserve(4 * tets.size());
@@ -149,6 +157,13 @@ std::vector<std::vector<TetId>> connected_components(const TetMesh& mesh) {
 
 std::vector<std::vector<TetId>> star_components(const TetMesh& mesh, NodeId node) {
   return components(mesh, mesh.stars[node], [&](TetId tet, int face) { return mesh.tets[tet][face] != node; });
+}
+
+std::vector<std::vector<TetId>> edge_components(const TetMesh& mesh, NodeId a, NodeId b) {
+  std::vector<TetId> round;
+  std::ranges::set_intersection(mesh.stars[a], mesh.stars[b], std::back_inserter(round));
+  return components(mesh, round,
+                    [&](TetId tet, int face) { return mesh.tets[tet][face] != a && mesh.tets[tet][face] != b; });
 }
 
 std::vector<SurfaceFace> surface_faces(const TetMesh& mesh) {

@@ -34,6 +34,9 @@ int local_corner(const TetMesh& mesh, TetId tet, NodeId node);
 /// The nodes of face i of a tet, counter-clockwise seen from outside.
 std::array<NodeId, 3> face_nodes(const TetMesh& mesh, TetId tet, int face);
 
+/// Which face (0..3) of `tet` leads to its neighbour `other`; they must be linked.
+int face_towards(const TetMesh& mesh, TetId tet, TetId other);
+
 /// The nodes of `tets`, ascending, each once.
 std::vector<NodeId> nodes_of(const TetMesh& mesh, std::span<const TetId> tets);
 
@@ -45,6 +48,10 @@ std::vector<std::vector<TetId>> connected_components(const TetMesh& mesh);
 /// The pieces of a node's star that hold together through faces containing the node. More than one: the node is
 /// pinched.
 std::vector<std::vector<TetId>> star_components(const TetMesh& mesh, NodeId node);
+
+/// The tets round edge ab, in the pieces that hold together through faces containing the edge. More than one: the edge
+/// is pinched; none: a and b share no tet.
+std::vector<std::vector<TetId>> edge_components(const TetMesh& mesh, NodeId a, NodeId b);
 
 /// Face `face` of `tet`, with nothing behind it.
 struct SurfaceFace {

@@ -36,8 +36,10 @@ struct OneOf {
 /// true or false.
 struct Flag {};
 
-/// The file or folder of a mesh, which has to exist.
-struct MeshPath {};
+/// The file or folder of a mesh (or what else it names), which has to exist.
+struct MeshPath {
+  std::string_view what = "mesh";
+};
 
 /// A material: the name of a preset or of one of the scene's materials, or its properties.
 struct MaterialChoice {};

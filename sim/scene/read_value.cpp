@@ -121,7 +121,7 @@ void read(const Place& place, std::string& value, const OneOf& one_of) {
   if (const int index = read_name(place, one_of.names); index >= 0) value = one_of.names[index];
 }
 
-void read(const Place& place, std::filesystem::path& value, MeshPath) {
+void read(const Place& place, std::filesystem::path& value, MeshPath kind) {
   std::string text;
   const std::size_t before = place.document.problems.size();
   read(place, text, Text{1});
@@ -131,8 +131,8 @@ void read(const Place& place, std::filesystem::path& value, MeshPath) {
   for (const auto& tried : files_of_mesh((place.document.folder / value).lexically_normal())) {
     std::error_code ignored;
     if (std::filesystem::exists(tried, ignored)) continue;
-    place.report("names the mesh \"" + text + "\", but there is no \"" + tried.generic_string() + "\"",
-                 "put the mesh there or correct the path, which starts at the scene file's folder");
+    place.report("names the " + std::string(kind.what) + " \"" + text + "\", but there is no \"" + tried.generic_string() + "\"",
+                 "put it there or correct the path, which starts at the scene file's folder");
     return;
   }
 }

@@ -11,6 +11,7 @@
 #include "sim/scene/boundary_condition.h"
 #include "sim/scene/probe.h"
 #include "sim/scene/shape.h"
+#include "sim/splinters/splinter_pattern.h"
 
 namespace griffith {
 
@@ -22,10 +23,13 @@ struct BodyDescription {
   Vec3 velocity = Vec3::Zero();          ///< at the start [m/s]
   Vec3 angular_velocity = Vec3::Zero();  ///< at the start, about the centre of mass [rad/s]
   Material material;
+  bool remeshing = false;           ///< cracks cut tets along their plane instead of following faces
+  double minimum_element_size = 0;  ///< edges that remeshing may make [m]; 0: a quarter of the first elements' size
   std::optional<Weakness> weakness;
   std::optional<StrengthScatter> strength_scatter;
   std::vector<Support> supports;
   std::vector<Load> loads;
+  std::optional<SplinterPattern> splinters;  ///< what is seen of it when it breaks; none: its tets
   bool operator==(const BodyDescription&) const = default;
 };
 
@@ -90,6 +94,7 @@ struct ViewSettings {
   std::string color_map = "viridis";   ///< viridis, coolwarm or cividis
   std::optional<Vec2> range;           ///< in the quantity's unit; automatic when absent
   bool edges = true;
+  bool splinters = true;  ///< shown in place of tets where a body has them
   bool operator==(const ViewSettings&) const = default;
 };
 

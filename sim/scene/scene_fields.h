@@ -5,6 +5,7 @@
 #include "sim/scene/field.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/shape_fields.h"
+#include "sim/scene/splinter_fields.h"
 #include "sim/scene/view_quantity.h"
 
 // The table of all fields of a scene: name, member, values and meaning. An archive (the reader, the writer, the
@@ -164,10 +165,17 @@ void describe(Archive& archive, BodyDescription& body) {
                 "Angular velocity at the start, about the centre of mass");
   archive.field("material", body.material, MaterialChoice{},
                 "Name of a preset or of one of the scene's materials, or an object with its properties");
+  archive.field("remeshing", body.remeshing, Flag{}, "Cracks cut tetrahedra along their plane; false: they follow faces");
+  archive.field("minimum_element_size", body.minimum_element_size, between(0, 1e6, "m"),
+                "Shortest edge that remeshing makes; 0: a quarter of the size of the first elements");
   archive.field("weakness", body.weakness, Parts{}, "A direction in which it is weaker; null: none");
   archive.field("strength_scatter", body.strength_scatter, Parts{}, "Random strength from flaws; null: none");
   archive.field("supports", body.supports, Parts{}, "Regions that are held");
   archive.field("loads", body.loads, Parts{}, "Forces on regions");
+  archive.field("splinters", body.splinters, Parts{},
+                "What it is seen to break into, instead of its tetrahedra; nothing of the simulation depends on it");
+  archive.require(!body.remeshing || !body.splinters, "remeshing", "is asked for beside splinters",
+                  "take one of them out: splinters are carried by the tetrahedra as they are");
 }
 
 template <class Archive>
@@ -252,6 +260,7 @@ void describe(Archive& archive, ViewSettings& view) {
   archive.field("range", view.range, range,
                 "Values at the two ends of the colours, in the quantity's unit; null: automatic");
   archive.field("edges", view.edges, Flag{}, "Whether element edges are drawn");
+  archive.field("splinters", view.splinters, Flag{}, "Whether splinters are drawn in place of the tetrahedra");
 }
 
 template <class Archive>

@@ -44,7 +44,7 @@ class ObjectReader {
     if (const Json* json = find(name)) {
       read(place_.child(name, *json), member, values);
     } else if (std::is_same_v<Values, MeshPath>) {
-      place_.report("lacks \"" + std::string(name) + "\"", "add it: nothing else says which mesh is meant");
+      place_.report("lacks \"" + std::string(name) + "\"", "add it: nothing else says which file is meant");
     }
   }
 

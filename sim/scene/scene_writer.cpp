@@ -117,11 +117,16 @@ std::filesystem::path* file_of(Shape& shape) {
   return nullptr;
 }
 
+/// Makes the paths of a scene's files start at `folder`.
 Scene with_mesh_paths_from(Scene scene, const std::filesystem::path& folder) {
+  const auto move = [&](std::filesystem::path& path) {
+    if (path.is_absolute() || scene.folder == folder) return;
+    path = std::filesystem::absolute(scene.folder / path).lexically_normal().lexically_proximate(folder);
+  };
   for (BodyDescription& body : scene.bodies) {
-    std::filesystem::path* path = file_of(body.shape);
-    if (!path || path->is_absolute() || scene.folder == folder) continue;
-    *path = std::filesystem::absolute(scene.folder / *path).lexically_normal().lexically_proximate(folder);
+    if (std::filesystem::path* file = file_of(body.shape)) move(*file);
+    if (!body.splinters) continue;
+    if (auto* points = std::get_if<PointSplinters>(&*body.splinters)) move(points->path);
   }
   return scene;
 }

@@ -5,7 +5,7 @@
 namespace griffith {
 
 std::span<const ViewQuantity> view_quantities() {
-  static constexpr std::array<ViewQuantity, 9> kQuantities = {{
+  static constexpr std::array<ViewQuantity, 11> kQuantities = {{
       {"von_mises", "von Mises stress", "Pa"},
       {"max_principal_stress", "largest principal stress", "Pa"},
       {"min_principal_stress", "smallest principal stress", "Pa"},
@@ -14,7 +14,9 @@ std::span<const ViewQuantity> view_quantities() {
       {"separation_eigenvalue", "separation eigenvalue", "N"},
       {"displacement", "displacement", "m"},
       {"speed", "speed", "m/s"},
+      {"material", "material", ""},
       {"body", "body", ""},
+      {"splinter", "splinter", ""},
   }};
   return kQuantities;
 }

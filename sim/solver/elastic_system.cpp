@@ -119,21 +119,45 @@ SolveReport ElasticSystem::solve(const ImplicitStep& step, std::span<const Vec3>
                                  std::span<const Vec3> forces, std::span<const double> masses,
                                  std::span<const NodeConstraint> constraints, std::span<Vec3> velocities) {
   const int count = static_cast<int>(nodes().size());
-  Eigen::VectorXd mass(count);
-  for (int row = 0; row < count; ++row) mass[row] = masses[nodes()[row]];
+  const Eigen::VectorXd mass = gather_masses(masses);
   NodeVectors x = gather(velocities);
   NodeVectors b = x * mass.asDiagonal() + step.dt * gather(forces);
   for (std::size_t i = 0; i < supports().size(); ++i)
     reactions_[i] = -masses[supports()[i]] * velocities[supports()[i]] - step.dt * forces[supports()[i]];
 
   const SolveReport report = is_free()
-                                 ? solve_free(step, gather(positions), mass, b, x)
+                                 ? solve_free(step, gather(positions), mass, b, true, x)
                                  : solve_projected(constraints, step.relative_residual, step.max_iterations, b, x);
   for (int row = 0; row < count; ++row) velocities[nodes()[row]] = x.col(row);
   for (NodeId node : supports())
     velocities[node] = constraints[node].velocity + constraints[node].allowed * velocities[node];
   balance_supports(step.dt, constraints, velocities);
   return report;
+}
+
+SolveReport ElasticSystem::respond(const ImplicitStep& step, std::span<const Vec3> positions,
+                                   std::span<const Vec3> impulses, std::span<const double> masses,
+                                   std::span<const NodeConstraint> constraints, NodeVectors& change) {
+  change = NodeVectors::Zero(3, nodes().size());
+  NodeVectors b = gather(impulses);
+  if (is_free()) return solve_free(step, gather(positions), gather_masses(masses), b, false, change);
+  project(b);
+  const SolveReport report = conjugate_gradient(rows_.matrix, *preconditioner_, b, change, step.relative_residual,
+                                                std::sqrt(dot(b, b)), step.max_iterations);
+  const BlockSparseMatrix& a = support_rows_.matrix;
+  for (int support = 0; support < a.rows(); ++support) {
+    Vec3 impulse = -impulses[supports()[support]];
+    for (int k = a.row_starts[support]; k < a.row_starts[support + 1]; ++k)
+      if (const int row = row_of_support_column_[k]; row >= 0) impulse += a.blocks[k] * change.col(row);
+    reactions_[support] += (impulse - constraints[supports()[support]].allowed * impulse) / step.dt;
+  }
+  return report;
+}
+
+Eigen::VectorXd ElasticSystem::gather_masses(std::span<const double> masses) const {
+  Eigen::VectorXd gathered(nodes().size());
+  for (Eigen::Index row = 0; row < gathered.size(); ++row) gathered[row] = masses[nodes()[row]];
+  return gathered;
 }
 
 void ElasticSystem::project(NodeVectors& x) const {
@@ -177,7 +201,8 @@ void ElasticSystem::balance_supports(double dt, std::span<const NodeConstraint> 
   }
 }
 SolveReport ElasticSystem::solve_free(const ImplicitStep& step, const NodeVectors& positions,
-                                      const Eigen::VectorXd& masses, const NodeVectors& b, NodeVectors& x) const {
+                                      const Eigen::VectorXd& masses, const NodeVectors& b, bool turning,
+                                      NodeVectors& x) const {
   // The rigid motion follows from momentum balance alone, so only the deformation is solved for: no residual can slow
   // a fall, and convergence is relative to what is elastic.
   const auto rigid_field = [&](const NodeVectors& velocities) {
@@ -191,7 +216,7 @@ SolveReport ElasticSystem::solve_free(const ImplicitStep& step, const NodeVector
   NodeVectors product;
   multiply(rows_.matrix, rigid, product);
   NodeVectors elastic = b - product;
-  add_centrifugal_impulses(rigid_motion(positions, rigid, masses), positions, masses, step.dt, elastic);
+  if (turning) add_centrifugal_impulses(rigid_motion(positions, rigid, masses), positions, masses, step.dt, elastic);
 
   // Below the rounding errors of A times the rigid motion there is only noise to solve for.
   const double noise = 4 * std::numeric_limits<double>::epsilon() * diagonal_product_norm(rows_.matrix, rigid);

@@ -77,8 +77,13 @@ class ElasticSystem {
   /// [N], from the balance of its momentum.
   std::span<const Vec3> reaction_forces() const { return reactions_; }
 
-  /// How far a node would go under a unit impulse, its neighbours standing still [1/kg]; after assemble().
-  const Mat3& inverse_diagonal(int row) const { return preconditioner_->inverse_diagonal(row); }
+  /// The change of velocity of nodes() by `impulses` (per node of the mesh [N·s]) in the step of the last solve(): what
+  /// it would have given on top of its forces. The momentum of a free body is exact as there; supports react.
+  SolveReport respond(const ImplicitStep& step, std::span<const Vec3> positions, std::span<const Vec3> impulses,
+                      std::span<const double> masses, std::span<const NodeConstraint> constraints, NodeVectors& change);
+  /// About J A⁻¹ Jᵀ for these points: by the preconditioner, which is close for what is smooth and within a small factor
+  /// for what is not. Weights hold what sliding leaves free. 3×3 blocks [1/kg]; after assemble().
+  Eigen::MatrixXd compliance(std::span<const WeightedRows> points) const { return preconditioner_->compliance(points); }
   const BlockSparseMatrix& matrix() const { return rows_.matrix; }
 
  private:
@@ -95,7 +100,8 @@ class ElasticSystem {
   /// Completes the impulses that reactions_ holds, −(M v + h f) of the supports, to reaction forces.
   void balance_supports(double dt, std::span<const NodeConstraint> constraints, std::span<const Vec3> velocities);
   SolveReport solve_free(const ImplicitStep& step, const NodeVectors& positions, const Eigen::VectorXd& masses,
-                         const NodeVectors& b, NodeVectors& x) const;
+                         const NodeVectors& b, bool turning, NodeVectors& x) const;
+  Eigen::VectorXd gather_masses(std::span<const double> masses) const;
 
   ElementRows rows_;          // S A S, one row a node that is not held
   ElementRows support_rows_;  // A, one row a constrained node; columns are nodes of the mesh

@@ -54,11 +54,10 @@ double stable_time_step(double highest_frequency, double stiffness_damping) {
 
 void explicit_step(double dt, double mass_damping, std::span<const NodeId> nodes,
                    std::span<const NodeConstraint> constraints, std::span<const double> masses,
-                   std::span<const Vec3> forces, std::span<Vec3> positions, std::span<Vec3> velocities) {
+                   std::span<const Vec3> forces, std::span<Vec3> velocities) {
   for (NodeId node : nodes) {
     const Vec3 change = dt * (forces[node] / masses[node] - mass_damping * velocities[node]);
     velocities[node] = constraints[node].velocity + constraints[node].allowed * (velocities[node] + change);
-    positions[node] += dt * velocities[node];
   }
 }
 

@@ -18,12 +18,13 @@ double highest_frequency(const BlockSparseMatrix& stiffness, const Eigen::Vector
 /// damping beta [s] shortens it: with ξ = beta ω / 2 the symplectic scheme is stable for h <= (2/ω)(√(1 + ξ²) − ξ).
 double stable_time_step(double highest_frequency, double stiffness_damping = 0);
 
-/// One step of symplectic Euler (O'Brien & Hodgins 1999 integrate explicitly, too):
-///   v⁺ = v + h (f/m − alpha v),   x⁺ = x + h v⁺,
+/// The velocities of a step of symplectic Euler (O'Brien & Hodgins 1999 integrate explicitly, too), after which
+/// x⁺ = x + h v⁺:
+///   v⁺ = v + h (f/m − alpha v),
 /// for `nodes`, in the directions that their constraints leave; blocked ones move with their known velocities.
 /// `forces`: elastic, damping and external ones at x and v [N]; spans are per node of the mesh.
 void explicit_step(double dt, double mass_damping, std::span<const NodeId> nodes,
                    std::span<const NodeConstraint> constraints, std::span<const double> masses,
-                   std::span<const Vec3> forces, std::span<Vec3> positions, std::span<Vec3> velocities);
+                   std::span<const Vec3> forces, std::span<Vec3> velocities);
 
 }  // namespace griffith

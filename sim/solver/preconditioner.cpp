@@ -168,4 +168,25 @@ void RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) const 
   });
 }
 
+Eigen::MatrixXd RigidModePreconditioner::compliance(std::span<const WeightedRows> points) const {
+  const Eigen::Index count = static_cast<Eigen::Index>(points.size());
+  Eigen::MatrixXd modes = Eigen::MatrixXd::Zero(6 * aggregate_count(), 3 * count);  // Rᵀ Jᵀ
+  for (Eigen::Index i = 0; i < count; ++i)
+    for (int k = 0; k < 3; ++k)
+      if (const int row = points[i].rows[k]; row >= 0)
+        modes.block<6, 3>(6 * aggregates_[row], 3 * i) +=
+            rigid_modes(arms_.col(row)).transpose() * points[i].weights[k].transpose();
+  Eigen::MatrixXf half = (coarse_factors_.permutationP() * modes).cast<float>();
+  lower_.triangularView<Eigen::Lower>().solveInPlace(half);
+  Eigen::MatrixXd sum = (half.transpose() * half).cast<double>();
+  for (Eigen::Index i = 0; i < count; ++i)
+    for (Eigen::Index j = 0; j < count; ++j)
+      for (int k = 0; k < 3; ++k)
+        for (int l = 0; l < 3; ++l)
+          if (const int row = points[i].rows[k]; row >= 0 && row == points[j].rows[l])
+            sum.block<3, 3>(3 * i, 3 * j) +=
+                points[i].weights[k] * inverse_diagonal_[row] * points[j].weights[l].transpose();
+  return sum;
+}
+
 }  // namespace griffith

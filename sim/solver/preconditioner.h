@@ -1,11 +1,19 @@
 #pragma once
 
 #include <Eigen/SparseCholesky>
+#include <array>
+#include <span>
 #include <vector>
 
 #include "sim/solver/block_sparse_matrix.h"
 
 namespace griffith {
+
+/// A point that moves with a few nodes: its velocity is the sum of weights_i · v(rows_i).
+struct WeightedRows {
+  std::array<int, 3> rows;  ///< -1 for a node that is held
+  std::array<Mat3, 3> weights;
+};
 
 /// z = D⁻¹ r + R (Rᵀ A R)⁻¹ Rᵀ r: block Jacobi and a coarse space of the six rigid-body modes of each aggregate of
 /// nodes (additive Schwarz). With it the iteration count depends neither on stiffness nor on cracks.
@@ -22,8 +30,8 @@ class RigidModePreconditioner {
   /// Takes the values of `matrix` and the positions of its nodes [m]. The matrix must be positive definite.
   void update(const BlockSparseMatrix& matrix, const NodeVectors& positions);
   void apply(const NodeVectors& r, NodeVectors& z) const;
-  /// D⁻¹ of a node: how far it would go under a unit impulse, its neighbours standing still [1/kg].
-  const Mat3& inverse_diagonal(int node) const { return inverse_diagonal_[node]; }
+  /// J P Jᵀ, P what apply() applies, J one row of 3×3 blocks a point [1/kg].
+  Eigen::MatrixXd compliance(std::span<const WeightedRows> points) const;
   /// How often update() found the coarse matrix changed enough to factor it anew.
   int factorization_count() const { return factorizations_; }
   int aggregate_count() const { return static_cast<int>(members_.size()); }

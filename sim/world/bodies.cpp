@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/elasticity/polar_decomposition.h"
 #include "sim/mesh/topology.h"
@@ -33,7 +34,8 @@ std::vector<ConvexPart> collision_parts(const WorldState& world, const Body& bod
           std::lower_bound(body.nodes.begin(), body.nodes.end(), world.mesh.tets[tet][i]) - body.nodes.begin());
     tets.push_back(corners);
   }
-  return convex_parts(points, tets);
+  constexpr std::size_t kSmallPiece = 20;  // tets
+  return body.tets.size() <= kSmallPiece ? convex_parts(points, tets, 0.5) : convex_parts(points, tets);
 }
 
 void place_stand_in(WorldState& world, Body& body) {
@@ -80,6 +82,14 @@ std::size_t heir(const WorldState& world, const std::vector<std::vector<TetId>>&
 
 }  // namespace
 
+double hurting_speed(const WorldState& world, const Body& body) {
+  // Slower meetings do not come near the breaking speed sigma_t / (rho c).
+  constexpr double kShareOfBreakingSpeed = 0.5;
+  if (body.tets.size() == 1) return std::numeric_limits<double>::infinity();
+  const Material& material = world.material_of(body);
+  return kShareOfBreakingSpeed * material.tensile_strength / (material.density * bar_wave_speed(material));
+}
+
 RigidMotion motion_of(const WorldState& world, const Body& body) {
   return rigid_motion(gather(world.nodes.positions, body.nodes), gather(world.nodes.velocities, body.nodes),
                       gather(world.nodes.masses, body.nodes));
@@ -118,13 +128,15 @@ void rebuild_body(WorldState& world, Body& body) {
   body.motion = motion_of(world, body);
   body.reference_arms = gather(world.nodes.positions, body.nodes).colwise() - body.motion.center;
   body.orientation.setIdentity();
+  body.element_size = mean_element_size(world, body);
+  body.asleep = false;
   // A single tet cannot break any further: it is debris from the start.
   body.rigid = body.tets.size() == 1 && !body.supported();
   body.calm_steps = 0;
   body.highest_frequency = 0;
   if (body.rigid) clear_stress(world, body);
   place_stand_in(world, body);
-  world.contact_world.set_brittle(body.stand_in, body.tets.size() > 1);
+  world.contact_world.set_impact_speed(body.stand_in, hurting_speed(world, body));
 }
 
 void part_body(WorldState& world, BodyId id) {

@@ -87,8 +87,12 @@ void draw_strengths(WorldState& world, const std::optional<StrengthScatter>& sca
 
 void append_elements(WorldState& world, TetId first, BodyId body) {
   ElementArrays& elements = world.elements;
-  for (TetId tet = first; tet < world.mesh.tet_count(); ++tet.value)
+  for (TetId tet = first; tet < world.mesh.tet_count(); ++tet.value) {
     elements.rests.push_back(element_rest(corners_of(world.mesh, tet, world.mesh.rest_positions)));
+    int faces = 0;
+    for (int face = 0; face < 4; ++face) faces |= !world.mesh.neighbours[tet][face].valid() << face;
+    elements.first_surface.push_back(static_cast<std::uint8_t>(faces));
+  }
   elements.states.resize(world.mesh.tets.size());
   elements.plastic_strains.resize(world.mesh.tets.size(), Mat3::Zero());
   elements.stresses.resize(world.mesh.tets.size(), Mat3::Zero());
@@ -113,6 +117,7 @@ void add_scene_body(WorldState& world, int scene_body, const Monitor& monitor) {
   place_supports(world, scene_body, rest);
   place_loads(world, scene_body, rest);
   place_probes(world, scene_body, rest);
+  place_splinters(world, scene_body, rest);
   update_supports(world, world.time, world.scene.simulation.time_step);
 
   Body body;
@@ -125,6 +130,8 @@ void add_scene_body(WorldState& world, int scene_body, const Monitor& monitor) {
   world.bodies.push_back(std::move(body));
   for (NodeId node = first_node; node < world.mesh.node_count(); ++node.value)
     world.nodes.masses[node] = node_mass(world, node);
+  const double quarter = mean_element_size(world, world.bodies.back()) / 4;
+  world.least_edges.push_back(description.minimum_element_size > 0 ? description.minimum_element_size : quarter);
   const std::size_t first_piece = world.bodies.size() - 1;
   part_body(world, world.bodies.back().id);
   for (std::size_t i = first_piece; i < world.bodies.size(); ++i) {

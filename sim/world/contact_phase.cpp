@@ -1,140 +1,244 @@
-#include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 #include "sim/fracture/resistance.h"
 #include "sim/parallel.h"
+#include "sim/solver/rigid_motion.h"
 #include "sim/world/phases.h"
-#include "sim/world/surface_point.h"
+#include "sim/world/touched_body.h"
 
 namespace griffith {
 namespace {
-
-/// Where a contact touches an elastic body.
-struct Touch {
-  BodyId body;  ///< invalid where nothing elastic is touched
-  SurfacePoint point;
-};
-
-Body* body_of(WorldState& world, ProxyId proxy) {
-  const std::size_t index = static_cast<std::size_t>(proxy.value);
-  const BodyId id = index < world.body_of_proxy.size() ? world.body_of_proxy[index] : BodyId();
-  return id.valid() ? &world.bodies[id] : nullptr;
-}
-
-Touch touch(WorldState& world, ProxyId proxy, const Vec3& position) {
-  Body* body = body_of(world, proxy);
-  if (!body || body->rigid) return {};
-  return {body->id, closest_surface_point(world, *body, position)};
-}
-
-/// Lets the elastic surfaces soften the contacts, so that the stiffness of the material matters.
-std::vector<std::array<Touch, 2>> soften_contacts(WorldState& world) {
-  const std::span<Contact> contacts = world.contact_world.contacts();
-  std::vector<std::array<Touch, 2>> touches(contacts.size());
-  parallel_for(static_cast<int>(contacts.size()), 16, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      Contact& contact = contacts[i];
-      touches[i] = {touch(world, contact.a, contact.position_on_a), touch(world, contact.b, contact.position_on_b)};
-      contact.compliance = 0;
-      for (const Touch& t : touches[i])
-        if (t.body.valid())
-          contact.compliance += surface_compliance(world, world.bodies[t.body], t.point, contact.normal);
-    }
-  });
-  return touches;
-}
-
-/// Adds the force and torque of `force` at `position` to a free body as the force field that accelerates it rigidly.
-void add_rigid_force(const WorldState& world, const Body& body, const Vec3& force, const Vec3& torque,
-                     std::vector<Vec3>& forces) {
-  const Vec3 acceleration = force / body.motion.mass;
-  const Vec3 angular_acceleration = body.motion.inertia.inverse() * torque;
-  for (NodeId node : body.nodes) {
-    const Vec3 arm = world.nodes.positions[node] - body.motion.center;
-    forces[node] += world.nodes.masses[node] * (acceleration + angular_acceleration.cross(arm));
-  }
-}
-
-/// Puts a contact's force on the touched corners. The contact point lies a little off the elastic surface: the torque
-/// of that offset goes to the whole body, so that angular momentum is kept.
-void add_contact_force(const WorldState& world, const Body& body, const Touch& touched, const Vec3& position,
-                       const Vec3& force, std::vector<Vec3>& forces) {
-  if (!touched.body.valid())
-    return add_rigid_force(world, body, force, (position - body.motion.center).cross(force), forces);
-  Vec3 touched_position = Vec3::Zero();
-  for (int i = 0; i < 3; ++i) {
-    forces[touched.point.nodes[i]] += touched.point.weights[i] * force;
-    touched_position += touched.point.weights[i] * world.nodes.positions[touched.point.nodes[i]];
-  }
-  if (!body.supported())
-    add_rigid_force(world, body, Vec3::Zero(), (position - touched_position).cross(force), forces);
-}
 
 /// Whether a force could bring a rigid piece near its strength somewhere.
 bool could_hurt(const WorldState& world, const Body& body, double force) {
   constexpr double kWakingShare = 0.25;
   if (body.tets.size() == 1) return false;
-  const double element_size = mean_element_size(world, body);
+  const double element_size = body.element_size;
   const Material& material = world.material_of(body);
   const double limit = resistance(material, true, element_size);
   const double load = material.criterion == FractureCriterion::strength ? force / (element_size * element_size) : force;
   return load > kWakingShare * limit;
 }
 
-void wake(WorldState& world, Body& body, double dt) {
-  body.rigid = false;
-  body.calm_steps = 0;
-  assemble_system(world, body, dt);
+/// Makes rigid bodies elastic where the impulses found could hurt them; whether there were any.
+bool wake_struck_bodies(WorldState& world, double dt) {
+  bool any = false;
+  for (const Contact& contact : world.contact_world.contacts())
+    for (ProxyId side : {contact.a, contact.b}) {
+      const BodyId id = world.body_of(side);
+      if (!id.valid() || !world.bodies[id].rigid || world.bodies[id].supported()) continue;
+      if (!could_hurt(world, world.bodies[id], contact.impulse.norm() / dt)) continue;
+      place_rigid_nodes(world, world.bodies[id]);
+      wake(world, world.bodies[id]);
+      world.bodies[id].energy = mechanical_energy(world, world.bodies[id]);
+      assemble_system(world, world.bodies[id], dt);
+      any = true;
+    }
+  return any;
+}
+
+void tell_rigid_velocities(WorldState& world) {
+  for (const Body& body : world.bodies) {
+    if (body.supported() || body.asleep) continue;
+    const RigidMotion motion = body.rigid ? body.motion : motion_of(world, body);
+    world.contact_world.set_velocity(body.stand_in, motion.velocity, motion.angular_velocity);
+  }
+}
+
+void take_rigid_velocities(WorldState& world) {
+  for (Body& body : world.bodies) {
+    if (!body.rigid || body.asleep || body.supported()) continue;
+    const RigidState state = world.contact_world.state(body.stand_in);
+    body.motion.velocity = state.velocity;
+    body.motion.angular_velocity = state.angular_velocity;
+  }
+}
+
+/// The change of the velocities of an elastic body's nodes under impulses, which it also adds to them.
+SolveReport respond(WorldState& world, const Body& body, double dt, const std::vector<Vec3>& impulses,
+                    NodeVectors& change) {
+  NodeArrays& nodes = world.nodes;
+  SolveReport report;
+  if (world.integrates_explicitly()) {
+    change = body.system->gather(impulses);
+    for (Eigen::Index row = 0; row < change.cols(); ++row) {
+      const NodeId node = body.system->nodes()[row];
+      change.col(row) = (nodes.constraints[node].allowed * change.col(row) / nodes.masses[node]).eval();
+    }
+    for (NodeId node : body.system->supports())
+      nodes.reactions[node] -= (impulses[node] - nodes.constraints[node].allowed * impulses[node]) / dt;
+  } else {
+    report = body.system->respond(implicit_step(world, body, dt), nodes.positions, impulses, nodes.masses,
+                                  nodes.constraints, change);
+    for (std::size_t i = 0; i < body.system->supports().size(); ++i)
+      nodes.reactions[body.system->supports()[i]] = body.system->reaction_forces()[i];
+  }
+  for (Eigen::Index row = 0; row < change.cols(); ++row) nodes.velocities[body.system->nodes()[row]] += change.col(row);
+  return report;
+}
+
+/// How far the body's answer to a change of impulses was from what its compliance told.
+struct Answer {
+  SolveReport solve;
+  bool foreseen = true;
+};
+
+/// Lets a body answer the impulses that its contacts have now, and learns from it: the response becomes exact under
+/// these impulses, its compliance right for their direction.
+Answer answer(WorldState& world, TouchedBody& touched, ElasticResponse& response, double dt, std::vector<Vec3>& nodal) {
+  constexpr double kForeseen = 0.1, kNegligible = 0.25;
+  Body& body = world.bodies[touched.body];
+  const std::span<const Contact> contacts = world.contact_world.contacts();
+  Eigen::Matrix3Xd impulses(3, touched.points.size());
+  for (Eigen::Index k = 0; k < impulses.cols(); ++k) {
+    const Contact& contact = contacts[response.contacts[k]];
+    impulses.col(k) = contact.a == body.stand_in ? contact.impulse : Vec3(-contact.impulse);
+  }
+  const Eigen::Matrix3Xd added = impulses - response.impulses;
+  if (added.isZero(0)) return {};
+  for (NodeId node : body.nodes) nodal[node].setZero();
+  add_nodal_impulses(world, touched, added, nodal);
+  NodeVectors change;
+  Answer answer{respond(world, body, dt, nodal, change), true};
+  touched.change = touched.change.size() == 0 ? change : NodeVectors(touched.change + change);
+
+  const Eigen::Matrix3Xd velocities = point_velocities(world, touched), moved = velocities - response.velocities;
+  Eigen::Matrix3Xd expected = added;
+  expected.reshaped() = response.compliance * added.reshaped();
+  const double negligible = kNegligible * dt * world.scene.gravity.norm() * std::sqrt(added.cols());
+  answer.foreseen = (moved - expected).norm() <= kForeseen * expected.norm() + negligible;
+  const double ratio = moved.cwiseProduct(added).sum() / expected.cwiseProduct(added).sum();
+  if (ratio > 0 && !world.integrates_explicitly()) {
+    const double factor = std::clamp(ratio * body.compliance_factor, 0.1, 100.0);
+    response.compliance *= factor / body.compliance_factor;
+    body.compliance_factor = factor;
+  }
+  response.impulses = impulses;
+  response.velocities = velocities;
+  return answer;
+}
+
+/// All bodies answer; whether all did as foreseen.
+bool answer_all(WorldState& world, TouchedBodies& touched, double dt) {
+  std::vector<Vec3> nodal(world.nodes.positions.size());
+  std::vector<Answer> answers(touched.bodies.size());
+  parallel_for(static_cast<int>(answers.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) answers[i] = answer(world, touched.bodies[i], touched.responses[i], dt, nodal);
+  });
+  bool foreseen = true;
+  for (const Answer& answer : answers) {
+    count_solve(world, answer.solve);
+    foreseen &= answer.foreseen;
+  }
+  return foreseen;
+}
+
+/// Takes back what would add energy.
+void limit_energy(WorldState& world, TouchedBodies& touched, double dt) {
+  const std::vector<double> factors = world.contact_world.limit_energy(dt, touched.responses);
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    if (touched.bodies[i].change.size() == 0) continue;
+    const ElasticResponse& response = touched.responses[i];
+    const Eigen::Matrix3Xd velocities =
+        response.free_velocities + factors[i] * (response.velocities - response.free_velocities);
+    world.bodies[touched.bodies[i].body].contact_work = factors[i] * response.impulses.cwiseProduct(velocities).sum();
+    if (factors[i] == 1) continue;
+    ++world.report.limited_impulses;
+    const std::span<const NodeId> nodes = world.bodies[touched.bodies[i].body].system->nodes();
+    for (std::size_t row = 0; row < nodes.size(); ++row)
+      world.nodes.velocities[nodes[row]] -= (1 - factors[i]) * touched.bodies[i].change.col(row);
+  }
 }
 
 void apply_corrections(WorldState& world) {
   for (Body& body : world.bodies) {
-    if (body.supported()) continue;
+    if (body.supported() || body.asleep) continue;
     const ContactWorld::Correction correction = world.contact_world.position_correction(body.stand_in);
     if (correction.translation.isZero(0) && correction.rotation.isZero(0)) continue;
+    const double angle = correction.rotation.norm();
+    const Mat3 turn = angle > 0 ? Eigen::AngleAxisd(angle, correction.rotation / angle).toRotationMatrix()
+                                : Mat3(Mat3::Identity());
+    const Vec3 center = body.motion.center;
+    body.motion.center += correction.translation;
+    if (body.rigid) {
+      body.orientation = (Quat(turn) * body.orientation).normalized();
+      body.motion.inertia = turn * body.motion.inertia * turn.transpose();
+      continue;
+    }
     for (NodeId node : body.nodes) {
       Vec3& position = world.nodes.positions[node];
-      position += correction.translation + correction.rotation.cross(position - body.motion.center);
+      position = body.motion.center + turn * (position - center);
     }
   }
+}
+
+/// What the contact world woke is awake.
+void take_sleep(WorldState& world) {
+  for (Body& body : world.bodies) body.asleep = body.rigid && world.contact_world.asleep(body.stand_in);
+}
+
+/// Impulses that the rigid and the elastic agree on: what is elastic is known by an estimate first, then by its answers.
+TouchedBodies solve_contacts(WorldState& world, double dt) {
+  constexpr int kMostRounds = 3;
+  TouchedBodies touched = touched_bodies(world);
+  correct_distances(world, touched);
+  for (bool woken = true; woken;) {
+    parallel_for(static_cast<int>(touched.bodies.size()), 1, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) prepare_response(world, touched.bodies[i], dt, touched.responses[i]);
+    });
+    world.contact_world.solve(dt, touched.responses);
+    woken = wake_struck_bodies(world, dt);
+    if (woken) touched = touched_bodies(world);
+  }
+  for (int round = 1; !answer_all(world, touched, dt) && round < kMostRounds; ++round)
+    world.contact_world.solve(dt, touched.responses);
+  return touched;
 }
 
 }  // namespace
 
 void place_stand_ins(WorldState& world) {
   for (const Body& body : world.bodies) {
+    if (body.asleep) continue;
     RigidState state{{body.motion.center, body.orientation}, body.motion.velocity, body.motion.angular_velocity};
     if (body.supported()) state.velocity = state.angular_velocity = Vec3::Zero();
     world.contact_world.set_state(body.stand_in, state);
   }
 }
 
-std::vector<Vec3> contact_forces(WorldState& world, double dt) {
-  world.contact_world.detect();
-  const std::vector<std::array<Touch, 2>> touches = soften_contacts(world);
-  world.contact_world.solve(dt);
+void rest_bodies(WorldState& world, double time_step) {
+  world.contact_world.fall_asleep(time_step);
+  take_sleep(world);
+  for (Body& body : world.bodies) {
+    if (!body.asleep) continue;
+    ++world.report.sleeping_bodies;
+    body.motion.velocity = body.motion.angular_velocity = Vec3::Zero();
+    for (NodeId node : body.nodes) world.nodes.velocities[node].setZero();
+  }
+}
 
+std::vector<Vec3> external_forces(const WorldState& world) {
   std::vector<Vec3> forces(world.nodes.positions.size());
   for (std::size_t i = 0; i < forces.size(); ++i) forces[i] = world.nodes.masses[i] * world.scene.gravity;
   add_load_forces(world, world.time, forces);
-  const std::span<const Contact> contacts = world.contact_world.contacts();
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const Contact& contact = contacts[i];
-    if (contact.impulse.isZero(0)) continue;
-    const Vec3 force = contact.impulse / dt;
-    for (int side = 0; side < 2; ++side) {
-      Body* body = body_of(world, side == 0 ? contact.a : contact.b);
-      if (!body) continue;
-      if (body->rigid && could_hurt(world, *body, force.norm())) wake(world, *body, dt);
-      add_contact_force(world, *body, touches[i][side], side == 0 ? contact.position_on_a : contact.position_on_b,
-                        side == 0 ? force : Vec3(-force), forces);
-    }
-  }
-  apply_corrections(world);
-  world.contacts_before = static_cast<int>(contacts.size());
-  world.report.contacts = std::max(world.report.contacts, static_cast<int>(contacts.size()));
-  world.report.max_penetration = std::max(world.report.max_penetration, world.contact_world.max_penetration());
   return forces;
+}
+
+void resolve_contacts(WorldState& world, double dt) {
+  tell_rigid_velocities(world);
+  world.contact_world.detect();
+  take_sleep(world);
+  TouchedBodies touched = solve_contacts(world, dt);
+  limit_energy(world, touched, dt);
+  tell_rigid_velocities(world);
+  world.contact_world.advance(dt);
+  take_rigid_velocities(world);
+  apply_corrections(world);
+  const int contacts = static_cast<int>(world.contact_world.contacts().size());
+  world.contacts_before = contacts;
+  world.report.contacts = std::max(world.report.contacts, contacts);
+  world.report.max_penetration = std::max(world.report.max_penetration, world.contact_world.max_penetration());
 }
 
 }  // namespace griffith

@@ -57,12 +57,12 @@ int stable_substeps(WorldState& world, double time_step) {
   return static_cast<int>(std::ceil(time_step / stable));
 }
 
-void advance_explicit(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt) {
+void predict_explicitly(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt) {
   add_damping_forces(world, body, forces);
   std::vector<Vec3> before;
   for (NodeId node : body.system->supports()) before.push_back(world.nodes.velocities[node]);
   explicit_step(dt, world.material_of(body).mass_damping, body.nodes, world.nodes.constraints, world.nodes.masses,
-                forces, world.nodes.positions, world.nodes.velocities);
+                forces, world.nodes.velocities);
   // What the supports did is what the momentum of their nodes lacks.
   for (std::size_t i = 0; i < before.size(); ++i) {
     const NodeId node = body.system->supports()[i];

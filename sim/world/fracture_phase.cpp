@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <set>
 
+#include "sim/fracture/remesh.h"
 #include "sim/fracture/split.h"
 #include "sim/world/phases.h"
+#include "sim/world/subdivision.h"
 
 namespace griffith {
 namespace {
@@ -10,7 +12,9 @@ namespace {
 /// What open_cracks() did, until the pieces are known.
 struct Opened {
   std::set<BodyId> bodies;
+  MotionsBefore motions;          ///< of free bodies that were remeshed
   std::set<NodeId> waiting;       ///< a split relieves its neighbourhood: these wait until their stress is known again
+  std::vector<TetId> parted;      ///< tets that lost a neighbour
   std::size_t first_event = 0;
 };
 
@@ -56,11 +60,28 @@ void append_copy(WorldState& world, const NodeCopy& copy) {
   nodes.separations[copy.original] = {};
 }
 
-CrackEvent describe(const WorldState& world, NodeId node) {
+/// Cuts the node's star along the plane; which of its tets lie above (1).
+std::vector<std::uint8_t> remesh(WorldState& world, const Body& body, NodeId node, const Vec3& normal, Opened& opened) {
+  note_motion(world, body, opened.motions);
+  RemeshOptions options;
+  options.limits.least_length = world.least_edges[body.scene_body];
+  StarCut cut = cut_star(world.mesh, world.nodes.positions, world.nodes.at_crack_front, node, normal, options);
+  world.report.remeshing_refused += cut.refused_edges;
+  follow_subdivision(world, cut.subdivision);
+  if (!cut.subdivision.tets.empty()) {
+    opened.bodies.insert(body.id);
+    world.bodies[body.id].system.reset();
+  }
+  return std::move(cut.above);
+}
+
+/// `above`: per tet of the node's star.
+CrackEvent describe(const WorldState& world, NodeId node, const std::vector<std::uint8_t>& above) {
   const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
   const NodeSeparation& separation = world.nodes.separations[node];
   CrackEvent event;
   event.step = world.step;
+  event.time = world.time;
   event.body = body.id;
   event.node = node;
   event.position = world.nodes.positions[node];
@@ -70,17 +91,21 @@ CrackEvent describe(const WorldState& world, NodeId node) {
   event.load = separation.margin * separation.resistance;
   event.resistance = separation.resistance;
   const SeparationInput input = separation_input(world);
-  for (TetId tet : world.mesh.stars[node])
-    event.elements.push_back({tet, is_above(world.mesh, world.nodes.positions, tet, node, event.normal),
-                              split_force(input, tet, node)});
+  const std::vector<TetId>& star = world.mesh.stars[node];
+  for (std::size_t i = 0; i < star.size(); ++i)
+    event.elements.push_back({star[i], above[i] != 0, split_force(input, star[i], node)});
   return event;
 }
 
 /// Opens the mesh at one node, or tears it off its support; whether anything was parted.
-bool crack(WorldState& world, NodeId node) {
-  CrackEvent event = describe(world, node);
-  const SplitResult result = split_node(world.mesh, world.nodes.positions, node, event.normal,
-                                        world.scene.simulation.min_fragment_tets);
+bool crack(WorldState& world, NodeId node, Opened& opened) {
+  const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
+  const Vec3 normal = world.nodes.separations[node].direction;
+  const std::vector<std::uint8_t> above = world.scene.bodies[body.scene_body].remeshing
+                                              ? remesh(world, body, node, normal, opened)
+                                              : tets_above(world.mesh, world.nodes.positions, node, normal);
+  CrackEvent event = describe(world, node, above);
+  const SplitResult result = split_node(world.mesh, node, above, world.scene.simulation.min_fragment_tets);
   world.report.cracks_suppressed += result.too_small;
   if (result.too_small) return false;
   for (const NodeCopy& copy : result.copies) append_copy(world, copy);
@@ -88,6 +113,7 @@ bool crack(WorldState& world, NodeId node) {
   event.nodes_made = static_cast<int>(result.copies.size());
   event.torn_off = result.changed_tets.empty() ? tear_off(world, node, event.normal) : share_support(world, result.copies);
   if (result.changed_tets.empty() && !event.torn_off) return false;
+  opened.parted.insert(opened.parted.end(), result.changed_tets.begin(), result.changed_tets.end());
   world.report.supports_torn += event.torn_off;
   world.crack_events.push_back(std::move(event));
   return true;
@@ -117,7 +143,7 @@ Opened crack_in_turn(WorldState& world, const std::vector<NodeId>& overloaded, d
     }
     const std::vector<TetId> star = world.mesh.stars[node];
     const BodyId body = world.elements.bodies[star.front()];
-    if (!crack(world, node)) continue;
+    if (!crack(world, node, opened)) continue;
     ++world.report.cracks;
     opened.bodies.insert(body);
     if (world.crack_events.back().torn_off) world.bodies[body].system.reset();
@@ -149,10 +175,12 @@ void open_cracks(WorldState& world, double substep) {
   const std::vector<NodeId> overloaded = overloaded_nodes(world);
   if (overloaded.empty()) return;
   const Opened opened = crack_in_turn(world, overloaded, substep);
+  restore_angular_momentum(world, opened.motions);
   for (BodyId body : opened.bodies) {
     world.crack_transit_time = std::min(world.crack_transit_time, crack_transit_time(world, world.bodies[body]));
     part_body(world, body);
   }
+  follow_cracks(world.splinters, world.mesh.neighbours, opened.parted, world.splinter_state);
   for (std::size_t i = opened.first_event; i < world.crack_events.size(); ++i)
     world.crack_events[i].children = children_of(world, world.crack_events[i]);
   world.report.cracks_postponed = static_cast<int>(world.postponed.size());

@@ -11,6 +11,7 @@
 #include "sim/fracture/node_separation.h"
 #include "sim/ids.h"
 #include "sim/linear_algebra.h"
+#include "sim/splinters/splinters.h"
 
 namespace griffith {
 
@@ -22,6 +23,7 @@ struct BodyView {
   double mass = 0;               ///< [kg]
   Vec3 center_of_mass, velocity, angular_velocity;
   bool supported = false;        ///< has nodes held in place
+  bool asleep = false;           ///< lies still until something strikes it
 };
 
 struct ProjectileView {
@@ -43,12 +45,16 @@ struct StepReport {
   int cracks = 0;                    ///< nodes split
   int cracks_postponed = 0;          ///< over the budget at the step's end, carried to the next one
   int cracks_suppressed = 0;         ///< not made: the fragment would have been too small
+  int remeshing_refused = 0;         ///< edges not cut: tets would have been too small or too flat
   int supports_torn = 0;             ///< cracks at which a support lost its hold
   int coarse_substeps = 0;           ///< longer than impacts or cracks ask for: the budget had ended
   int solver_iterations = 0;         ///< most in any body and substep
   double max_relative_residual = 0;  ///< largest in any body and substep
   int unconverged_solves = 0;        ///< stopped by the iteration limit
   int inverted_tets = 0;
+  int shortened_motions = 0;         ///< deformations cut short, whose linearised step would have added energy
+  int limited_impulses = 0;          ///< bodies whose contact impulses were cut, which would have added energy
+  int sleeping_bodies = 0;
   int non_finite_values = 0;         ///< bodies frozen because a value was not finite
   double max_penetration = 0;        ///< [m]
   StepTimings milliseconds;
@@ -73,9 +79,16 @@ struct Frame {
   std::span<const std::array<NodeId, 4>> tets;          ///< per tet: corners; face i opposite corner i (kTetFaces)
   std::span<const std::array<TetId, 4>> neighbours;     ///< per tet: behind face i; invalid on the surface
   std::span<const BodyId> tet_bodies;                   ///< per tet
+  std::span<const std::uint8_t> first_surface;          ///< per tet: bit i: face i was on the surface at the start
   std::span<const Mat3> stresses;                       ///< per tet: Cauchy stress, world frame [Pa]
   std::span<const Material> materials;                  ///< per scene body, as in force now
   std::span<const BodyView> bodies;                     ///< one per BodyId; bodies are never removed
+  std::span<const Splinter> splinters;                  ///< what is seen instead of tets, where bodies have them
+  std::span<const SplinterPart> splinter_parts;         ///< by splinter
+  std::span<const SplinterFace> splinter_faces;         ///< by part
+  std::span<const SplinterCorner> splinter_corners;     ///< by face
+  std::span<const std::uint8_t> attached_parts;         ///< per part: 1 carried by its own tet, 0 by the owner
+  std::span<const int> open_walls;                      ///< faces between splinters that cracks have opened
   std::span<const ProjectileView> projectiles;
   std::span<const CrackEvent> crack_events;             ///< all so far, oldest first
   int fragments = 0;                                    ///< connected pieces beyond the scene's own bodies

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sim/world/world_state.h"
+#include "sim/world/phases.h"
 
 namespace griffith {
 namespace {
@@ -128,17 +128,15 @@ void place_loads(WorldState& world, int scene_body, const RestBody& body) {
 }
 
 void wake_loaded_bodies(WorldState& world, double before, double time) {
-  const auto wake = [&](TetId tet) {
+  const auto wake_owner = [&](TetId tet) {
     Body& body = world.bodies[world.elements.bodies[tet]];
-    if (!body.rigid || body.supported()) return;
-    body.rigid = body.tets.size() == 1;
-    body.calm_steps = 0;
+    if (body.rigid && !body.supported() && body.tets.size() > 1) wake(world, body);
   };
   for (const PlacedLoad& placed : world.loads) {
     if (load_factor(placed.load, before) == load_factor(placed.load, time)) continue;
-    for (const TetCorner& corner : placed.corners) wake(corner.tet);
-    for (const SurfaceFace& face : placed.faces) wake(face.tet);
-    for (TetId tet : placed.tets) wake(tet);
+    for (const TetCorner& corner : placed.corners) wake_owner(corner.tet);
+    for (const SurfaceFace& face : placed.faces) wake_owner(face.tet);
+    for (TetId tet : placed.tets) wake_owner(tet);
   }
 }
 

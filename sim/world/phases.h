@@ -4,11 +4,17 @@
 #include "sim/meshing/monitor.h"
 #include "sim/world/world_state.h"
 
-/// The phases of a step, in the order in which step() calls them.
+/// The phases of a step, in the order in which advance() calls them.
 namespace griffith {
+
+/// A whole step.
+void advance(WorldState& world);
 
 /// Builds meshes, bodies and the contact world. Throws InputError for meshes that cannot be simulated.
 void build_world(WorldState& world, const Monitor& monitor = {});
+
+/// Makes a body's splinters, if it has a pattern for them. Throws InputError for one that cannot be made.
+void place_splinters(WorldState& world, int scene_body, const RestBody& body);
 
 /// Queues the shots of a burst, its start counted from now.
 void queue_burst(WorldState& world, const ProjectileBurst& burst);
@@ -28,23 +34,41 @@ int substep_budget(const WorldState& world);
 /// takes to cross an element. `substeps_left` is kept.
 int next_substep(WorldState& world, int ticks_left, int substeps_left);
 
-/// Elastic state of all tets of bodies that are not rigid.
+/// Elastic state of a body's tets, or of all of bodies that are not rigid.
+void update_elements(WorldState& world, const Body& body);
 void update_elements(WorldState& world);
+/// Makes a rigid body elastic again.
+void wake(WorldState& world, Body& body);
 /// Assembles the systems of elastic bodies for a substep of `dt` [s].
 void assemble_systems(WorldState& world, double dt);
 /// The same for one body, which was rigid until now.
 void assemble_system(WorldState& world, Body& body, double dt);
 /// Puts the stand-ins where their bodies are: after bodies move, so that impacts are foreseen from where they are now.
 void place_stand_ins(WorldState& world);
-/// Finds and solves all contacts; returns the external force on each node [N], gravity included.
-std::vector<Vec3> contact_forces(WorldState& world, double dt);
-/// Moves every body by `dt` under these forces.
-/// Elastic forces are added to them.
-void advance_bodies(WorldState& world, std::vector<Vec3>& forces, double dt);
+/// External force on each node [N]: gravity and loads.
+std::vector<Vec3> external_forces(const WorldState& world);
+/// The velocities after a substep of `dt` under `external` and elastic forces [N] as if nothing touched; the nodes of
+/// rigid bodies keep theirs until they move.
+void predict_velocities(WorldState& world, std::vector<Vec3> external, double dt);
+void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>& forces, double dt);
+/// Finds all contacts and changes the velocities so that nothing penetrates; moves the projectiles.
+void resolve_contacts(WorldState& world, double dt);
+/// Moves every body by its velocities and takes the elastic state after; `external` as in predict_velocities().
+void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt);
+/// Puts the nodes of a rigid body where its motion and orientation say.
+void place_rigid_nodes(WorldState& world, const Body& body);
+/// A body whose numbers broke down stays where it is, rigid and at rest: one lost body, not a lost scene.
+void freeze_if_broken_down(WorldState& world, Body& body);
+/// Kinetic and elastic energy of a body [J].
+double mechanical_energy(const WorldState& world, const Body& body);
+/// The implicit step of a body.
+ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt);
+/// Counts what a linear solve needed.
+void count_solve(WorldState& world, const SolveReport& solve);
 /// How many equal substeps keep explicit integration of all elastic bodies stable.
 int stable_substeps(WorldState& world, double time_step);
-/// One substep of a body by explicit integration; `forces` hold the elastic and external ones.
-void advance_explicit(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt);
+/// Velocities of a body by explicit integration; `forces` hold the elastic and external ones.
+void predict_explicitly(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt);
 /// Separation tensors, and the margin of every node against the material's resistance. `averaged`: the stress is the
 /// mean of this evaluation and the last, so that the noise of a stiff body in motion does not crack it.
 void evaluate_separation(WorldState& world, bool averaged);
@@ -55,6 +79,8 @@ SeparationInput separation_input(const WorldState& world);
 void open_cracks(WorldState& world, double substep);
 /// Bodies whose stress has died turn rigid.
 void calm_bodies(WorldState& world);
+/// Rigid bodies that lie still fall asleep; after a step of this length [s].
+void rest_bodies(WorldState& world, double time_step);
 
 /// Gives the tets of a body that may have come apart to one body for each connected piece.
 void part_body(WorldState& world, BodyId id);
@@ -72,6 +98,8 @@ inline Corners corners_of(const TetMesh& mesh, TetId tet, std::span<const Vec3> 
 }
 /// Edge length of the cubes that six of the body's tets would fill [m].
 double mean_element_size(const WorldState& world, const Body& body);
+/// The speed of an impact from which a body could be hurt [m/s]; infinite for a single tet, which cannot break.
+double hurting_speed(const WorldState& world, const Body& body);
 /// Lumped mass of a node from its star [kg].
 double node_mass(const WorldState& world, NodeId node);
 

@@ -12,7 +12,8 @@ BodyView view_of(const Body& body) {
           body.motion.center,
           body.motion.velocity,
           body.motion.angular_velocity,
-          body.supported()};
+          body.supported(),
+          body.asleep};
 }
 
 void add_nodes(const WorldState& world, Totals& totals) {

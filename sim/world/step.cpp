@@ -34,20 +34,22 @@ void fracture(WorldState& world, double substep) {
 
 void substep(WorldState& world, double dt) {
   StepTimings& timings = world.report.milliseconds;
-  std::vector<Vec3> external_forces;
+  std::vector<Vec3> external;
   {
     PhaseTimer timer(timings.elasticity);
     assemble_systems(world, dt);
+    external = external_forces(world);
+    predict_velocities(world, external, dt);
   }
   {
     PhaseTimer timer(timings.contact);
-    external_forces = contact_forces(world, dt);
+    resolve_contacts(world, dt);
   }
   {
     PhaseTimer timer(timings.elasticity);
-    advance_bodies(world, external_forces, dt);
-    update_elements(world);
+    move_bodies(world, external, dt);
   }
+  world.time += dt;
   fracture(world, dt);
 }
 
@@ -56,6 +58,7 @@ void step_explicitly(WorldState& world, double time_step) {
   const double dt = time_step / world.report.substeps;
   for (int i = 0; i < world.report.substeps; ++i) substep(world, dt);
   calm_bodies(world);
+  rest_bodies(world, time_step);
 }
 
 void step_implicitly(WorldState& world, double time_step) {
@@ -68,6 +71,7 @@ void step_implicitly(WorldState& world, double time_step) {
   }
   world.report.substeps = substeps;
   calm_bodies(world);
+  rest_bodies(world, time_step);
 }
 
 /// Without inertia: from one equilibrium to the next, as loads and supports move on. Each crack changes the balance, so it
@@ -75,11 +79,12 @@ void step_implicitly(WorldState& world, double time_step) {
 void step_statically(WorldState& world, double time_step) {
   const int budget = world.scene.simulation.impact_substeps;
   double displacement_time = time_step;
+  world.time += time_step;
   int cracks_before = -1;
   for (world.report.substeps = 0; world.report.cracks > cracks_before; ++world.report.substeps) {
     {
       PhaseTimer timer(world.report.milliseconds.elasticity);
-      find_equilibrium(world, world.time + time_step, displacement_time, false);
+      find_equilibrium(world, world.time, displacement_time, false);
       update_elements(world);
     }
     displacement_time = 0;
@@ -94,8 +99,9 @@ void step_statically(WorldState& world, double time_step) {
 
 }  // namespace
 
-void World::step() {
-  WorldState& world = impl_->state;
+void World::step() { advance(impl_->state); }
+
+void advance(WorldState& world) {
   world.report = {};
   {
     PhaseTimer timer(world.report.milliseconds.step);

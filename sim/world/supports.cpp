@@ -44,6 +44,12 @@ void block(NodeConstraint& constraint, const Support& support, const Vec3& veloc
   for (int axis = 0; axis < 3; ++axis) constraint.block(Vec3::Unit(axis), velocity[axis]);
 }
 
+/// For the step under way, after a support lost nodes.
+void hold_again(WorldState& world) {
+  const double time_step = world.scene.simulation.time_step;
+  update_supports(world, static_cast<double>(world.step) * time_step, time_step);
+}
+
 }  // namespace
 
 void place_supports(WorldState& world, int scene_body, const RestBody& body) {
@@ -59,7 +65,7 @@ void place_supports(WorldState& world, int scene_body, const RestBody& body) {
 bool tear_off(WorldState& world, NodeId node, const Vec3& normal) {
   const NodeConstraint& constraint = world.nodes.constraints[node];
   if ((normal - constraint.allowed * normal).norm() < 0.5 || !release(world, node)) return false;
-  update_supports(world, world.time, world.scene.simulation.time_step);
+  hold_again(world);
   return true;
 }
 
@@ -75,7 +81,7 @@ bool share_support(WorldState& world, std::span<const NodeCopy> copies) {
       if (world.nodes.held[copy.original] && firmness(world, node) < firmest[copy.original]) loose.push_back(node);
   bool torn = false;
   for (NodeId node : loose) torn |= release(world, node);
-  if (torn) update_supports(world, world.time, world.scene.simulation.time_step);
+  if (torn) hold_again(world);
   return torn;
 }
 

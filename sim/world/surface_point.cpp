@@ -60,18 +60,4 @@ SurfacePoint closest_surface_point(const WorldState& world, const Body& body, co
   return best;
 }
 
-double surface_compliance(const WorldState& world, const Body& body, const SurfacePoint& point, const Vec3& normal) {
-  double compliance = 0;
-  for (int i = 0; i < 3; ++i) {
-    const int row = world.nodes.rows[point.nodes[i]];
-    if (row < 0) continue;
-    // Explicit integration gives a node its impulse before its neighbours answer.
-    const double inverse_mass = world.integrates_explicitly()
-                                    ? 1 / world.nodes.masses[point.nodes[i]]
-                                    : normal.dot(body.system->inverse_diagonal(row) * normal);
-    compliance += point.weights[i] * point.weights[i] * inverse_mass;
-  }
-  return compliance;
-}
-
 }  // namespace griffith

@@ -18,8 +18,4 @@ Vec3 closest_on_triangle(const Vec3& p, const std::array<Vec3, 3>& corners);
 /// The point of the body's present surface closest to `position` (world space).
 SurfacePoint closest_surface_point(const WorldState& world, const Body& body, const Vec3& position);
 
-/// How far the surface gives way at this point along the unit vector `normal` under a unit impulse within the substep
-/// whose system is assembled [1/kg]: n·(sum of w_i² D_i⁻¹)·n.
-double surface_compliance(const WorldState& world, const Body& body, const SurfacePoint& point, const Vec3& normal);
-
 }  // namespace griffith

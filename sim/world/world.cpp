@@ -47,9 +47,16 @@ Frame World::frame() const {
   frame.tets = world.mesh.tets;
   frame.neighbours = world.mesh.neighbours;
   frame.tet_bodies = world.elements.bodies;
+  frame.first_surface = world.elements.first_surface;
   frame.stresses = world.elements.stresses;
   frame.materials = world.materials;
   frame.bodies = world.body_views;
+  frame.splinters = world.splinters.splinters;
+  frame.splinter_parts = world.splinters.parts;
+  frame.splinter_faces = world.splinters.faces;
+  frame.splinter_corners = world.splinters.corners;
+  frame.attached_parts = world.splinter_state.attached;
+  frame.open_walls = world.splinter_state.open_walls;
   frame.projectiles = world.projectile_views;
   frame.crack_events = world.crack_events;
   frame.fragments = static_cast<int>(

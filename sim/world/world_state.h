@@ -13,6 +13,7 @@
 #include "sim/scene/scene.h"
 #include "sim/solver/elastic_system.h"
 #include "sim/solver/rigid_motion.h"
+#include "sim/splinters/splinters.h"
 #include "sim/world/frame.h"
 #include "sim/world/loads.h"
 #include "sim/world/probes.h"
@@ -33,13 +34,14 @@ struct NodeArrays {
   std::vector<Vec3> reactions;               ///< what supports did to the node in the last step [N]
 };
 
-/// Per tet; the rests never change.
+/// Per tet; the rests change by remeshing alone.
 struct ElementArrays {
   std::vector<ElementRest> rests;
   std::vector<ElementState> states;
   std::vector<Mat3> plastic_strains;  ///< in rest space, traceless [-]
   std::vector<Mat3> stresses;         ///< Cauchy stress, world frame [Pa], for the frame
   std::vector<BodyId> bodies;
+  std::vector<std::uint8_t> first_surface;  ///< bit i: face i was on the surface before anything broke
 };
 
 /// A connected piece of elastic material and its stand-in in the contact world.
@@ -57,6 +59,11 @@ struct Body {
   double highest_frequency = 0;          ///< [rad/s]; 0 until explicit integration asks for it
   bool rigid = false;                    ///< moves as a whole: nothing about it is elastic until it is hit
   int calm_steps = 0;                    ///< steps in a row with next to no stress
+  bool asleep = false;                   ///< rigid, and lies still until something strikes it
+  double element_size = 0;               ///< edge length of the cubes that six of its tets would fill, mean [m]
+  double energy = 0;                     ///< kinetic and elastic, when the substep began [J]
+  double contact_work = 0;               ///< of the contacts in the substep, at the velocities after it [J]
+  double compliance_factor = 1;          ///< true compliance at contacts over the estimated one, as seen last
 
   bool supported() const { return !system->is_free(); }
 };
@@ -84,6 +91,7 @@ struct WorldState {
 
   Scene scene;
   std::vector<Material> materials;  ///< per scene body, as in force now
+  std::vector<double> least_edges;  ///< per scene body: shortest edge that remeshing makes [m]
   std::vector<std::optional<Weakness>> weaknesses;  ///< per scene body, direction in the placed rest space, unit length
   std::vector<PlacedSupport> supports;
   std::vector<PlacedLoad> loads;
@@ -92,6 +100,8 @@ struct WorldState {
   TetMesh mesh;
   NodeArrays nodes;
   ElementArrays elements;
+  SplinterSet splinters;
+  SplinterState splinter_state;
   std::vector<Body> bodies;  ///< by BodyId; never removed
   ContactWorld contact_world;
   std::vector<BodyId> body_of_proxy;  ///< per ProxyId; invalid for projectiles and the ground
@@ -111,6 +121,11 @@ struct WorldState {
   Totals totals;
 
   bool integrates_explicitly() const { return scene.simulation.integrator == Integrator::symplectic_euler; }
+  /// Whose stand-in this is; invalid for projectiles and the ground.
+  BodyId body_of(ProxyId proxy) const {
+    const auto index = static_cast<std::size_t>(proxy.value);
+    return index < body_of_proxy.size() ? body_of_proxy[index] : BodyId();
+  }
   const Material& material_of(const Body& body) const { return materials[body.scene_body]; }
 };
 

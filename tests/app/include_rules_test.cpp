@@ -75,10 +75,11 @@ TEST(IncludeRules, PanelsMakeNoGraphicsCallAndKnowNoWorld) {
 TEST(IncludeRules, ThirdPartyLibrariesStayInTheirPlaces) {
   expect_only_in(kBullet, "^sim/contact/");
   expect_only_in("^(tbb|oneapi/tbb)/", "^sim/parallel\\.cpp$");
-  expect_only_in("^nlohmann/", "^(sim/scene/|app/(mesh_)?statistics\\.cpp$)");
+  expect_only_in("^nlohmann/", "^(sim/scene/|app/((mesh_)?statistics|crack_event_file)\\.cpp$)");
   expect_only_in("^assimp/", "^sim/meshing/read_surface\\.cpp$");
   expect_only_in("^GLFW/", "^app/window\\.cpp$");
   expect_only_in("^CLI/", "^app/command_line\\.cpp$");
+  expect_only_in("^voro", "^sim/splinters/voronoi_cells\\.cpp$");
   expect_only_in("^stb", "^renderer/image\\.cpp$");
   expect_only_in("^EGL/|^epoxy/egl", "^renderer/egl_context\\.cpp$");
 }
@@ -92,7 +93,8 @@ TEST(IncludeRules, LowerFoldersOfTheSimulationKnowNoHigherOnes) {
       {"sim/solver", "^sim(/mesh|/elasticity|/solver)?$"},
       {"sim/fracture", "^sim(/mesh|/elasticity|/solver|/fracture)?$"},
       {"sim/contact", "^sim(/mesh|/contact)?$"},
-      {"sim/scene", "^sim(/mesh|/meshing|/elasticity|/solver|/fracture|/scene)?$"},
+      {"sim/splinters", "^sim(/mesh|/splinters)?$"},
+      {"sim/scene", "^sim(/mesh|/meshing|/elasticity|/solver|/fracture|/splinters|/scene)?$"},
       {"sim/world", "^sim(/.*)?$"},
   };
   for (const Include& include : includes_under("sim")) {

@@ -42,6 +42,7 @@ TEST(Statistics, EveryFieldIsThereAndMakesSense) {
                            "contacts",
                            "cracks_postponed",
                            "cracks_suppressed",
+                           "remeshing_refused",
                            "supports_torn",
                            "coarse_substeps",
                            "inverted_tets",

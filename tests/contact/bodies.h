@@ -36,11 +36,27 @@ inline void advance(ContactWorld& world, ProxyId stand_in, double dt) {
   world.set_state(stand_in, state);
 }
 
-inline void substep(ContactWorld& world, const std::vector<ProxyId>& stand_ins, double dt) {
+/// What the owner of a stand-in does with external forces.
+inline void accelerate(ContactWorld& world, const std::vector<ProxyId>& stand_ins, const Vec3& change) {
+  for (ProxyId id : stand_ins)
+    world.set_velocity(id, world.state(id).velocity + change, world.state(id).angular_velocity);
+}
+
+/// Finds and solves contacts, and moves the spheres.
+inline void solve(ContactWorld& world, double dt) {
   world.detect();
   world.solve(dt);
+  world.advance(dt);
+}
+
+inline void substep(ContactWorld& world, const std::vector<ProxyId>& stand_ins, double dt,
+                    const Vec3& gravity = Vec3::Zero()) {
+  accelerate(world, stand_ins, dt * gravity);
+  solve(world, dt);
   for (ProxyId id : stand_ins) advance(world, id, dt);
 }
+
+inline const Vec3 kGravity(0, -9.81, 0);
 
 /// The corners of a random convex chunk of about this radius.
 inline ConvexPart random_chunk(std::mt19937& random, double radius) {

@@ -37,7 +37,7 @@ std::vector<double> random_heap(unsigned seed) {
     if (step == 70)
       world.reshape(chunks[3], std::vector<ConvexPart>{random_chunk(random, 0.1)}, box_mass(size, 1), Mobility::free,
                     world.state(chunks[3]));
-    substep(world, chunks, kDt);
+    substep(world, chunks, kDt, kGravity);
   }
   std::vector<double> values;
   for (const auto* ids : {&chunks, &balls})

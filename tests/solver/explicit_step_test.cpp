@@ -32,7 +32,8 @@ void step(ElasticBox& body, double dt) {
   body.add_elastic_forces();
   std::vector<NodeId> nodes;
   for (int i = 0; i < body.mesh.node_count(); ++i) nodes.push_back(NodeId(i));
-  explicit_step(dt, 0, nodes, body.constraints, body.masses, body.forces, body.positions, body.velocities);
+  explicit_step(dt, 0, nodes, body.constraints, body.masses, body.forces, body.velocities);
+  for (NodeId node : nodes) body.positions[node] += dt * body.velocities[node];
   body.update_states();
 }
 

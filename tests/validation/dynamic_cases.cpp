@@ -122,7 +122,8 @@ void step_explicitly(Specimen& specimen, double dt, const std::vector<Vec3>& ext
   std::vector<Vec3> forces = specimen.elastic_forces();
   for (std::size_t i = 0; i < forces.size(); ++i) forces[i] += external[i];
   explicit_step(dt, 0, world.bodies[0].nodes, world.nodes.constraints, world.nodes.masses, forces,
-                world.nodes.positions, world.nodes.velocities);
+                world.nodes.velocities);
+  for (NodeId node : world.bodies[0].nodes) world.nodes.positions[node] += dt * world.nodes.velocities[node];
   update_elements(world);
 }
 
@@ -131,8 +132,8 @@ void step_implicitly(Specimen& specimen, double dt) {
   WorldState& world = specimen.world();
   std::vector<Vec3> forces(specimen.node_count(), Vec3::Zero());
   assemble_systems(world, dt);
-  advance_bodies(world, forces, dt);
-  update_elements(world);
+  predict_velocities(world, forces, dt);
+  move_bodies(world, forces, dt);
 }
 
 struct Balance {

@@ -24,9 +24,11 @@ inline double breaking_share(Scene scene, const LoadRamp& ramp, const std::funct
       const Load full = load;
       load.force = ramp.first * full.force;
       load.traction = ramp.first * full.traction;
+      load.acceleration = ramp.first * full.acceleration;
       loads.push_back(load);
       load.force = (ramp.last - ramp.first) * full.force;
       load.traction = (ramp.last - ramp.first) * full.traction;
+      load.acceleration = (ramp.last - ramp.first) * full.acceleration;
       load.ramp = steps * scene.simulation.time_step;
       loads.push_back(load);
     }

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "sim/world/frame.h"
+
+namespace griffith::app {
+
+/// All crack events of a run, oldest first, as a JSON array of objects in SI units: `step`, `time`, `body`, `children`,
+/// `node`, `position`, `rest_position`, `normal`, `eigenvalue`, `load`, `resistance`, `nodes_made`, `torn_off` and
+/// `elements` with `tet`, `above` and the forces `tensile` and `compressive` on the node.
+std::string crack_events_json(const Frame& frame);
+
+}  // namespace griffith::app

@@ -1,0 +1,107 @@
+#include "app/export_pieces.h"
+
+#include <cstdio>
+#include <string>
+
+#include "sim/error.h"
+#include "sim/mesh/tet_mesh.h"
+#include "sim/replace_file.h"
+
+namespace griffith::app {
+namespace {
+
+template <class Polygon>
+void add_polygon(PieceSurface& surface, const Polygon& points) {
+  std::vector<int>& polygon = surface.polygons.emplace_back();
+  for (const Vec3& point : points) {
+    polygon.push_back(static_cast<int>(surface.points.size()));
+    surface.points.push_back(point);
+  }
+}
+
+Vec3 carried_position(const Frame& frame, const SplinterFace& face, const SplinterCorner& corner) {
+  const SplinterPart& part = frame.splinter_parts[face.part];
+  const bool attached = frame.attached_parts[face.part] != 0;
+  const TetId tet = attached ? part.tet : frame.splinters[part.splinter].owner;
+  const Weights& weights = attached ? corner.weights : corner.owner_weights;
+  Vec3 position = Vec3::Zero();
+  for (int i = 0; i < 4; ++i) position += double(weights[i]) * frame.positions[frame.tets[tet][i]];
+  return position;
+}
+
+/// The body that owns the splinter of a part.
+BodyId body_of(const Frame& frame, int part) {
+  return frame.tet_bodies[frame.splinters[frame.splinter_parts[part].splinter].owner];
+}
+
+void add_splinters(PieceSurface& surface, const Frame& frame, BodyId body) {
+  for (const SplinterFace& face : frame.splinter_faces) {
+    if (body_of(frame, face.part) != body) continue;
+    if (face.beyond >= 0 && body_of(frame, face.beyond) == body) continue;
+    std::vector<Vec3> points;
+    for (int i = 0; i < face.corners; ++i)
+      points.push_back(carried_position(frame, face, frame.splinter_corners[face.first_corner + i]));
+    add_polygon(surface, points);
+  }
+}
+
+void add_tets(PieceSurface& surface, const Frame& frame, BodyId body) {
+  for (std::size_t tet = 0; tet < frame.tets.size(); ++tet) {
+    if (frame.tet_bodies[tet] != body) continue;
+    for (int face = 0; face < 4; ++face) {
+      if (frame.neighbours[tet][face].valid()) continue;
+      std::array<Vec3, 3> points;
+      for (int i = 0; i < 3; ++i) points[i] = frame.positions[frame.tets[tet][kTetFaces[face][i]]];
+      add_polygon(surface, points);
+    }
+  }
+}
+
+bool has_splinters(const Frame& frame, int scene_body) {
+  for (const Splinter& splinter : frame.splinters)
+    if (splinter.scene_body == scene_body) return true;
+  return false;
+}
+
+std::string obj_text(const PieceSurface& surface) {
+  std::string text;
+  char line[128];
+  for (const Vec3& point : surface.points) {
+    std::snprintf(line, sizeof line, "v %.9g %.9g %.9g\n", point.x(), point.y(), point.z());
+    text += line;
+  }
+  for (const std::vector<int>& polygon : surface.polygons) {
+    text += 'f';
+    for (const int point : polygon) text += ' ' + std::to_string(point + 1);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+PieceSurface piece_surface(const Frame& frame, BodyId body) {
+  PieceSurface surface;
+  if (has_splinters(frame, frame.bodies[body].scene_body)) {
+    add_splinters(surface, frame, body);
+  } else {
+    add_tets(surface, frame, body);
+  }
+  return surface;
+}
+
+void export_pieces(const std::filesystem::path& folder, const Frame& frame) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder))
+    throw InputError(folder.string(), "is no folder and cannot be made one", "name a folder that may be written to");
+  for (const BodyView& body : frame.bodies) {
+    const PieceSurface surface = piece_surface(frame, body.id);
+    if (surface.polygons.empty()) continue;  // tets too small to own a splinter
+    char name[32];
+    std::snprintf(name, sizeof name, "body_%04d.obj", body.id.value);
+    replace_file(folder / name, obj_text(surface));
+  }
+}
+
+}  // namespace griffith::app

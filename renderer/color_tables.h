@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+
+#include "renderer/color_map.h"
+#include "renderer/gl_objects.h"
+
+namespace griffith::render {
+
+/// All colour maps on the device, for the passes that show scalars.
+class ColorTables {
+ public:
+  ColorTables();
+
+  /// Makes `map` the table that shaders look up.
+  void bind(ColorMap map) const;
+
+ private:
+  std::array<Texture, kColorMaps.size()> tables_;
+};
+
+}  // namespace griffith::render

@@ -1,0 +1,123 @@
+#include "renderer/embedded_pass.h"
+
+#include <cassert>
+#include <string>
+
+#include "renderer/shaders.h"
+
+namespace griffith::render {
+namespace {
+
+static_assert(sizeof(EmbeddedCorner) == 15 * sizeof(float), "uploaded as it is");
+static_assert(sizeof(EmbeddedMaterial) == 10 * sizeof(float), "uploaded as it is");
+
+const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+
+/// Attributes of the corners in the bound buffer.
+void describe_corners() {
+  const auto floats = [](GLuint index, GLint size, std::size_t at) {
+    glEnableVertexAttribArray(index);
+    glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, sizeof(EmbeddedCorner), offset(at));
+  };
+  floats(0, 3, offsetof(EmbeddedCorner, rest));
+  floats(1, 4, offsetof(EmbeddedCorner, weights));
+  floats(2, 4, offsetof(EmbeddedCorner, other_weights));
+  glEnableVertexAttribArray(3);
+  glVertexAttribIPointer(3, 4, GL_INT, sizeof(EmbeddedCorner), offset(offsetof(EmbeddedCorner, tet)));
+}
+
+void add_fan(std::vector<std::uint32_t>& indices, const EmbeddedPolygon& polygon) {
+  const auto first = static_cast<std::uint32_t>(polygon.first_corner);
+  const auto corners = static_cast<std::uint32_t>(polygon.corners);
+  for (std::uint32_t i = 2; i < corners; ++i) indices.insert(indices.end(), {first, first + i - 1, first + i});
+}
+
+/// 0: none, 1: per tet, 2: per point.
+int scalar_kind(const EmbeddedSurface& surface) {
+  if (surface.scalars.empty()) return 0;
+  return surface.scalars_per_point ? 2 : 1;
+}
+
+}  // namespace
+
+EmbeddedPass::EmbeddedPass()
+    : program_("embedded surface", shaders::embedded_vert,
+               (std::string(shaders::shading_glsl) + shaders::embedded_frag).c_str()),
+      shadow_program_("embedded shadow", shaders::embedded_vert, shaders::depth_frag) {
+  glBindVertexArray(vertices_.id());
+  glBindBuffer(GL_ARRAY_BUFFER, corners_.id());
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_.id());
+  describe_corners();
+}
+
+void EmbeddedPass::upload(const EmbeddedSurface& surface) {
+  const bool is_new = mesh_ != surface.mesh;
+  if (is_new) {
+    mesh_ = surface.mesh;
+    upload_mesh();
+  }
+  if (!mesh_) return;
+  if (is_new || opened_ != surface.opened) upload_triangles(surface);
+  points_.upload(surface.points, 3);
+  tets_.upload(surface.tets, 4);
+  carriers_.upload(surface.carriers);
+  scalars_.upload(surface.scalars);
+  colors_.upload(surface.piece_colors, 3);
+  materials_.upload(surface.materials, sizeof(EmbeddedMaterial) / sizeof(float));
+}
+
+void EmbeddedPass::upload_mesh() {
+  indices_ = 0;
+  if (!mesh_) return;
+  glBindBuffer(GL_ARRAY_BUFFER, corners_.id());
+  glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh_->corners.size() * sizeof(EmbeddedCorner)),
+               mesh_->corners.data(), GL_STATIC_DRAW);
+}
+
+void EmbeddedPass::upload_triangles(const EmbeddedSurface& surface) {
+  std::vector<std::uint32_t> indices;
+  for (const std::int32_t polygon : mesh_->outer) add_fan(indices, mesh_->polygons[static_cast<std::size_t>(polygon)]);
+  for (const std::int32_t polygon : surface.opened)
+    add_fan(indices, mesh_->polygons[static_cast<std::size_t>(polygon)]);
+  opened_ = surface.opened;
+  indices_ = static_cast<GLsizei>(indices.size());
+  glBindVertexArray(vertices_.id());
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)), indices.data(),
+               GL_DYNAMIC_DRAW);
+}
+
+void EmbeddedPass::draw_shadow() const {
+  if (!mesh_) return;
+  shadow_program_.use();
+  shadow_program_.set("scalar_kind", 0);
+  draw_triangles();
+}
+
+void EmbeddedPass::draw(const EmbeddedSurface& surface, const ScalarStyle& style, const ColorTables& color_tables,
+                        const RenderOptions& options) const {
+  if (!mesh_) return;
+  program_.use();
+  program_.set("scalar_kind", scalar_kind(surface));
+  program_.set("scalar_range", style.minimum, style.maximum);
+  program_.set("has_piece_colors", !surface.piece_colors.empty());
+  program_.set("nan_color", kNanColor);
+  program_.set("draw_edges", options.edges);
+  program_.set("edge_width", options.edge_width);
+  program_.set("unlit", options.unlit_scalars);
+  program_.set("selected_tet", surface.selected_tet);
+  color_tables.bind(style.color_map);
+  draw_triangles();
+}
+
+void EmbeddedPass::draw_triangles() const {
+  points_.bind(kPointsUnit);
+  tets_.bind(kTetsUnit);
+  carriers_.bind(kCarriersUnit);
+  scalars_.bind(kScalarsUnit);
+  colors_.bind(kColorsUnit);
+  materials_.bind(kMaterialsUnit);
+  glBindVertexArray(vertices_.id());
+  glDrawElements(GL_TRIANGLES, indices_, GL_UNSIGNED_INT, nullptr);
+}
+
+}  // namespace griffith::render

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "renderer/color_tables.h"
+#include "renderer/draw_scene.h"
+#include "renderer/renderer.h"
+#include "renderer/shader_program.h"
+#include "renderer/stream_buffer.h"
+
+namespace griffith::render {
+
+/// Polygons that tets carry: the vertex shader finds their places, so that a frame uploads points, tets and what
+/// carries each part, but no polygon.
+class EmbeddedPass {
+ public:
+  EmbeddedPass();
+  void upload(const EmbeddedSurface& surface);
+  void draw_shadow() const;
+  void draw(const EmbeddedSurface& surface, const ScalarStyle& style, const ColorTables& color_tables,
+            const RenderOptions& options) const;
+
+ private:
+  void upload_mesh();
+  void upload_triangles(const EmbeddedSurface& surface);
+  void draw_triangles() const;
+
+  ShaderProgram program_, shadow_program_;
+  VertexArray vertices_;
+  Buffer corners_, triangles_;
+  StreamTexture points_{GL_R32F}, tets_{GL_R32I}, carriers_{GL_R32I}, scalars_{GL_R32F}, colors_{GL_R32F},
+      materials_{GL_R32F};
+  std::shared_ptr<const EmbeddedMesh> mesh_;  ///< on the device
+  std::vector<std::int32_t> opened_;          ///< on the device
+  GLsizei indices_ = 0;
+};
+
+}  // namespace griffith::render

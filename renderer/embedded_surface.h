@@ -1,0 +1,71 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "renderer/color.h"
+
+namespace griffith::render {
+
+using Weights = Eigen::Matrix<float, 4, 1, Eigen::DontAlign>;  ///< barycentric, of a tet's corners
+
+/// A corner of a polygon that tets carry. Its place is the mean of a tet's points with one of two sets of barycentric
+/// weights: those in its own tet, or, where another tet carries its part, those in that other one.
+struct EmbeddedCorner {
+  Eigen::Vector3f rest = Eigen::Vector3f::Zero();  ///< where it was before anything moved [m]: noise sticks to it
+  Weights weights = Weights::Zero(), other_weights = Weights::Zero();
+  std::int32_t tet = 0;    ///< its own
+  std::int32_t part = 0;   ///< which entry of EmbeddedSurface::carriers holds for it
+  std::int32_t piece = 0;  ///< which entry of EmbeddedSurface::piece_colors holds for it
+  std::int32_t style = 0;  ///< EmbeddedStyle
+};
+
+/// What a polygon looks like, packed.
+struct EmbeddedStyle {
+  int material = 0;    ///< index into EmbeddedSurface::materials, below 2^16
+  int tet_face = -1;   ///< 0..3: the face of its tet in which it lies, whose edges are drawn; -1: none
+  bool inner = false;  ///< made by fracture
+
+  std::int32_t packed() const { return material | (tet_face + 1) << 16 | int(inner) << 20; }
+};
+
+/// A convex polygon: some corners, one after the other.
+struct EmbeddedPolygon {
+  std::int32_t first_corner = 0, corners = 0;
+};
+
+/// Polygons carried by tets; kept on the device as long as the same mesh is drawn.
+struct EmbeddedMesh {
+  std::vector<EmbeddedCorner> corners;
+  std::vector<EmbeddedPolygon> polygons;
+  std::vector<std::int32_t> outer;  ///< the polygons that are always drawn
+};
+
+/// The look of a matter where no scalar is shown.
+struct EmbeddedMaterial {
+  Rgb color = {0.7f, 0.7f, 0.7f};
+  float variation = 0;                              ///< of brightness from piece to piece, as a share
+  float mottle = 0;                                 ///< of brightness within a piece, as a share
+  float roughness = 0;                              ///< how far the normal is turned about, as a slope
+  float noise_size = 0.05f;                         ///< of mottle and roughness [m]
+  Eigen::Vector3f fibre = Eigen::Vector3f::Zero();  ///< direction times √(1 − 1/stretch) of noise along it
+};
+
+/// Embedded polygons as they are now. Nothing is drawn without a mesh.
+struct EmbeddedSurface {
+  std::shared_ptr<const EmbeddedMesh> mesh;
+  std::vector<Eigen::Vector3f> points;            ///< world frame [m]
+  std::vector<std::array<std::int32_t, 4>> tets;  ///< indices into `points`; a triangle's id is its own tet
+  std::vector<std::int32_t> carriers;             ///< per part: the tet that carries it
+  std::vector<std::int32_t> opened;               ///< polygons that are drawn besides the outer ones
+  std::vector<float> scalars;                     ///< shown by Surface::scalar_style; may be empty
+  bool scalars_per_point = false;                 ///< of `scalars`: one a point, else one a tet
+  std::vector<Rgb> piece_colors;                  ///< per piece, where there are no scalars; else materials are shown
+  std::vector<EmbeddedMaterial> materials;
+  std::int32_t selected_tet = -1;  ///< highlighted
+};
+
+}  // namespace griffith::render

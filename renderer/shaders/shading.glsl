@@ -1,0 +1,35 @@
+// What the fragment shaders of surfaces share.
+const vec3 kCrackTint = vec3(0.80, 0.66, 0.55), kEdgeColor = vec3(0.09, 0.10, 0.12);
+const vec3 kSelectionColor = vec3(1.0, 0.55, 0.10);
+
+uniform sampler2D color_table;
+uniform vec2 scalar_range;
+uniform vec3 nan_color;
+uniform float edge_width;  // [pixels]
+
+// The table's entry, exactly: the legend shows the same bytes.
+vec3 scalar_color(float value) {
+  if ((floatBitsToUint(value) & 0x7fffffffu) > 0x7f800000u) return nan_color;
+  int size = textureSize(color_table, 0).x;
+  float t = clamp((value - scalar_range.x) / (scalar_range.y - scalar_range.x), 0.0, 1.0);
+  return texelFetch(color_table, ivec2(min(int(t * float(size)), size - 1), 0), 0).rgb;
+}
+
+// How much of the pixel lies on a marked edge. Lines thin out where triangles get too small to tell apart.
+float edge_coverage(vec3 barycentric, vec3 marked) {
+  vec3 dx = dFdx(barycentric), dy = dFdy(barycentric);
+  vec3 per_pixel = max(sqrt(dx * dx + dy * dy), 1e-7);
+  vec3 coverage = marked * (1.0 - smoothstep(0.5 * edge_width - 0.5, 0.5 * edge_width + 0.5, barycentric / per_pixel));
+  float height = 1.0 / max(per_pixel.x, max(per_pixel.y, per_pixel.z));
+  return max(coverage.x, max(coverage.y, coverage.z)) * smoothstep(4.0, 14.0, height);
+}
+
+// A plain colour takes the whole range of light, a scalar's colour only its upper part so that values stay comparable.
+vec3 shade(vec3 color, vec3 position, vec3 bump, bool is_scalar) {
+  vec3 normal = normalize(cross(dFdx(position), dFdy(position)));
+  if (dot(normal, towards_eye(position)) < 0.0) normal = -normal;
+  float visibility = light_visibility(position, normal);
+  float light_here = illumination(normalize(normal + bump), visibility);
+  float factor = is_scalar ? mix(0.62, 1.0, min(light_here, 1.0)) : light_here;
+  return srgb_from_linear(linear_from_srgb(color) * factor);
+}

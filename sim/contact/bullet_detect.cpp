@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include "sim/contact/bullet_world.h"
+#include "sim/contact/contact_reduction.h"
+
+namespace griffith {
+
+using namespace contact;
+
+namespace {
+
+ProxyId id_of(const btCollisionObject* object) { return ProxyId(object->getUserIndex()); }
+
+/// Names a manifold whatever the order in which pairs were found: the objects and the parts of compounds that touch.
+auto order_of(const btPersistentManifold* manifold) {
+  const btManifoldPoint& point = manifold->getContactPoint(0);
+  return std::tuple(manifold->getBody0()->getUserIndex(), manifold->getBody1()->getUserIndex(), point.m_index0,
+                    point.m_index1);
+}
+
+double largest_overlap(const btPersistentManifold& manifold) {
+  double overlap = 0;
+  for (int i = 0; i < manifold.getNumContacts(); ++i)
+    overlap = std::max(overlap, -manifold.getContactPoint(i).getDistance());
+  return overlap;
+}
+
+bool pair_less(const Allowance& left, const Allowance& right) {
+  return std::tie(left.a, left.b) < std::tie(right.a, right.b);
+}
+
+}  // namespace
+
+void ContactWorld::Impl::detect() {
+  delete_retired();
+  world.performDiscreteCollisionDetection();
+  collect_manifolds();
+  update_allowances();
+  wake_disturbed();
+  list_contacts();
+  for (Object& object : objects) object.fresh = false;
+}
+
+void ContactWorld::Impl::collect_manifolds() {
+  manifolds.clear();
+  for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+    btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(i);
+    if (manifold->getNumContacts() > 0) manifolds.push_back(manifold);
+  }
+  std::sort(manifolds.begin(), manifolds.end(),
+            [](auto* left, auto* right) { return order_of(left) < order_of(right); });
+}
+
+void ContactWorld::Impl::update_allowances() {
+  std::vector<Allowance> overlaps;  // one per pair: manifolds of a pair are neighbours
+  for (const btPersistentManifold* manifold : manifolds) {
+    const ProxyId a = id_of(manifold->getBody0()), b = id_of(manifold->getBody1());
+    if (overlaps.empty() || overlaps.back().a != a || overlaps.back().b != b) overlaps.push_back({a, b, 0});
+    overlaps.back().overlap = std::max(overlaps.back().overlap, largest_overlap(*manifold));
+  }
+  std::erase_if(overlaps, [&](Allowance& pair) {
+    const Object &a = objects[pair.a], &b = objects[pair.b];
+    const bool fresh = (a.fresh || b.fresh) && a.kind != Kind::ground && b.kind != Kind::ground;
+    if (!fresh) pair.overlap = std::min(pair.overlap, allowance(pair.a, pair.b));
+    return pair.overlap == 0;
+  });
+  allowances = std::move(overlaps);
+}
+
+double ContactWorld::Impl::allowance(ProxyId a, ProxyId b) const {
+  const Allowance wanted{a, b, 0};
+  const auto found = std::lower_bound(allowances.begin(), allowances.end(), wanted, pair_less);
+  return found != allowances.end() && found->a == a && found->b == b ? found->overlap : 0;
+}
+
+void ContactWorld::Impl::list_contacts() {
+  contacts.clear();
+  points.clear();
+  for (auto first = manifolds.begin(); first != manifolds.end();) {
+    const auto same_pair = [&](const btPersistentManifold* manifold) {
+      return manifold->getBody0() == (*first)->getBody0() && manifold->getBody1() == (*first)->getBody1();
+    };
+    const auto end = std::find_if_not(first, manifolds.end(), same_pair);
+    if (objects[id_of((*first)->getBody0())].moves() || objects[id_of((*first)->getBody1())].moves())
+      list_pair({first, end});
+    first = end;
+  }
+  sort_by_height();
+}
+
+/// Sweeps that go up and down through a pile carry its load at once.
+void ContactWorld::Impl::sort_by_height() {
+  std::vector<int> order(contacts.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int i, int j) {
+    return gravity.dot(contacts[i].position) < gravity.dot(contacts[j].position);
+  });
+  std::vector<Contact> sorted_contacts;
+  std::vector<btManifoldPoint*> sorted_points;
+  for (int i : order) {
+    sorted_contacts.push_back(contacts[i]);
+    sorted_points.push_back(points[i]);
+  }
+  contacts = std::move(sorted_contacts);
+  points = std::move(sorted_points);
+}
+
+void ContactWorld::Impl::list_pair(std::span<btPersistentManifold* const> of_pair) {
+  std::vector<Contact> found;
+  std::vector<btManifoldPoint*> found_points;
+  for (btPersistentManifold* manifold : of_pair)
+    for (int i = 0; i < manifold->getNumContacts(); ++i) {
+      btManifoldPoint& point = manifold->getContactPoint(i);
+      found_points.push_back(&point);
+      found.push_back({id_of(manifold->getBody0()), id_of(manifold->getBody1()),
+                       from_bullet(0.5 * (point.m_positionWorldOnA + point.m_positionWorldOnB)),
+                       from_bullet(point.m_normalWorldOnB), point.getDistance()});
+    }
+  std::vector<bool> listed(found.size(), false);
+  for (int kept : representative_contacts(found)) {
+    contacts.push_back(found[kept]);
+    points.push_back(found_points[kept]);
+    listed[kept] = true;
+  }
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (!listed[i]) found_points[i]->m_appliedImpulse = found_points[i]->m_appliedImpulseLateral1 =
+        found_points[i]->m_appliedImpulseLateral2 = 0;
+}
+
+}  // namespace griffith

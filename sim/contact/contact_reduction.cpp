@@ -1,0 +1,48 @@
+#include "sim/contact/contact_reduction.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace griffith {
+namespace {
+
+constexpr double kAlike = 0.95;  // cosine of the angle between two normals
+
+/// The index in `group` with the largest value, the first of several.
+template <class Value>
+int best_of(const std::vector<int>& group, Value value) {
+  return *std::max_element(group.begin(), group.end(), [&](int a, int b) { return value(a) < value(b); });
+}
+
+/// The outermost along two axes of the contact plane. Which ones these are changes little from step to step, so that
+/// their last impulses stay a good guess.
+std::vector<int> outermost_four(std::span<const Contact> contacts, const std::vector<int>& group) {
+  const Vec3 normal = contacts[group.front()].normal, first = normal.unitOrthogonal(), second = normal.cross(first);
+  std::vector<int> kept;
+  for (const Vec3& direction : {Vec3(first + second), Vec3(first - second), Vec3(-first - second), Vec3(second - first)})
+    kept.push_back(best_of(group, [&](int i) { return direction.dot(contacts[i].position); }));
+  std::sort(kept.begin(), kept.end());
+  kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
+  return kept;
+}
+
+}  // namespace
+
+std::vector<int> representative_contacts(std::span<const Contact> contacts) {
+  std::vector<std::vector<int>> groups;
+  for (int i = 0; i < static_cast<int>(contacts.size()); ++i) {
+    const auto alike = std::find_if(groups.begin(), groups.end(), [&](const std::vector<int>& group) {
+      return contacts[group.front()].normal.dot(contacts[i].normal) > kAlike;
+    });
+    (alike == groups.end() ? groups.emplace_back() : *alike).push_back(i);
+  }
+  std::vector<int> kept;
+  for (const std::vector<int>& group : groups) {
+    const std::vector<int> some = group.size() > 4 ? outermost_four(contacts, group) : group;
+    kept.insert(kept.end(), some.begin(), some.end());
+  }
+  std::sort(kept.begin(), kept.end());
+  return kept;
+}
+
+}  // namespace griffith

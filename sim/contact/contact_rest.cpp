@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sim/contact/bullet_world.h"
+
+namespace griffith {
+
+using namespace contact;
+
+namespace {
+
+/// Objects sleep after lying still for this long [s].
+constexpr double kTimeToSleep = 0.5;
+/// No point of a still object leaves its place by more than this share of the radius.
+constexpr double kStillShare = 0.005;
+/// A share of the speed of a fall from the object's own height does not disturb sleepers.
+constexpr double kQuietShare = 0.04;
+/// Up to this multiple of that speed, what touches something stops turning at this rate [1/s].
+constexpr double kRollingShare = 5, kRollingResistance = 3;
+
+/// Whether an object has left the place where it lay.
+bool has_left(const Object& object) {
+  const Pose &now = object.state.pose, &then = object.resting_place;
+  const double turned = 2 * (now.rotation.conjugate() * then.rotation).vec().norm() * object.shape.radius;
+  return (now.translation - then.translation).norm() + turned > kStillShare * object.shape.radius;
+}
+
+void set_asleep(Object& object, bool asleep) {
+  object.asleep = asleep;
+  object.still_time = asleep ? 0 : kTimeToSleep / 2;  // it may soon fall asleep again
+  object.resting_place = object.state.pose;
+  object.body->forceActivationState(asleep ? ISLAND_SLEEPING : ACTIVE_TAG);
+}
+
+}  // namespace
+
+double ContactWorld::Impl::quiet_speed(const Object& object) const {
+  return kQuietShare * std::sqrt(gravity.norm() * object.shape.radius);
+}
+
+/// Without it, round pieces would roll on for ever.
+void ContactWorld::Impl::resist_rolling(double dt) {
+  std::vector<bool> touches(objects.size(), false);
+  for (const Contact& contact : contacts)
+    if (!contact.impulse.isZero(0)) touches[contact.a] = touches[contact.b] = true;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    Object& object = objects[i];
+    if (!touches[i] || !object.moves() || object.elastic) continue;
+    if (object.speed() < kRollingShare * quiet_speed(object))
+      object.state.angular_velocity /= 1 + dt * kRollingResistance;
+  }
+}
+
+/// What lies still for long enough among neighbours that do so too sleeps.
+void ContactWorld::Impl::fall_asleep(double dt) {
+  for (Object& object : objects) {
+    if (!object.moves()) continue;
+    if (object.elastic || has_left(object)) {
+      object.resting_place = object.state.pose;
+      object.still_time = 0;
+    } else {
+      object.still_time += dt;
+    }
+  }
+  const auto is_restless = [](const Object& object) { return object.moves() && object.still_time < kTimeToSleep; };
+  std::vector<bool> stays_awake(objects.size(), false);
+  for (const Contact& contact : contacts) {
+    if (is_restless(objects[contact.b])) stays_awake[contact.a] = true;
+    if (is_restless(objects[contact.a])) stays_awake[contact.b] = true;
+  }
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (stays_awake[i] || !objects[i].moves() || is_restless(objects[i])) continue;
+    objects[i].state.velocity = objects[i].state.angular_velocity = Vec3::Zero();
+    set_asleep(objects[i], true);
+  }
+}
+
+void ContactWorld::Impl::wake(ProxyId id) {
+  if (objects[id].asleep) set_asleep(objects[id], false);
+}
+
+void ContactWorld::Impl::wake_neighbours(ProxyId id) {
+  const btCollisionObject* object = objects[id].body.get();
+  for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+    const btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(i);
+    if (manifold->getNumContacts() == 0 || (manifold->getBody0() != object && manifold->getBody1() != object)) continue;
+    for (const btCollisionObject* side : {manifold->getBody0(), manifold->getBody1()})
+      if (side->getUserIndex() >= 0) wake(ProxyId(side->getUserIndex()));
+  }
+}
+
+/// Wakes what something touches that is not quiet or has just left its place.
+void ContactWorld::Impl::wake_disturbed() {
+  for (const btPersistentManifold* manifold : manifolds) {
+    const ProxyId a(manifold->getBody0()->getUserIndex()), b(manifold->getBody1()->getUserIndex());
+    for (const auto& [sleeper, other] : {std::pair(a, b), std::pair(b, a)}) {
+      const Object& disturber = objects[other];
+      if (!objects[sleeper].asleep || !disturber.body->isActive()) continue;
+      if (!disturber.is_free() || disturber.still_time == 0 || disturber.speed() > quiet_speed(objects[sleeper]))
+        wake(sleeper);
+    }
+  }
+}
+
+void ContactWorld::fall_asleep(double dt) { impl_->fall_asleep(dt); }
+bool ContactWorld::asleep(ProxyId object) const { return impl_->objects[object].asleep; }
+void ContactWorld::wake(ProxyId object) { impl_->wake(object); }
+
+}  // namespace griffith

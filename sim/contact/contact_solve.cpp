@@ -1,0 +1,220 @@
+#include <algorithm>
+#include <cassert>
+
+#include "sim/contact/bullet_world.h"
+#include "sim/contact/connected_groups.h"
+
+namespace griffith {
+
+using namespace contact;
+
+namespace {
+
+/// The share of an overlap that goes in a substep.
+constexpr double kCorrectionShare = 0.2;
+
+Mat3 contact_axes(const Vec3& normal) {
+  Mat3 axes;
+  axes.col(0) = normal;
+  axes.col(1) = normal.unitOrthogonal();
+  axes.col(2) = normal.cross(axes.col(1));
+  return axes;
+}
+
+/// The responder of a rigid object.
+Responder rigid_responder(const Object& object) {
+  Responder responder;
+  if (object.asleep) return responder;
+  responder.inverse_mass = object.inverse_mass;
+  const Mat3 rotation = object.state.pose.rotation.toRotationMatrix();
+  responder.inverse_inertia = rotation * object.inverse_inertia * rotation.transpose();
+  return responder;
+}
+
+Vec3 velocity_of(const Responder& responder, const ContactEnd& end) {
+  if (responder.compliance) return responder.point_velocities.col(end.point);
+  return responder.velocity + responder.angular_velocity.cross(end.arm);
+}
+
+/// The impulse that a contact remembers, as a mean force [N].
+Vec3 remembered_force(const btManifoldPoint& point) {
+  return from_bullet(point.m_appliedImpulse * point.m_normalWorldOnB +
+                     point.m_appliedImpulseLateral1 * point.m_lateralFrictionDir1 +
+                     point.m_appliedImpulseLateral2 * point.m_lateralFrictionDir2);
+}
+
+}  // namespace
+
+double contact::distance_beyond(double distance, double allowed_overlap) {
+  return distance < 0 ? std::min(0.0, distance + allowed_overlap) : distance;
+}
+
+std::vector<Responder> ContactWorld::Impl::rigid_responders(double dt) const {
+  std::vector<Responder> made;
+  made.reserve(objects.size());
+  for (const Object& object : objects) {
+    made.push_back(rigid_responder(object));
+    made.back().velocity = object.state.velocity;
+    made.back().angular_velocity = object.state.angular_velocity;
+    if (object.kind == Kind::sphere && object.moves()) made.back().velocity += dt * gravity;
+  }
+  return made;
+}
+
+std::vector<ContactRow> ContactWorld::Impl::rows(double dt) const {
+  std::vector<ContactRow> made(contacts.size());
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    const Contact& contact = contacts[i];
+    const Object &a = objects[contact.a], &b = objects[contact.b];
+    ContactRow& row = made[i];
+    row.a = {static_cast<int>(contact.a.value), -1, contact.position - a.state.pose.translation};
+    row.b = {static_cast<int>(contact.b.value), -1, contact.position - b.state.pose.translation};
+    row.axes = contact_axes(contact.normal);
+    row.friction = std::sqrt(a.surface.friction * b.surface.friction);
+    row.impulse = dt * (row.axes.transpose() * remembered_force(*points[i]));
+    row.impulse[0] = std::max(0.0, row.impulse[0]);
+    if (row.friction == 0) row.impulse.tail<2>().setZero();
+  }
+  return made;
+}
+
+/// A gap that closes in this substep is struck now, at full speed, rather than half now and half in the next one.
+bool ContactWorld::Impl::strikes(const Contact& contact, double approach, double dt) const {
+  return approach > kQuietSpeed && approach * dt > contact.distance;
+}
+
+double ContactWorld::Impl::least_speed(const Contact& contact, const Vec3& velocity, double dt) const {
+  const double approach = -contact.normal.dot(velocity);
+  if (!strikes(contact, approach, dt)) return -std::max(0.0, contact.distance) / dt;
+  const Object &a = objects[contact.a], &b = objects[contact.b];
+  if (a.elastic || b.elastic || allowance(contact.a, contact.b) > 0) return 0;
+  return std::min(a.surface.restitution, b.surface.restitution) * approach;
+}
+
+void ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elastic) {
+  assert(dt > 0);
+  std::vector<Responder> answering = rigid_responders(dt);
+  solved = rows(dt);
+  for (Object& object : objects) object.elastic = false;
+  for (const ElasticResponse& response : elastic) {
+    objects[response.object].elastic = true;
+    answering[response.object].compliance = &response.compliance;
+    answering[response.object].point_velocities = response.free_velocities;
+    for (std::size_t point = 0; point < response.contacts.size(); ++point) {
+      ContactRow& row = solved[response.contacts[point]];
+      (row.a.responder == response.object.value ? row.a : row.b).point = static_cast<int>(point);
+    }
+  }
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    solved[i].least_speed = least_speed(
+        contacts[i],
+        velocity_of(answering[solved[i].a.responder], solved[i].a) - velocity_of(answering[solved[i].b.responder], solved[i].b),
+        dt);
+  for (const ElasticResponse& response : elastic) {
+    Eigen::Matrix3Xd& velocities = answering[response.object].point_velocities;
+    velocities = response.velocities;
+    velocities.reshaped() -= response.compliance * response.impulses.reshaped();
+  }
+  solve_impulses(solved, answering, {});
+  for (std::size_t i = 0; i < contacts.size(); ++i) contacts[i].impulse = solved[i].axes * solved[i].impulse;
+  remember_impulses(dt);
+}
+
+std::vector<double> ContactWorld::Impl::limit_energy(double dt, std::span<const ElasticResponse> elastic) {
+  std::vector<std::pair<int, int>> touching;
+  for (const Contact& contact : contacts)
+    if (objects[contact.a].answers() && objects[contact.b].answers())
+      touching.emplace_back(contact.a.value, contact.b.value);
+  const std::vector<int> groups = connected_groups(static_cast<int>(objects.size()), touching);
+  // The energy that impulses of s times their size add: s·linear + s²·quadratic. What an implicit step does to an
+  // elastic body adds no more than the work at the velocities after it.
+  std::vector<double> linear(objects.size(), 0.0), quadratic(objects.size(), 0.0);
+  const std::vector<Responder> rigid = rigid_responders(dt);
+  const std::vector<Momentum> sums = impulse_sums();
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (objects[i].elastic) continue;
+    linear[groups[i]] += rigid[i].velocity.dot(sums[i].linear) + rigid[i].angular_velocity.dot(sums[i].angular);
+    quadratic[groups[i]] += 0.5 * (rigid[i].inverse_mass * sums[i].linear.squaredNorm() +
+                                   sums[i].angular.dot(rigid[i].inverse_inertia * sums[i].angular));
+  }
+  for (const ElasticResponse& response : elastic) {
+    const int group = groups[response.object];
+    linear[group] += response.impulses.cwiseProduct(response.free_velocities).sum();
+    quadratic[group] += response.impulses.cwiseProduct(response.velocities - response.free_velocities).sum();
+  }
+  const auto factor = [&](ProxyId object) {
+    const double a = linear[groups[object]], b = quadratic[groups[object]];
+    return a + b > 0 ? std::clamp(-a / b, 0.0, 1.0) : 1.0;
+  };
+  for (Contact& contact : contacts)
+    contact.impulse *= factor(objects[contact.a].answers() ? contact.a : contact.b);
+  std::vector<double> factors;
+  for (const ElasticResponse& response : elastic) factors.push_back(factor(response.object));
+  return factors;
+}
+
+void ContactWorld::Impl::remember_impulses(double dt) {
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Vec3 force = solved[i].axes.transpose() * contacts[i].impulse / dt;
+    points[i]->m_appliedImpulse = force[0];
+    points[i]->m_appliedImpulseLateral1 = force[1];
+    points[i]->m_appliedImpulseLateral2 = force[2];
+    points[i]->m_lateralFrictionDir1 = to_bullet(Vec3(solved[i].axes.col(1)));
+    points[i]->m_lateralFrictionDir2 = to_bullet(Vec3(solved[i].axes.col(2)));
+  }
+}
+
+void ContactWorld::Impl::advance(double dt) {
+  remember_impulses(dt);
+  take_impulses(dt);
+  resist_rolling(dt);
+  correct_positions(solved);
+  move_spheres(dt);
+}
+
+std::vector<ContactWorld::Impl::Momentum> ContactWorld::Impl::impulse_sums() const {
+  std::vector<Momentum> sums(objects.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Vec3& impulse = contacts[i].impulse;
+    sums[contacts[i].a].linear += impulse;
+    sums[contacts[i].b].linear -= impulse;
+    sums[contacts[i].a].angular += solved[i].a.arm.cross(impulse);
+    sums[contacts[i].b].angular -= solved[i].b.arm.cross(impulse);
+  }
+  return sums;
+}
+
+/// Momentum balance of the rigid objects.
+void ContactWorld::Impl::take_impulses(double dt) {
+  const std::vector<Momentum> sums = impulse_sums();
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    Object& object = objects[i];
+    if (!object.moves() || object.elastic) continue;
+    const Responder responder = rigid_responder(object);
+    if (object.kind == Kind::sphere) object.state.velocity += dt * gravity;
+    object.state.velocity += responder.inverse_mass * sums[i].linear;
+    object.state.angular_velocity += responder.inverse_inertia * sums[i].angular;
+  }
+}
+
+/// Displacements that take out a share of the overlaps, as velocities of a solve of their own.
+void ContactWorld::Impl::correct_positions(const std::vector<ContactRow>& rows) {
+  for (Object& object : objects) object.correction = {};
+  std::vector<ContactRow> overlaps = rows;
+  bool any = false;
+  for (std::size_t i = 0; i < overlaps.size(); ++i) {
+    const double distance = distance_beyond(contacts[i].distance, allowance(contacts[i].a, contacts[i].b));
+    overlaps[i].friction = 0;
+    overlaps[i].impulse.setZero();
+    overlaps[i].least_speed = distance < 0 ? -kCorrectionShare * distance : -distance;
+    any |= distance < 0;
+  }
+  if (!any) return;
+  std::vector<Responder> moving;
+  for (const Object& object : objects) moving.push_back(rigid_responder(object));
+  solve_impulses(overlaps, moving, {.iterations = 10});
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    objects[i].correction = {moving[i].velocity, moving[i].angular_velocity};
+}
+
+}  // namespace griffith

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/linear_algebra.h"
+
+namespace griffith::contact {
+
+/// How an object answers impulses, and its velocities so far. A rigid one by mass and inertia, an immovable one not at
+/// all, an elastic one by the compliance that couples its contact points.
+struct Responder {
+  double inverse_mass = 0;                      ///< [1/kg]
+  Mat3 inverse_inertia = Mat3::Zero();          ///< world frame [1/(kg·m²)]
+  Vec3 velocity = Vec3::Zero();                 ///< [m/s]
+  Vec3 angular_velocity = Vec3::Zero();         ///< [rad/s]
+  const Eigen::MatrixXd* compliance = nullptr;  ///< elastic: 3×3 blocks between its contact points [1/kg]
+  Eigen::Matrix3Xd point_velocities = {};       ///< elastic: of its contact points [m/s]
+};
+
+/// One end of a contact.
+struct ContactEnd {
+  int responder = 0;
+  int point = -1;           ///< of an elastic responder
+  Vec3 arm = Vec3::Zero();  ///< from the centre of mass [m]
+};
+
+struct ContactRow {
+  ContactEnd a, b;
+  Mat3 axes = Mat3::Identity();  ///< columns: the normal from b to a, and two tangents
+  double friction = 0;
+  double least_speed = 0;      ///< of the parting along the normal [m/s]
+  Vec3 impulse = Vec3::Zero();  ///< on a, along the axes: a guess before, the solution after [N·s]
+};
+
+struct SolverLimits {
+  int iterations = 24;
+  double tolerance = 1e-7;  ///< the largest change of velocity in a sweep, as a share of the largest speed to correct
+};
+
+/// The Signorini–Coulomb problem by projected Gauss–Seidel (Jean & Moreau 1992): the normal impulse of a row pushes only
+/// and keeps its parting speed at or above `least_speed`; the tangential one stops the sliding within friction's disc.
+/// Velocities of the responders hold everything but the rows' impulses before, those too after.
+void solve_impulses(std::span<ContactRow> rows, std::span<Responder> responders, const SolverLimits& limits);
+
+}  // namespace griffith::contact

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "sim/scene/field.h"
+#include "sim/splinters/splinter_pattern.h"
+
+// The fields of splinter patterns, a part of the table in scene_fields.h.
+
+namespace griffith {
+
+inline constexpr Numbers kSplinterLength = between(1e-5, 1e5, "m");
+inline constexpr Numbers kSeed = between(0, 2147483647);
+inline constexpr Numbers kJitter = between(0, 1, "-");
+
+template <class Archive>
+void describe(Archive& archive, VoronoiSplinters& shards) {
+  archive.field("size", shards.size, kSplinterLength, "Size of a splinter across the grain");
+  archive.field("jitter", shards.jitter, kJitter, "Irregularity: 0 makes cubes, 1 random shards");
+  archive.field("seed", shards.seed, kSeed, "Another number makes another pattern");
+  archive.field("grain", shards.grain, Numbers{.minimum = -1e6, .maximum = 1e6, .unit = "-", .nonzero = true},
+                "Direction along which splinters are long; any length but 0");
+  archive.field("elongation", shards.elongation, between(1, 1000, "-"), "How many times longer than across");
+}
+
+template <class Archive>
+void describe(Archive& archive, RadialSplinters& rings) {
+  archive.field("center", rings.center, between(-1e6, 1e6, "m"), "A point of the axis");
+  archive.field("axis", rings.axis, Numbers{.minimum = -1e6, .maximum = 1e6, .unit = "-", .nonzero = true},
+                "Direction of the axis; any length but 0");
+  archive.field("sectors", rings.sectors, between(4, 1000), "Splinters in a ring");
+  archive.field("first_ring", rings.first_ring, kSplinterLength, "Radius of the innermost ring");
+  archive.field("growth", rings.growth, between(1, 10, "-"),
+                "How many times wider each ring is than the one inside it");
+  archive.field("jitter", rings.jitter, kJitter, "Irregularity: 0 makes regular sectors and rings");
+  archive.field("seed", rings.seed, kSeed, "Another number makes another pattern");
+}
+
+template <class Archive>
+void describe(Archive& archive, BrickSplinters& bricks) {
+  archive.field("size", bricks.size, kSplinterLength, "Edge lengths of a brick along x, y, z, without mortar");
+  archive.field("mortar", bricks.mortar, between(0, 1e5, "m"), "Width of the joints; each breaks along with a brick");
+  archive.field("origin", bricks.origin, between(-1e6, 1e6, "m"), "Lower corner of a brick");
+  archive.require(bricks.mortar < bricks.size.minCoeff(), "mortar", "is as wide as a brick",
+                  "take less than the brick's smallest edge");
+}
+
+template <class Archive>
+void describe(Archive& archive, PointSplinters& points) {
+  archive.field("path", points.path, MeshPath{"list of points"},
+                "Text file with x, y, z a line; relative to the scene file's folder");
+  archive.field("scale", points.scale, between(1e-9, 1e6), "Metres per unit of the file");
+}
+
+template <class Archive>
+void describe(Archive& archive, SplinterPattern& pattern) {
+  archive.template alternative<VoronoiSplinters>("voronoi", pattern, Parts{},
+                                                 "Shards round random points; long ones look like wood");
+  archive.template alternative<RadialSplinters>("radial", pattern, Parts{},
+                                                "Sectors and rings round an axis, as in struck glass");
+  archive.template alternative<BrickSplinters>("bricks", pattern, Parts{},
+                                               "Bricks in running bond: courses along x, stacked along y");
+  archive.template alternative<PointSplinters>("points", pattern, Parts{}, "Shards round points from a file");
+}
+
+}  // namespace griffith

@@ -1,0 +1,73 @@
+#include "sim/splinters/convex_cells.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "sim/error.h"
+#include "sim/mesh/read_points.h"
+
+namespace griffith {
+namespace {
+
+struct Maker {
+  const Eigen::AlignedBox3d& bounds;
+  const std::filesystem::path& folder;
+
+  CellPartition operator()(const VoronoiSplinters& pattern) const { return make_voronoi_cells(pattern, bounds); }
+  CellPartition operator()(const RadialSplinters& pattern) const { return make_radial_cells(pattern, bounds); }
+  CellPartition operator()(const BrickSplinters& pattern) const { return make_brick_cells(pattern, bounds); }
+  CellPartition operator()(const PointSplinters& pattern) const {
+    std::vector<Vec3> points = read_points(folder / pattern.path);
+    for (Vec3& point : points) point *= pattern.scale;
+    return voronoi_cells(std::move(points), bounds);
+  }
+};
+
+/// The wall that a point is farthest outside of; null when it is outside of none.
+const CellWall* worst_wall(const ConvexCell& cell, const Vec3& point) {
+  const CellWall* worst = nullptr;
+  double farthest = 0;
+  for (const CellWall& wall : cell.walls) {
+    if (wall.inside.distance(point) <= farthest) continue;
+    farthest = wall.inside.distance(point);
+    worst = &wall;
+  }
+  return worst;
+}
+
+int nearest_cell(const CellPartition& cells, const Vec3& point) {
+  int best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const CellWall* wall = worst_wall(cells[i], point);
+    const double outside = wall ? wall->inside.distance(point) : 0;
+    if (outside < least) least = outside, best = static_cast<int>(i);
+  }
+  return best;
+}
+
+}  // namespace
+
+CellPartition make_cells(const SplinterPattern& pattern, const Eigen::AlignedBox3d& bounds,
+                         const std::filesystem::path& folder, const std::string& where) try {
+  return std::visit(Maker{bounds, folder}, pattern);
+} catch (const TooManyCells&) {
+  throw InputError(where, "would make more than 2 million splinters", "take larger ones");
+}
+
+void check_cell_count(double cells) {
+  if (cells > kMaxSplinterCells) throw TooManyCells();
+}
+
+int locate(const CellPartition& cells, const Vec3& point, int start) {
+  int cell = start;
+  for (std::size_t steps = 0; steps < cells.size(); ++steps) {
+    const CellWall* wall = worst_wall(cells[cell], point);
+    if (!wall) return cell;
+    if (wall->neighbour < 0) break;
+    cell = wall->neighbour;
+  }
+  return nearest_cell(cells, point);  // rounding led the walk in circles
+}
+
+}  // namespace griffith

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/splinters/splinter_pattern.h"
+
+namespace griffith {
+
+/// The half-space normal · x <= offset.
+struct HalfSpace {
+  Vec3 normal = Vec3::UnitX();  ///< unit vector, out of the half-space
+  double offset = 0;            ///< [m]
+
+  double distance(const Vec3& point) const { return normal.dot(point) - offset; }
+  HalfSpace opposite() const { return {-normal, -offset}; }
+};
+
+/// A side of a cell and what lies beyond.
+struct CellWall {
+  HalfSpace inside;
+  int neighbour = -1;  ///< another cell; its wall to this one is exactly the opposite half-space
+};
+
+/// What a splinter is made of, for its colour.
+enum class SplinterMatter : std::uint8_t { body, mortar };
+
+/// A convex polyhedron, possibly unbounded.
+struct ConvexCell {
+  std::vector<CellWall> walls;
+  int splinter = 0;  ///< cells of the same number belong together
+  SplinterMatter matter = SplinterMatter::body;
+};
+
+/// Cells that fill the box round a body face to face: where two meet, each has one wall to the other.
+using CellPartition = std::vector<ConvexCell>;
+
+/// More cells than this are refused.
+inline constexpr double kMaxSplinterCells = 2e6;
+
+/// The cells of a pattern that may meet `bounds` [m]. Relative paths start at `folder`. Throws InputError when a file
+/// cannot be read or, naming the place `where`, when there would be more than kMaxSplinterCells cells.
+CellPartition make_cells(const SplinterPattern& pattern, const Eigen::AlignedBox3d& bounds,
+                         const std::filesystem::path& folder = {}, const std::string& where = "splinters");
+
+// One maker a pattern, behind make_cells().
+CellPartition make_voronoi_cells(const VoronoiSplinters& pattern, const Eigen::AlignedBox3d& bounds);
+CellPartition make_radial_cells(const RadialSplinters& pattern, const Eigen::AlignedBox3d& bounds);
+CellPartition make_brick_cells(const BrickSplinters& pattern, const Eigen::AlignedBox3d& bounds);
+/// Throws TooManyCells when `cells` are more than kMaxSplinterCells.
+void check_cell_count(double cells);
+struct TooManyCells {};
+
+/// The Voronoi cells of any different points, those that matter within `bounds`; coincident points count once.
+CellPartition voronoi_cells(std::vector<Vec3> points, const Eigen::AlignedBox3d& bounds);
+
+/// The cell that holds a point, from a walk that starts at cell `start`.
+int locate(const CellPartition& cells, const Vec3& point, int start);
+
+}  // namespace griffith

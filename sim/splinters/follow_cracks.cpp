@@ -1,0 +1,88 @@
+#include <algorithm>
+
+#include "sim/splinters/splinters.h"
+
+namespace griffith {
+namespace {
+
+using Neighbours = std::span<const std::array<TetId, 4>>;
+
+/// Finds the parts that still hold together with the owner.
+void update_attachment(const SplinterSet& set, Neighbours neighbours, SplinterId id, SplinterState& state) {
+  const Splinter& splinter = set.splinters[id];
+  const auto attached = state.attached.begin() + splinter.first_part;
+  for (int i = 0; i < splinter.parts; ++i) attached[i] = set.parts[splinter.first_part + i].tet == splinter.owner;
+  const std::span<const PartLink> links(set.links.data() + set.first_link[id],
+                                        set.links.data() + set.first_link[id + 1]);
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (const PartLink& link : links) {
+      if (state.attached[link.a] == state.attached[link.b]) continue;
+      if (!neighbours[set.parts[link.a].tet][link.face].valid()) continue;
+      state.attached[link.a] = state.attached[link.b] = 1;
+      grew = true;
+    }
+  }
+}
+
+/// Whether what carries the two sides of a wall has parted.
+bool has_opened(const SplinterSet& set, Neighbours neighbours, const SplinterState& state, const SplinterFace& face) {
+  if (carrier(set, state, face.part) == carrier(set, state, face.beyond)) return false;
+  if (!state.attached[face.part] || !state.attached[face.beyond]) return true;
+  // Two tets carry a wall that lies in the face between them.
+  return !neighbours[set.parts[face.part].tet][face.tet_face].valid();
+}
+
+void open_walls(const SplinterSet& set, Neighbours neighbours, SplinterId id, SplinterState& state) {
+  const Splinter& splinter = set.splinters[id];
+  for (int p = splinter.first_part; p < splinter.first_part + splinter.parts; ++p) {
+    const SplinterPart& part = set.parts[p];
+    for (int f = part.first_face; f < part.first_face + part.faces; ++f) {
+      if (state.open[f] || !has_opened(set, neighbours, state, set.faces[f])) continue;
+      state.open[f] = 1;
+      state.open_walls.push_back(f);
+    }
+  }
+}
+
+void sort_and_unite(std::vector<SplinterId>& ids) {
+  std::ranges::sort(ids);
+  const auto rest = std::ranges::unique(ids);
+  ids.erase(rest.begin(), rest.end());
+}
+
+/// These splinters and all that they share walls with.
+std::vector<SplinterId> with_neighbours(const SplinterSet& set, const std::vector<SplinterId>& ids) {
+  std::vector<SplinterId> result = ids;
+  for (const SplinterId id : ids) {
+    const Splinter& splinter = set.splinters[id];
+    for (int p = splinter.first_part; p < splinter.first_part + splinter.parts; ++p)
+      for (int f = set.parts[p].first_face; f < set.parts[p].first_face + set.parts[p].faces; ++f)
+        if (set.faces[f].beyond >= 0) result.push_back(set.parts[set.faces[f].beyond].splinter);
+  }
+  sort_and_unite(result);
+  return result;
+}
+
+}  // namespace
+
+SplinterState intact_state(const SplinterSet& splinters) {
+  SplinterState state;
+  state.attached.assign(splinters.parts.size(), 1);
+  for (const SplinterFace& face : splinters.faces) state.open.push_back(face.beyond < 0);
+  return state;
+}
+
+void follow_cracks(const SplinterSet& splinters, Neighbours neighbours, std::span<const TetId> changed_tets,
+                   SplinterState& state) {
+  std::vector<SplinterId> touched;
+  for (const TetId tet : changed_tets) {
+    if (static_cast<std::size_t>(tet) >= splinters.parts_of_tet.size()) continue;  // of a body without splinters
+    for (const int part : splinters.parts_of_tet[tet]) touched.push_back(splinters.parts[part].splinter);
+  }
+  sort_and_unite(touched);
+  for (const SplinterId id : touched) update_attachment(splinters, neighbours, id, state);
+  for (const SplinterId id : with_neighbours(splinters, touched)) open_walls(splinters, neighbours, id, state);
+}
+
+}  // namespace griffith

@@ -1,0 +1,137 @@
+#include "sim/splinters/splinter_groups.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace griffith {
+namespace {
+
+/// Less than this share of its neighbour's volume, and a splinter joins it.
+constexpr double kSmallestShare = 0.1;
+
+/// Disjoint sets of fragments (Tarjan 1975), each known by its lowest member.
+class Groups {
+ public:
+  explicit Groups(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0); }
+
+  int find(int member) {
+    while (parents_[member] != member) member = parents_[member] = parents_[parents_[member]];
+    return member;
+  }
+  void join(int a, int b) {
+    a = find(a), b = find(b);
+    parents_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<int> parents_;
+};
+
+/// Looks up the fragment of a tet in a cell.
+class FragmentTable {
+ public:
+  FragmentTable(const std::vector<Fragment>& fragments, int tets) : fragments_(fragments), first_(tets + 1, 0) {
+    for (const Fragment& fragment : fragments) ++first_[fragment.tet + 1];
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  }
+
+  /// -1 when there is none.
+  int find(TetId tet, int cell) const {
+    const auto begin = fragments_.begin() + first_[tet], end = fragments_.begin() + first_[tet + 1];
+    const auto found = std::ranges::lower_bound(begin, end, cell, {}, &Fragment::cell);
+    return found != end && found->cell == cell ? static_cast<int>(found - fragments_.begin()) : -1;
+  }
+
+ private:
+  const std::vector<Fragment>& fragments_;
+  std::vector<int> first_;
+};
+
+/// The neighbour with the largest common wall, per group that is small beside it; -1 for the others.
+std::vector<int> neighbours_to_join(const std::vector<FragmentContact>& contacts, const std::vector<double>& volumes,
+                                    Groups& groups) {
+  struct Common {
+    int group, neighbour;
+    double area;
+  };
+  std::vector<Common> walls;
+  for (const FragmentContact& contact : contacts) {
+    const int group = groups.find(contact.a), neighbour = groups.find(contact.b);
+    if (group != neighbour && contact.is_wall) walls.push_back({group, neighbour, contact.area});
+  }
+  std::ranges::stable_sort(walls, {}, [](const Common& wall) { return std::pair(wall.group, wall.neighbour); });
+  std::vector<int> chosen(volumes.size(), -1);
+  std::vector<double> largest(volumes.size(), 0);
+  for (std::size_t i = 0; i < walls.size();) {
+    const auto [group, neighbour, ignored] = walls[i];
+    double area = 0;
+    for (; i < walls.size() && walls[i].group == group && walls[i].neighbour == neighbour; ++i) area += walls[i].area;
+    if (area <= largest[group]) continue;
+    largest[group] = area;
+    chosen[group] = neighbour;
+  }
+  for (std::size_t group = 0; group < chosen.size(); ++group)
+    if (chosen[group] >= 0 && volumes[group] >= kSmallestShare * volumes[chosen[group]]) chosen[group] = -1;
+  return chosen;
+}
+
+std::vector<double> group_volumes(const std::vector<Fragment>& fragments, Groups& groups) {
+  std::vector<double> volumes(fragments.size(), 0);
+  for (std::size_t i = 0; i < fragments.size(); ++i) volumes[groups.find(static_cast<int>(i))] += fragments[i].volume;
+  return volumes;
+}
+
+/// Every round joins all that are small; what they grow to may be small beside something else.
+void join_small_groups(const std::vector<Fragment>& fragments, const std::vector<FragmentContact>& contacts,
+                       Groups& groups) {
+  for (bool joined = true; joined;) {
+    joined = false;
+    const std::vector<int> chosen = neighbours_to_join(contacts, group_volumes(fragments, groups), groups);
+    for (std::size_t group = 0; group < chosen.size(); ++group) {
+      if (chosen[group] < 0) continue;
+      groups.join(static_cast<int>(group), chosen[group]);
+      joined = true;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<FragmentContact> find_contacts(const TetMesh& mesh, const CellPartition& cells,
+                                           const std::vector<Fragment>& fragments) {
+  const FragmentTable table(fragments, mesh.tet_count());
+  std::vector<FragmentContact> contacts;
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    const Fragment& fragment = fragments[i];
+    for (std::size_t f = 0; f < fragment.polyhedron.faces.size(); ++f) {
+      const PolyhedronFace& face = fragment.polyhedron.faces[f];
+      const TetId beyond = face.tet_face < 0 ? fragment.tet : mesh.neighbours[fragment.tet][face.tet_face];
+      if (!beyond.valid()) continue;
+      const int cell = face.wall < 0 ? fragment.cell : cells[fragment.cell].walls[face.wall].neighbour;
+      const int other = cell < 0 ? -1 : table.find(beyond, cell);
+      if (other < 0) continue;  // thinner than rounding
+      contacts.push_back({static_cast<int>(i), other, face.tet_face, face.wall >= 0, static_cast<int>(f),
+                          area_vector(fragment.polyhedron, face).norm()});
+    }
+  }
+  return contacts;
+}
+
+std::vector<int> group_fragments(const CellPartition& cells, const std::vector<Fragment>& fragments,
+                                 const std::vector<FragmentContact>& contacts) {
+  Groups groups(fragments.size());
+  for (const FragmentContact& contact : contacts)
+    if (cells[fragments[contact.a].cell].splinter == cells[fragments[contact.b].cell].splinter)
+      groups.join(contact.a, contact.b);
+  join_small_groups(fragments, contacts, groups);
+  std::vector<int> numbers(fragments.size(), -1), splinters;
+  int count = 0;
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    int& number = numbers[groups.find(static_cast<int>(i))];
+    if (number < 0) number = count++;
+    splinters.push_back(number);
+  }
+  return splinters;
+}
+
+}  // namespace griffith

@@ -1,0 +1,211 @@
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "sim/parallel.h"
+#include "sim/world/phases.h"
+
+namespace griffith {
+namespace {
+
+/// Moves a free body by its velocities: its rigid part turns it, what is left deforms it. Along the tangents instead, a
+/// turn by the angle a would stretch it by a²/2, which a stiff body answers with more than its strength. Linear and
+/// angular momentum are kept.
+void move_free(WorldState& world, const Body& body, double dt) {
+  const RigidMotion before = motion_of(world, body);
+  const Mat3 turn = turn_step(before, dt);
+  const Vec3 center = before.center + dt * before.velocity;
+  for (NodeId node : body.nodes) {
+    Vec3 &position = world.nodes.positions[node], &velocity = world.nodes.velocities[node];
+    const Vec3 deforming = velocity - before.velocity_at(position);
+    position = center + turn * (position - before.center + dt * deforming);
+    velocity = turn * deforming;
+  }
+  const RigidMotion after = motion_of(world, body);
+  const Vec3 spin = after.inertia.inverse() * (before.inertia * before.angular_velocity);
+  for (NodeId node : body.nodes)
+    world.nodes.velocities[node] += before.velocity + spin.cross(world.nodes.positions[node] - center);
+}
+
+/// The same for a body that does not deform: its motion leads, its nodes follow.
+void move_rigid(WorldState& world, Body& body, double dt) {
+  if (body.supported()) return;  // frozen: its supports hold it
+  RigidMotion& motion = body.motion;
+  const Mat3 turn = turn_step(motion, dt);
+  const Vec3 angular_momentum = motion.inertia * motion.angular_velocity;
+  motion.center += dt * motion.velocity;
+  motion.inertia = turn * motion.inertia * turn.transpose();
+  motion.angular_velocity = motion.inertia.inverse() * angular_momentum;
+  body.orientation = (Quat(turn) * body.orientation).normalized();
+  place_rigid_nodes(world, body);
+}
+
+/// What of the work on a body it may have gained in a substep: by external forces, supports and contacts [J].
+double work_done(const WorldState& world, const Body& body, const std::vector<Vec3>& external, double dt) {
+  double work = body.contact_work;
+  for (NodeId node : body.nodes) work += dt * external[node].dot(world.nodes.velocities[node]);
+  for (NodeId node : body.system->supports())
+    work += dt * world.nodes.reactions[node].dot(world.nodes.velocities[node]);
+  return work;
+}
+
+/// Positions, velocities and plastic strains of a body, to go back to.
+struct Snapshot {
+  std::vector<Vec3> positions, velocities;
+  std::vector<Mat3> plastic_strains;
+};
+
+Snapshot snapshot(const WorldState& world, const Body& body) {
+  Snapshot taken;
+  for (NodeId node : body.nodes) {
+    taken.positions.push_back(world.nodes.positions[node]);
+    taken.velocities.push_back(world.nodes.velocities[node]);
+  }
+  if (world.material_of(body).yield_strength)
+    for (TetId tet : body.tets) taken.plastic_strains.push_back(world.elements.plastic_strains[tet]);
+  return taken;
+}
+
+/// Back to a snapshot, with `share` of the velocities that deform the body.
+void restore(WorldState& world, const Body& body, const Snapshot& taken, double share) {
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+    world.nodes.positions[body.nodes[i]] = taken.positions[i];
+    world.nodes.velocities[body.nodes[i]] = taken.velocities[i];
+  }
+  for (std::size_t i = 0; i < taken.plastic_strains.size(); ++i)
+    world.elements.plastic_strains[body.tets[i]] = taken.plastic_strains[i];
+  const RigidMotion rigid = motion_of(world, body);
+  for (NodeId node : body.nodes) {
+    const NodeConstraint& constraint = world.nodes.constraints[node];
+    const Vec3 kept = body.supported() ? constraint.velocity : rigid.velocity_at(world.nodes.positions[node]);
+    world.nodes.velocities[node] = kept + share * (world.nodes.velocities[node] - kept);
+  }
+}
+
+void move_nodes(WorldState& world, const Body& body, double dt) {
+  if (!body.supported() && !world.integrates_explicitly()) return move_free(world, body, dt);
+  for (NodeId node : body.nodes) world.nodes.positions[node] += dt * world.nodes.velocities[node];
+}
+
+/// Moves an elastic body and takes its stress. Where parts of it turn far in one step, as on a hinge that a crack left,
+/// the linearised step stretches it: then it deforms less, so that it has no more energy than it was given. Whether it
+/// had to.
+bool move_elastic(WorldState& world, const Body& body, const std::vector<Vec3>& external, double dt) {
+  constexpr double kTolerance = 1e-3;
+  const bool checked = !world.integrates_explicitly();
+  const double given = checked ? body.energy + work_done(world, body, external, dt) : 0;
+  const Snapshot before = checked ? snapshot(world, body) : Snapshot{};
+  move_nodes(world, body, dt);
+  update_elements(world, body);
+  if (!checked) return false;
+  bool shortened = false;
+  for (double share = 0.5; mechanical_energy(world, body) > given + kTolerance * body.energy + 1e-9; share /= 2) {
+    if (share < 0.05) share = 0;
+    shortened = true;
+    restore(world, body, before, share);
+    move_nodes(world, body, dt);
+    update_elements(world, body);
+    if (share == 0) break;
+  }
+  return shortened;
+}
+
+bool all_finite(const WorldState& world, const Body& body) {
+  return std::all_of(body.nodes.begin(), body.nodes.end(),
+                     [&](NodeId node) { return world.nodes.velocities[node].allFinite(); });
+}
+
+/// Takes the shape as it is now for that of a rigid body.
+void stiffen(WorldState& world, Body& body) {
+  body.rigid = true;
+  const Mat3 back = body.orientation.conjugate().toRotationMatrix();
+  for (std::size_t i = 0; i < body.nodes.size(); ++i)
+    body.reference_arms.col(i) = back * (world.nodes.positions[body.nodes[i]] - body.motion.center);
+}
+
+}  // namespace
+
+double mechanical_energy(const WorldState& world, const Body& body) {
+  double energy = 0;
+  for (NodeId node : body.nodes) energy += 0.5 * world.nodes.masses[node] * world.nodes.velocities[node].squaredNorm();
+  for (TetId tet : body.tets) energy += world.elements.rests[tet].volume * world.elements.states[tet].energy_density;
+  return energy;
+}
+
+void place_rigid_nodes(WorldState& world, const Body& body) {
+  const RigidMotion& motion = body.motion;
+  const Mat3 rotation = body.orientation.toRotationMatrix();
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+    const Vec3 arm = rotation * body.reference_arms.col(i);
+    world.nodes.positions[body.nodes[i]] = motion.center + arm;
+    world.nodes.velocities[body.nodes[i]] = motion.velocity + motion.angular_velocity.cross(arm);
+  }
+}
+
+void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>& forces, double dt) {
+  if (body.supported()) return;  // frozen: its supports hold it
+  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+  for (NodeId node : body.nodes) {
+    force += forces[node];
+    torque += (world.nodes.positions[node] - body.motion.center).cross(forces[node]);
+  }
+  RigidMotion& motion = body.motion;
+  const double damping = 1 + dt * world.material_of(body).mass_damping;
+  motion.velocity = (motion.velocity + dt / motion.mass * force) / damping;
+  motion.angular_velocity = (motion.angular_velocity + dt * (motion.inertia.inverse() * torque)) / damping;
+}
+
+void freeze_if_broken_down(WorldState& world, Body& body) {
+  if (all_finite(world, body)) return;
+  for (NodeId node : body.nodes) world.nodes.velocities[node].setZero();
+  body.rigid = true;
+  body.motion.velocity.setZero();
+  body.motion.angular_velocity.setZero();
+  ++world.report.non_finite_values;
+}
+
+void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt) {
+  std::vector<std::uint8_t> shortened(world.bodies.size(), 0);
+  parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      Body& body = world.bodies[i];
+      if (body.asleep) continue;
+      if (body.rigid) {
+        move_rigid(world, body, dt);
+      } else {
+        shortened[i] = move_elastic(world, body, external, dt);
+        update_motion(world, body);
+      }
+    }
+  });
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    Body& body = world.bodies[i];
+    freeze_if_broken_down(world, body);
+    world.report.shortened_motions += shortened[i];
+    if (body.rigid) continue;
+    for (TetId tet : body.tets) world.report.inverted_tets += world.elements.states[tet].inverted;
+  }
+  place_stand_ins(world);
+}
+
+void wake(WorldState& world, Body& body) {
+  world.contact_world.wake(body.stand_in);
+  body.rigid = body.asleep = false;
+  body.calm_steps = 0;
+  update_elements(world, body);  // it has turned since
+}
+
+void calm_bodies(WorldState& world) {
+  constexpr double kCalmMargin = 0.05;
+  constexpr int kCalmSteps = 20;
+  for (Body& body : world.bodies) {
+    if (body.rigid || body.supported()) continue;
+    const bool calm = std::all_of(body.nodes.begin(), body.nodes.end(), [&](NodeId node) {
+      return world.nodes.separations[node].margin < kCalmMargin;
+    });
+    body.calm_steps = calm ? body.calm_steps + 1 : 0;
+    if (body.calm_steps >= kCalmSteps) stiffen(world, body);
+  }
+}
+
+}  // namespace griffith

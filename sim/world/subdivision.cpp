@@ -1,0 +1,147 @@
+#include "sim/world/subdivision.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <set>
+
+#include "sim/mesh/topology.h"
+#include "sim/world/phases.h"
+
+namespace griffith {
+namespace {
+
+void append_node(NodeArrays& nodes, const EdgeNode& node) {
+  nodes.positions.push_back(node.interpolate(nodes.positions[node.a], nodes.positions[node.b]));
+  nodes.velocities.push_back(node.interpolate(nodes.velocities[node.a], nodes.velocities[node.b]));
+  nodes.masses.push_back(0);
+  nodes.strength_factors.push_back(node.interpolate(nodes.strength_factors[node.a], nodes.strength_factors[node.b]));
+  nodes.constraints.emplace_back();
+  nodes.held.push_back(0);
+  nodes.at_crack_front.push_back(0);
+  nodes.rows.push_back(-1);
+  nodes.separations.emplace_back();
+  nodes.reactions.emplace_back(Vec3::Zero());
+}
+
+/// The deformation gradient is the same in both halves, and so is all that follows from it.
+void append_element(WorldState& world, const TetBisection& halves) {
+  ElementArrays& elements = world.elements;
+  const TetId tet = halves.tet;
+  elements.rests.emplace_back();
+  elements.states.push_back(ElementState(elements.states[tet]));
+  elements.plastic_strains.push_back(Mat3(elements.plastic_strains[tet]));
+  elements.stresses.push_back(Mat3(elements.stresses[tet]));
+  elements.bodies.push_back(BodyId(elements.bodies[tet]));
+  const int faces = elements.first_surface[tet], outer = 1 << halves.kept, inner = 1 << halves.moved;
+  elements.first_surface.push_back(static_cast<std::uint8_t>(faces & ~inner));
+  elements.first_surface[tet] = static_cast<std::uint8_t>(faces & ~outer);
+  world.bodies[elements.bodies[tet]].tets.push_back(halves.child);
+}
+
+/// Corners or faces of tets.
+using Places = std::set<std::pair<TetId, int>>;
+
+/// The two corners that both halves have.
+std::array<int, 2> common_corners(const TetBisection& halves) {
+  std::array<int, 2> common{};
+  for (int corner = 0, i = 0; corner < 4; ++corner)
+    if (corner != halves.kept && corner != halves.moved) common[i++] = corner;
+  return common;
+}
+
+/// The same nodes, wherever their corners are now.
+void follow_nodes(Places& places, const TetBisection& halves) {
+  if (places.erase({halves.tet, halves.moved}) > 0) places.insert({halves.child, halves.moved});
+}
+
+/// All corners at the same nodes.
+void follow_stars(Places& places, const TetBisection& halves) {
+  follow_nodes(places, halves);
+  for (int corner : common_corners(halves))
+    if (places.contains({halves.tet, corner})) places.insert({halves.child, corner});
+}
+
+/// All corners at the nodes of a region, to which the middle of an edge belongs when both ends do.
+void follow_region(Places& places, const TetBisection& halves) {
+  const bool edge = places.contains({halves.tet, halves.kept}) && places.contains({halves.tet, halves.moved});
+  follow_stars(places, halves);
+  if (edge) places.insert({{halves.tet, halves.moved}, {halves.child, halves.kept}});
+}
+
+/// Faces: the one opposite the moved end stays, the one opposite the kept end goes to the child, two are halved.
+void follow_faces(Places& places, const TetBisection& halves) {
+  if (places.erase({halves.tet, halves.kept}) > 0) places.insert({halves.child, halves.kept});
+  for (int face : common_corners(halves))
+    if (places.contains({halves.tet, face})) places.insert({halves.child, face});
+}
+
+/// Lets the corners at bisected tets follow; the others stay.
+template <class Follow>
+void follow_all(std::vector<TetCorner>& corners, const Subdivision& subdivision, Follow follow) {
+  std::set<TetId> halved;
+  for (const TetBisection& halves : subdivision.tets) halved.insert(halves.tet);
+  Places places;
+  std::erase_if(corners, [&](const TetCorner& corner) {
+    return halved.contains(corner.tet) && places.insert({corner.tet, corner.corner}).second;
+  });
+  for (const TetBisection& halves : subdivision.tets) follow(places, halves);
+  for (const auto& [tet, corner] : places) corners.push_back({tet, corner});
+}
+
+void follow_load(PlacedLoad& placed, const Subdivision& subdivision) {
+  follow_all(placed.corners, subdivision, follow_nodes);
+  std::vector<TetCorner> faces;
+  for (const SurfaceFace& face : placed.faces) faces.push_back({face.tet, face.face});
+  follow_all(faces, subdivision, follow_faces);
+  placed.faces.clear();
+  for (const TetCorner& face : faces) placed.faces.push_back({face.tet, face.corner});
+  std::set<TetId> tets(placed.tets.begin(), placed.tets.end());
+  for (const TetBisection& halves : subdivision.tets)
+    if (tets.contains(halves.tet)) tets.insert(halves.child);
+  placed.tets.assign(tets.begin(), tets.end());
+}
+
+void follow_probe(ProbedNode& probed, const Subdivision& subdivision) {
+  for (const TetBisection& halves : subdivision.tets)
+    if (probed.corner.tet == halves.tet && probed.corner.corner == halves.moved) probed.corner.tet = halves.child;
+  follow_all(probed.star, subdivision, follow_stars);
+}
+
+void follow_places(WorldState& world, const Subdivision& subdivision) {
+  for (PlacedSupport& placed : world.supports) follow_all(placed.corners, subdivision, follow_region);
+  for (PlacedLoad& placed : world.loads) follow_load(placed, subdivision);
+  for (PlacedProbe& placed : world.probes)
+    for (ProbedNode& probed : placed.nodes) follow_probe(probed, subdivision);
+  update_supports(world, world.time, world.scene.simulation.time_step);
+}
+
+}  // namespace
+
+void follow_subdivision(WorldState& world, const Subdivision& subdivision) {
+  if (subdivision.tets.empty()) return;
+  for (const EdgeNode& node : subdivision.nodes) append_node(world.nodes, node);
+  for (const TetBisection& halves : subdivision.tets) append_element(world, halves);
+  for (const TetBisection& halves : subdivision.tets)
+    for (TetId tet : {halves.tet, halves.child})
+      world.elements.rests[tet] = element_rest(corners_of(world.mesh, tet, world.mesh.rest_positions));
+  for (const EdgeNode& node : subdivision.nodes)
+    for (NodeId changed : {node.node, node.a, node.b}) world.nodes.masses[changed] = node_mass(world, changed);
+  follow_places(world, subdivision);
+}
+
+void note_motion(const WorldState& world, const Body& body, MotionsBefore& motions) {
+  const bool is_held = std::ranges::any_of(body.nodes, [&](NodeId node) { return world.nodes.held[node] != 0; });
+  if (!is_held && !motions.contains(body.id)) motions[body.id] = motion_of(world, body);
+}
+
+void restore_angular_momentum(WorldState& world, const MotionsBefore& motions) {
+  for (const auto& [id, before] : motions) {
+    Body& body = world.bodies[id];
+    body.nodes = nodes_of(world.mesh, body.tets);
+    const RigidMotion now = motion_of(world, body);
+    const Vec3 spin = now.inertia.inverse() * (before.inertia * before.angular_velocity) - now.angular_velocity;
+    for (NodeId node : body.nodes) world.nodes.velocities[node] += spin.cross(world.nodes.positions[node] - now.center);
+  }
+}
+
+}  // namespace griffith

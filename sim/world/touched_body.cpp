@@ -1,0 +1,153 @@
+#include "sim/world/touched_body.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "sim/parallel.h"
+#include "sim/world/phases.h"
+
+namespace griffith {
+namespace {
+
+Vec3 surface_position(const WorldState& world, const SurfacePoint& point) {
+  Vec3 position = Vec3::Zero();
+  for (int i = 0; i < 3; ++i) position += point.weights[i] * world.nodes.positions[point.nodes[i]];
+  return position;
+}
+
+/// Where the stand-in, which does not deform, has this point of the surface.
+Vec3 stand_in_position(const Body& body, const SurfacePoint& point) {
+  Vec3 arm = Vec3::Zero();
+  for (int i = 0; i < 3; ++i) {
+    const auto node = std::lower_bound(body.nodes.begin(), body.nodes.end(), point.nodes[i]);
+    arm += point.weights[i] * body.reference_arms.col(node - body.nodes.begin());
+  }
+  return body.motion.center + body.orientation * arm;
+}
+
+Mat3 cross_matrix(const Vec3& v) {
+  Mat3 m;
+  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return m;
+}
+
+/// The compliance of the touched surface points: of the implicit step's system, or of single nodes, which explicit
+/// integration moves before their neighbours answer.
+Eigen::MatrixXd surface_compliance(const WorldState& world, const Body& body, std::span<const TouchedPoint> points) {
+  std::vector<WeightedRows> rows(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      const NodeId node = points[i].surface.nodes[k];
+      rows[i].rows[k] = world.nodes.rows[node];
+      rows[i].weights[k] = points[i].surface.weights[k] * world.nodes.constraints[node].allowed;
+    }
+  if (!world.integrates_explicitly()) return body.compliance_factor * body.system->compliance(rows);
+  const Eigen::Index count = 3 * static_cast<Eigen::Index>(points.size());
+  Eigen::MatrixXd compliance = Eigen::MatrixXd::Zero(count, count);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = 0; j < points.size(); ++j)
+      for (int k = 0; k < 9; ++k)
+        if (const NodeId node = points[i].surface.nodes[k / 3]; node == points[j].surface.nodes[k % 3])
+          compliance.block<3, 3>(3 * i, 3 * j) +=
+              rows[i].weights[k / 3] * rows[j].weights[k % 3] / world.nodes.masses[node];
+  return compliance;
+}
+
+/// What the offsets of the contacts from the surface add: the rigid answer at the contacts for that at the surface.
+void add_offset_compliance(const WorldState& world, const TouchedBody& touched, double dt, Eigen::MatrixXd& compliance) {
+  const Body& body = world.bodies[touched.body];
+  if (body.supported()) return;
+  const Mat3 inverse_inertia = body.motion.inertia.inverse() / (1 + dt * world.material_of(body).mass_damping);
+  std::vector<Mat3> contact_arms, surface_arms;
+  for (const TouchedPoint& point : touched.points) {
+    contact_arms.push_back(cross_matrix(point.contact - body.motion.center));
+    surface_arms.push_back(cross_matrix(point.position - body.motion.center));
+  }
+  for (std::size_t i = 0; i < touched.points.size(); ++i)
+    for (std::size_t j = 0; j < touched.points.size(); ++j)
+      compliance.block<3, 3>(3 * i, 3 * j) +=
+          surface_arms[i] * inverse_inertia * surface_arms[j] - contact_arms[i] * inverse_inertia * contact_arms[j];
+}
+
+void list_contacts(const WorldState& world, TouchedBodies& touched) {
+  std::vector<int> index_of_body(world.bodies.size(), -1);
+  const std::span<const Contact> contacts = world.contact_world.contacts();
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    for (bool is_a : {true, false}) {
+      const BodyId id = world.body_of(is_a ? contacts[i].a : contacts[i].b);
+      if (!id.valid() || world.bodies[id].rigid) continue;
+      if (index_of_body[id] < 0) {
+        index_of_body[id] = static_cast<int>(touched.bodies.size());
+        touched.bodies.emplace_back().body = id;
+        touched.responses.emplace_back().object = world.bodies[id].stand_in;
+      }
+      TouchedPoint& point = touched.bodies[index_of_body[id]].points.emplace_back();
+      point.contact = contacts[i].position;
+      touched.responses[index_of_body[id]].contacts.push_back(static_cast<int>(i));
+    }
+}
+
+}  // namespace
+
+TouchedBodies touched_bodies(const WorldState& world) {
+  TouchedBodies touched;
+  list_contacts(world, touched);
+  parallel_for(static_cast<int>(touched.bodies.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      for (TouchedPoint& point : touched.bodies[i].points) {
+        point.surface = closest_surface_point(world, world.bodies[touched.bodies[i].body], point.contact);
+        point.position = surface_position(world, point.surface);
+      }
+  });
+  return touched;
+}
+
+void correct_distances(WorldState& world, const TouchedBodies& touched) {
+  const std::span<Contact> contacts = world.contact_world.contacts();
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
+    const Body& body = world.bodies[touched.bodies[i].body];
+    for (std::size_t k = 0; k < touched.bodies[i].points.size(); ++k) {
+      const TouchedPoint& point = touched.bodies[i].points[k];
+      Contact& contact = contacts[touched.responses[i].contacts[k]];
+      const double side = contact.a == body.stand_in ? 1 : -1;
+      contact.distance += side * contact.normal.dot(point.position - stand_in_position(body, point.surface));
+    }
+  }
+}
+
+void prepare_response(const WorldState& world, const TouchedBody& touched, double dt, ElasticResponse& response) {
+  response.free_velocities = response.velocities = point_velocities(world, touched);
+  response.impulses = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(touched.points.size()));
+  response.compliance = surface_compliance(world, world.bodies[touched.body], touched.points);
+  add_offset_compliance(world, touched, dt, response.compliance);
+}
+
+Eigen::Matrix3Xd point_velocities(const WorldState& world, const TouchedBody& touched) {
+  const Body& body = world.bodies[touched.body];
+  const Vec3 spin = body.supported() ? Vec3(Vec3::Zero()) : motion_of(world, body).angular_velocity;
+  Eigen::Matrix3Xd velocities(3, touched.points.size());
+  for (std::size_t k = 0; k < touched.points.size(); ++k) {
+    const TouchedPoint& point = touched.points[k];
+    velocities.col(k) = spin.cross(point.contact - point.position);
+    for (int i = 0; i < 3; ++i)
+      velocities.col(k) += point.surface.weights[i] * world.nodes.velocities[point.surface.nodes[i]];
+  }
+  return velocities;
+}
+
+void add_nodal_impulses(const WorldState& world, const TouchedBody& touched, const Eigen::Matrix3Xd& impulses,
+                        std::vector<Vec3>& nodal) {
+  const Body& body = world.bodies[touched.body];
+  Vec3 torque = Vec3::Zero();
+  for (std::size_t k = 0; k < touched.points.size(); ++k) {
+    const TouchedPoint& point = touched.points[k];
+    for (int i = 0; i < 3; ++i) nodal[point.surface.nodes[i]] += point.surface.weights[i] * impulses.col(k);
+    torque += (point.contact - point.position).cross(impulses.col(k));
+  }
+  if (body.supported()) return;
+  const Vec3 spin = body.motion.inertia.inverse() * torque;
+  for (NodeId node : body.nodes)
+    nodal[node] += world.nodes.masses[node] * spin.cross(world.nodes.positions[node] - body.motion.center);
+}
+
+}  // namespace griffith

@@ -1,0 +1,155 @@
+#include "app/splinter_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/draw_scene_from_frame.h"
+#include "app/export_pieces.h"
+#include "program.h"
+#include "renderer/egl_context.h"
+#include "renderer/renderer.h"
+#include "sim/world/world.h"
+#include "tests/world/scenes.h"
+
+namespace griffith::app {
+namespace {
+
+Scene bricks(double strength) {
+  Scene scene = testing::shot_wall(Vec3(2, 2, 0.5), 0.5, testing::brick(strength));
+  BrickSplinters pattern;
+  pattern.size = Vec3(0.38, 0.18, 0.23);
+  pattern.mortar = 0.02;
+  scene.bodies[0].splinters = pattern;
+  return scene;
+}
+
+class SplinterPicture : public ::testing::Test {
+ protected:
+  render::Image picture(const World& world, const SplinterDisplay& display, const Scene& scene,
+                        const ViewSettings& view) {
+    render::Camera camera;
+    camera.position = {2, 2, 3};
+    camera.target = {0, 1, 0};
+    render::RenderOptions options;
+    options.width = 320;
+    options.height = 240;
+    options.edges = view.edges;
+    renderer_.render(draw_scene_from_frame(world.frame(), display, scene, view, TetId(7)), camera, options);
+    return renderer_.image();
+  }
+
+  const render::EglContext context_{std::nullopt};
+  render::Renderer renderer_;
+};
+
+int different_pixels(const render::Image& a, const render::Image& b) {
+  int count = 0;
+  for (int y = 0; y < a.height; ++y)
+    for (int x = 0; x < a.width; ++x) {
+      int largest = 0;
+      for (int c = 0; c < 3; ++c) largest = std::max(largest, std::abs(int(a.pixel(x, y)[c]) - int(b.pixel(x, y)[c])));
+      count += largest > 4;
+    }
+  return count;
+}
+
+TEST_F(SplinterPicture, AnIntactBodyLooksAsWithoutSplinters) {
+  const Scene scene = bricks(1);
+  World world(scene);
+  world.step();
+  const SplinterDisplay display = splinter_display(world.frame());
+  for (const char* quantity : {"von_mises", "speed", "body"}) {
+    ViewSettings with;
+    with.quantity = quantity;
+    ViewSettings without = with;
+    without.splinters = false;
+    const int different =
+        different_pixels(picture(world, display, scene, with), picture(world, display, scene, without));
+    EXPECT_LE(different, 320 * 240 / 2000) << quantity;
+  }
+}
+
+TEST_F(SplinterPicture, ABrokenBodyShowsOtherPieces) {
+  const Scene scene = bricks(0.02);
+  World world(scene);
+  const SplinterDisplay display = splinter_display(world.frame());
+  for (int i = 0; i < 30; ++i) world.step();
+  ASSERT_GT(world.frame().fragments, 0);
+  ViewSettings with;
+  with.quantity = "body";
+  ViewSettings without = with;
+  without.splinters = false;
+  EXPECT_GT(different_pixels(picture(world, display, scene, with), picture(world, display, scene, without)), 200);
+}
+
+TEST_F(SplinterPicture, BodiesWithoutSplintersShowTheirTets) {
+  Scene scene = bricks(1);
+  scene.bodies.push_back(testing::wall(Vec3(1, 1, 0.5), 0.5, testing::brick(1)));
+  scene.bodies[1].name = "plain";
+  scene.bodies[1].position.x() = 5;
+  const World world(scene);
+  const Frame frame = world.frame();
+  const render::DrawScene drawn = draw_scene_from_frame(frame, splinter_display(frame), scene, {}, {});
+  EXPECT_FALSE(drawn.surface.ids.empty());
+  for (const std::int32_t tet : drawn.surface.ids) EXPECT_EQ(frame.tet_bodies[tet], BodyId(1));
+  EXPECT_EQ(drawn.surface.scalars.size(), drawn.surface.ids.size());
+  ASSERT_TRUE(drawn.embedded.mesh);
+  for (const render::EmbeddedCorner& corner : drawn.embedded.mesh->corners)
+    EXPECT_EQ(frame.tet_bodies[corner.tet], BodyId(0));
+}
+
+/// By the divergence theorem.
+double enclosed_volume(const PieceSurface& surface) {
+  double volume = 0;
+  for (const std::vector<int>& polygon : surface.polygons)
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+      volume += surface.points[polygon[0]].dot(surface.points[polygon[i - 1]].cross(surface.points[polygon[i]])) / 6;
+  return volume;
+}
+
+TEST(ExportPieces, AnIntactBodyEnclosesItsVolume) {
+  Scene scene = bricks(1);
+  scene.gravity.setZero();
+  const World with(scene);
+  EXPECT_NEAR(enclosed_volume(piece_surface(with.frame(), BodyId(0))), 2, 1e-5);
+  scene.bodies[0].splinters.reset();
+  const World without(scene);
+  EXPECT_NEAR(enclosed_volume(piece_surface(without.frame(), BodyId(0))), 2, 1e-9);
+}
+
+TEST(ExportPieces, PiecesShareOutTheBodyAndAreFiles) {
+  World world(bricks(0.02));
+  for (int i = 0; i < 30; ++i) world.step();
+  const Frame frame = world.frame();
+  ASSERT_GT(frame.bodies.size(), 5u);
+  const std::filesystem::path folder = test_folder() / "pieces";
+  export_pieces(folder, frame);
+  double sum = 0;
+  std::size_t files = 0;
+  for (const BodyView& body : frame.bodies) {
+    const PieceSurface surface = piece_surface(frame, body.id);
+    sum += enclosed_volume(surface);
+    files += !surface.polygons.empty();
+  }
+  EXPECT_NEAR(sum, 2, 0.02);  // tets are stretched a little
+  std::size_t found = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) found += entry.path().extension() == ".obj";
+  EXPECT_EQ(found, files);
+}
+
+TEST(ExportPieces, TheCommandWritesThem) {
+  const std::filesystem::path folder = test_folder() / "made/pieces";
+  const Outcome outcome =
+      run_program("simulate " + small_wall_file().string() + " --frames 2 --export-pieces " + folder.string());
+  EXPECT_EQ(outcome.code, 0) << outcome.output;
+  EXPECT_TRUE(std::filesystem::exists(folder / "body_0000.obj"));
+  const std::filesystem::path no_folder = test_file("taken", "a file");
+  EXPECT_EQ(
+      run_program("simulate " + small_wall_file().string() + " --frames 0 --export-pieces " + no_folder.string()).code,
+      2);
+}
+
+}  // namespace
+}  // namespace griffith::app

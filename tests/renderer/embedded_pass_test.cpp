@@ -1,0 +1,161 @@
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "renderer/egl_context.h"
+#include "renderer/renderer.h"
+
+namespace griffith::render {
+namespace {
+
+using Eigen::Vector3f;
+
+constexpr int kWidth = 160, kHeight = 120;
+constexpr std::array<std::array<int, 3>, 4> kFaces = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
+Camera camera() {
+  Camera camera;
+  camera.position = {2.2f, 1.9f, 3.1f};
+  camera.target = {0.5f, 0.4f, 0.3f};
+  return camera;
+}
+
+const std::vector<Vector3f> kPoints = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1.1f, 1.2f, 0.9f}};
+const std::vector<std::array<std::int32_t, 4>> kTets = {{0, 1, 2, 3}, {4, 2, 1, 3}};
+
+/// The faces of two tets, each carried by its own tet or by the other one.
+std::shared_ptr<const EmbeddedMesh> faces_of_tets(bool inner_second) {
+  auto mesh = std::make_shared<EmbeddedMesh>();
+  for (std::int32_t tet = 0; tet < 2; ++tet)
+    for (int face = 0; face < 4; ++face) {
+      const bool outer = tet == 0 || !inner_second;
+      if (outer) mesh->outer.push_back(static_cast<std::int32_t>(mesh->polygons.size()));
+      mesh->polygons.push_back({static_cast<std::int32_t>(mesh->corners.size()), 3});
+      for (const int corner : kFaces[static_cast<std::size_t>(face)]) {
+        EmbeddedCorner made;
+        made.weights[corner] = 1;
+        made.other_weights[corner] = 1;
+        made.tet = made.part = made.piece = tet;
+        made.style = EmbeddedStyle{0, face, false}.packed();
+        mesh->corners.push_back(made);
+      }
+    }
+  return mesh;
+}
+
+EmbeddedSurface embedded(bool inner_second = false) {
+  EmbeddedSurface surface;
+  surface.mesh = faces_of_tets(inner_second);
+  surface.points = kPoints;
+  surface.tets = kTets;
+  surface.carriers = {0, 1};
+  surface.piece_colors = {{0.8f, 0.2f, 0.1f}, {0.1f, 0.5f, 0.9f}};
+  surface.materials.resize(1);
+  return surface;
+}
+
+/// The same faces as plain triangles.
+Surface triangles(const EmbeddedSurface& like) {
+  Surface surface;
+  for (std::size_t tet = 0; tet < 2; ++tet)
+    for (const auto& face : kFaces) {
+      for (const int corner : face) {
+        const int point = kTets[tet][static_cast<std::size_t>(corner)];
+        surface.positions.push_back(kPoints[static_cast<std::size_t>(point)]);
+        if (like.scalars_per_point) surface.scalars.push_back(like.scalars[static_cast<std::size_t>(point)]);
+      }
+      if (!like.scalars.empty() && !like.scalars_per_point) surface.scalars.push_back(like.scalars[tet]);
+      if (like.scalars.empty()) surface.colors.push_back(like.piece_colors[tet]);
+      surface.ids.push_back(static_cast<std::int32_t>(tet));
+      const bool selected = like.selected_tet == static_cast<std::int32_t>(tet);
+      surface.flags.push_back(static_cast<std::uint8_t>(kAllEdges | (selected ? kSelected : 0)));
+    }
+  return surface;
+}
+
+class EmbeddedPassTest : public ::testing::Test {
+ protected:
+  Image picture(const DrawScene& scene) {
+    RenderOptions options;
+    options.width = kWidth;
+    options.height = kHeight;
+    renderer_.render(scene, camera(), options);
+    return renderer_.image();
+  }
+  Image picture(const EmbeddedSurface& surface) {
+    DrawScene scene;
+    scene.embedded = surface;
+    scene.ground = Ground{-0.5f};
+    return picture(scene);
+  }
+  Image picture(const Surface& surface) {
+    DrawScene scene;
+    scene.surface = surface;
+    scene.ground = Ground{-0.5f};
+    return picture(scene);
+  }
+
+  const EglContext context_{std::nullopt};
+  Renderer renderer_;
+};
+
+int different_pixels(const Image& a, const Image& b) {
+  int count = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) count += a.pixel(x, y) != b.pixel(x, y);
+  return count;
+}
+
+TEST_F(EmbeddedPassTest, LooksLikeTheTrianglesThatItStandsFor) {
+  EmbeddedSurface surface = embedded();
+  EXPECT_LE(different_pixels(picture(surface), picture(triangles(surface))), 2);
+  surface.selected_tet = 1;
+  EXPECT_LE(different_pixels(picture(surface), picture(triangles(surface))), 2);
+  surface.scalars = {0.2f, 0.7f};
+  EXPECT_LE(different_pixels(picture(surface), picture(triangles(surface))), 2);
+  surface.scalars = {0, 0.3f, 0.5f, 0.8f, 1};
+  surface.scalars_per_point = true;
+  EXPECT_LE(different_pixels(picture(surface), picture(triangles(surface))), 20);  // steps of the table
+}
+
+TEST_F(EmbeddedPassTest, IdsAreTets) {
+  picture(embedded());
+  bool seen[2] = {};
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      if (const int id = renderer_.id_at(x, y); id >= 0) seen[id] = true;
+  EXPECT_TRUE(seen[1]);
+}
+
+TEST_F(EmbeddedPassTest, WhatIsClosedIsNotDrawnUntilItOpens) {
+  EmbeddedSurface surface = embedded(true);
+  const Image closed = picture(surface);
+  surface.opened = {4, 5, 6, 7};
+  const Image open = picture(surface);
+  EXPECT_GT(different_pixels(closed, open), 500);
+  EXPECT_EQ(different_pixels(open, picture(embedded())), 0);
+  surface.opened.clear();
+  EXPECT_EQ(different_pixels(closed, picture(surface)), 0);
+}
+
+TEST_F(EmbeddedPassTest, AnotherCarrierMovesAPart) {
+  EmbeddedSurface surface = embedded();
+  surface.carriers = {0, 0};  // with the same weights, so the second tet comes to lie on the first
+  const Image moved = picture(surface);
+  EXPECT_EQ(different_pixels(moved, picture(embedded(true))), 0);
+  EXPECT_GT(different_pixels(moved, picture(embedded())), 500);
+}
+
+TEST_F(EmbeddedPassTest, InnerFacesShowTheirMaterialAndItsNoise) {
+  EmbeddedSurface surface = embedded();
+  surface.piece_colors.clear();
+  const Image even = picture(surface);
+  surface.materials[0].roughness = 0.5f;
+  EXPECT_GT(different_pixels(even, picture(surface)), 500);
+  surface.materials[0].roughness = 0;
+  surface.materials[0].color = {0.2f, 0.4f, 0.1f};
+  EXPECT_GT(different_pixels(even, picture(surface)), 500);
+}
+
+}  // namespace
+}  // namespace griffith::render

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/mesh/tet_mesh.h"
+#include "sim/splinters/convex_cells.h"
+
+namespace griffith::testing {
+
+struct NamedPattern {
+  std::string name;
+  SplinterPattern pattern;
+};
+
+/// One of each kind and their degenerate cases, of splinters of about 0.1 m.
+inline std::vector<NamedPattern> patterns() {
+  VoronoiSplinters shards, lattice, wood;
+  lattice.jitter = 0;
+  wood.size = 0.06;
+  wood.grain = Vec3(1, 0.2, 0.1);
+  wood.elongation = 6;
+  RadialSplinters glass, regular;
+  glass.center = Vec3(0.07, 0.03, 0);
+  regular.jitter = 0;
+  regular.sectors = 8;
+  BrickSplinters bricks, dry;
+  bricks.size = Vec3(0.19, 0.09, 0.19);
+  dry.size = Vec3(0.2, 0.1, 0.2);
+  dry.mortar = 0;
+  return {{"shards", shards},   {"lattice", lattice}, {"wood", wood}, {"glass", glass},
+          {"regular", regular}, {"bricks", bricks},   {"dry", dry}};
+}
+
+inline Eigen::AlignedBox3d bounds(const TetMesh& mesh) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& position : mesh.rest_positions) box.extend(position);
+  return box;
+}
+
+}  // namespace griffith::testing

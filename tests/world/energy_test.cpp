@@ -1,0 +1,113 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "sim/world/world.h"
+#include "tests/world/scenes.h"
+
+namespace griffith {
+namespace {
+
+using testing::brick;
+using testing::struck_block;
+
+/// Kinetic, elastic and potential energy of all that moves [J].
+double mechanical_energy(const Scene& scene, const Frame& frame) {
+  double energy = frame.totals.kinetic_energy + frame.totals.elastic_energy;
+  for (std::size_t i = 0; i < frame.positions.size(); ++i)
+    energy -= frame.node_masses[i] * scene.gravity.dot(frame.positions[i]);
+  for (const ProjectileView& projectile : frame.projectiles)
+    energy -= projectile.mass * scene.gravity.dot(projectile.position);
+  return energy;
+}
+
+struct Outcome {
+  int bodies = 0;
+  double lost = 0;  ///< share of the energy
+};
+
+/// Steps a scene without supports whose projectiles are launched in the first step: its energy must not grow.
+Outcome expect_no_energy_created(const Scene& scene, int steps, const std::string& name) {
+  World world(scene);
+  world.step();
+  const double first = mechanical_energy(scene, world.frame());
+  double before = first;
+  for (int step = 0; step < steps; ++step) {
+    world.step();
+    const double now = mechanical_energy(scene, world.frame());
+    EXPECT_LE(now, before + 2e-3 * first) << name << " step " << step;
+    EXPECT_LE(now, first * (1 + 5e-3)) << name << " step " << step;
+    if (::testing::Test::HasFailure()) break;
+    before = now;
+  }
+  return {static_cast<int>(world.frame().bodies.size()), 1 - before / first};
+}
+
+/// A pane tilted a little that falls on the ground.
+Scene dropped_pane(const Material& material, double speed) {
+  Scene scene;
+  BodyDescription pane;
+  pane.shape = BoxShape{Vec3(0.5, 0.5, 0.02), Vec3(0.1, 0.1, 0.02), BoxPattern::five_tet};
+  pane.position = Vec3(0, 0.31, 0);
+  pane.rotation_degrees = Vec3(10, 0, 25);
+  pane.velocity = Vec3(0, -speed, 0);
+  pane.material = material;
+  scene.bodies = {pane};
+  return scene;
+}
+
+TEST(Energy, APaneOfAnyMaterialThatHitsTheGroundGainsNone) {
+  for (const MaterialPreset& preset : material_presets())
+    expect_no_energy_created(dropped_pane(preset.material, 7), 40, std::string(preset.key));
+}
+
+TEST(Energy, AHardPaneThatShattersGainsNone) {
+  Material glass = find_material_preset("soda_lime_glass").value();
+  glass.tensile_strength *= 0.03;
+  glass.fracture_toughness *= 0.03;
+  const Outcome outcome = expect_no_energy_created(dropped_pane(glass, 7), 60, "glass");
+  EXPECT_GT(outcome.bodies, 20);
+  EXPECT_GT(outcome.lost, 0.1);
+}
+
+TEST(Energy, BlocksThatCollideGainNone) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int trial = 0; trial < 6; ++trial) {
+    Scene scene;
+    scene.gravity.setZero();
+    scene.ground.reset();
+    for (double side : {-1.0, 1.0}) {
+      BodyDescription block;
+      block.name = side < 0 ? "left" : "right";
+      block.shape = BoxShape{Vec3(1, 0.6 + 0.3 * uniform(random), 0.5), Vec3::Constant(0.3), BoxPattern::five_tet};
+      block.position = Vec3(side, 0.3 * uniform(random), 0.2 * uniform(random));
+      block.rotation_degrees = 40 * Vec3(uniform(random), uniform(random), uniform(random));
+      block.velocity = Vec3(-side * 5, 0, 0);
+      block.angular_velocity = 2 * Vec3(uniform(random), uniform(random), uniform(random));
+      block.material = brick(trial % 2 ? 0.02 : 1);
+      block.material.young_modulus *= trial % 3 == 0 ? 1e-2 : 1;
+      scene.bodies.push_back(block);
+    }
+    expect_no_energy_created(scene, 60, "trial " + std::to_string(trial));
+  }
+}
+
+TEST(Energy, MomentumAndEnergyStandThroughAThousandStepsWithAnImpactThatBreaks) {
+  const Scene scene = struck_block(brick(0.1));
+  World world(scene);
+  world.step();
+  const Totals before = world.frame().totals;
+  for (int step = 0; step < 1000; ++step) {
+    world.step();
+    const Totals now = world.frame().totals;
+    ASSERT_LT((now.momentum - before.momentum).norm(), 1e-6 * before.momentum.norm()) << "step " << step;
+    ASSERT_LT((now.angular_momentum - before.angular_momentum).norm(), 1e-2 * before.angular_momentum.norm())
+        << "step " << step;
+    ASSERT_LE(now.kinetic_energy + now.elastic_energy, before.kinetic_energy * (1 + 1e-6)) << "step " << step;
+  }
+  EXPECT_GT(world.frame().bodies.size(), 1u) << "it did break";
+}
+
+}  // namespace
+}  // namespace griffith

@@ -1,0 +1,153 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/mesh/mesh_report.h"
+#include "sim/mesh/topology.h"
+#include "sim/parallel.h"
+#include "sim/world/world.h"
+#include "tests/world/scenes.h"
+
+namespace griffith {
+namespace {
+
+using testing::brick;
+using testing::struck_block;
+
+Scene remeshed(Scene scene) {
+  for (BodyDescription& body : scene.bodies) body.remeshing = true;
+  return scene;
+}
+
+double volume(const Frame& frame) {
+  double sum = 0;
+  for (const auto& [a, b, c, d] : frame.tets) {
+    const auto& x = frame.rest_positions;
+    sum += signed_volume(x[a], x[b], x[c], x[d]);
+  }
+  return sum;
+}
+
+double worst_quality(const Frame& frame) {
+  double worst = 1;
+  for (const auto& [a, b, c, d] : frame.tets) {
+    const auto& x = frame.rest_positions;
+    worst = std::min(worst, tet_quality(x[a], x[b], x[c], x[d]));
+  }
+  return worst;
+}
+
+TEST(Remeshing, MomentumIsKeptThroughAnImpactThatCutsABlock) {
+  World world(remeshed(struck_block(brick(0.1))));
+  const std::size_t tets = world.frame().tets.size();
+  const double initial_volume = volume(world.frame());
+  world.step();  // the sphere is launched
+  const Totals before = world.frame().totals;
+  for (int step = 0; step < 120; ++step) {
+    world.step();
+    const Totals now = world.frame().totals;
+    ASSERT_NEAR(now.mass, before.mass, 1e-9 * before.mass);
+    ASSERT_LT((now.momentum - before.momentum).norm(), 1e-6 * before.momentum.norm()) << "step " << step;
+    ASSERT_LT((now.angular_momentum - before.angular_momentum).norm(), 1e-2 * before.angular_momentum.norm())
+        << "step " << step;
+    ASSERT_LE(now.kinetic_energy + now.elastic_energy, before.kinetic_energy * (1 + 1e-6)) << "step " << step;
+    ASSERT_EQ(world.frame().report.non_finite_values, 0);
+  }
+  EXPECT_GT(world.frame().bodies.size(), 1u) << "it did break";
+  EXPECT_GT(world.frame().tets.size(), tets) << "tets were cut";
+  EXPECT_NEAR(volume(world.frame()), initial_volume, 1e-9 * initial_volume);
+  EXPECT_GE(worst_quality(world.frame()), 0.1);
+}
+
+TEST(Remeshing, IsTheSameOnAnyNumberOfThreads) {
+  std::vector<std::uint64_t> hashes;
+  for (int threads : {1, 2, 4}) {
+    const ThreadLimit limit(threads);
+    World world(remeshed(struck_block(brick(0.2))));
+    for (int step = 0; step < 20; ++step) world.step();
+    EXPECT_GT(world.frame().fragments, 0);
+    hashes.push_back(world.state_hash());
+  }
+  EXPECT_THAT(hashes, ::testing::Each(hashes.front()));
+}
+
+/// A spinning body that is cut with nothing acting on it.
+TEST(Remeshing, ASpinningBodyKeepsItsMomenta) {
+  Scene scene = remeshed(struck_block(brick(0.1)));
+  scene.projectiles.clear();
+  scene.bodies[0].velocity = Vec3(1, 2, 3);
+  scene.bodies[0].angular_velocity = Vec3(1, 2, 60);  // more than it bears
+  World world(scene);
+  const std::size_t tets = world.frame().tets.size();
+  const Totals before = world.frame().totals;
+  for (int step = 0; step < 20 && world.frame().tets.size() == tets; ++step) world.step();
+  ASSERT_GT(world.frame().tets.size(), tets);
+  const Totals after = world.frame().totals;
+  EXPECT_LT((after.momentum - before.momentum).norm(), 1e-9 * before.momentum.norm());
+  EXPECT_LT((after.angular_momentum - before.angular_momentum).norm(), 1e-6 * before.angular_momentum.norm());
+}
+
+/// Pulled apart on a smooth table, it cracks across the supported face, too.
+TEST(Remeshing, SupportsHoldTheMiddleOfAnEdgeWhereTheyHoldBothEnds) {
+  Scene scene;
+  scene.gravity.setZero();
+  scene.ground.reset();
+  BodyDescription plate;
+  plate.shape = BoxShape{Vec3(2, 1, 0.3), Vec3::Constant(0.3), BoxPattern::five_tet};
+  plate.material = brick(0.1);
+  plate.remeshing = true;
+  const HalfSpaceRegion foot{Vec3(0, -0.5, 0), -Vec3::UnitY()};
+  plate.supports = {{.region = foot, .kind = SupportKind::sliding, .normal = Vec3::UnitY()}};
+  for (double side : {-1.0, 1.0}) {
+    plate.supports.push_back({.region = HalfSpaceRegion{Vec3(side, 0, 0), Vec3(side, 0, 0)},
+                              .kind = SupportKind::prescribed,
+                              .velocity = Vec3(0.2 * side, 0, 0.1 * side)});
+  }
+  scene.bodies = {plate};
+  World world(scene);
+  const std::size_t nodes = world.frame().positions.size();
+  for (int step = 0; step < 60; ++step) world.step();
+  const Frame frame = world.frame();
+  EXPECT_GT(frame.fragments, 0);
+  int on_cut_edges = 0;
+  for (std::size_t node = 0; node < frame.positions.size(); ++node) {
+    if (frame.rest_positions[node].y() > -0.5 + 1e-9) continue;
+    const bool copied = std::ranges::count(frame.rest_positions.first(nodes), frame.rest_positions[node]) > 0;
+    if (!frame.node_held[node]) continue;
+    on_cut_edges += !copied;
+    EXPECT_NEAR(frame.positions[node].y(), -0.5, 1e-9) << "node " << node;
+  }
+  EXPECT_GT(on_cut_edges, 0);
+}
+
+/// A bar with loads on faces, tets and nodes that breaks in weightless space.
+TEST(Remeshing, LoadsStayOnTheirMaterial) {
+  Scene scene;
+  scene.gravity.setZero();
+  scene.ground.reset();
+  scene.simulation.max_cracks_per_step = 4;
+  BodyDescription bar;
+  bar.shape = BoxShape{Vec3(2, 0.5, 0.5), Vec3::Constant(0.25), BoxPattern::five_tet};
+  bar.material = brick(0.01);
+  bar.remeshing = true;
+  const HalfSpaceRegion everything{Vec3::Zero(), Vec3::UnitX()}, end{Vec3(1, 0, 0), Vec3::UnitX()},
+      other_end{Vec3(-1, 0, 0), -Vec3::UnitX()};
+  const double area = 0.25;
+  Load traction{.region = end, .kind = LoadKind::traction, .traction = Vec3(2e5, 0, 0)};
+  Load pull{.region = other_end, .kind = LoadKind::point_force, .force = Vec3(-3e4, 0, 0)};
+  Load push{.region = everything, .kind = LoadKind::body_force, .acceleration = Vec3(0, 5, 0)};
+  bar.loads = {traction, pull, push};
+  scene.bodies = {bar};
+  World world(scene);
+  const std::size_t tets = world.frame().tets.size();
+  const double half_mass = world.frame().totals.mass / 2;
+  const int steps = 30;
+  for (int step = 0; step < steps; ++step) world.step();
+  EXPECT_GT(world.frame().tets.size(), tets);
+  EXPECT_GT(world.frame().fragments, 0);
+  const double time = steps * scene.simulation.time_step;
+  const Vec3 impulse = time * (area * traction.traction + pull.force + half_mass * push.acceleration);
+  EXPECT_LT((world.frame().totals.momentum - impulse).norm(), 1e-6 * impulse.norm());
+}
+
+}  // namespace
+}  // namespace griffith

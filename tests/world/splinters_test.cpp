@@ -1,0 +1,87 @@
+#include <gtest/gtest.h>
+
+#include "sim/error.h"
+#include "sim/parallel.h"
+#include "sim/world/world.h"
+#include "tests/world/scenes.h"
+
+namespace griffith {
+namespace {
+
+Scene bricks(double strength) {
+  Scene scene = testing::shot_wall(Vec3(2, 2, 0.5), 0.5, testing::brick(strength));
+  BrickSplinters pattern;
+  pattern.size = Vec3(0.4, 0.2, 0.25);
+  pattern.mortar = 0;
+  pattern.origin = Vec3(-1, -1, -0.25);
+  scene.bodies[0].splinters = pattern;
+  return scene;
+}
+
+TEST(WorldSplinters, DoNotInfluenceTheSimulation) {
+  Scene plain = bricks(0.02);
+  plain.bodies[0].splinters.reset();
+  World with(bricks(0.02)), without(plain);
+  for (int i = 0; i < 30; ++i) with.step(), without.step();
+  EXPECT_EQ(with.state_hash(), without.state_hash());
+  EXPECT_GT(with.frame().fragments, 0);
+}
+
+TEST(WorldSplinters, AnUnbrokenRunOpensNoWall) {
+  World world(bricks(1e6));
+  for (int i = 0; i < 20; ++i) world.step();
+  EXPECT_TRUE(world.frame().open_walls.empty());
+  EXPECT_FALSE(world.frame().splinters.empty());
+}
+
+/// After every step each splinter is in one body, that of its owner, and what carries it belongs to that body.
+TEST(WorldSplinters, BelongToTheBodyOfTheirOwner) {
+  World world(bricks(0.02));
+  for (int i = 0; i < 40; ++i) {
+    world.step();
+    const Frame frame = world.frame();
+    std::vector<bool> open(frame.splinter_faces.size(), false);
+    for (const int face : frame.open_walls) open[face] = true;
+    const auto body = [&](int part) {
+      return frame.tet_bodies[frame.splinters[frame.splinter_parts[part].splinter].owner];
+    };
+    for (std::size_t p = 0; p < frame.splinter_parts.size(); ++p)
+      if (frame.attached_parts[p]) {
+        EXPECT_EQ(frame.tet_bodies[frame.splinter_parts[p].tet], body(static_cast<int>(p)));
+      }
+    for (std::size_t f = 0; f < frame.splinter_faces.size(); ++f) {
+      const SplinterFace& face = frame.splinter_faces[f];
+      EXPECT_TRUE(open[f] || face.beyond < 0 || body(face.part) == body(face.beyond));
+    }
+  }
+  EXPECT_GT(world.frame().fragments, 5);
+  EXPECT_FALSE(world.frame().open_walls.empty());
+}
+
+TEST(WorldSplinters, AreTheSameForAnyNumberOfThreads) {
+  std::vector<std::vector<int>> opened;
+  for (const int threads : {1, 2}) {
+    const ThreadLimit limit(threads);
+    World world(bricks(0.02));
+    for (int i = 0; i < 20; ++i) world.step();
+    const Frame frame = world.frame();
+    opened.emplace_back(frame.open_walls.begin(), frame.open_walls.end());
+  }
+  EXPECT_EQ(opened[0], opened[1]);
+}
+
+TEST(WorldSplinters, APatternThatCannotBeMadeIsNamed) {
+  Scene scene = bricks(1);
+  VoronoiSplinters dust;
+  dust.size = 1e-4;
+  scene.bodies[0].splinters = dust;
+  try {
+    World world(scene);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.where(), "#/bodies/0/splinters");
+  }
+}
+
+}  // namespace
+}  // namespace griffith
