@@ -137,7 +137,7 @@ std::string volume_finding(const SurfaceReport& report, const FilledSurface& fil
 
 /// What there is to tell about many more tets than their size asks for; empty: nothing. A thin wall needs its many.
 std::string count_finding(const SurfaceReport& report, const FilledSurface& filled, double element_size) {
-  constexpr double kMany = 4;
+  constexpr double kMany = 8;
   const double least = 6 * std::sqrt(2.0) * report.volume / std::pow(element_size, 3);
   const double many = static_cast<double>(filled.soup.tets.size()) / least;
   const double thickness = 2 * report.volume / report.area;

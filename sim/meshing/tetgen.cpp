@@ -39,6 +39,9 @@ class TemporaryFolder {
   fs::path path_;
 };
 
+/// TetGen is given bounds, and stays well below them: this much longer edges are allowed than are wanted in the mean.
+constexpr double kAllowance = 1.3;
+
 /// TetGen's .poly: points, then a facet of one triangle each, all with the marker 1.
 std::string poly_text(const TriangleSurface& surface) {
   std::string text;
@@ -59,13 +62,14 @@ std::string poly_text(const TriangleSurface& surface) {
 
 /// TetGen's .var: facets with the marker 1 have triangles of at most the area of a regular one.
 std::string var_text(double element_size) {
+  const double edge = kAllowance * element_size;
   std::string text = "1\n0 1 ";
-  append_number(text, std::sqrt(3.0) / 4 * element_size * element_size, '\n');
+  append_number(text, std::sqrt(3.0) / 4 * edge * edge, '\n');
   return text + "0\n";
 }
 
 std::string switches(const MeshingOptions& options, double element_size) {
-  const double inner_size = options.grading * element_size;
+  const double inner_size = kAllowance * options.grading * element_size;
   const double volume = inner_size * inner_size * inner_size / (6 * std::sqrt(2.0));
   char text[128];
   std::snprintf(text, sizeof text, "-pq%.6g/%.6ga%.17gzFB", options.radius_edge_ratio, options.min_dihedral_angle,
