@@ -80,7 +80,7 @@ class Editor {
   std::vector<std::filesystem::path> scene_files_;
   World world_;
   std::int64_t world_count_ = 0;  ///< worlds made so far
-  SplinterDisplay display_;
+  EmbeddedDisplay display_;
   render::Camera camera_;
   render::Renderer renderer_;
   render::DrawScene picture_;
