@@ -58,7 +58,7 @@ TEST(DrawSceneFromFrame, OnlyFacesThatWereInsideAreCracks) {
   neighbours[tet][face] = {};
   Frame cut = start;
   cut.neighbours = neighbours;
-  const render::Surface surface = draw_scene_from_frame(cut, small_wall(), {}, {}).surface;
+  const render::Surface surface = draw_scene_from_frame(cut, display, small_wall(), {}, {}).surface;
   int cracks = 0;
   for (std::size_t i = 0; i < surface.flags.size(); ++i) {
     if (!(surface.flags[i] & render::kCrackFace)) continue;
