@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/carried_points.h"
 #include "app/natural_materials.h"
 #include "app/quantities.h"
 #include "app/splinter_picture.h"
@@ -14,23 +15,26 @@ namespace {
 
 constexpr render::Rgb kProjectileColor = {0.24f, 0.27f, 0.31f};
 
-/// Whether a picture shows tets, or splinters in their place.
+/// Whether a picture shows tets, or what is embedded in them.
 class TetFilter {
  public:
-  TetFilter(const Frame& frame, const SplinterDisplay& display, const ViewSettings& view)
-      : frame_(frame), display_(display), splinters_(view.splinters && display.splinters) {}
+  TetFilter(const Frame& frame, const EmbeddedDisplay& display, const ViewSettings& view)
+      : frame_(frame), display_(display), embedded_(view.splinters && display.mesh) {}
 
-  bool shows_splinters() const { return splinters_; }
-  bool shows(std::size_t tet) const {
-    if (!splinters_) return true;
+  bool shows_embedded() const { return embedded_; }
+  /// Whether a face without a neighbour is shown: of a body with a skin, what cracks have laid bare.
+  bool shows(std::size_t tet, std::size_t face) const {
+    if (!embedded_) return true;
     const auto body = static_cast<std::size_t>(frame_.tet_bodies[tet].value);
-    return !display_.splintered[static_cast<std::size_t>(frame_.bodies[body].scene_body)];
+    const auto scene_body = static_cast<std::size_t>(frame_.bodies[body].scene_body);
+    const bool is_crack = !(frame_.first_surface[tet] >> face & 1);
+    return !display_.splintered[scene_body] && (is_crack || !display_.skinned[scene_body]);
   }
 
  private:
   const Frame& frame_;
-  const SplinterDisplay& display_;
-  bool splinters_;
+  const EmbeddedDisplay& display_;
+  bool embedded_;
 };
 
 template <class Visit>
@@ -69,7 +73,8 @@ BodyId body_of_splinter(const Frame& frame, const Splinter& splinter) {
   return frame.tet_bodies[static_cast<std::size_t>(splinter.owner.value)];
 }
 
-void color_by_id(render::DrawScene& picture, const Frame& frame, const ViewSettings& view) {
+void color_by_id(render::DrawScene& picture, const Frame& frame, const EmbeddedDisplay& display,
+                 const ViewSettings& view) {
   for (const std::int32_t tet : picture.surface.ids)
     picture.surface.colors.push_back(id_color(frame.tet_bodies[static_cast<std::size_t>(tet)].value));
   if (!picture.embedded.mesh) return;
@@ -78,6 +83,9 @@ void color_by_id(render::DrawScene& picture, const Frame& frame, const ViewSetti
     const std::int32_t id = by_body ? body_of_splinter(frame, frame.splinters[i]).value : static_cast<std::int32_t>(i);
     picture.embedded.piece_colors.push_back(id_color(id));
   }
+  for (const SkinPart& part : display.skin_parts)
+    picture.embedded.piece_colors.push_back(
+        id_color(frame.tet_bodies[static_cast<std::size_t>(part.triangle_tet.value)].value));
 }
 
 void color_by_material(render::DrawScene& picture, const Frame& frame) {
@@ -92,7 +100,7 @@ void color_by_material(render::DrawScene& picture, const Frame& frame) {
 
 void add_scalars(render::Surface& surface, const Frame& frame, const TetFilter& filter, const QuantityValues& values) {
   for_each_surface_face(frame, [&](std::size_t tet, std::size_t face) {
-    if (!filter.shows(tet)) return;
+    if (!filter.shows(tet, face)) return;
     if (!values.per_node) return surface.scalars.push_back(values.values[tet]);
     for (const int corner : kTetFaces[face]) {
       const NodeId node = frame.tets[tet][static_cast<std::size_t>(corner)];
@@ -119,14 +127,26 @@ void color_by_scalar(render::DrawScene& picture, const Frame& frame, const TetFi
   picture.embedded.scalars = std::move(values.values);
 }
 
-void add_colors(render::DrawScene& picture, const Frame& frame, const TetFilter& filter, const ViewSettings& view) {
+void add_colors(render::DrawScene& picture, const Frame& frame, const EmbeddedDisplay& display, const TetFilter& filter,
+                const ViewSettings& view) {
   if (view.quantity == "body" || view.quantity == "splinter") {
-    color_by_id(picture, frame, view);
+    color_by_id(picture, frame, display, view);
   } else if (view.quantity == "material") {
     color_by_material(picture, frame);
   } else {
     color_by_scalar(picture, frame, filter, view);
   }
+}
+
+render::EmbeddedSurface embedded_surface(const Frame& frame, const EmbeddedDisplay& display) {
+  render::EmbeddedSurface surface;
+  surface.mesh = display.mesh;
+  for (const Vec3& position : frame.positions) surface.points.push_back(position.cast<float>());
+  surface.tets = ordered_tets(frame);
+  add_carriers(frame, surface.carriers);
+  for (const SkinPart& part : display.skin_parts) surface.carriers.push_back(skin_carrier(frame, part).value);
+  surface.opened.assign(frame.open_walls.begin(), frame.open_walls.end());
+  return surface;
 }
 
 /// A power of ten that puts some ten lines beside the bodies.
@@ -137,26 +157,40 @@ float grid_spacing(const Eigen::AlignedBox3f& box) {
 
 }  // namespace
 
-SplinterDisplay splinter_display(const Frame& frame) {
-  SplinterDisplay display;
-  display.splinters = splinter_mesh(frame);
-  display.splintered.resize(frame.materials.size(), 0);
+EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene) {
+  EmbeddedDisplay display;
+  display.splintered.resize(scene.bodies.size(), 0);
+  display.skinned.resize(scene.bodies.size(), 0);
   for (const Splinter& splinter : frame.splinters)
     display.splintered[static_cast<std::size_t>(splinter.scene_body)] = 1;
+  auto mesh = std::make_shared<render::EmbeddedMesh>();
+  add_splinters(frame, *mesh);
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const BodyDescription& body = scene.bodies[i];
+    // Remeshing would take the tets away from under a skin.
+    if (!std::holds_alternative<SurfaceShape>(body.shape) || body.splinters || body.remeshing) continue;
+    const auto parts = static_cast<int>(display.skin_parts.size());
+    const std::vector<SkinPart> added =
+        add_skin(frame, scene, static_cast<int>(i), static_cast<int>(frame.splinter_parts.size()) + parts,
+                 static_cast<int>(frame.splinters.size()) + parts, *mesh);
+    display.skin_parts.insert(display.skin_parts.end(), added.begin(), added.end());
+    display.skinned[i] = 1;
+  }
+  if (!mesh->polygons.empty()) display.mesh = std::move(mesh);
   return display;
 }
 
-render::DrawScene draw_scene_from_frame(const Frame& frame, const SplinterDisplay& display, const Scene& scene,
+render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDisplay& display, const Scene& scene,
                                         const ViewSettings& view, TetId selected) {
   render::DrawScene result;
   const TetFilter filter(frame, display, view);
   for_each_surface_face(frame, [&](std::size_t tet, std::size_t face) {
-    if (filter.shows(tet)) add_triangle(result.surface, frame, tet, face, selected);
+    if (filter.shows(tet, face)) add_triangle(result.surface, frame, tet, face, selected);
   });
-  if (filter.shows_splinters()) result.embedded = splinter_surface(frame, display.splinters);
+  if (filter.shows_embedded()) result.embedded = embedded_surface(frame, display);
   result.embedded.materials = natural_materials(scene);
   result.embedded.selected_tet = selected.value;
-  add_colors(result, frame, filter, view);
+  add_colors(result, frame, display, filter, view);
   const float spacing = grid_spacing(bounds(result));
   for (const ProjectileView& projectile : frame.projectiles) {
     result.spheres.push_back(

@@ -4,24 +4,29 @@
 #include <memory>
 #include <vector>
 
+#include "app/skin_picture.h"
 #include "renderer/draw_scene.h"
 #include "sim/scene/scene.h"
 #include "sim/world/frame.h"
 
 namespace griffith::app {
 
-/// The splinters of a world for its pictures, found in its first frame.
-struct SplinterDisplay {
-  std::shared_ptr<const render::EmbeddedMesh> splinters;  ///< null where no body has any
-  std::vector<std::uint8_t> splintered;                   ///< per scene body: 1 when it has splinters
+/// What a world's pictures show in place of tets, found in its first frame: splinters, and the surfaces that bodies
+/// were made from.
+struct EmbeddedDisplay {
+  std::shared_ptr<const render::EmbeddedMesh> mesh;  ///< null where no body has any
+  std::vector<std::uint8_t> splintered;              ///< per scene body: 1 when it has splinters
+  std::vector<std::uint8_t> skinned;  ///< per scene body: 1 when it has the surface that it was made from
+  std::vector<SkinPart> skin_parts;   ///< numbered after the parts of splinters
 };
 
-SplinterDisplay splinter_display(const Frame& frame);
+/// Throws InputError when a surface cannot be read.
+EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene);
 
 /// The picture of a frame: surface coloured by view.quantity (natural colours for "material", one for each body or
-/// splinter for "body" and "splinter"), cracks and `selected` marked, projectiles, ground. Bodies with splinters show
-/// them if view.splinters says so. A triangle's id is its tet.
-render::DrawScene draw_scene_from_frame(const Frame& frame, const SplinterDisplay& display, const Scene& scene,
+/// splinter for "body" and "splinter"), cracks and `selected` marked, projectiles, ground. Bodies with splinters or a
+/// surface of their own show them if view.splinters says so. A triangle's id is its tet.
+render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDisplay& display, const Scene& scene,
                                         const ViewSettings& view, TetId selected);
 
 }  // namespace griffith::app

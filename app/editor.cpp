@@ -43,7 +43,7 @@ void Editor::show_scene(Scene scene, std::filesystem::path path) {
 }
 
 void Editor::restart() {
-  display_ = splinter_display(world_.frame());
+  display_ = embedded_display(world_.frame(), history_.scene());
   state_.selected_tet = {};
   pacer_.reset();
   step_seconds_ = 0;

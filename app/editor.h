@@ -84,7 +84,7 @@ class Editor {
   World world_;
   WorldLoader loader_;
   std::int64_t world_count_ = 0;  ///< worlds made so far
-  SplinterDisplay display_;
+  EmbeddedDisplay display_;
   render::Camera camera_;
   render::Renderer renderer_;
   render::DrawScene picture_;

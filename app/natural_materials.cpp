@@ -64,7 +64,7 @@ void fit_to_splinters(render::EmbeddedMaterial& material, const SplinterPattern&
 render::EmbeddedMaterial material_of(const BodyDescription& body, const NaturalLook& natural, Look look) {
   render::EmbeddedMaterial material;
   material.color = look == Look::mortar ? kMortar : look == Look::inside ? natural.inside : natural.outside;
-  material.variation = look == Look::mortar ? 0 : natural.variation;
+  material.variation = look == Look::mortar || !body.splinters ? 0 : natural.variation;
   material.mottle = natural.mottle;
   material.roughness = look == Look::outside ? natural.roughness / 4 : natural.roughness;
   if (body.splinters) fit_to_splinters(material, *body.splinters);

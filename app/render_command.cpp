@@ -72,7 +72,7 @@ render::Image with_legend(Interface& interface, const render::Target& target, un
 
 void render_plainly(const RenderOptions& options, const Scene& scene) {
   World world = make_world(scene, options.scene);
-  const SplinterDisplay display = splinter_display(world.frame());
+  const EmbeddedDisplay display = embedded_display(world.frame(), scene);
   render::Renderer renderer;
   Interface interface(1);
   const render::Target target(options.width, options.height);

@@ -1,16 +1,17 @@
 #pragma once
 
-#include <memory>
+#include <vector>
 
 #include "renderer/embedded_surface.h"
 #include "sim/world/frame.h"
 
 namespace griffith::app {
 
-/// The polygons of all splinters of a world, in any of its frames; null when it has none.
-std::shared_ptr<const render::EmbeddedMesh> splinter_mesh(const Frame& frame);
+/// Adds the polygons of all splinters of a world, in any of its frames: part, piece and polygon numbers are those of
+/// the frame's parts, splinters and faces.
+void add_splinters(const Frame& frame, render::EmbeddedMesh& mesh);
 
-/// What moves those polygons in this frame, without colours.
-render::EmbeddedSurface splinter_surface(const Frame& frame, std::shared_ptr<const render::EmbeddedMesh> mesh);
+/// Adds what carries each of their parts in this frame.
+void add_carriers(const Frame& frame, std::vector<std::int32_t>& carriers);
 
 }  // namespace griffith::app

@@ -65,9 +65,7 @@ void draw_view_panel(Panel& panel) {
   color_map_row(panel);
   range_part(panel);
   checkbox(panel, "view/edges", "Element edges", panel.state.view.edges);
-  ImGui::BeginDisabled(panel.input.frame.splinters.empty());
-  checkbox(panel, "view/splinters", "Splinters", panel.state.view.splinters);
-  ImGui::EndDisabled();
+  checkbox(panel, "view/splinters", "Splinters and surfaces", panel.state.view.splinters);
 }
 
 }  // namespace griffith::ui

@@ -260,7 +260,7 @@ void describe(Archive& archive, ViewSettings& view) {
   archive.field("range", view.range, range,
                 "Values at the two ends of the colours, in the quantity's unit; null: automatic");
   archive.field("edges", view.edges, Flag{}, "Whether element edges are drawn");
-  archive.field("splinters", view.splinters, Flag{}, "Whether splinters are drawn in place of the tetrahedra");
+  archive.field("splinters", view.splinters, Flag{}, "Whether splinters and surfaces are drawn in place of the tetrahedra");
 }
 
 template <class Archive>

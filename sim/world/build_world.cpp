@@ -1,21 +1,15 @@
 #include <Eigen/LU>
 #include <algorithm>
-#include <numbers>
 
 #include "sim/fracture/slit_tips.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"
+#include "sim/scene/body_pose.h"
 #include "sim/world/phases.h"
 #include "sim/world/shapes.h"
 
 namespace griffith {
 namespace {
-
-Quat rotation_of(const BodyDescription& body) {
-  const Vec3 radians = body.rotation_degrees * std::numbers::pi / 180;
-  return Quat(Eigen::AngleAxisd(radians.z(), Vec3::UnitZ()) * Eigen::AngleAxisd(radians.y(), Vec3::UnitY()) *
-              Eigen::AngleAxisd(radians.x(), Vec3::UnitX()));
-}
 
 void append_nodes(WorldState& world, const BodyDescription& body) {
   NodeArrays& nodes = world.nodes;
@@ -60,8 +54,8 @@ RestBody append_mesh(WorldState& world, int scene_body, const Monitor& monitor) 
     for (const std::string& finding : findings(report))
       world.findings.emplace_back(shape_pointer(scene_body, "mesh"), finding, "");
   TetSoup placed = body.soup;
-  const Quat rotation = rotation_of(description);
-  for (Vec3& point : placed.points) point = rotation * point + description.position;
+  const Pose pose = pose_of(description);
+  for (Vec3& point : placed.points) point = pose.to_world(point);
   body.range = append(world.mesh, placed);
   return body;
 }
@@ -69,7 +63,7 @@ RestBody append_mesh(WorldState& world, int scene_body, const Monitor& monitor) 
 /// The body's direction of weakness, placed as its rest space is.
 std::optional<Weakness> place_weakness(const BodyDescription& body) {
   std::optional<Weakness> weakness = body.weakness;
-  if (weakness) weakness->direction = rotation_of(body) * weakness->direction.normalized();
+  if (weakness) weakness->direction = pose_of(body).rotation * weakness->direction.normalized();
   return weakness;
 }
 

@@ -22,7 +22,7 @@ double enclosed_volume(const render::Surface& surface) {
 TEST(DrawSceneFromFrame, SurfaceEnclosesTheBody) {
   World world(small_wall());
   const Frame frame = world.frame();
-  const auto picture = draw_scene_from_frame(frame, splinter_display(frame), small_wall(), {}, {});
+  const auto picture = draw_scene_from_frame(frame, embedded_display(frame, small_wall()), small_wall(), {}, {});
   EXPECT_NEAR(enclosed_volume(picture.surface), 2 * 2 * 0.5, 1e-4);
 }
 
@@ -32,7 +32,7 @@ TEST(DrawSceneFromFrame, ArraysFitTogether) {
   for (const char* quantity : {"von_mises", "speed", "body"}) {
     ViewSettings view;
     view.quantity = quantity;
-    const render::Surface surface = draw_scene_from_frame(frame, splinter_display(frame), small_wall(), view, {}).surface;
+    const render::Surface surface = draw_scene_from_frame(frame, embedded_display(frame, small_wall()), small_wall(), view, {}).surface;
     const std::size_t triangles = surface.ids.size();
     EXPECT_EQ(surface.positions.size(), 3 * triangles);
     EXPECT_EQ(surface.flags.size(), triangles);
@@ -45,7 +45,7 @@ TEST(DrawSceneFromFrame, ArraysFitTogether) {
 TEST(DrawSceneFromFrame, OnlyFacesThatWereInsideAreCracks) {
   World world(small_wall());
   const Frame start = world.frame();
-  const SplinterDisplay display = splinter_display(start);
+  const EmbeddedDisplay display = embedded_display(start, small_wall());
   for (const std::uint8_t flags : draw_scene_from_frame(start, display, small_wall(), {}, {}).surface.flags) {
     EXPECT_FALSE(flags & render::kCrackFace);
   }
@@ -58,7 +58,7 @@ TEST(DrawSceneFromFrame, OnlyFacesThatWereInsideAreCracks) {
   neighbours[tet][face] = {};
   Frame cut = start;
   cut.neighbours = neighbours;
-  const render::Surface surface = draw_scene_from_frame(cut, small_wall(), {}, {}).surface;
+  const render::Surface surface = draw_scene_from_frame(cut, display, small_wall(), {}, {}).surface;
   int cracks = 0;
   for (std::size_t i = 0; i < surface.flags.size(); ++i) {
     if (!(surface.flags[i] & render::kCrackFace)) continue;
@@ -76,7 +76,7 @@ TEST(DrawSceneFromFrame, SelectionAndLockedRangeAreTakenOver) {
   view.color_map = "coolwarm";
   const TetId selected(0);
   const render::Surface surface =
-      draw_scene_from_frame(frame, splinter_display(frame), small_wall(), view, selected).surface;
+      draw_scene_from_frame(frame, embedded_display(frame, small_wall()), small_wall(), view, selected).surface;
   EXPECT_EQ(surface.scalar_style.minimum, -1);
   EXPECT_EQ(surface.scalar_style.maximum, 5);
   EXPECT_EQ(surface.scalar_style.color_map, render::ColorMap::kCoolwarm);

@@ -27,7 +27,7 @@ Scene bricks(double strength) {
 
 class SplinterPicture : public ::testing::Test {
  protected:
-  render::Image picture(const World& world, const SplinterDisplay& display, const Scene& scene,
+  render::Image picture(const World& world, const EmbeddedDisplay& display, const Scene& scene,
                         const ViewSettings& view) {
     render::Camera camera;
     camera.position = {2, 2, 3};
@@ -59,7 +59,7 @@ TEST_F(SplinterPicture, AnIntactBodyLooksAsWithoutSplinters) {
   const Scene scene = bricks(1);
   World world(scene);
   world.step();
-  const SplinterDisplay display = splinter_display(world.frame());
+  const EmbeddedDisplay display = embedded_display(world.frame(), scene);
   for (const char* quantity : {"von_mises", "speed", "body"}) {
     ViewSettings with;
     with.quantity = quantity;
@@ -74,7 +74,7 @@ TEST_F(SplinterPicture, AnIntactBodyLooksAsWithoutSplinters) {
 TEST_F(SplinterPicture, ABrokenBodyShowsOtherPieces) {
   const Scene scene = bricks(0.02);
   World world(scene);
-  const SplinterDisplay display = splinter_display(world.frame());
+  const EmbeddedDisplay display = embedded_display(world.frame(), scene);
   for (int i = 0; i < 30; ++i) world.step();
   ASSERT_GT(world.frame().fragments, 0);
   ViewSettings with;
@@ -91,13 +91,54 @@ TEST_F(SplinterPicture, BodiesWithoutSplintersShowTheirTets) {
   scene.bodies[1].position.x() = 5;
   const World world(scene);
   const Frame frame = world.frame();
-  const render::DrawScene drawn = draw_scene_from_frame(frame, splinter_display(frame), scene, {}, {});
+  const render::DrawScene drawn = draw_scene_from_frame(frame, embedded_display(frame, scene), scene, {}, {});
   EXPECT_FALSE(drawn.surface.ids.empty());
   for (const std::int32_t tet : drawn.surface.ids) EXPECT_EQ(frame.tet_bodies[tet], BodyId(1));
   EXPECT_EQ(drawn.surface.scalars.size(), drawn.surface.ids.size());
   ASSERT_TRUE(drawn.embedded.mesh);
   for (const render::EmbeddedCorner& corner : drawn.embedded.mesh->corners)
     EXPECT_EQ(frame.tet_bodies[corner.tet], BodyId(0));
+}
+
+/// A body filled from the surface of a cube.
+Scene cube_of_surface(double strength) {
+  test_file("cube.obj",
+            "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv -1 2 -1\nv 1 2 -1\nv 1 2 1\nv -1 2 1\n"
+            "f 1 2 3 4\nf 8 7 6 5\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n");
+  Scene scene = bricks(strength);
+  scene.folder = test_folder();
+  SurfaceShape shape;
+  shape.path = "cube.obj";
+  shape.meshing.method = MeshingMethod::volumetric;
+  shape.meshing.element_size = 0.5;
+  scene.bodies[0].shape = shape;
+  scene.bodies[0].splinters.reset();
+  scene.bodies[0].position.setZero();
+  scene.bodies[0].rotation_degrees = Vec3(0, 30, 0);
+  scene.bodies[0].supports = {{HalfSpaceRegion{Vec3(0, 0.1, 0), -Vec3::UnitY()}}};
+  return scene;
+}
+
+TEST(SkinPicture, TheSurfaceStandsWhereItsTetsAreAndNoTriangleSpansTwoBodies) {
+  const Scene scene = cube_of_surface(0.02);
+  World world(scene);
+  const EmbeddedDisplay display = embedded_display(world.frame(), scene);
+  ASSERT_EQ(display.skin_parts.size(), 36u);
+  const auto drawn = [&] { return draw_scene_from_frame(world.frame(), display, scene, {}, {}); };
+  EXPECT_TRUE(drawn().surface.ids.empty());
+  const render::DrawScene start = drawn();
+  for (const render::EmbeddedCorner& corner : start.embedded.mesh->corners) {
+    Eigen::Vector3f position = Eigen::Vector3f::Zero();
+    for (int i = 0; i < 4; ++i)
+      position += corner.weights[i] * start.embedded.points[start.embedded.tets[corner.tet][i]];
+    EXPECT_LT((position - corner.rest).norm(), 1e-3f);
+  }
+  for (int i = 0; i < 30; ++i) world.step();
+  const Frame frame = world.frame();
+  ASSERT_GT(frame.fragments, 0);
+  for (const SkinPart& part : display.skin_parts)
+    EXPECT_EQ(frame.tet_bodies[skin_carrier(frame, part)], frame.tet_bodies[part.triangle_tet]);
+  EXPECT_FALSE(drawn().surface.ids.empty());  // cracks are laid bare
 }
 
 /// By the divergence theorem.

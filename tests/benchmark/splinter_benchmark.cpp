@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "app/splinter_picture.h"
+#include "app/draw_scene_from_frame.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/topology.h"
 #include "sim/splinters/splinters.h"
@@ -66,8 +66,22 @@ void hand_to_renderer(benchmark::State& state) {
   frame.splinter_corners = set.corners;
   frame.attached_parts = intact.attached;
   frame.open_walls = intact.open_walls;
-  const auto polygons = app::splinter_mesh(frame);
-  for (auto _ : state) benchmark::DoNotOptimize(app::splinter_surface(frame, polygons).carriers.size());
+  Scene scene;
+  scene.bodies.resize(1);
+  std::vector<BodyId> tet_bodies(mesh.tets.size(), BodyId(0));
+  const std::vector<BodyView> bodies = {{BodyId(0), BodyId()}};
+  const std::vector<Mat3> stresses(mesh.tets.size(), Mat3::Zero());
+  const std::vector<Material> materials(1);
+  frame.tet_bodies = tet_bodies;
+  frame.bodies = bodies;
+  frame.stresses = stresses;
+  frame.materials = materials;
+  frame.neighbours = mesh.neighbours;
+  const std::vector<std::uint8_t> first_surface(mesh.tets.size(), 0);
+  frame.first_surface = first_surface;
+  const app::EmbeddedDisplay display = app::embedded_display(frame, scene);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(app::draw_scene_from_frame(frame, display, scene, {}, TetId()).embedded.carriers.size());
   state.counters["splinters"] = static_cast<double>(set.splinters.size());
 }
 BENCHMARK(hand_to_renderer)->Arg(10)->Arg(27)->Unit(benchmark::kMillisecond);
