@@ -41,7 +41,8 @@ TetSoup make_body_soup(WorldState& world, int scene_body, const Monitor& monitor
   std::vector<std::string> list;
   try {
     TetSoup soup = make_soup(shape, world.scene.folder, &list, monitor);
-    for (const std::string& finding : list) world.findings.emplace_back(shape_pointer(scene_body, "surface"), finding, "");
+    for (const std::string& finding : list)
+      world.findings.emplace_back(shape_pointer(scene_body, "surface"), finding, "");
     return soup;
   } catch (const InputError& error) {
     if (!std::holds_alternative<SurfaceShape>(shape)) throw;
