@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "tests/world/loading.h"
@@ -131,13 +132,15 @@ TEST_P(CrackPath, ADiscSplitsAlongItsLoad) {
   World world(scene);
   while (!has_parted(world.frame()) && world.frame().time < 1) world.step();
   ASSERT_TRUE(has_parted(world.frame()));
-  double along = 0, across = 0;
-  for (const CrackEvent& event : world.frame().crack_events) {
-    if (std::abs(event.rest_position.y()) > radius / 2) continue;  // the platens crush what is near them
-    along += std::abs(event.normal.y());
-    across += std::abs(event.normal.x());
+  // Two halves, left and right; a half disc's centre lies 4R/3π from the cut.
+  std::vector<BodyView> pieces(world.frame().bodies.begin(), world.frame().bodies.end());
+  std::ranges::sort(pieces, std::greater{}, &BodyView::tets);
+  EXPECT_GT(pieces[0].mass + pieces[1].mass, 0.9 * world.frame().totals.mass);
+  EXPECT_LT(pieces[0].center_of_mass.x() * pieces[1].center_of_mass.x(), 0);
+  for (const BodyView& half : {pieces[0], pieces[1]}) {
+    EXPECT_NEAR(std::abs(half.center_of_mass.x()), 4 * radius / (3 * std::numbers::pi), 0.1 * radius);
+    EXPECT_NEAR(half.center_of_mass.y(), 0, 0.1 * radius);
   }
-  EXPECT_GT(across, 3 * along);
 }
 
 INSTANTIATE_TEST_SUITE_P(Patterns, CrackPath,
