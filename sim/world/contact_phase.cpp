@@ -210,6 +210,8 @@ void place_stand_ins(WorldState& world) {
 
 void rest_bodies(WorldState& world, double time_step) {
   world.contact_world.fall_asleep(time_step);
+  for (const Body& body : world.bodies)
+    if (!body.rigid) world.contact_world.wake(body.stand_in);
   take_sleep(world);
   for (Body& body : world.bodies) {
     if (!body.asleep) continue;
