@@ -26,15 +26,15 @@ std::string field_text(const std::string& text) {
 
 ProbeTable::ProbeTable(const World& world, const std::filesystem::path& scene) : csv_("step,time [s]") {
   if (world.probes().empty()) throw InputError(scene.string() + "#/probes", "are none", "add a probe to the scene");
-  for (const std::string& column : probe_columns(world.probes())) csv_ += "," + field_text(column);
+  for (const std::string& column : probe_columns(world.probes())) csv_.append(",").append(field_text(column));
   csv_ += "\n";
   add(world);
 }
 
 void ProbeTable::add(const World& world) {
   const Frame frame = world.frame();
-  csv_ += std::to_string(frame.step) + "," + number_text(frame.time);
-  for (const double value : probe_values(world.probes(), frame)) csv_ += "," + number_text(value);
+  csv_.append(std::to_string(frame.step)).append(",").append(number_text(frame.time));
+  for (const double value : probe_values(world.probes(), frame)) csv_.append(",").append(number_text(value));
   csv_ += "\n";
 }
 
