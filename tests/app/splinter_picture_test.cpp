@@ -166,6 +166,7 @@ TEST(ExportPieces, PiecesShareOutTheBodyAndAreFiles) {
   const Frame frame = world.frame();
   ASSERT_GT(frame.bodies.size(), 5u);
   const std::filesystem::path folder = test_folder() / "pieces";
+  std::filesystem::remove_all(folder);
   export_pieces(folder, frame);
   double sum = 0;
   std::size_t files = 0;
