@@ -2,18 +2,18 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/components.h"
+
 namespace griffith::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-
 Json element_json(const CrackElement& element) {
   return {{"tet", element.tet.value},
           {"above", element.above},
-          {"tensile", vector_json(element.force.tensile)},
-          {"compressive", vector_json(element.force.compressive)}};
+          {"tensile", components(element.force.tensile)},
+          {"compressive", components(element.force.compressive)}};
 }
 
 Json event_json(const CrackEvent& event) {
@@ -21,9 +21,9 @@ Json event_json(const CrackEvent& event) {
   json["children"] = Json::array();
   for (BodyId child : event.children) json["children"].push_back(child.value);
   json["node"] = event.node.value;
-  json["position"] = vector_json(event.position);
-  json["rest_position"] = vector_json(event.rest_position);
-  json["normal"] = vector_json(event.normal);
+  json["position"] = components(event.position);
+  json["rest_position"] = components(event.rest_position);
+  json["normal"] = components(event.normal);
   json["eigenvalue"] = event.eigenvalue;
   json["load"] = event.load;
   json["resistance"] = event.resistance;

@@ -2,12 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/components.h"
+
 namespace griffith::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 Json surface_json(const SurfaceReport& report) {
   return {{"points", report.points},
@@ -16,8 +16,8 @@ Json surface_json(const SurfaceReport& report) {
           {"closed", report.closed()},
           {"volume", report.volume},
           {"area", report.area},
-          {"minimum", vector_json(report.minimum)},
-          {"maximum", vector_json(report.maximum)},
+          {"minimum", components(report.minimum)},
+          {"maximum", components(report.maximum)},
           {"removed_triangles", report.removed_triangles},
           {"flipped_triangles", report.flipped_triangles},
           {"inverted_shells", report.inverted_shells},

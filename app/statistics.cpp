@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "app/components.h"
+
 namespace griffith::app {
 namespace {
 
@@ -45,8 +47,6 @@ std::string hash_text(std::uint64_t hash) {
   return text;
 }
 
-Json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-
 void add_counters(Json& json, const StepReport& sums, const StepReport& largest) {
   json["substeps"] = sums.substeps;
   json["contacts"] = sums.contacts;
@@ -72,8 +72,8 @@ double mass_of_bodies(const Frame& frame) {
 }
 
 void add_totals(Json& json, const Totals& totals) {
-  json["momentum"] = vector_json(totals.momentum);
-  json["angular_momentum"] = vector_json(totals.angular_momentum);
+  json["momentum"] = components(totals.momentum);
+  json["angular_momentum"] = components(totals.angular_momentum);
   json["kinetic_energy"] = totals.kinetic_energy;
   json["elastic_energy"] = totals.elastic_energy;
 }

@@ -5,6 +5,7 @@
 
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/write_mesh.h"
+#include "sim/scene/body_pose.h"
 #include "tests/random_values.h"
 #include "tests/world/loading.h"
 
@@ -12,13 +13,6 @@ namespace griffith::testing {
 namespace {
 
 constexpr double kLength = 1.5;  // of bars 1 m across
-
-Mat3 rotation_of(const Vec3& degrees) {
-  const Vec3 radians = degrees * std::numbers::pi / 180;
-  return (Eigen::AngleAxisd(radians.z(), Vec3::UnitZ()) * Eigen::AngleAxisd(radians.y(), Vec3::UnitY()) *
-          Eigen::AngleAxisd(radians.x(), Vec3::UnitX()))
-      .toRotationMatrix();
-}
 
 /// A bar with a mesh out of line.
 MeshFileShape bar_on_a_rough_mesh(BoxPattern pattern, int cells) {
@@ -49,7 +43,7 @@ Scene pulled_bar(BoxPattern pattern, int cells, const Vec3& degrees) {
     Load pull;
     pull.kind = LoadKind::traction;
     pull.region = HalfSpaceRegion{Vec3(side * kLength / 2, 0, 0), Vec3(side, 0, 0)};
-    pull.traction = rotation_of(degrees) * Vec3(side * bar.material.tensile_strength, 0, 0);
+    pull.traction = pose_of(bar).rotation * Vec3(side * bar.material.tensile_strength, 0, 0);
     bar.loads.push_back(pull);
   }
   scene.bodies = {bar};
