@@ -90,7 +90,7 @@ void ContactWorld::Impl::list_contacts() {
   sort_by_height();
 }
 
-/// Sweeps that go up and down through a pile carry its load at once.
+/// Sweeps down through a pile carry its load at once.
 void ContactWorld::Impl::sort_by_height() {
   std::vector<int> order(contacts.size());
   std::iota(order.begin(), order.end(), 0);
