@@ -33,8 +33,19 @@ bool pair_less(const Allowance& left, const Allowance& right) {
 
 }  // namespace
 
+bool ContactWorld::Impl::all_at_rest() const {
+  return std::none_of(objects.begin(), objects.end(), [](const Object& object) {
+    return object.body && (object.fresh || object.body->isActive());
+  });
+}
+
 void ContactWorld::Impl::detect() {
   delete_retired();
+  if (all_at_rest()) {
+    contacts.clear();
+    points.clear();
+    return;
+  }
   world.performDiscreteCollisionDetection();
   collect_manifolds();
   update_allowances();
