@@ -203,7 +203,7 @@ void calm_bodies(WorldState& world) {
     const bool calm = std::all_of(body.nodes.begin(), body.nodes.end(),
                                   [&](NodeId node) { return world.nodes.separations[node].margin < kCalmMargin; });
     body.calm_steps = calm ? body.calm_steps + 1 : 0;
-    if (body.calm_steps >= kCalmSteps) stiffen(world, body);
+    if (body.tets.size() == 1 || body.calm_steps >= kCalmSteps) stiffen(world, body);
   }
 }
 
