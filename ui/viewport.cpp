@@ -21,7 +21,10 @@ void move_camera(EditorState& state, const ImGuiIO& io) {
   const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
   const float right = io.MouseDelta.x / state.viewport_size.y, down = io.MouseDelta.y / state.viewport_size.y;
   CameraMotion& motion = state.camera_motion;
-  if (middle || (left && io.KeyShift)) {
+  if (left && io.KeyCtrl) {
+    motion.slice_right += right;
+    motion.slice_up -= down;
+  } else if (middle || (left && io.KeyShift)) {
     motion.pan_right -= right;
     motion.pan_up += down;
   } else if (left) {
@@ -88,6 +91,7 @@ void draw_viewport(Panel& panel) {
   mouse_input(panel);
   ImDrawList* list = ImGui::GetWindowDrawList();
   if (panel.input.picture) list->AddImage(panel.input.picture, state.viewport_minimum, end, {0, 1}, {1, 0});
+  draw_labels(list, panel.input.labels, panel.input.fonts, state.viewport_minimum, end, ui_scale(panel));
   if (panel.input.legend) {
     draw_legend(list, *panel.input.legend, panel.input.fonts, state.viewport_minimum, end, ui_scale(panel));
   }
