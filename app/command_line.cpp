@@ -76,7 +76,7 @@ void add_render(CLI::App& program, Options& options) {
       ->type_name("NAME");
   command
       ->add_option("--node", render.node,
-                   "Node that is explained by candidate_plane and element_forces; the most "
+                   "Node that is explained, in text and by the views candidate_plane and element_forces; the most "
                    "loaded one if not given")
       ->check(CLI::Range(0, 1 << 30))
       ->type_name("N");

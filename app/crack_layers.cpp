@@ -76,7 +76,7 @@ void add_element_forces(const ShownMesh& shown, render::DrawScene& picture) {
       add(element.force.tensile, sign_color::kTension);
       add(element.force.compressive, sign_color::kCompression);
     }
-    if (++rank <= kMostLabels) picture.labels.push_back({middle.cast<float>(), std::to_string(rank)});
+    if (++rank <= kMostLabels) picture.labels.push_back({middle.cast<float>(), std::to_string(rank), 0});
   }
   picture.glyphs.balls.push_back(ball(place, 0.06 * reach, sign_color::kPlane));
 }

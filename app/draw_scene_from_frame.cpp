@@ -154,6 +154,13 @@ float grid_spacing(const Eigen::AlignedBox3f& box) {
   return std::pow(10.0f, std::floor(std::log10(size / 2)));
 }
 
+void mark_node(const ShownMesh& shown, NodeId node, render::DrawScene& picture) {
+  const Eigen::Vector3f place = shown.positions[node].cast<float>();
+  picture.points.push_back({place, 13, {0.10f, 0.11f, 0.13f}, render::kNoId});
+  picture.points.push_back({place, 9, {1.0f, 0.55f, 0.10f}, render::kNoId});
+  picture.labels.push_back({place, "node " + std::to_string(node.value), 1.4f});
+}
+
 void add_surroundings(const Frame& frame, const Scene& scene, float grid, render::DrawScene& picture) {
   for (const ProjectileView& projectile : frame.projectiles) {
     picture.spheres.push_back(
@@ -212,6 +219,7 @@ render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDispla
   }
   const float spacing = grid_spacing(bounds(result));
   add_layers(shown, result);
+  if (selection.valid()) mark_node(shown, selection.node, result);
   add_surroundings(frame, scene, spacing, result);
   return result;
 }

@@ -47,6 +47,7 @@ class Editor {
 
   ui::EditorState& state() { return state_; }
   const ui::WidgetTags& tags() const { return tags_; }
+  Frame frame() const { return world_.frame(); }
   std::string title() const;
   bool wants_to_quit() const { return wants_to_quit_; }
   /// True once after a screenshot was asked for.

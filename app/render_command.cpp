@@ -5,6 +5,7 @@
 
 #include "app/command_options.h"
 #include "app/editor.h"
+#include "app/explanation.h"
 #include "app/interface.h"
 #include "app/named_view.h"
 #include "app/picture_options.h"
@@ -51,9 +52,8 @@ void save_pictures(const RenderOptions& options, const std::function<void()>& st
   if (options.every == 0) save_png(options.output, picture());
 }
 
-/// The node that was asked for, while there is one of that number.
-ui::Selection selected(const RenderOptions& options, const World& world) {
-  const Frame frame = world.frame();
+/// The node that was asked for, while there is one of that number. Throws InputError where the last step has none.
+ui::Selection selected(const RenderOptions& options, const Frame& frame) {
   if (!options.node) return {};
   const auto nodes = static_cast<int>(frame.positions.size());
   if (*options.node >= nodes && frame.step >= options.frame)
@@ -62,6 +62,10 @@ ui::Selection selected(const RenderOptions& options, const World& world) {
   if (*options.node >= nodes) return {};
   const NodeId node(*options.node);
   return ui::select(frame, frame.stars[node].front(), node);
+}
+
+void explain(const RenderOptions& options, const Frame& frame, const Scene& scene) {
+  if (options.node) std::fputs(explanation(frame, NodeId(*options.node), scene.simulation.fracture).c_str(), stdout);
 }
 
 /// What is written over a picture.
@@ -92,7 +96,7 @@ void render_plainly(const RenderOptions& options, Scene scene) {
   Interface interface(1);
   const render::Target target(options.width, options.height);
   const auto draw_scene = [&] {
-    return draw_scene_from_frame(world.frame(), display, scene, scene.view, selected(options, world));
+    return draw_scene_from_frame(world.frame(), display, scene, scene.view, selected(options, world.frame()));
   };
   const float aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
   const render::Camera camera = scene_camera(scene, options.camera, draw_scene(), aspect);
@@ -105,17 +109,18 @@ void render_plainly(const RenderOptions& options, Scene scene) {
   };
   save_pictures(
       options, [&world] { world.step(); }, picture);
+  explain(options, world.frame(), scene);
 }
 
 void render_editor(const RenderOptions& options, const Scene& scene) {
   Editor editor(scene, options.scene);
   editor.use_camera(options.camera);
   editor.use_view(options.view);
-  if (options.node) editor.select_node(NodeId(*options.node));
   editor.state().show_times = false;
   Interface interface(1);
   const render::Target target(options.width, options.height);
   const auto picture = [&] {
+    if (options.node) editor.state().selection = selected(options, editor.frame());
     for (int i = 0; i < kFramesToLayOut; ++i) {
       editor.draw_picture(options.samples);
       interface.begin_frame(options.width, options.height);
@@ -128,6 +133,7 @@ void render_editor(const RenderOptions& options, const Scene& scene) {
   };
   save_pictures(
       options, [&editor] { editor.step(); }, picture);
+  explain(options, editor.frame(), scene);
 }
 
 }  // namespace

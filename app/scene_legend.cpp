@@ -23,7 +23,7 @@ std::vector<ui::PictureLabel> scene_labels(const render::DrawScene& picture, con
   for (const render::Label& label : picture.labels) {
     const Eigen::Vector4f clip = projection * label.position.homogeneous();
     if (!(clip.w() > 0)) continue;
-    labels.push_back({0.5f + 0.5f * clip.x() / clip.w(), 0.5f - 0.5f * clip.y() / clip.w(), label.text});
+    labels.push_back({0.5f + 0.5f * clip.x() / clip.w(), 0.5f - 0.5f * clip.y() / clip.w(), label.text, label.rise});
   }
   return labels;
 }

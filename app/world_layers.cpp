@@ -121,7 +121,7 @@ void add_probes(const ShownMesh& shown, render::DrawScene& picture) {
     for (const ProbedNode& node : probe.nodes)
       picture.points.push_back(
           {shown.positions[node_at(shown.frame.tets, node.corner)].cast<float>(), 7, sign_color::kProbe});
-    picture.labels.push_back({(place + 1.3 * size * Vec3::UnitY()).cast<float>(), probe.probe.name});
+    picture.labels.push_back({(place + 1.3 * size * Vec3::UnitY()).cast<float>(), probe.probe.name, 0.8f});
   }
 }
 

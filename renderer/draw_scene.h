@@ -99,6 +99,7 @@ struct Point {
 struct Label {
   Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< [m]
   std::string text;
+  float rise = 0;  ///< how far its middle is above the place [heights of a line]
 };
 
 /// A horizontal plane with a grid that shows the scale and catches shadows.

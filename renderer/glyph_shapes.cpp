@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr int kSides = 20;  // round the x axis
+constexpr int kSides = 32;  // round the x axis
 
 Vector3f round(int side, float x, float radius) {
   const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(side) / kSides;

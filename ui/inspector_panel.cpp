@@ -21,9 +21,13 @@ std::string direction_text(const Vec3& direction) {
   return text;
 }
 
+/// Three values with the prefix of the largest: "3.02, -1.85, -12.7 kPa".
 std::string triple(const Vec3& values, const char* unit) {
-  return format_quantity(values[0], unit, 3) + ", " + format_quantity(values[1], unit, 3) + ", " +
-         format_quantity(values[2], unit, 3);
+  const SiPrefix prefix = si_prefix(values.cwiseAbs().maxCoeff(), unit);
+  char text[96];
+  std::snprintf(text, sizeof text, "%.3g, %.3g, %.3g ", values[0] / prefix.factor, values[1] / prefix.factor,
+                values[2] / prefix.factor);
+  return text + std::string(prefix.symbol) + unit;
 }
 
 void verdict_line(const Panel& panel, const Verdict& verdict) {

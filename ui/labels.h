@@ -13,6 +13,7 @@ namespace griffith::ui {
 struct PictureLabel {
   float x = 0, y = 0;  ///< shares of the picture's width and height, from its top left corner
   std::string text;
+  float rise = 0;  ///< how far its middle is above the place [heights of a line]
 };
 
 /// Writes labels over the picture that fills the rectangle. `scale`: screen pixels per design pixel.

@@ -40,7 +40,7 @@ void draw_margin_plot(Panel& panel, std::span<const MarginSample> samples) {
   if (samples.size() < 2) return;
   const auto [low, high] = field(panel, "inspector/margin_plot", 64, std::to_string(samples.size()));
   const float largest = std::ranges::max(samples, {}, &MarginSample::margin).margin;
-  const double top = 1.1 * std::max(1.0f, std::isfinite(largest) ? largest : 1.0f);
+  const double top = 1.4 * std::max(1.0f, std::isfinite(largest) ? largest : 1.0f);
   const double start = samples.front().time, length = std::max(samples.back().time - start, 1e-9);
   const auto place = [&, l = low, h = high](double time, double margin) {
     return ImVec2(l.x + static_cast<float>((time - start) / length) * (h.x - l.x),

@@ -32,11 +32,12 @@ std::string breaking(const CrackEvent& event, const char* unit) {
   return text;
 }
 
-std::string holding(const NodeReport& report, const Material& material) {
+/// `what`: "Holds" or "What is left holds".
+std::string holding(const std::string& what, const NodeReport& report, const Material& material) {
   const NodeSeparation& separation = report.separation;
   if (!std::isfinite(separation.resistance)) return "No load has been measured here yet.";
   const char* unit = load_unit(material);
-  std::string text = "Holds: the load of " + format_quantity(load_of(separation, material), unit, 3) + " is " +
+  std::string text = what + ": the load of " + format_quantity(load_of(separation, material), unit, 3) + " is " +
                      percent(separation.margin) + " of the resistance.";
   if (report.at_crack_front) text += " A crack ends here, so the fracture toughness counts.";
   if (separation.eigenvalue <= 0 && separation.margin <= 0) text += " Nothing pulls: the elements press on the node.";
@@ -65,8 +66,9 @@ Verdict verdict_on(const NodeReport& report, const Frame& frame, bool fracture) 
     return {past.empty() ? Verdict::Kind::unknown : Verdict::Kind::broke, past + (past.empty() ? "" : " ") + text};
   }
   if (report.separation.margin > 1) return overloaded(report, frame, fracture);
-  if (!past.empty()) return {Verdict::Kind::broke, past + " What is left: " + holding(report, material)};
-  return {report.separation.margin > kNear ? Verdict::Kind::near : Verdict::Kind::holds, holding(report, material)};
+  if (!past.empty()) return {Verdict::Kind::broke, past + " " + holding("What is left holds", report, material)};
+  return {report.separation.margin > kNear ? Verdict::Kind::near : Verdict::Kind::holds,
+          holding("Holds", report, material)};
 }
 
 }  // namespace griffith::ui

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cfloat>
 #include <vector>
 
 #include "sim/scene/view_quantity.h"
@@ -84,10 +85,11 @@ void slice_rows(Panel& panel) {
   const std::pair<const char*, Vec3> axes[] = {
       {"X", Vec3::UnitX()}, {"Y", Vec3::UnitY()}, {"Z", Vec3::UnitZ()}, {"Eye", panel.input.towards_eye}};
   for (const auto& [name, normal] : axes) {
+    if (normal != axes[0].second) ImGui::SameLine();
     if (text_button(panel, ("view/slice_" + std::string(name)).c_str(), name)) align_slice(panel, normal);
-    ImGui::SameLine();
   }
-  if (text_button(panel, "view/slice_flip", "Flip")) {
+  row_label(panel, "Side");
+  if (text_button(panel, "view/slice_flip", "Flip", -FLT_MIN)) {
     panel.state.view.slice->normal *= -1;
     panel.state.view.slice->offset *= -1;
   }
@@ -99,6 +101,9 @@ void slice_rows(Panel& panel) {
 }
 
 void element_rows(Panel& panel) {
+  const bool open = ImGui::CollapsingHeader("Elements and slice");
+  tag_last_item(panel.tags, "view/element_rows", open ? "open" : "closed");
+  if (!open) return;
   static const std::vector<std::string> kStyles = {"surface", "wireframe", "shrunken"};  // by ElementStyle
   ViewSettings& view = panel.state.view;
   const int chosen =
@@ -107,17 +112,13 @@ void element_rows(Panel& panel) {
   slider_row(panel, "view/explode", "Explode", view.explode, 0, 5, "%.2f", true);
   slider_row(panel, "view/opacity", "Opacity", view.opacity, 0.05, 1, "%.2f");
   slice_rows(panel);
-  checkbox(panel, "view/edges", "Element edges", view.edges);
   slider_row(panel, "view/edge_width", "Edge width", view.edge_width, 0.25, 10, "%.2f", true);
-  checkbox(panel, "view/splinters", "Splinters and surfaces", view.splinters);
 }
 
 void layer_rows(Panel& panel) {
-  if (!ImGui::CollapsingHeader("Layers")) {
-    tag_last_item(panel.tags, "view/layers", "closed");
-    return;
-  }
-  tag_last_item(panel.tags, "view/layers", "open");
+  const bool open = ImGui::CollapsingHeader("Layers");
+  tag_last_item(panel.tags, "view/layers", open ? "open" : "closed");
+  if (!open) return;
   for (std::size_t i = 0; i < view_layers().size(); ++i) {
     const ViewLayerInfo& info = view_layers()[i];
     const auto layer = static_cast<ViewLayer>(i);
@@ -137,6 +138,8 @@ void draw_view_panel(Panel& panel) {
   quantity_row(panel);
   color_map_row(panel);
   range_part(panel);
+  checkbox(panel, "view/edges", "Element edges", panel.state.view.edges);
+  checkbox(panel, "view/splinters", "Splinters and surfaces", panel.state.view.splinters);
   element_rows(panel);
   layer_rows(panel);
 }
