@@ -156,8 +156,9 @@ float grid_spacing(const Eigen::AlignedBox3f& box) {
 
 void mark_node(const ShownMesh& shown, NodeId node, render::DrawScene& picture) {
   const Eigen::Vector3f place = shown.positions[node].cast<float>();
-  picture.points.push_back({place, 13, {0.10f, 0.11f, 0.13f}, render::kNoId});
+  // Of two at one place the first is seen: the second is its rim.
   picture.points.push_back({place, 9, {1.0f, 0.55f, 0.10f}, render::kNoId});
+  picture.points.push_back({place, 13, {0.10f, 0.11f, 0.13f}, render::kNoId});
   picture.labels.push_back({place, "node " + std::to_string(node.value), 1.4f});
 }
 

@@ -36,6 +36,8 @@ std::string breaking(const CrackEvent& event, const char* unit) {
 std::string holding(const std::string& what, const NodeReport& report, const Material& material) {
   const NodeSeparation& separation = report.separation;
   if (!std::isfinite(separation.resistance)) return "No load has been measured here yet.";
+  constexpr double kNoise = 1e-6;
+  if (separation.margin > 0 && separation.margin < kNoise) return what + ": there is no load to speak of.";
   const char* unit = load_unit(material);
   std::string text = what + ": the load of " + format_quantity(load_of(separation, material), unit, 3) + " is " +
                      percent(separation.margin) + " of the resistance.";

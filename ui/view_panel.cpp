@@ -115,20 +115,30 @@ void element_rows(Panel& panel) {
   slider_row(panel, "view/edge_width", "Edge width", view.edge_width, 0.25, 10, "%.2f", true);
 }
 
+void layer_entry(Panel& panel, std::size_t index) {
+  const ViewLayerInfo& info = view_layers()[index];
+  const auto layer = static_cast<ViewLayer>(index);
+  bool shown = shows_layer(panel.state.view, layer);
+  if (checkbox(panel, ("view/layers/" + std::string(info.key)).c_str(), std::string(info.label).c_str(), shown))
+    show_layer(panel.state.view, layer, shown);
+  tooltip(info.hint);
+}
+
 void layer_rows(Panel& panel) {
-  const bool open = ImGui::CollapsingHeader("Layers");
-  tag_last_item(panel.tags, "view/layers", open ? "open" : "closed");
-  if (!open) return;
-  for (std::size_t i = 0; i < view_layers().size(); ++i) {
-    const ViewLayerInfo& info = view_layers()[i];
-    const auto layer = static_cast<ViewLayer>(i);
-    bool shown = shows_layer(panel.state.view, layer);
-    if (checkbox(panel, ("view/layers/" + std::string(info.key)).c_str(), std::string(info.label).c_str(), shown))
-      show_layer(panel.state.view, layer, shown);
-    tooltip(info.hint);
+  const std::size_t count = panel.state.view.layers.size();
+  const std::string text = count == 0 ? "none" : std::to_string(count) + " shown";
+  row_label(panel, "Layers");
+  const bool open = ImGui::BeginCombo("##layers", text.c_str(), ImGuiComboFlags_HeightLargest);
+  if (open) {
+    for (std::size_t i = 0; i < view_layers().size(); ++i) layer_entry(panel, i);
+    ImGui::EndCombo();
+  } else {
+    tag_last_item(panel.tags, "view/layers", text);
   }
-  integer_row(panel, "view/fracture_planes", "Planes of last", panel.state.view.fracture_planes, 1, 1000000);
+  if (count == 0) return;
   slider_row(panel, "view/glyph_scale", "Size of signs", panel.state.view.glyph_scale, 0.1, 10, "%.2f", true);
+  if (shows_layer(panel.state.view, ViewLayer::fracture_planes))
+    integer_row(panel, "view/fracture_planes", "Planes of last", panel.state.view.fracture_planes, 1, 1000000);
 }
 
 }  // namespace
@@ -140,8 +150,8 @@ void draw_view_panel(Panel& panel) {
   range_part(panel);
   checkbox(panel, "view/edges", "Element edges", panel.state.view.edges);
   checkbox(panel, "view/splinters", "Splinters and surfaces", panel.state.view.splinters);
-  element_rows(panel);
   layer_rows(panel);
+  element_rows(panel);
 }
 
 }  // namespace griffith::ui

@@ -144,6 +144,9 @@ TEST_F(EditorTest, LayersAndElementsAreChosenInTheViewPanel) {
   EXPECT_LT(editor_.state().view.opacity, 1);
   click("view/layers/stress_axes");
   EXPECT_TRUE(editor_.state().view.layers.empty());
+  click("view/layers/fracture_planes");
+  click("viewport");  // closes the list
+  EXPECT_EQ(value("view/fracture_planes"), "100");
   click("view/element_rows");
   click("view/elements");
   click("view/elements/shrunken");
