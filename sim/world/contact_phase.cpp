@@ -229,9 +229,9 @@ std::vector<Vec3> external_forces(const WorldState& world) {
 }
 
 void resolve_contacts(WorldState& world, double dt) {
-  tell_rigid_velocities(world);
-  world.contact_world.detect();
+  world.contact_world.detect();  // before the prediction, by which all that rests is about to fall
   take_sleep(world);
+  tell_rigid_velocities(world);
   TouchedBodies touched = solve_contacts(world, dt);
   limit_energy(world, touched, dt);
   tell_rigid_velocities(world);

@@ -156,7 +156,7 @@ void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>&
 }
 
 void freeze_if_broken_down(WorldState& world, Body& body) {
-  if (all_finite(world, body)) return;
+  if (body.asleep || all_finite(world, body)) return;
   for (NodeId node : body.nodes) world.nodes.velocities[node].setZero();
   body.rigid = true;
   body.motion.velocity.setZero();
