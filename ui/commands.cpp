@@ -10,7 +10,7 @@
 namespace griffith::ui {
 namespace {
 
-constexpr std::array<CommandInfo, 16> kRegistry = {{
+constexpr std::array<CommandInfo, 18> kRegistry = {{
     {CommandId::toggle_run, "simulation.run", "Run", "Run or pause", {key::kSpace}, "Space"},
     {CommandId::step, "simulation.step", "Step", "Pause and advance by one time step", {'N'}, "N"},
     {CommandId::reset, "simulation.reset", "Reset", "Start again from the scene as it is now edited", {'R'}, "R"},
@@ -29,6 +29,18 @@ constexpr std::array<CommandInfo, 16> kRegistry = {{
      "Keep the colour range as it is now, or let it follow the values",
      {'L'},
      "L"},
+    {CommandId::toggle_slice,
+     "view.slice",
+     "Slice",
+     "Cut the bodies open across the line of sight; Ctrl+drag moves the cut",
+     {'X'},
+     "X"},
+    {CommandId::select_most_loaded,
+     "view.select_most_loaded",
+     "Most loaded node",
+     "Inspect the node that is nearest to breaking",
+     {'M'},
+     "M"},
     {CommandId::undo, "edit.undo", "Undo", "Take the last edit of the scene back", {'Z', true}, "Ctrl+Z"},
     {CommandId::redo, "edit.redo", "Redo", "Do the edit again that was taken back", {'Z', true, true}, "Ctrl+Shift+Z"},
     {CommandId::open_dialog,

@@ -238,6 +238,7 @@ void resolve_contacts(WorldState& world, double dt) {
   world.contact_world.advance(dt);
   take_rigid_velocities(world);
   apply_corrections(world);
+  note_contacts(world);
   const int contacts = static_cast<int>(world.contact_world.contacts().size());
   world.contacts_before = contacts;
   world.report.contacts = std::max(world.report.contacts, contacts);

@@ -103,7 +103,9 @@ double hurting_speed(const WorldState& world, const Body& body);
 /// Lumped mass of a node from its star [kg].
 double node_mass(const WorldState& world, NodeId node);
 
-/// Body and projectile views and the totals, for the frame.
+/// Adds the contacts of a substep that carry an impulse to those of the step, for the frame.
+void note_contacts(WorldState& world);
+/// Views and totals, for the frame.
 void publish(WorldState& world);
 
 }  // namespace griffith

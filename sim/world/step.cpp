@@ -112,6 +112,7 @@ void World::step() { advance(impl_->state); }
 
 void advance(WorldState& world) {
   world.report = {};
+  world.contact_views.clear();
   {
     PhaseTimer timer(world.report.milliseconds.step);
     const double time_step = world.scene.simulation.time_step;

@@ -81,7 +81,7 @@ void hand_to_renderer(benchmark::State& state) {
   frame.first_surface = first_surface;
   const app::EmbeddedDisplay display = app::embedded_display(frame, scene);
   for (auto _ : state)
-    benchmark::DoNotOptimize(app::draw_scene_from_frame(frame, display, scene, {}, TetId()).embedded.carriers.size());
+    benchmark::DoNotOptimize(app::draw_scene_from_frame(frame, display, scene, {}, {}).embedded.carriers.size());
   state.counters["splinters"] = static_cast<double>(set.splinters.size());
 }
 BENCHMARK(hand_to_renderer)->Arg(10)->Arg(27)->Unit(benchmark::kMillisecond);
