@@ -6,6 +6,7 @@
 #include "app/carried_points.h"
 #include "app/natural_materials.h"
 #include "app/quantities.h"
+#include "app/skin_picture.h"
 #include "app/splinter_picture.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/scene/view_quantity.h"
@@ -131,7 +132,8 @@ void add_colors(render::DrawScene& picture, const Frame& frame, const EmbeddedDi
                 const ViewSettings& view) {
   if (view.quantity == "body" || view.quantity == "splinter") {
     color_by_id(picture, frame, display, view);
-  } else if (view.quantity == "material") {
+  } else if (view.quantity == "material" || view.quantity == "texture") {
+    picture.embedded.checker = view.quantity == "texture";
     color_by_material(picture, frame);
   } else {
     color_by_scalar(picture, frame, filter, view);
@@ -141,8 +143,9 @@ void add_colors(render::DrawScene& picture, const Frame& frame, const EmbeddedDi
 render::EmbeddedSurface embedded_surface(const Frame& frame, const EmbeddedDisplay& display) {
   render::EmbeddedSurface surface;
   surface.mesh = display.mesh;
+  surface.points.reserve(frame.positions.size());
   for (const Vec3& position : frame.positions) surface.points.push_back(position.cast<float>());
-  surface.tets = ordered_tets(frame);
+  surface.tets = ordered_tets(frame, display.orders);
   add_carriers(frame, surface.carriers);
   for (const SkinPart& part : display.skin_parts) surface.carriers.push_back(skin_carrier(frame, part).value);
   surface.opened.assign(frame.open_walls.begin(), frame.open_walls.end());
@@ -165,18 +168,16 @@ EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene) {
     display.splintered[static_cast<std::size_t>(splinter.scene_body)] = 1;
   auto mesh = std::make_shared<render::EmbeddedMesh>();
   add_splinters(frame, *mesh);
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    const BodyDescription& body = scene.bodies[i];
-    // Remeshing would take the tets away from under a skin.
-    if (!std::holds_alternative<SurfaceShape>(body.shape) || body.splinters || body.remeshing) continue;
+  for (const Skin& skin : make_skins(frame, scene)) {
     const auto parts = static_cast<int>(display.skin_parts.size());
-    const std::vector<SkinPart> added =
-        add_skin(frame, scene, static_cast<int>(i), static_cast<int>(frame.splinter_parts.size()) + parts,
-                 static_cast<int>(frame.splinters.size()) + parts, *mesh);
-    display.skin_parts.insert(display.skin_parts.end(), added.begin(), added.end());
-    display.skinned[i] = 1;
+    add_skin(frame, skin, static_cast<int>(frame.splinter_parts.size()) + parts,
+             static_cast<int>(frame.splinters.size()) + parts, *mesh);
+    for (const SkinCorner& corner : skin.corners) display.skin_parts.push_back(corner.part);
+    display.skinned[static_cast<std::size_t>(skin.scene_body)] = 1;
   }
-  if (!mesh->polygons.empty()) display.mesh = std::move(mesh);
+  if (mesh->polygons.empty()) return display;
+  display.mesh = std::move(mesh);
+  display.orders = summation_orders(frame);
   return display;
 }
 

@@ -5,7 +5,7 @@
 namespace griffith {
 
 std::span<const ViewQuantity> view_quantities() {
-  static constexpr std::array<ViewQuantity, 11> kQuantities = {{
+  static constexpr std::array<ViewQuantity, 12> kQuantities = {{
       {"von_mises", "von Mises stress", "Pa"},
       {"max_principal_stress", "largest principal stress", "Pa"},
       {"min_principal_stress", "smallest principal stress", "Pa"},
@@ -17,6 +17,7 @@ std::span<const ViewQuantity> view_quantities() {
       {"material", "material", ""},
       {"body", "body", ""},
       {"splinter", "splinter", ""},
+      {"texture", "texture coordinates", ""},
   }};
   return kQuantities;
 }
