@@ -24,11 +24,10 @@ render::Weights ordered(const Weights& weights, const std::array<int, 4>& order)
   return result;
 }
 
-std::vector<std::array<std::int32_t, 4>> ordered_tets(const Frame& frame) {
-  const std::vector<std::array<int, 4>> orders = summation_orders(frame);
-  std::vector<std::array<std::int32_t, 4>> tets(orders.size());
+std::vector<std::array<std::int32_t, 4>> ordered_tets(const Frame& frame, std::span<const std::array<int, 4>> orders) {
+  std::vector<std::array<std::int32_t, 4>> tets(frame.tets.size());
   for (std::size_t tet = 0; tet < tets.size(); ++tet)
-    for (int i = 0; i < 4; ++i) tets[tet][i] = frame.tets[tet][orders[tet][i]].value;
+    for (int i = 0; i < 4; ++i) tets[tet][i] = frame.tets[tet][tet < orders.size() ? orders[tet][i] : i].value;
   return tets;
 }
 

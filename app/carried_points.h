@@ -17,7 +17,8 @@ std::vector<std::array<int, 4>> summation_orders(const Frame& frame);
 /// Weights of a tet's corners in that order, without what is rounding alone.
 render::Weights ordered(const Weights& weights, const std::array<int, 4>& order);
 
-/// The nodes of all tets in that order, for the renderer.
-std::vector<std::array<std::int32_t, 4>> ordered_tets(const Frame& frame);
+/// The nodes of all tets in the `orders` that they had at the start, for the renderer; remeshing, which adds tets,
+/// takes none that carries anything.
+std::vector<std::array<std::int32_t, 4>> ordered_tets(const Frame& frame, std::span<const std::array<int, 4>> orders);
 
 }  // namespace griffith::app

@@ -8,6 +8,7 @@
 #include "app/layer_picture.h"
 #include "app/natural_materials.h"
 #include "app/quantities.h"
+#include "app/skin_picture.h"
 #include "app/splinter_picture.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/scene/view_quantity.h"
@@ -127,7 +128,8 @@ void add_elements(const ShownMesh& shown, const TetFilter& filter, const Quantit
 /// Colours of what has no scalar.
 void add_colors(render::DrawScene& picture, const Frame& frame, const EmbeddedDisplay& display,
                 const ViewSettings& view) {
-  if (view.quantity == "material") {
+  if (view.quantity == "material" || view.quantity == "texture") {
+    picture.embedded.checker = view.quantity == "texture";
     color_by_material(picture, frame);
   } else if (view.quantity == "plain") {
     color_plainly(picture, frame, display);
@@ -140,8 +142,9 @@ render::EmbeddedSurface embedded_surface(const ShownMesh& shown, const EmbeddedD
   const Frame& frame = shown.frame;
   render::EmbeddedSurface surface;
   surface.mesh = display.mesh;
+  surface.points.reserve(shown.positions.size());
   for (const Vec3& position : shown.positions) surface.points.push_back(position.cast<float>());
-  surface.tets = ordered_tets(frame);
+  surface.tets = ordered_tets(frame, display.orders);
   add_carriers(frame, surface.carriers);
   for (const SkinPart& part : display.skin_parts) surface.carriers.push_back(skin_carrier(frame, part).value);
   surface.opened.assign(frame.open_walls.begin(), frame.open_walls.end());
@@ -184,18 +187,16 @@ EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene) {
     display.splintered[static_cast<std::size_t>(splinter.scene_body)] = 1;
   auto mesh = std::make_shared<render::EmbeddedMesh>();
   add_splinters(frame, *mesh);
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    const BodyDescription& body = scene.bodies[i];
-    // Remeshing would take the tets away from under a skin.
-    if (!std::holds_alternative<SurfaceShape>(body.shape) || body.splinters || body.remeshing) continue;
+  for (const Skin& skin : make_skins(frame, scene)) {
     const auto parts = static_cast<int>(display.skin_parts.size());
-    const std::vector<SkinPart> added =
-        add_skin(frame, scene, static_cast<int>(i), static_cast<int>(frame.splinter_parts.size()) + parts,
-                 static_cast<int>(frame.splinters.size()) + parts, *mesh);
-    display.skin_parts.insert(display.skin_parts.end(), added.begin(), added.end());
-    display.skinned[i] = 1;
+    add_skin(frame, skin, static_cast<int>(frame.splinter_parts.size()) + parts,
+             static_cast<int>(frame.splinters.size()) + parts, *mesh);
+    for (const SkinCorner& corner : skin.corners) display.skin_parts.push_back(corner.part);
+    display.skinned[static_cast<std::size_t>(skin.scene_body)] = 1;
   }
-  if (!mesh->polygons.empty()) display.mesh = std::move(mesh);
+  if (mesh->polygons.empty()) return display;
+  display.mesh = std::move(mesh);
+  display.orders = summation_orders(frame);
   return display;
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
-#include "app/skin_picture.h"
+#include "app/skin.h"
 #include "renderer/draw_scene.h"
 #include "sim/scene/scene.h"
 #include "sim/world/frame.h"
@@ -17,8 +18,9 @@ namespace griffith::app {
 struct EmbeddedDisplay {
   std::shared_ptr<const render::EmbeddedMesh> mesh;  ///< null where no body has any
   std::vector<std::uint8_t> splintered;              ///< per scene body: 1 when it has splinters
-  std::vector<std::uint8_t> skinned;  ///< per scene body: 1 when it has the surface that it was made from
-  std::vector<SkinPart> skin_parts;   ///< numbered after the parts of splinters
+  std::vector<std::uint8_t> skinned;       ///< per scene body: 1 when it has the surface that it was made from
+  std::vector<SkinPart> skin_parts;        ///< numbered after the parts of splinters
+  std::vector<std::array<int, 4>> orders;  ///< per tet: summation_orders() of the first frame
 };
 
 /// Throws InputError when a surface cannot be read.

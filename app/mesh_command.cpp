@@ -37,7 +37,7 @@ SurfaceMesh run(const MeshOptions& options) {
   setup.monitor.stage = [&](std::string_view stage) { progress.enter(stage); };
   setup.monitor.cancelled = [&] { return interruption.requested(); };
   setup.monitor.enter("Reading the surface");
-  return mesh_surface(read_surface(options.surface, options.scale), options.meshing, setup);
+  return mesh_surface(read_surface(options.surface, options.scale, setup.monitor), options.meshing, setup);
 }
 
 }  // namespace

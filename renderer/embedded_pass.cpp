@@ -1,6 +1,6 @@
 #include "renderer/embedded_pass.h"
 
-#include <cassert>
+#include <algorithm>
 #include <string>
 
 #include "renderer/shaders.h"
@@ -8,7 +8,7 @@
 namespace griffith::render {
 namespace {
 
-static_assert(sizeof(EmbeddedCorner) == 15 * sizeof(float), "uploaded as it is");
+static_assert(sizeof(EmbeddedCorner) == 21 * sizeof(float), "uploaded as it is");
 static_assert(sizeof(EmbeddedMaterial) == 10 * sizeof(float), "uploaded as it is");
 
 const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
@@ -24,6 +24,13 @@ void describe_corners() {
   floats(2, 4, offsetof(EmbeddedCorner, other_weights));
   glEnableVertexAttribArray(3);
   glVertexAttribIPointer(3, 4, GL_INT, sizeof(EmbeddedCorner), offset(offsetof(EmbeddedCorner, tet)));
+  const auto shorts = [](GLuint index, std::size_t at) {
+    glEnableVertexAttribArray(index);
+    glVertexAttribPointer(index, 4, GL_SHORT, GL_TRUE, sizeof(EmbeddedCorner), offset(at));
+  };
+  shorts(4, offsetof(EmbeddedCorner, normal));
+  shorts(5, offsetof(EmbeddedCorner, other_normal));
+  floats(6, 2, offsetof(EmbeddedCorner, uv));
 }
 
 void add_fan(std::vector<std::uint32_t>& indices, const EmbeddedPolygon& polygon) {
@@ -56,13 +63,12 @@ EmbeddedPass::EmbeddedPass()
 }
 
 void EmbeddedPass::upload(const EmbeddedSurface& surface) {
-  const bool is_new = mesh_ != surface.mesh;
-  if (is_new) {
+  if (mesh_ != surface.mesh) {
     mesh_ = surface.mesh;
     upload_mesh();
   }
   if (!mesh_) return;
-  if (is_new || opened_ != surface.opened) upload_triangles(surface);
+  upload_opened(surface.opened);
   points_.upload(surface.points, 3);
   tets_.upload(surface.tets, 4);
   carriers_.upload(surface.carriers);
@@ -72,23 +78,39 @@ void EmbeddedPass::upload(const EmbeddedSurface& surface) {
 }
 
 void EmbeddedPass::upload_mesh() {
-  indices_ = 0;
+  indices_ = outer_indices_ = 0;
+  opened_.clear();
   if (!mesh_) return;
   glBindBuffer(GL_ARRAY_BUFFER, corners_.id());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh_->corners.size() * sizeof(EmbeddedCorner)),
                mesh_->corners.data(), GL_STATIC_DRAW);
+  std::size_t indices = 0;
+  for (const EmbeddedPolygon& polygon : mesh_->polygons) indices += 3 * static_cast<std::size_t>(polygon.corners - 2);
+  glBindVertexArray(vertices_.id());
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices * sizeof(std::uint32_t)), nullptr,
+               GL_DYNAMIC_DRAW);
+  append_triangles(mesh_->outer);
+  outer_indices_ = indices_;
 }
 
-void EmbeddedPass::upload_triangles(const EmbeddedSurface& surface) {
+void EmbeddedPass::append_triangles(std::span<const std::int32_t> polygons) {
   std::vector<std::uint32_t> indices;
-  for (const std::int32_t polygon : mesh_->outer) add_fan(indices, mesh_->polygons[static_cast<std::size_t>(polygon)]);
-  for (const std::int32_t polygon : surface.opened)
-    add_fan(indices, mesh_->polygons[static_cast<std::size_t>(polygon)]);
-  opened_ = surface.opened;
-  indices_ = static_cast<GLsizei>(indices.size());
+  for (const std::int32_t polygon : polygons) add_fan(indices, mesh_->polygons[static_cast<std::size_t>(polygon)]);
   glBindVertexArray(vertices_.id());
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)), indices.data(),
-               GL_DYNAMIC_DRAW);
+  glBufferSubData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLintptr>(indices_) * GLintptr{sizeof(std::uint32_t)},
+                  static_cast<GLsizeiptr>(indices.size() * sizeof(std::uint32_t)), indices.data());
+  indices_ += static_cast<GLsizei>(indices.size());
+}
+
+void EmbeddedPass::upload_opened(const std::vector<std::int32_t>& opened) {
+  const bool grew = opened.size() >= opened_.size() && std::equal(opened_.begin(), opened_.end(), opened.begin());
+  if (!grew) {
+    indices_ = outer_indices_;
+    opened_.clear();
+  }
+  if (opened.size() == opened_.size()) return;
+  append_triangles(std::span(opened).subspan(opened_.size()));
+  opened_ = opened;
 }
 
 void EmbeddedPass::draw_shadow() const {
@@ -113,6 +135,7 @@ void EmbeddedPass::draw(const EmbeddedSurface& surface, const ScalarStyle& style
   program.set("selected_tet", surface.selected_tet);
   program.set("opacity", opacity);
   program.set("drawn_part", static_cast<int>(part));
+  program.set("checker", surface.checker);
   color_tables.bind(style.color_map);
   draw_triangles();
 }

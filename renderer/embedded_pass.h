@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "renderer/color_tables.h"
 #include "renderer/draw_scene.h"
 #include "renderer/renderer.h"
@@ -20,7 +22,8 @@ class EmbeddedPass {
 
  private:
   void upload_mesh();
-  void upload_triangles(const EmbeddedSurface& surface);
+  void append_triangles(std::span<const std::int32_t> polygons);
+  void upload_opened(const std::vector<std::int32_t>& opened);
   void draw_triangles() const;
 
   ShaderProgram program_, transparent_program_, shadow_program_;
@@ -30,7 +33,7 @@ class EmbeddedPass {
       materials_{GL_R32F};
   std::shared_ptr<const EmbeddedMesh> mesh_;  ///< on the device
   std::vector<std::int32_t> opened_;          ///< on the device
-  GLsizei indices_ = 0;
+  GLsizei indices_ = 0, outer_indices_ = 0;   ///< on the device: all, and those of the outer polygons, which come first
 };
 
 }  // namespace griffith::render

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -12,24 +13,43 @@ namespace griffith::render {
 
 using Weights = Eigen::Matrix<float, 4, 1, Eigen::DontAlign>;  ///< barycentric, of a tet's corners
 
+/// The direction of a normal that a tet carries: in proportion to its products with the three edges from the tet's
+/// first point to the others, before anything moved. All 0: none, the polygon is flat.
+class CarriedNormal {
+ public:
+  CarriedNormal() = default;
+  explicit CarriedNormal(const Eigen::Vector3f& products) {
+    constexpr float kLargest = 32767;
+    const float scale = products.cwiseAbs().maxCoeff();
+    if (!(scale > 0)) return;
+    for (int i = 0; i < 3; ++i) products_[i] = static_cast<std::int16_t>(std::lround(kLargest * products[i] / scale));
+  }
+
+ private:
+  std::array<std::int16_t, 4> products_ = {};  ///< the last one fills up
+};
+
 /// A corner of a polygon that tets carry. Its place is the mean of a tet's points with one of two sets of barycentric
 /// weights: those in its own tet, or, where another tet carries its part, those in that other one.
 struct EmbeddedCorner {
   Eigen::Vector3f rest = Eigen::Vector3f::Zero();  ///< where it was before anything moved [m]: noise sticks to it
   Weights weights = Weights::Zero(), other_weights = Weights::Zero();
-  std::int32_t tet = 0;    ///< its own
-  std::int32_t part = 0;   ///< which entry of EmbeddedSurface::carriers holds for it
-  std::int32_t piece = 0;  ///< which entry of EmbeddedSurface::piece_colors holds for it
-  std::int32_t style = 0;  ///< EmbeddedStyle
+  std::int32_t tet = 0;                ///< its own
+  std::int32_t part = 0;               ///< which entry of EmbeddedSurface::carriers holds for it
+  std::int32_t piece = 0;              ///< which entry of EmbeddedSurface::piece_colors holds for it
+  std::int32_t style = 0;              ///< EmbeddedStyle
+  CarriedNormal normal = {}, other_normal = {};  ///< in its own tet and in the other one
+  Eigen::Vector2f uv = Eigen::Vector2f::Zero();
 };
 
 /// What a polygon looks like, packed.
 struct EmbeddedStyle {
-  int material = 0;    ///< index into EmbeddedSurface::materials, below 2^16
-  int tet_face = -1;   ///< 0..3: the face of its tet in which it lies, whose edges are drawn; -1: none
-  bool inner = false;  ///< made by fracture
+  int material = 0;       ///< index into EmbeddedSurface::materials, below 2^16
+  int tet_face = -1;      ///< 0..3: the face of its tet in which it lies, whose edges are drawn; -1: none
+  bool inner = false;     ///< made by fracture
+  bool textured = false;  ///< its corners have places in a texture
 
-  std::int32_t packed() const { return material | (tet_face + 1) << 16 | int(inner) << 20; }
+  std::int32_t packed() const { return material | (tet_face + 1) << 16 | int(inner) << 20 | int(textured) << 21; }
 };
 
 /// A convex polygon: some corners, one after the other.
@@ -65,6 +85,7 @@ struct EmbeddedSurface {
   bool scalars_per_point = false;                 ///< of `scalars`: one a point, else one a tet
   std::vector<Rgb> piece_colors;                  ///< per piece, where there are no scalars; else materials are shown
   std::vector<EmbeddedMaterial> materials;
+  bool checker = false;            ///< textured polygons show squares of a sixteenth of their texture
   std::int32_t selected_tet = -1;  ///< highlighted
 };
 

@@ -2,8 +2,10 @@ const float kHalf = 0.5;
 
 uniform samplerBuffer scalars, colors, materials;
 uniform int scalar_kind, selected_tet;
-uniform bool has_piece_colors, draw_edges, unlit;
+uniform bool has_piece_colors, draw_edges, unlit, checker;
 in vec3 position;
+in vec3 smooth_normal;
+in vec2 uv;
 in vec3 rest;
 in vec4 own_weights;
 in float scalar;
@@ -67,15 +69,33 @@ float face_edge() {
   return edge_coverage(barycentric, vec3(1.0));
 }
 
+// On the side that is seen.
+vec3 normal_here() {
+  vec3 facet = flat_normal(position);
+  if (dot(smooth_normal, smooth_normal) < 0.25) return facet;
+  vec3 normal = normalize(smooth_normal);
+  return dot(normal, facet) < 0.0 ? -normal : normal;
+}
+
+// Squares of a sixteenth of the texture, smoothed where a pixel holds several.
+vec3 checked(vec3 color) {
+  vec2 place = 16.0 * uv;
+  vec2 width = max(fwidth(place), 1e-4);
+  vec2 wave = abs(fract(place / 2.0) - 0.5) * 4.0 - 1.0;
+  vec2 side = clamp(wave / width, -1.0, 1.0);
+  return color * mix(0.55, 1.0, 0.5 + 0.5 * side.x * side.y);
+}
+
 void main() {
-  bool inner = (labels.w >> 20) != 0;
+  bool inner = ((labels.w >> 20) & 1) != 0;
   bool selected = labels.x == selected_tet;
   bool is_scalar = scalar_kind != 0;
   float edge = face_edge();
   vec4 here = is_scalar || (has_piece_colors && !inner) ? vec4(0.0) : texture_here();
   vec3 color = is_scalar ? value_color() : has_piece_colors ? piece_color(inner) : material_color(here.w);
+  if (checker && ((labels.w >> 21) & 1) != 0) color = checked(color);
   if (!(unlit && is_scalar)) {
-    color = shade(selected ? mix(color, kSelectionColor, 0.45) : color, position, here.xyz, is_scalar);
+    color = shade(selected ? mix(color, kSelectionColor, 0.45) : color, position, normal_here(), here.xyz, is_scalar);
   }
   color = mix(color, selected ? kSelectionColor : kEdgeColor, (selected ? 1.0 : 0.6) * edge);
   if (!is_drawn(selected)) discard;

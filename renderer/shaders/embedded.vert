@@ -5,7 +5,12 @@ layout(location = 0) in vec3 corner_rest;
 layout(location = 1) in vec4 weights;
 layout(location = 2) in vec4 other_weights;
 layout(location = 3) in ivec4 corner_labels;  // tet, part, piece, style
+layout(location = 4) in vec4 normal_products;  // with the edges of the tet, before anything moved
+layout(location = 5) in vec4 other_normal_products;
+layout(location = 6) in vec2 corner_uv;
 out vec3 position;
+out vec3 smooth_normal;  // of length 0: none
+out vec2 uv;
 out vec3 rest;
 out vec4 own_weights;
 out float scalar;
@@ -15,6 +20,17 @@ flat out ivec4 labels;
 
 vec3 point_at(int index) {
   return vec3(texelFetch(points, 3 * index).r, texelFetch(points, 3 * index + 1).r, texelFetch(points, 3 * index + 2).r);
+}
+
+// A normal moves with the cofactors of the deformation gradient: where planes go, not where points go.
+vec3 carried_normal(vec3 products) {
+  if (products == vec3(0.0)) return vec3(0.0);
+  vec3 first = point_at(texelFetch(tets, 4 * carrier).r);
+  vec3 a = point_at(texelFetch(tets, 4 * carrier + 1).r) - first;
+  vec3 b = point_at(texelFetch(tets, 4 * carrier + 2).r) - first;
+  vec3 c = point_at(texelFetch(tets, 4 * carrier + 3).r) - first;
+  vec3 normal = products.x * cross(b, c) + products.y * cross(c, a) + products.z * cross(a, b);
+  return normalize(normal) * sign(dot(a, cross(b, c)));
 }
 
 void main() {
@@ -27,6 +43,8 @@ void main() {
     position += share[i] * point_at(point);
     if (scalar_kind == 2) scalar += share[i] * texelFetch(scalars, point).r;
   }
+  smooth_normal = carried_normal(carrier == corner_labels.x ? normal_products.xyz : other_normal_products.xyz);
+  uv = corner_uv;
   rest = corner_rest;
   own_weights = weights;
   labels = corner_labels;

@@ -28,11 +28,15 @@ float edge_coverage(vec3 barycentric, vec3 marked) {
   return max(coverage.x, max(coverage.y, coverage.z)) * smoothstep(4.0, 14.0, height);
 }
 
-// A plain colour takes the whole range of light, a scalar's colour only its upper part so that values stay comparable.
-vec3 shade(vec3 color, vec3 position, vec3 bump, bool is_scalar) {
+// The side of the triangle that is seen.
+vec3 flat_normal(vec3 position) {
   vec3 normal = normalize(cross(dFdx(position), dFdy(position)));
-  if (dot(normal, towards_eye(position)) < 0.0) normal = -normal;
-  float visibility = light_visibility(position, normal);
+  return dot(normal, towards_eye(position)) < 0.0 ? -normal : normal;
+}
+
+// A plain colour takes the whole range of light, a scalar's colour only its upper part so that values stay comparable.
+vec3 shade(vec3 color, vec3 position, vec3 normal, vec3 bump, bool is_scalar) {
+  float visibility = light_visibility(position, flat_normal(position));
   float light_here = illumination(normalize(normal + bump), visibility);
   float factor = is_scalar ? mix(0.62, 1.0, min(light_here, 1.0)) : light_here;
   return srgb_from_linear(linear_from_srgb(color) * factor);

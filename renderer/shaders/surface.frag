@@ -28,7 +28,8 @@ void main() {
   vec3 marked = vec3(triangle_flags & 1, (triangle_flags >> 1) & 1, (triangle_flags >> 2) & 1);
   float edge = draw_edges ? edge_coverage(barycentric, marked) : 0.0;
   if (!(unlit && is_scalar)) {
-    color = shade(selected ? mix(color, kSelectionColor, 0.45) : color, position, vec3(0.0), is_scalar);
+    color = shade(selected ? mix(color, kSelectionColor, 0.45) : color, position, flat_normal(position), vec3(0.0),
+                  is_scalar);
   }
   color = mix(color, selected ? kSelectionColor : kEdgeColor, (selected ? 1.0 : 0.6) * edge);
   if (!is_drawn(selected)) discard;

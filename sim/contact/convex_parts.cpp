@@ -7,39 +7,43 @@
 
 #include "sim/contact/contact_world.h"
 #include "sim/contact/convex_hull.h"
+#include "sim/contact/convex_pieces.h"
 
 namespace griffith {
 namespace {
-
-using Tets = std::span<const std::array<int, 4>>;
 
 /// More corners than this cost time at every contact and are not seen in one.
 constexpr int kMaxCorners = 42;
 /// A part with less than this share of the body's volume is not halved any more: it bounds the number of parts.
 constexpr double kSmallestShare = 1.0 / 32;
 
+/// The points of all pieces one after the other, and what is known of each piece.
 struct Body {
   std::span<const Vec3> points;
-  Tets tets;
   double fill;
+  std::vector<int> corners = {};
+  std::vector<std::size_t> first = {0};  ///< per piece, and the end
+  std::vector<double> volumes = {};
+  std::vector<Vec3> centers = {};
   double volume = 0;
+
+  void add(std::span<const int> piece, double piece_volume) {
+    Vec3 center = Vec3::Zero();
+    for (const int corner : piece) center += points[corner] / static_cast<double>(piece.size());
+    corners.insert(corners.end(), piece.begin(), piece.end());
+    first.push_back(corners.size());
+    volumes.push_back(piece_volume);
+    centers.push_back(center);
+    volume += piece_volume;
+  }
 };
 
-double tet_volume(const Body& body, int tet) {
-  const auto& [a, b, c, d] = body.tets[tet];
-  const Vec3& origin = body.points[a];
-  return std::abs((body.points[b] - origin).cross(body.points[c] - origin).dot(body.points[d] - origin)) / 6;
-}
-
-Vec3 centroid(const Body& body, int tet) {
-  const auto& [a, b, c, d] = body.tets[tet];
-  return (body.points[a] + body.points[b] + body.points[c] + body.points[d]) / 4;
-}
-
-/// The points used by some tets, each once.
-std::vector<Vec3> used_points(const Body& body, std::span<const int> tets) {
+/// The points used by some pieces, each once.
+std::vector<Vec3> used_points(const Body& body, std::span<const int> pieces) {
   std::vector<int> nodes;
-  for (int tet : tets) nodes.insert(nodes.end(), body.tets[tet].begin(), body.tets[tet].end());
+  for (const int piece : pieces)
+    nodes.insert(nodes.end(), body.corners.begin() + static_cast<std::ptrdiff_t>(body.first[piece]),
+                 body.corners.begin() + static_cast<std::ptrdiff_t>(body.first[piece + 1]));
   std::sort(nodes.begin(), nodes.end());
   nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   std::vector<Vec3> points;
@@ -74,8 +78,8 @@ ConvexPart simplified(const std::vector<Vec3>& corners) {
   return part;
 }
 
-/// Sorts the tets into the two halves of their extent's longest axis and returns where the second half starts.
-std::size_t halve(const Body& body, std::span<int> tets, const std::vector<Vec3>& points) {
+/// Sorts the pieces into the two halves of their extent's longest axis and returns where the second half starts.
+std::size_t halve(const Body& body, std::span<int> pieces, const std::vector<Vec3>& points) {
   Vec3 minimum = points[0], maximum = points[0];
   for (const Vec3& point : points) {
     minimum = minimum.cwiseMin(point);
@@ -84,42 +88,61 @@ std::size_t halve(const Body& body, std::span<int> tets, const std::vector<Vec3>
   int axis = 0;
   (maximum - minimum).maxCoeff(&axis);
   const double middle = (minimum[axis] + maximum[axis]) / 2;
-  const auto second =
-      std::stable_partition(tets.begin(), tets.end(), [&](int tet) { return centroid(body, tet)[axis] < middle; });
-  const std::size_t half = second - tets.begin();
-  return half == 0 || half == tets.size() ? tets.size() / 2 : half;
+  const auto second = std::stable_partition(pieces.begin(), pieces.end(),
+                                            [&](int piece) { return body.centers[piece][axis] < middle; });
+  const std::size_t half = second - pieces.begin();
+  return half == 0 || half == pieces.size() ? pieces.size() / 2 : half;
 }
 
-void split(const Body& body, std::span<int> tets, std::vector<ConvexPart>& parts) {
-  const std::vector<Vec3> points = used_points(body, tets);
-  if (tets.size() == 1) {
+void split(const Body& body, std::span<int> pieces, std::vector<ConvexPart>& parts) {
+  constexpr std::size_t kTetCorners = 4;
+  const std::vector<Vec3> points = used_points(body, pieces);
+  if (points.size() <= kTetCorners) {
     parts.push_back(points);
     return;
   }
   const ConvexHull hull = convex_hull(points);
   double volume = 0;
-  for (int tet : tets) volume += tet_volume(body, tet);
+  for (int piece : pieces) volume += body.volumes[piece];
   const bool filled = volume >= (body.fill - 1e-9) * hull.volume;
-  if (filled || volume < kSmallestShare * body.volume) {
+  if (pieces.size() == 1 || filled || volume < kSmallestShare * body.volume) {
     parts.push_back(simplified(hull.corners));
     return;
   }
-  const std::size_t half = halve(body, tets, points);
-  split(body, tets.first(half), parts);
-  split(body, tets.subspan(half), parts);
+  const std::size_t half = halve(body, pieces, points);
+  split(body, pieces.first(half), parts);
+  split(body, pieces.subspan(half), parts);
+}
+
+std::vector<ConvexPart> parts_of(const Body& body) {
+  std::vector<int> all(body.volumes.size());
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<ConvexPart> parts;
+  if (!all.empty()) split(body, all, parts);
+  return parts;
+}
+
+double tet_volume(std::span<const Vec3> points, const std::array<int, 4>& tet) {
+  const auto& [a, b, c, d] = tet;
+  const Vec3& origin = points[a];
+  return std::abs((points[b] - origin).cross(points[c] - origin).dot(points[d] - origin)) / 6;
 }
 
 }  // namespace
 
-std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, Tets tets, double fill) {
+std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<const std::array<int, 4>> tets,
+                                     double fill) {
   assert(fill > 0 && fill <= 1);
-  std::vector<int> all(tets.size());
-  std::iota(all.begin(), all.end(), 0);
-  std::vector<ConvexPart> parts;
-  Body body = {points, tets, fill};
-  for (int tet : all) body.volume += tet_volume(body, tet);
-  if (!all.empty()) split(body, all, parts);
-  return parts;
+  Body body = {points, fill};
+  for (const auto& tet : tets) body.add(tet, tet_volume(points, tet));
+  return parts_of(body);
+}
+
+std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<const ConvexPiece> pieces, double fill) {
+  assert(fill > 0 && fill <= 1);
+  Body body = {points, fill};
+  for (const ConvexPiece& piece : pieces) body.add(piece.corners, piece.volume);
+  return parts_of(body);
 }
 
 }  // namespace griffith

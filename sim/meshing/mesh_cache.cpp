@@ -3,13 +3,13 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <span>
 #include <string_view>
 
 #include "sim/error.h"
+#include "sim/meshing/bytes.h"
 #include "sim/replace_file.h"
 
 namespace griffith {
@@ -27,15 +27,6 @@ std::uint64_t hash(std::string_view bytes, std::uint64_t start) {
 }
 constexpr std::uint64_t kStart = 0xcbf29ce484222325u, kOtherStart = 0x9e3779b97f4a7c15u;
 
-template <class T>
-std::string_view bytes_of(std::span<const T> values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
-}
-template <class T>
-std::string_view bytes_of(const std::vector<T>& values) {
-  return bytes_of(std::span<const T>(values));
-}
-
 std::string options_text(const MeshingOptions& options) {
   char text[160];
   std::snprintf(text, sizeof text, "%d %.17g %.17g %.17g %.17g", static_cast<int>(options.method),
@@ -47,16 +38,6 @@ std::string options_text(const MeshingOptions& options) {
 struct Header {
   std::int32_t method = 0, refusal_length = 0, points = 0, tets = 0;
 };
-
-/// Takes `count` values off the front of `bytes`; false when there are fewer.
-template <class T>
-bool take(std::string_view& bytes, T* values, std::int64_t count) {
-  const std::int64_t size = count * static_cast<std::int64_t>(sizeof(T));
-  if (count < 0 || size > std::ssize(bytes)) return false;
-  std::memcpy(static_cast<void*>(values), bytes.data(), static_cast<std::size_t>(size));
-  bytes.remove_prefix(static_cast<std::size_t>(size));
-  return true;
-}
 
 std::optional<FilledSurface> decode(std::string_view bytes) {
   std::uint64_t sum = 0;

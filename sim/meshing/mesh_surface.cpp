@@ -124,15 +124,39 @@ double volume_of(const TetSoup& soup) {
   return volume;
 }
 
+/// The volume of the mesh less the surface's, as a share of that; 0 where a surface has no volume that says much.
+double change_in_volume(const SurfaceReport& report, const FilledSurface& filled) {
+  if (!unsound(report).empty() || report.shells > 1) return 0;
+  return volume_of(filled.soup) / report.volume - 1;
+}
+
+/// Thickness of a thin wall, or a third of a ball's radius: what the elements have to be smaller than [m].
+double mean_thickness(const SurfaceReport& report) { return 2 * std::abs(report.volume) / report.area; }
+
 /// What there is to tell about the volume of the mesh; empty: nothing.
 std::string volume_finding(const SurfaceReport& report, const FilledSurface& filled) {
-  const double change = volume_of(filled.soup) / report.volume - 1;
-  if (!unsound(report).empty() || report.shells > 1 || std::abs(change) < kVolumeTolerance) return {};
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "the mesh has %.0f %% %s volume than the surface: a smaller element size fits better",
-                100 * std::abs(change), change < 0 ? "less" : "more");
+  const double change = change_in_volume(report, filled);
+  if (std::abs(change) < kVolumeTolerance) return {};
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "the mesh has %.0f %% %s volume than the surface: an element size below %.2g m, its mean thickness, fits "
+      "better",
+      100 * std::abs(change), change < 0 ? "less" : "more", mean_thickness(report));
   return text;
+}
+
+/// A lattice passes over what is thinner than its elements: little is left of a vase.
+void require_enough_volume(const SurfaceReport& report, const FilledSurface& filled, const MeshingSetup& setup) {
+  constexpr double kMostLost = 0.5;
+  const double change = change_in_volume(report, filled);
+  if (change > -kMostLost) return;
+  char problem[120], remedy[120];
+  std::snprintf(problem, sizeof problem, "has walls thinner than the elements: %.0f %% of its volume would be lost",
+                -100 * change);
+  std::snprintf(remedy, sizeof remedy, "give an element size below %.2g m, its mean thickness, or the method tetgen",
+                mean_thickness(report));
+  throw InputError(setup.name, problem, remedy);
 }
 
 /// What there is to tell about many more tets than their size asks for; empty: nothing. A thin wall needs its many.
@@ -140,8 +164,7 @@ std::string count_finding(const SurfaceReport& report, const FilledSurface& fill
   constexpr double kMany = 8;
   const double least = 6 * std::sqrt(2.0) * report.volume / std::pow(element_size, 3);
   const double many = static_cast<double>(filled.soup.tets.size()) / least;
-  const double thickness = 2 * report.volume / report.area;
-  if (filled.method != MeshingMethod::tetgen || many < kMany || thickness < element_size) return {};
+  if (filled.method != MeshingMethod::tetgen || many < kMany || mean_thickness(report) < element_size) return {};
   char text[200];
   std::snprintf(
       text, sizeof text,
@@ -173,6 +196,7 @@ SurfaceMesh mesh_surface(TriangleSurface surface, const MeshingOptions& options,
   SurfaceMesh mesh;
   mesh.surface_report = prepare_surface(surface, setup.name);
   FilledSurface filled = fill_or_recall(surface, mesh.surface_report, options, setup, mesh.from_cache);
+  require_enough_volume(mesh.surface_report, filled, setup);
   mesh.findings = findings_of(mesh.surface_report, filled, element_size_for(mesh.surface_report, options));
   mesh.soup = std::move(filled.soup);
   mesh.method = filled.method;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/linear_algebra.h"
+#include "sim/meshing/monitor.h"
 
 namespace griffith {
 
@@ -18,8 +19,9 @@ struct TriangleSurface {
 
 /// Reads a surface from .obj, .stl, .ply, .off, .gltf or .glb, all its objects together, polygons cut into triangles;
 /// coordinates are multiplied by `scale` and equal points become one. Throws InputError when the file is missing, of
-/// another format, cannot be read, or holds no triangles or a coordinate that is not finite.
-TriangleSurface read_surface(const std::filesystem::path& path, double scale = 1);
+/// another format, cannot be read, or holds no triangles or a coordinate that is not finite; Cancelled when the monitor
+/// says so.
+TriangleSurface read_surface(const std::filesystem::path& path, double scale = 1, const Monitor& monitor = {});
 
 /// Makes one point of points with equal coordinates and drops points that no triangle uses. The first of equal points
 /// keeps its place in the order.

@@ -3,41 +3,19 @@
 #include <cmath>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
 
 #include "sim/error.h"
 #include "sim/mesh/number_text.h"
 #include "sim/mesh/read_mesh.h"
+#include "sim/meshing/temporary_folder.h"
 #include "sim/replace_file.h"
 
 namespace griffith {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A new folder for temporary files, gone with its contents at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (fs::temp_directory_path() / "griffith_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr)
-      throw InputError(name, "cannot be made", "TMPDIR has to name a folder that may be written to and has room");
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /// TetGen is given bounds, and stays well below them: this much longer edges are allowed than are wanted in the mean.
 constexpr double kAllowance = 1.3;

@@ -15,6 +15,12 @@
 
 namespace griffith {
 
+/// What stands in for a body where it touches others.
+enum class CollisionShape {
+  elements,   ///< convex parts of its tets
+  splinters,  ///< convex parts of the splinters that it owns
+};
+
 struct BodyDescription {
   std::string name = "body";
   Shape shape;
@@ -30,6 +36,7 @@ struct BodyDescription {
   std::vector<Support> supports;
   std::vector<Load> loads;
   std::optional<SplinterPattern> splinters;  ///< what is seen of it when it breaks; none: its tets
+  CollisionShape collision = CollisionShape::elements;  ///< `splinters` only where it has some
   bool operator==(const BodyDescription&) const = default;
 };
 

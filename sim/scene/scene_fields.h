@@ -173,9 +173,14 @@ void describe(Archive& archive, BodyDescription& body) {
   archive.field("supports", body.supports, Parts{}, "Regions that are held");
   archive.field("loads", body.loads, Parts{}, "Forces on regions");
   archive.field("splinters", body.splinters, Parts{},
-                "What it is seen to break into, instead of its tetrahedra; nothing of the simulation depends on it");
+                "What it is seen to break into, instead of its tetrahedra; nothing of the simulation depends on it but "
+                "what \"collision\" says");
+  archive.field("collision", body.collision, OneOf{{"elements", "splinters"}},
+                "What touches other bodies: its tetrahedra, or the splinters of pieces that have at most 256 of them");
   archive.require(!body.remeshing || !body.splinters, "remeshing", "is asked for beside splinters",
                   "take one of them out: splinters are carried by the tetrahedra as they are");
+  archive.require(body.collision == CollisionShape::elements || body.splinters, "splinters",
+                  "are missing, but \"collision\" asks for them", "give the body some, or take the collision out");
 }
 
 template <class Archive>

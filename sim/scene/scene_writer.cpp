@@ -127,6 +127,7 @@ Scene with_mesh_paths_from(Scene scene, const std::filesystem::path& folder) {
     if (std::filesystem::path* file = file_of(body.shape)) move(*file);
     if (!body.splinters) continue;
     if (auto* points = std::get_if<PointSplinters>(&*body.splinters)) move(points->path);
+    if (auto* cells = std::get_if<CellSplinters>(&*body.splinters)) move(cells->path);
   }
   return scene;
 }

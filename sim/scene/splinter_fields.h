@@ -51,6 +51,14 @@ void describe(Archive& archive, PointSplinters& points) {
 }
 
 template <class Archive>
+void describe(Archive& archive, CellSplinters& cells) {
+  archive.field(
+      "path", cells.path, MeshPath{"file of cells"},
+      "Surface file (.obj, .ply, .gltf, ...), each object a convex cell; relative to the scene file's folder");
+  archive.field("scale", cells.scale, between(1e-9, 1e6), "Metres per unit of the file");
+}
+
+template <class Archive>
 void describe(Archive& archive, SplinterPattern& pattern) {
   archive.template alternative<VoronoiSplinters>("voronoi", pattern, Parts{},
                                                  "Shards round random points; long ones look like wood");
@@ -59,6 +67,7 @@ void describe(Archive& archive, SplinterPattern& pattern) {
   archive.template alternative<BrickSplinters>("bricks", pattern, Parts{},
                                                "Bricks in running bond: courses along x, stacked along y");
   archive.template alternative<PointSplinters>("points", pattern, Parts{}, "Shards round points from a file");
+  archive.template alternative<CellSplinters>("cells", pattern, Parts{}, "Convex cells from a file");
 }
 
 }  // namespace griffith

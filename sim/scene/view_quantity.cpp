@@ -5,7 +5,7 @@
 namespace griffith {
 
 std::span<const ViewQuantity> view_quantities() {
-  static constexpr std::array<ViewQuantity, 18> kQuantities = {{
+  static constexpr std::array<ViewQuantity, 19> kQuantities = {{
       {"margin", "load over resistance", "-"},
       {"von_mises", "von Mises stress", "Pa"},
       {"max_principal_stress", "largest principal stress", "Pa"},
@@ -24,6 +24,7 @@ std::span<const ViewQuantity> view_quantities() {
       {"body", "body", ""},
       {"tet", "element", ""},
       {"splinter", "splinter", ""},
+      {"texture", "texture coordinates", ""},
   }};
   return kQuantities;
 }

@@ -21,6 +21,9 @@ struct Maker {
     for (Vec3& point : points) point *= pattern.scale;
     return voronoi_cells(std::move(points), bounds);
   }
+  CellPartition operator()(const CellSplinters& pattern) const {
+    return read_cells(folder / pattern.path, pattern.scale);
+  }
 };
 
 /// The wall that a point is farthest outside of; null when it is outside of none.

@@ -19,7 +19,7 @@ struct HalfSpace {
   HalfSpace opposite() const { return {-normal, -offset}; }
 };
 
-/// A side of a cell and what lies beyond.
+/// A side of a cell, or a part of one, and what lies beyond.
 struct CellWall {
   HalfSpace inside;
   int neighbour = -1;  ///< another cell; its wall to this one is exactly the opposite half-space
@@ -30,12 +30,12 @@ enum class SplinterMatter : std::uint8_t { body, mortar };
 
 /// A convex polyhedron, possibly unbounded.
 struct ConvexCell {
-  std::vector<CellWall> walls;
-  int splinter = 0;  ///< cells of the same number belong together
+  std::vector<CellWall> walls;  ///< those of a side with several neighbours one after the other, of equal half-spaces
+  int splinter = 0;             ///< cells of the same number belong together
   SplinterMatter matter = SplinterMatter::body;
 };
 
-/// Cells that fill the box round a body face to face: where two meet, each has one wall to the other.
+/// Cells that fill the box round a body: where two meet along a face, each has one wall to the other.
 using CellPartition = std::vector<ConvexCell>;
 
 /// More cells than this are refused.
@@ -50,6 +50,9 @@ CellPartition make_cells(const SplinterPattern& pattern, const Eigen::AlignedBox
 CellPartition make_voronoi_cells(const VoronoiSplinters& pattern, const Eigen::AlignedBox3d& bounds);
 CellPartition make_radial_cells(const RadialSplinters& pattern, const Eigen::AlignedBox3d& bounds);
 CellPartition make_brick_cells(const BrickSplinters& pattern, const Eigen::AlignedBox3d& bounds);
+/// The convex objects of a surface file. Throws InputError, naming the cell, for one that is not convex, not closed,
+/// flat or overlaps another.
+CellPartition read_cells(const std::filesystem::path& path, double scale);
 /// Throws TooManyCells when `cells` are more than kMaxSplinterCells.
 void check_cell_count(double cells);
 struct TooManyCells {};

@@ -98,7 +98,7 @@ void clip(ConvexPolyhedron& polyhedron, const HalfSpace& inside, int wall, doubl
   bool capped = false;
   for (PolyhedronFace& face : polyhedron.faces) {
     if (cut.lies_in_plane(face)) {
-      face.wall = wall;
+      if (face.wall < 0) face.wall = wall;
       capped = true;
     }
   }
@@ -127,6 +127,24 @@ double volume(const ConvexPolyhedron& polyhedron) {
   for (const PolyhedronFace& face : polyhedron.faces)
     tripled += area_vector(polyhedron, face).dot(polyhedron.corners[face.corners[0]] - origin);
   return tripled / 3;
+}
+
+std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const HalfSpace& inside) {
+  std::vector<Vec3> kept;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3 &here = polygon[i], &next = polygon[(i + 1) % polygon.size()];
+    const double a = inside.distance(here), b = inside.distance(next);
+    if (a <= 0) kept.push_back(here);
+    if ((a < 0 && b > 0) || (a > 0 && b < 0)) kept.push_back(here + a / (a - b) * (next - here));
+  }
+  return kept;
+}
+
+Vec3 area_vector(const std::vector<Vec3>& polygon) {
+  Vec3 doubled = Vec3::Zero();
+  for (std::size_t i = 2; i < polygon.size(); ++i)
+    doubled += (polygon[i - 1] - polygon[0]).cross(polygon[i] - polygon[0]);
+  return doubled / 2;
 }
 
 }  // namespace griffith

@@ -11,7 +11,7 @@ namespace griffith {
 struct PolyhedronFace {
   std::vector<int> corners;  ///< counter-clockwise seen from outside
   int tet_face = -1;         ///< face 0..3 of the tet that it is a part of; -1: none
-  int wall = -1;             ///< number of the cell's wall that it lies in; -1: none. Both: the two coincide.
+  int wall = -1;             ///< the first of the cell's walls that it lies in; -1: none. Both: the two coincide.
 };
 
 /// A convex polyhedron; empty where it has no faces.
@@ -34,5 +34,10 @@ void clip(ConvexPolyhedron& polyhedron, const HalfSpace& inside, int wall, doubl
 double volume(const ConvexPolyhedron& polyhedron);
 /// The area vector of a face: its outward normal times its area [m²].
 Vec3 area_vector(const ConvexPolyhedron& polyhedron, const PolyhedronFace& face);
+
+/// The part of a convex polygon within a half-space.
+std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const HalfSpace& inside);
+/// Half the sum of the cross products round a polygon: its normal times its area [m²].
+Vec3 area_vector(const std::vector<Vec3>& polygon);
 
 }  // namespace griffith

@@ -33,14 +33,23 @@ bool has_opened(const SplinterSet& set, Neighbours neighbours, const SplinterSta
   return !neighbours[set.parts[face.part].tet][face.tet_face].valid();
 }
 
+void open(SplinterState& state, int face) {
+  if (state.open[face]) return;
+  state.open[face] = 1;
+  state.open_walls.push_back(face);
+}
+
+/// Opens the walls of a splinter that have to be, and the other sides of them.
 void open_walls(const SplinterSet& set, Neighbours neighbours, SplinterId id, SplinterState& state) {
   const Splinter& splinter = set.splinters[id];
   for (int p = splinter.first_part; p < splinter.first_part + splinter.parts; ++p) {
     const SplinterPart& part = set.parts[p];
     for (int f = part.first_face; f < part.first_face + part.faces; ++f) {
       if (state.open[f] || !has_opened(set, neighbours, state, set.faces[f])) continue;
-      state.open[f] = 1;
-      state.open_walls.push_back(f);
+      open(state, f);
+      const SplinterPart& beyond = set.parts[set.faces[f].beyond];
+      for (int g = beyond.first_face; g < beyond.first_face + beyond.faces; ++g)
+        if (set.faces[g].beyond == p) open(state, g);
     }
   }
 }
@@ -49,19 +58,6 @@ void sort_and_unite(std::vector<SplinterId>& ids) {
   std::ranges::sort(ids);
   const auto rest = std::ranges::unique(ids);
   ids.erase(rest.begin(), rest.end());
-}
-
-/// These splinters and all that they share walls with.
-std::vector<SplinterId> with_neighbours(const SplinterSet& set, const std::vector<SplinterId>& ids) {
-  std::vector<SplinterId> result = ids;
-  for (const SplinterId id : ids) {
-    const Splinter& splinter = set.splinters[id];
-    for (int p = splinter.first_part; p < splinter.first_part + splinter.parts; ++p)
-      for (int f = set.parts[p].first_face; f < set.parts[p].first_face + set.parts[p].faces; ++f)
-        if (set.faces[f].beyond >= 0) result.push_back(set.parts[set.faces[f].beyond].splinter);
-  }
-  sort_and_unite(result);
-  return result;
 }
 
 }  // namespace
@@ -82,7 +78,7 @@ void follow_cracks(const SplinterSet& splinters, Neighbours neighbours, std::spa
   }
   sort_and_unite(touched);
   for (const SplinterId id : touched) update_attachment(splinters, neighbours, id, state);
-  for (const SplinterId id : with_neighbours(splinters, touched)) open_walls(splinters, neighbours, id, state);
+  for (const SplinterId id : touched) open_walls(splinters, neighbours, id, state);
 }
 
 }  // namespace griffith

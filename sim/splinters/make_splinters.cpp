@@ -104,17 +104,25 @@ class Builder {
       SplinterPart& part = set_.parts[part_of_[i]];
       if (part.faces == 0) part.first_face = static_cast<int>(set_.faces.size());
       for (const PolyhedronFace& face : fragment.polyhedron.faces)
-        if (face.tet_face >= 0 && !mesh_.neighbours[fragment.tet][face.tet_face].valid()) add_face(i, face, -1);
+        if (face.tet_face >= 0 && !mesh_.neighbours[fragment.tet][face.tet_face].valid())
+          add_face(i, face, outline_of(fragment, face), -1);
       for (int c = first_contact[i]; c < first_contact[i + 1]; ++c) {
         const FragmentContact& contact = contacts_[c];
-        if (contact.is_wall && groups_[contact.a] != groups_[contact.b])
-          add_face(i, fragment.polyhedron.faces[contact.face], part_of_[contact.b]);
+        if (!contact.is_wall || groups_[contact.a] == groups_[contact.b]) continue;
+        const PolyhedronFace& face = fragment.polyhedron.faces[contact.face];
+        add_face(i, face, contact.outline.empty() ? outline_of(fragment, face) : contact.outline, part_of_[contact.b]);
       }
       part.faces = static_cast<int>(set_.faces.size()) - part.first_face;
     }
   }
 
-  void add_face(int fragment, const PolyhedronFace& polygon, int beyond) {
+  static std::vector<Vec3> outline_of(const Fragment& fragment, const PolyhedronFace& face) {
+    std::vector<Vec3> outline;
+    for (const int corner : face.corners) outline.push_back(fragment.polyhedron.corners[corner]);
+    return outline;
+  }
+
+  void add_face(int fragment, const PolyhedronFace& polygon, const std::vector<Vec3>& outline, int beyond) {
     const Fragment& source = fragments_[fragment];
     SplinterFace face;
     face.part = part_of_[fragment];
@@ -122,14 +130,12 @@ class Builder {
     face.tet_face = static_cast<std::int8_t>(polygon.tet_face);
     face.matter = cells_[source.cell].matter;
     face.first_corner = static_cast<int>(set_.corners.size());
-    face.corners = static_cast<int>(polygon.corners.size());
+    face.corners = static_cast<int>(outline.size());
     set_.faces.push_back(face);
     const Barycentric in_tet(mesh_, source.tet);
     const Barycentric in_owner(mesh_, set_.splinters[set_.parts[face.part].splinter].owner);
-    for (const int corner : polygon.corners) {
-      const Vec3& place = source.polyhedron.corners[corner];
+    for (const Vec3& place : outline)
       set_.corners.push_back({place.cast<float>(), in_tet.weights(place), in_owner.weights(place)});
-    }
   }
 
   const TetMesh& mesh_;
@@ -143,6 +149,18 @@ class Builder {
 }  // namespace
 
 SplinterSet make_splinters(const TetMesh& mesh, const CellPartition& cells) { return Builder(mesh, cells).build(); }
+
+Uncovered uncovered_part(const TetMesh& mesh, const SplinterSet& splinters) {
+  Uncovered uncovered;
+  double most = 0;
+  for (TetId tet(0); tet < mesh.tet_count(); ++tet.value) {
+    double missing = rest_volume(mesh, tet);
+    for (const int part : splinters.parts_of_tet[tet]) missing -= splinters.parts[part].volume;
+    uncovered.volume += missing;
+    if (missing > most) most = missing, uncovered.place = rest_centroid(mesh, tet);
+  }
+  return uncovered;
+}
 
 void append(SplinterSet& all, const SplinterSet& of_body, TetId first_tet, int scene_body) {
   const int splinters = static_cast<int>(all.splinters.size()), parts = static_cast<int>(all.parts.size());

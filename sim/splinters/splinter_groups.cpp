@@ -95,6 +95,51 @@ void join_small_groups(const std::vector<Fragment>& fragments, const std::vector
   }
 }
 
+/// The cells behind a face: beyond the wall that it lies in, of which a side may have several, or the same cell.
+std::vector<int> cells_beyond(const ConvexCell& cell, int own, int wall) {
+  if (wall < 0) return {own};
+  std::vector<int> beyond;
+  const HalfSpace& side = cell.walls[wall].inside;
+  for (std::size_t i = wall; i < cell.walls.size(); ++i) {
+    const HalfSpace& inside = cell.walls[i].inside;
+    if (inside.normal != side.normal || inside.offset != side.offset) break;
+    if (cell.walls[i].neighbour >= 0) beyond.push_back(cell.walls[i].neighbour);
+  }
+  return beyond;
+}
+
+/// The part of a face of a cell's fragment that a neighbour covers.
+std::vector<Vec3> shared_outline(const ConvexPolyhedron& polyhedron, const PolyhedronFace& face,
+                                 const ConvexCell& neighbour, int cell) {
+  std::vector<Vec3> outline;
+  for (const int corner : face.corners) outline.push_back(polyhedron.corners[corner]);
+  const auto towards = std::ranges::find(neighbour.walls, cell, &CellWall::neighbour);
+  for (const CellWall& wall : neighbour.walls)
+    if (wall.inside.normal != towards->inside.normal || wall.inside.offset != towards->inside.offset)
+      outline = clipped(outline, wall.inside);
+  return outline;
+}
+
+/// The contacts of a face with what lies in the tet beyond it; `contact` knows the face.
+void add_contacts(const CellPartition& cells, const std::vector<Fragment>& fragments, const FragmentTable& table,
+                  TetId beyond, FragmentContact contact, std::vector<FragmentContact>& contacts) {
+  const Fragment& fragment = fragments[contact.a];
+  const PolyhedronFace& face = fragment.polyhedron.faces[contact.face];
+  const std::vector<int> neighbours = cells_beyond(cells[fragment.cell], fragment.cell, face.wall);
+  for (const int cell : neighbours) {
+    contact.b = table.find(beyond, cell);
+    if (contact.b < 0) continue;  // thinner than rounding
+    if (neighbours.size() == 1) {
+      contact.area = area_vector(fragment.polyhedron, face).norm();
+    } else {
+      contact.outline = shared_outline(fragment.polyhedron, face, cells[cell], fragment.cell);
+      contact.area = area_vector(contact.outline).norm();
+      if (contact.area == 0) continue;
+    }
+    contacts.push_back(contact);
+  }
+}
+
 }  // namespace
 
 std::vector<FragmentContact> find_contacts(const TetMesh& mesh, const CellPartition& cells,
@@ -102,16 +147,13 @@ std::vector<FragmentContact> find_contacts(const TetMesh& mesh, const CellPartit
   const FragmentTable table(fragments, mesh.tet_count());
   std::vector<FragmentContact> contacts;
   for (std::size_t i = 0; i < fragments.size(); ++i) {
-    const Fragment& fragment = fragments[i];
-    for (std::size_t f = 0; f < fragment.polyhedron.faces.size(); ++f) {
-      const PolyhedronFace& face = fragment.polyhedron.faces[f];
-      const TetId beyond = face.tet_face < 0 ? fragment.tet : mesh.neighbours[fragment.tet][face.tet_face];
+    const std::vector<PolyhedronFace>& faces = fragments[i].polyhedron.faces;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      const int tet_face = faces[f].tet_face;
+      const TetId beyond = tet_face < 0 ? fragments[i].tet : mesh.neighbours[fragments[i].tet][tet_face];
       if (!beyond.valid()) continue;
-      const int cell = face.wall < 0 ? fragment.cell : cells[fragment.cell].walls[face.wall].neighbour;
-      const int other = cell < 0 ? -1 : table.find(beyond, cell);
-      if (other < 0) continue;  // thinner than rounding
-      contacts.push_back({static_cast<int>(i), other, face.tet_face, face.wall >= 0, static_cast<int>(f),
-                          area_vector(fragment.polyhedron, face).norm()});
+      add_contacts(cells, fragments, table, beyond,
+                   {static_cast<int>(i), -1, tet_face, faces[f].wall >= 0, static_cast<int>(f)}, contacts);
     }
   }
   return contacts;

@@ -8,11 +8,12 @@ namespace griffith {
 
 /// Two fragments that touch.
 struct FragmentContact {
-  int a = 0, b = 0;      ///< fragments
-  int tet_face = -1;     ///< of a's tet, where the two are in different tets
-  bool is_wall = false;  ///< they are of different cells
-  int face = 0;          ///< of a's polyhedron
-  double area = 0;       ///< [m²]
+  int a = 0, b = 0;                ///< fragments
+  int tet_face = -1;               ///< of a's tet, where the two are in different tets
+  bool is_wall = false;            ///< they are of different cells
+  int face = 0;                    ///< of a's polyhedron
+  std::vector<Vec3> outline = {};  ///< the part of the face in which they touch; empty: all of it
+  double area = 0;                 ///< [m²]
 };
 
 /// All contacts from both sides: a tet's face or a wall appears once for each fragment that it bounds.

@@ -47,6 +47,13 @@ struct PointSplinters {
   bool operator==(const PointSplinters&) const = default;
 };
 
-using SplinterPattern = std::variant<VoronoiSplinters, RadialSplinters, BrickSplinters, PointSplinters>;
+/// Convex cells from a file, as programs that break things ahead of time export them.
+struct CellSplinters {
+  std::filesystem::path path;  ///< any surface format: each object is a cell
+  double scale = 1;            ///< metres per unit of the file, > 0
+  bool operator==(const CellSplinters&) const = default;
+};
+
+using SplinterPattern = std::variant<VoronoiSplinters, RadialSplinters, BrickSplinters, PointSplinters, CellSplinters>;
 
 }  // namespace griffith

@@ -70,8 +70,25 @@ struct SplinterSet {
 /// it shares the largest wall joins it.
 SplinterSet make_splinters(const TetMesh& mesh, const CellPartition& cells);
 
+/// What of a body no splinter holds.
+struct Uncovered {
+  double volume = 0;          ///< [m³]
+  Vec3 place = Vec3::Zero();  ///< the middle of the tet that misses most [m]
+};
+
+/// Cells that do not fill the box round the body may leave something out.
+Uncovered uncovered_part(const TetMesh& mesh, const SplinterSet& splinters);
+
 /// Adds the splinters of a body whose tets begin at `first_tet` of the mesh of all.
 void append(SplinterSet& all, const SplinterSet& of_body, TetId first_tet, int scene_body);
+
+/// A place on a splinter and the part that carries it.
+struct HullCorner {
+  int part = 0, corner = 0;
+};
+
+/// Places on each splinter of which it is the convex hull, none twice.
+std::vector<std::vector<HullCorner>> hull_corners(const SplinterSet& splinters);
 
 /// How splinters are carried and what is seen of them.
 struct SplinterState {
@@ -85,7 +102,7 @@ SplinterState intact_state(const SplinterSet& splinters);
 
 /// Follows the cracks that parted `changed_tets` from some neighbour. `neighbours`: of all tets, as they are now. A
 /// part that has lost its owner is carried by the owner's affine map; a wall opens when what carries its two sides
-/// parts. Walls never close again. Costs the splinters in these tets and their neighbours.
+/// parts. Walls never close again. Costs the splinters in these tets.
 void follow_cracks(const SplinterSet& splinters, std::span<const std::array<TetId, 4>> neighbours,
                    std::span<const TetId> changed_tets, SplinterState& state);
 

@@ -22,22 +22,6 @@ Eigen::VectorXd gather(const std::vector<double>& values, const std::vector<Node
   return gathered;
 }
 
-/// Convex parts of the body's present shape, relative to its centre of mass.
-std::vector<ConvexPart> collision_parts(const WorldState& world, const Body& body) {
-  std::vector<Vec3> points;
-  for (NodeId node : body.nodes) points.push_back(world.nodes.positions[node] - body.motion.center);
-  std::vector<std::array<int, 4>> tets;
-  for (TetId tet : body.tets) {
-    std::array<int, 4> corners;
-    for (int i = 0; i < 4; ++i)
-      corners[i] = static_cast<int>(
-          std::lower_bound(body.nodes.begin(), body.nodes.end(), world.mesh.tets[tet][i]) - body.nodes.begin());
-    tets.push_back(corners);
-  }
-  constexpr std::size_t kSmallPiece = 20;  // tets
-  return body.tets.size() <= kSmallPiece ? convex_parts(points, tets, 0.5) : convex_parts(points, tets);
-}
-
 void place_stand_in(WorldState& world, Body& body) {
   body.collision_parts = collision_parts(world, body);
   const RigidMass mass{body.motion.mass, body.motion.inertia};

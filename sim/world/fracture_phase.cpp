@@ -186,12 +186,12 @@ void open_cracks(WorldState& world, double substep) {
   if (overloaded.empty()) return;
   const Opened opened = crack_in_turn(world, overloaded, substep);
   restore_angular_momentum(world, opened.motions);
+  follow_cracks(world.splinters, world.mesh.neighbours, opened.parted, world.splinter_state);
   for (BodyId body : opened.bodies) {
     world.crack_transit_time = std::min(world.crack_transit_time, crack_transit_time(world, world.bodies[body]));
     part_body(world, body);
   }
   date_open_faces(world, opened.parted);
-  follow_cracks(world.splinters, world.mesh.neighbours, opened.parted, world.splinter_state);
   for (std::size_t i = opened.first_event; i < world.crack_events.size(); ++i)
     world.crack_events[i].children = children_of(world, world.crack_events[i]);
   world.report.cracks_postponed = static_cast<int>(world.postponed.size());

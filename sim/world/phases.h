@@ -86,6 +86,9 @@ void rest_bodies(WorldState& world, double time_step);
 void part_body(WorldState& world, BodyId id);
 /// Rebuilds what follows from a body's tets: nodes, surface, system, stand-in.
 void rebuild_body(WorldState& world, Body& body);
+/// Convex parts of the body's present shape, relative to its centre of mass: of the splinters that it owns where the scene
+/// asks for that and they are not too many to be told from a whole, else of its tets.
+std::vector<ConvexPart> collision_parts(const WorldState& world, const Body& body);
 /// The rigid motion that carries the momentum of a body's nodes.
 RigidMotion motion_of(const WorldState& world, const Body& body);
 /// Takes mass, momentum and orientation of a body from its nodes.

@@ -41,7 +41,7 @@ struct Maker {
     setup.name = path.string();
     setup.cache = default_mesh_cache();
     setup.monitor = monitor;
-    SurfaceMesh mesh = mesh_surface(read_surface(path, shape.scale), shape.meshing, setup);
+    SurfaceMesh mesh = mesh_surface(read_surface(path, shape.scale, setup.monitor), shape.meshing, setup);
     if (findings != nullptr) *findings = std::move(mesh.findings);
     return std::move(mesh.soup);
   }

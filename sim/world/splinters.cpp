@@ -1,8 +1,27 @@
 #include "sim/splinters/splinters.h"
 
+#include <cstdio>
+
+#include "sim/mesh/topology.h"
 #include "sim/world/phases.h"
 
 namespace griffith {
+namespace {
+
+/// Cells from a file need not fill the body.
+void require_covered(const TetMesh& mesh, const SplinterSet& splinters, const std::string& where) {
+  constexpr double kShare = 1e-6;
+  double volume = 0;
+  for (TetId tet(0); tet < mesh.tet_count(); ++tet.value) volume += rest_volume(mesh, tet);
+  const Uncovered uncovered = uncovered_part(mesh, splinters);
+  if (uncovered.volume <= kShare * volume) return;
+  char text[160];
+  std::snprintf(text, sizeof text, "leave %.3g %% of the body without a cell, most near (%.4g, %.4g, %.4g)",
+                100 * uncovered.volume / volume, uncovered.place.x(), uncovered.place.y(), uncovered.place.z());
+  throw InputError(where, text, "let the outer cells reach beyond the body's surface, and fill gaps between cells");
+}
+
+}  // namespace
 
 void place_splinters(WorldState& world, int scene_body, const RestBody& body) {
   const std::optional<SplinterPattern>& pattern = world.scene.bodies[scene_body].splinters;
@@ -12,8 +31,12 @@ void place_splinters(WorldState& world, int scene_body, const RestBody& body) {
   for (const Vec3& position : mesh.rest_positions) bounds.extend(position);
   const std::string where = "#/bodies/" + std::to_string(scene_body) + "/splinters";
   const CellPartition cells = make_cells(*pattern, bounds, world.scene.folder, where);
-  append(world.splinters, make_splinters(mesh, cells), body.range.first_tet, scene_body);
+  const SplinterSet splinters = make_splinters(mesh, cells);
+  require_covered(mesh, splinters, where);
+  append(world.splinters, splinters, body.range.first_tet, scene_body);
   world.splinter_state = intact_state(world.splinters);
+  if (world.scene.bodies[scene_body].collision == CollisionShape::splinters)
+    world.splinter_hulls = hull_corners(world.splinters);
 }
 
 }  // namespace griffith

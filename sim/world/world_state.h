@@ -104,6 +104,7 @@ struct WorldState {
   ElementArrays elements;
   SplinterSet splinters;
   SplinterState splinter_state;
+  std::vector<std::vector<HullCorner>> splinter_hulls;  ///< per splinter; empty where they are not what touches
   std::vector<Body> bodies;  ///< by BodyId; never removed
   ContactWorld contact_world;
   std::vector<BodyId> body_of_proxy;  ///< per ProxyId; invalid for projectiles and the ground

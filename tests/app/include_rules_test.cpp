@@ -76,7 +76,7 @@ TEST(IncludeRules, ThirdPartyLibrariesStayInTheirPlaces) {
   expect_only_in(kBullet, "^sim/contact/");
   expect_only_in("^(tbb|oneapi/tbb)/", "^sim/parallel\\.cpp$");
   expect_only_in("^nlohmann/", "^(sim/scene/|app/((mesh_)?statistics|crack_event_file)\\.cpp$)");
-  expect_only_in("^assimp/", "^sim/meshing/read_surface\\.cpp$");
+  expect_only_in("^assimp/", "^sim/meshing/import_objects\\.cpp$");
   expect_only_in("^GLFW/", "^app/window\\.cpp$");
   expect_only_in("^CLI/", "^app/command_line\\.cpp$");
   expect_only_in("^voro", "^sim/splinters/voronoi_cells\\.cpp$");
@@ -93,7 +93,7 @@ TEST(IncludeRules, LowerFoldersOfTheSimulationKnowNoHigherOnes) {
       {"sim/solver", "^sim(/mesh|/elasticity|/solver)?$"},
       {"sim/fracture", "^sim(/mesh|/elasticity|/solver|/fracture)?$"},
       {"sim/contact", "^sim(/mesh|/contact)?$"},
-      {"sim/splinters", "^sim(/mesh|/splinters)?$"},
+      {"sim/splinters", "^sim(/mesh|/meshing|/splinters)?$"},
       {"sim/scene", "^sim(/mesh|/meshing|/elasticity|/solver|/fracture|/splinters|/scene)?$"},
       {"sim/world", "^sim(/.*)?$"},
   };

@@ -10,6 +10,7 @@
 #include "program.h"
 #include "renderer/egl_context.h"
 #include "renderer/renderer.h"
+#include "sim/meshing/surface.h"
 #include "sim/world/world.h"
 #include "tests/world/scenes.h"
 
@@ -142,6 +143,51 @@ TEST(SkinPicture, TheSurfaceStandsWhereItsTetsAreAndNoTriangleSpansTwoBodies) {
   EXPECT_FALSE(drawn().surface.ids.empty());  // cracks are laid bare
 }
 
+/// Of a surface that is smooth, neighbours have a common normal; an edge of a cube is none.
+TEST(SkinPicture, CornersHaveTheSurfacesNormals) {
+  const Scene scene = cube_of_surface(1);
+  const World world(scene);
+  const std::vector<Skin> skins = make_skins(world.frame(), scene);
+  ASSERT_EQ(skins.size(), 1u);
+  ASSERT_EQ(skins[0].corners.size(), 36u);
+  for (std::size_t i = 0; i < skins[0].corners.size(); i += 3) {
+    const auto rest = [&](std::size_t k) { return skins[0].corners[i + k].rest; };
+    const Vec3 normal = (rest(1) - rest(0)).cross(rest(2) - rest(0)).normalized();
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_LT((skins[0].corners[i + k].normal - normal).norm(), 1e-6);
+  }
+}
+
+/// A square with texture coordinates as the lid of a cube.
+TEST(SkinPicture, TextureCoordinatesAreDrawnAndExported) {
+  Scene scene = cube_of_surface(0.02);
+  test_file("cube.obj",
+            "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv -1 2 -1\nv 1 2 -1\nv 1 2 1\nv -1 2 1\n"
+            "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+            "f 1/1 2/2 3/3 4/4\nf 8/1 7/2 6/3 5/4\nf 1/1 5/2 6/3 2/4\nf 2/1 6/2 7/3 3/4\nf 3/1 7/2 8/3 4/4\nf 4/1 8/2 "
+            "5/3 1/4\n");
+  World world(scene);
+  const std::vector<Skin> skins = make_skins(world.frame(), scene);
+  ASSERT_TRUE(skins[0].has_uvs);
+  scene.view.quantity = "texture";
+  const EmbeddedDisplay display = embedded_display(world.frame(), scene);
+  const render::DrawScene drawn = draw_scene_from_frame(world.frame(), display, scene, scene.view, {});
+  EXPECT_TRUE(drawn.embedded.checker);
+  for (std::size_t i = 0; i < skins[0].corners.size(); ++i)
+    EXPECT_EQ(drawn.embedded.mesh->corners[i].uv, skins[0].corners[i].uv.cast<float>());
+  for (int i = 0; i < 30; ++i) world.step();
+  const std::filesystem::path folder = test_folder() / "textured";
+  export_pieces(folder, world.frame(), skins);
+  double area = 0;  // of the texture, which each of the six sides shows once
+  int pieces = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const TriangleSurface piece = read_surface(entry.path());
+    ++pieces;
+    for (const auto& [a, b, c] : piece.uvs) area += std::abs((b - a).x() * (c - a).y() - (b - a).y() * (c - a).x()) / 2;
+  }
+  EXPECT_GT(pieces, 1);
+  EXPECT_NEAR(area, 6, 1e-5);
+}
+
 /// By the divergence theorem.
 double enclosed_volume(const PieceSurface& surface) {
   double volume = 0;
@@ -159,6 +205,13 @@ TEST(ExportPieces, AnIntactBodyEnclosesItsVolume) {
   scene.bodies[0].splinters.reset();
   const World without(scene);
   EXPECT_NEAR(enclosed_volume(piece_surface(without.frame(), BodyId(0))), 2, 1e-9);
+}
+
+TEST(ExportPieces, AnIntactSkinEnclosesTheSurfacesVolume) {
+  Scene scene = cube_of_surface(1);
+  scene.gravity.setZero();
+  const World world(scene);
+  EXPECT_NEAR(enclosed_volume(piece_surface(world.frame(), BodyId(0), make_skins(world.frame(), scene))), 8, 1e-5);
 }
 
 TEST(ExportPieces, PiecesShareOutTheBodyAndAreFiles) {

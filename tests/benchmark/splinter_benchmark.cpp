@@ -4,6 +4,8 @@
 #include <benchmark/benchmark.h>
 
 #include "app/draw_scene_from_frame.h"
+#include "renderer/egl_context.h"
+#include "renderer/embedded_pass.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/topology.h"
 #include "sim/splinters/splinters.h"
@@ -53,38 +55,85 @@ void follow(benchmark::State& state) {
 }
 BENCHMARK(follow)->Arg(10)->Arg(27)->Unit(benchmark::kMillisecond);
 
+/// A cube of splinters, halved: what a frame hands out about it.
+class HalvedCube {
+ public:
+  explicit HalvedCube(const benchmark::State& state) : mesh_(cube()), set_(shards(mesh_, state)) {
+    state_ = intact_state(set_);
+    follow_cracks(set_, mesh_.neighbours, halve(mesh_), state_);
+    bodies_.resize(1);
+    bodies_[0].id = BodyId(0);
+    tet_bodies_.assign(mesh_.tets.size(), BodyId(0));
+    stresses_.assign(mesh_.tets.size(), Mat3::Zero());
+    first_surface_.assign(mesh_.tets.size(), 0);
+    scene_.bodies.resize(1);
+    scene_.view.quantity = "material";
+  }
+
+  Frame frame() const {
+    Frame frame;
+    frame.rest_positions = frame.positions = mesh_.rest_positions;
+    frame.tets = mesh_.tets;
+    frame.neighbours = mesh_.neighbours;
+    frame.tet_bodies = tet_bodies_;
+    frame.bodies = bodies_;
+    frame.stresses = stresses_;
+    frame.materials = materials_;
+    frame.first_surface = first_surface_;
+    frame.splinters = set_.splinters;
+    frame.splinter_parts = set_.parts;
+    frame.splinter_faces = set_.faces;
+    frame.splinter_corners = set_.corners;
+    frame.attached_parts = state_.attached;
+    frame.open_walls = state_.open_walls;
+    return frame;
+  }
+  const Scene& scene() const { return scene_; }
+
+ private:
+  TetMesh mesh_;
+  SplinterSet set_;
+  SplinterState state_;
+  std::vector<BodyView> bodies_;
+  std::vector<BodyId> tet_bodies_;
+  std::vector<Mat3> stresses_;
+  std::vector<Material> materials_{1};
+  std::vector<std::uint8_t> first_surface_;
+  Scene scene_;
+};
+
+void count(benchmark::State& state, const Frame& frame) {
+  state.counters["splinters"] = static_cast<double>(frame.splinters.size());
+  state.counters["parts"] = static_cast<double>(frame.splinter_parts.size());
+  state.counters["faces"] = static_cast<double>(frame.splinter_faces.size());
+  state.counters["open"] = static_cast<double>(frame.open_walls.size());
+}
+
 void hand_to_renderer(benchmark::State& state) {
-  const TetMesh mesh = cube();
-  const SplinterSet set = shards(mesh, state);
-  const SplinterState intact = intact_state(set);
-  Frame frame;
-  frame.rest_positions = frame.positions = mesh.rest_positions;
-  frame.tets = mesh.tets;
-  frame.splinters = set.splinters;
-  frame.splinter_parts = set.parts;
-  frame.splinter_faces = set.faces;
-  frame.splinter_corners = set.corners;
-  frame.attached_parts = intact.attached;
-  frame.open_walls = intact.open_walls;
-  Scene scene;
-  scene.bodies.resize(1);
-  std::vector<BodyId> tet_bodies(mesh.tets.size(), BodyId(0));
-  const std::vector<BodyView> bodies = {{BodyId(0), BodyId()}};
-  const std::vector<Mat3> stresses(mesh.tets.size(), Mat3::Zero());
-  const std::vector<Material> materials(1);
-  frame.tet_bodies = tet_bodies;
-  frame.bodies = bodies;
-  frame.stresses = stresses;
-  frame.materials = materials;
-  frame.neighbours = mesh.neighbours;
-  const std::vector<std::uint8_t> first_surface(mesh.tets.size(), 0);
-  frame.first_surface = first_surface;
-  const app::EmbeddedDisplay display = app::embedded_display(frame, scene);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(app::draw_scene_from_frame(frame, display, scene, {}, {}).embedded.carriers.size());
-  state.counters["splinters"] = static_cast<double>(set.splinters.size());
+  const HalvedCube halved(state);
+  const Frame frame = halved.frame();
+  const app::EmbeddedDisplay display = app::embedded_display(frame, halved.scene());
+  for (auto _ : state) {
+    const auto picture = app::draw_scene_from_frame(frame, display, halved.scene(), halved.scene().view, {});
+    benchmark::DoNotOptimize(picture.embedded.carriers.size());
+  }
+  count(state, frame);
 }
 BENCHMARK(hand_to_renderer)->Arg(10)->Arg(27)->Unit(benchmark::kMillisecond);
+
+/// What a frame uploads while no new wall opens.
+void upload(benchmark::State& state) {
+  const render::EglContext context(std::nullopt);
+  render::EmbeddedPass pass;
+  const HalvedCube halved(state);
+  const Frame frame = halved.frame();
+  const app::EmbeddedDisplay display = app::embedded_display(frame, halved.scene());
+  const auto picture = app::draw_scene_from_frame(frame, display, halved.scene(), halved.scene().view, {});
+  pass.upload(picture.embedded);
+  for (auto _ : state) pass.upload(picture.embedded);
+  count(state, frame);
+}
+BENCHMARK(upload)->Arg(10)->Arg(27)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace griffith

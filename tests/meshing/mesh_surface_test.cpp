@@ -161,6 +161,32 @@ TEST(MeshSurface, ASurfaceWithoutAnInsideIsRefused) {
   EXPECT_THAT(message_of(foil, options(MeshingMethod::volumetric, 0.3)), HasSubstr("thinner than the elements"));
 }
 
+/// However coarse the lattice is on a thin ring, what it loses is told, with the size that would do; most of it,
+/// refused.
+TEST(MeshSurface, LostVolumeIsToldWithARemedy) {
+  const TriangleSurface ring = torus_surface(1, 0.03, 60, 12);
+  char remedy[64];
+  std::snprintf(remedy, sizeof remedy, "element size below %.2g m", 2 * enclosed_volume(ring) / surface_area(ring));
+  int told = 0, refused = 0;
+  for (const double size : {0.012, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08}) {
+    const std::string message = message_of(ring, options(MeshingMethod::volumetric, size));
+    refused += !message.empty();
+    if (!message.empty()) {
+      EXPECT_THAT(message, ::testing::AnyOf(HasSubstr(std::string("would be lost (give an ") + remedy),
+                                            HasSubstr("thinner than the elements everywhere")));
+      continue;
+    }
+    const SurfaceMesh mesh = mesh_surface(ring, options(MeshingMethod::volumetric, size));
+    const double volume = mesh_quality(mesh.soup).volume, whole = mesh.surface_report.volume;
+    const bool has_word = !mesh.findings.empty() && mesh.findings.back().find(remedy) != std::string::npos;
+    EXPECT_EQ(has_word, std::abs(volume / whole - 1) >= 0.05) << size;
+    EXPECT_GT(volume, 0.5 * whole);
+    told += has_word;
+  }
+  EXPECT_GT(told, 0);
+  EXPECT_GT(refused, 0);
+}
+
 TEST(MeshSurface, ASlipOfTheElementSizeIsRefusedAtOnce) {
   for (const MeshingMethod method : {MeshingMethod::automatic, MeshingMethod::tetgen, MeshingMethod::volumetric})
     EXPECT_THAT(message_of(sphere_surface(1, 8), options(method, 1e-4)), HasSubstr("larger element size"));

@@ -1,11 +1,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <iterator>
 #include <sstream>
 
 #include "sim/error.h"
 #include "sim/meshing/polygon.h"
 #include "sim/meshing/surface.h"
+#include "sim/meshing/surface_objects.h"
 #include "surfaces.h"
 
 namespace griffith {
@@ -179,25 +181,95 @@ TEST(ReadSurface, EachUnusableFileHasItsOwnMessage) {
   EXPECT_FALSE(message_of(written(folder / "cut.stl", cut)).empty());
 }
 
+/// One file of each kind, and what lies beside it, all of the same box.
+std::vector<std::pair<std::string, std::string>> good_files(const std::filesystem::path& folder) {
+  const TriangleSurface box = box_surface(Vec3::Zero(), Vec3::Ones());
+  write_off(box, folder / "box.off");
+  std::ifstream off(folder / "box.off", std::ios::binary);
+  return {{"a.stl", binary_stl_of(box)},
+          {"a.ply", ply_of(box)},
+          {"b.stl", ascii_stl_of(box)},
+          {"a.obj", obj_of(box)},
+          {"a.off", std::string{std::istreambuf_iterator<char>(off), {}}},
+          {"a.gltf", gltf_of(box, folder, Vec3::Zero())}};
+}
+
+/// Whether a file is read, with corners that exist, or refused with a problem and a remedy. Nothing else may happen.
+bool read_or_refused(const std::filesystem::path& file) {
+  try {
+    const TriangleSurface surface = read_surface(file);
+    for (const auto& triangle : surface.triangles)
+      for (const int corner : triangle)
+        if (static_cast<std::size_t>(corner) >= surface.points.size()) return false;
+    return true;
+  } catch (const InputError& error) {
+    return !error.problem().empty() && !error.remedy().empty();
+  }
+}
+
 TEST(ReadSurface, DamagedFilesAreReadOrRefusedButNeverCrash) {
   const auto folder = test_folder();
-  const TriangleSurface box = box_surface(Vec3::Zero(), Vec3::Ones());
-  const std::vector<std::pair<std::string, std::string>> good = {
-      {"a.stl", binary_stl_of(box)}, {"a.ply", ply_of(box)}, {"b.stl", ascii_stl_of(box)}, {"a.obj", obj_of(box)}};
+  const auto good = good_files(folder);
   unsigned state = 1;
   const auto next = [&](std::size_t count) { return (state = state * 1664525 + 1013904223) / 7 % count; };
-  for (int i = 0; i < 120; ++i) {
+  for (std::size_t i = 0; i < 60 * good.size(); ++i) {
     auto [name, bytes] = good[i % good.size()];
-    for (int j = 0; j < 3; ++j) bytes[next(bytes.size())] = static_cast<char>(next(256));
-    const auto file = written(folder / name, bytes);
-    try {
-      const TriangleSurface surface = read_surface(file);
-      for (const auto& triangle : surface.triangles)
-        for (const int corner : triangle) ASSERT_LT(static_cast<std::size_t>(corner), surface.points.size());
-    } catch (const InputError& error) {
-      EXPECT_FALSE(error.problem().empty());
-    }
+    const auto kind = i / good.size() % 4;
+    if (kind == 0) bytes.resize(next(bytes.size()));
+    if (kind == 1) bytes.erase(next(bytes.size()), 1 + next(40));
+    if (kind >= 2)
+      for (std::size_t j = 0; j < (kind == 2 ? 3u : 30u); ++j) bytes[next(bytes.size())] = static_cast<char>(next(256));
+    EXPECT_TRUE(read_or_refused(written(folder / name, bytes))) << name << " number " << i;
   }
+}
+
+/// Takes about a second to read.
+std::filesystem::path large_file() {
+  return written(test_folder() / "large.obj", obj_of(torus_surface(1, 0.3, 600, 300)));
+}
+
+TEST(ReadSurface, AReaderThatTakesTooLongIsEnded) {
+  try {
+    read_surface_objects(large_file(), {}, ProcessLimits{0.02, std::int64_t{1} << 30});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.problem(), HasSubstr("did not come to an end"));
+    EXPECT_THAT(error.remedy(), HasSubstr("export the surface again"));
+  }
+}
+
+TEST(ReadSurface, CanBeCancelled) {
+  Monitor monitor;
+  monitor.cancelled = [] { return true; };
+  EXPECT_THROW(read_surface(large_file(), 1, monitor), Cancelled);
+}
+
+TEST(ReadSurface, ObjectsKeepTheirNamesAndTheirTriangles) {
+  const auto file =
+      written(test_folder() / "two.obj",
+              "o first\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no second\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+              "f 4 5 6 7\n");
+  const std::vector<SurfaceObject> objects = read_surface_objects(file);
+  ASSERT_EQ(objects.size(), 2u);
+  EXPECT_EQ(objects[0].name, "first");
+  EXPECT_EQ(objects[1].name, "second");
+  EXPECT_EQ(objects[0].surface.triangles.size(), 1u);
+  EXPECT_EQ(objects[1].surface.triangles.size(), 2u);
+}
+
+TEST(SurfaceObjects, BytesGiveThemBackAndCutBytesGiveNothing) {
+  const std::vector<SurfaceObject> objects = {{"box", box_surface(Vec3::Zero(), Vec3::Ones())}, {"", {}}};
+  const std::string bytes = encode(objects);
+  const auto decoded = decode_objects(bytes);
+  ASSERT_TRUE(decoded);
+  ASSERT_EQ(decoded->size(), 2u);
+  EXPECT_EQ((*decoded)[0].name, "box");
+  EXPECT_EQ((*decoded)[0].surface.points, objects[0].surface.points);
+  EXPECT_EQ((*decoded)[0].surface.triangles, objects[0].surface.triangles);
+  for (std::size_t length = 1; length < bytes.size(); length += 7)
+    if (const auto cut = decode_objects(bytes.substr(0, length))) {
+      EXPECT_LE(cut->size(), 1u) << length;  // it may end where the first object does
+    }
 }
 
 }  // namespace

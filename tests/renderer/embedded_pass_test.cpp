@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdlib>
 
 #include "renderer/egl_context.h"
 #include "renderer/renderer.h"
@@ -155,6 +156,77 @@ TEST_F(EmbeddedPassTest, InnerFacesShowTheirMaterialAndItsNoise) {
   surface.materials[0].roughness = 0;
   surface.materials[0].color = {0.2f, 0.4f, 0.1f};
   EXPECT_GT(different_pixels(even, picture(surface)), 500);
+}
+
+/// Gives every corner its face's normal as it was before the tets were deformed: `before` moved the points to where
+/// they are now.
+EmbeddedSurface with_normals(const Eigen::Matrix3f& before) {
+  EmbeddedSurface surface = embedded();
+  EmbeddedMesh mesh = *surface.mesh;
+  for (std::size_t i = 0; i < mesh.corners.size(); i += 3) {
+    const auto& tet = kTets[static_cast<std::size_t>(mesh.corners[i].tet)];
+    const auto rest = [&](int corner) -> Vector3f { return before * kPoints[static_cast<std::size_t>(tet[corner])]; };
+    const auto& face = kFaces[i / 3 % 4];
+    const Vector3f normal = (rest(face[1]) - rest(face[0])).cross(rest(face[2]) - rest(face[0]));
+    const Vector3f products(normal.dot(rest(1) - rest(0)), normal.dot(rest(2) - rest(0)),
+                            normal.dot(rest(3) - rest(0)));
+    for (std::size_t k = 0; k < 3; ++k)
+      mesh.corners[i + k].normal = mesh.corners[i + k].other_normal = CarriedNormal(products);
+  }
+  surface.mesh = std::make_shared<EmbeddedMesh>(std::move(mesh));
+  return surface;
+}
+
+/// A normal that a tet carries stays normal to what it was normal to, whatever the deformation: so the picture is that
+/// of flat faces.
+TEST_F(EmbeddedPassTest, CarriedNormalsMoveAsPlanesDo) {
+  const Image flat = picture(embedded());
+  Eigen::Matrix3f sheared, turned;
+  sheared << 1, 0.8f, 0.1f, -0.3f, 1.4f, 0, 0.2f, 0.5f, 0.6f;
+  turned << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  for (const Eigen::Matrix3f& before : {Eigen::Matrix3f(Eigen::Matrix3f::Identity()), sheared, turned}) {
+    const Image smooth = picture(with_normals(before));
+    int far_off = 0;
+    for (int y = 0; y < kHeight; ++y)
+      for (int x = 0; x < kWidth; ++x)
+        for (int c = 0; c < 3; ++c)
+          far_off += std::abs(int(flat.pixel(x, y)[std::size_t(c)]) - int(smooth.pixel(x, y)[std::size_t(c)])) > 2;
+    EXPECT_EQ(far_off, 0);
+  }
+}
+
+TEST_F(EmbeddedPassTest, ANormalTiltsTheLight) {
+  EmbeddedSurface surface = embedded();
+  EmbeddedMesh mesh = *surface.mesh;
+  for (EmbeddedCorner& corner : mesh.corners) corner.normal = CarriedNormal(Vector3f(1, 2, 3));
+  surface.mesh = std::make_shared<EmbeddedMesh>(std::move(mesh));
+  EXPECT_GT(different_pixels(picture(embedded()), picture(surface)), 500);
+}
+
+TEST_F(EmbeddedPassTest, TheCheckerShowsOnTexturedPolygonsAlone) {
+  EmbeddedSurface surface = embedded();
+  const Image plain = picture(surface);
+  surface.checker = true;
+  EXPECT_EQ(different_pixels(plain, picture(surface)), 0);
+  EmbeddedMesh mesh = *surface.mesh;
+  for (std::size_t i = 0; i < mesh.corners.size(); ++i) {
+    mesh.corners[i].style = EmbeddedStyle{0, -1, false, true}.packed();
+    mesh.corners[i].uv = Eigen::Vector2f(i % 3 == 1 ? 0.25f : 0, i % 3 == 2 ? 0.25f : 0);
+  }
+  surface.mesh = std::make_shared<EmbeddedMesh>(std::move(mesh));
+  const Image checked = picture(surface);
+  surface.checker = false;
+  EXPECT_GT(different_pixels(checked, picture(surface)), 500);
+}
+
+/// Walls that open one after the other look as if all had been there from the start.
+TEST_F(EmbeddedPassTest, OpeningInStepsIsOpeningAtOnce) {
+  EmbeddedSurface surface = embedded(true);
+  for (const std::int32_t polygon : {6, 4, 7, 5}) {
+    surface.opened.push_back(polygon);
+    picture(surface);
+  }
+  EXPECT_EQ(different_pixels(picture(surface), picture(embedded())), 0);
 }
 
 }  // namespace

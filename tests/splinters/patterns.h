@@ -5,6 +5,7 @@
 
 #include "sim/mesh/tet_mesh.h"
 #include "sim/splinters/convex_cells.h"
+#include "tests/splinters/cell_files.h"
 
 namespace griffith::testing {
 
@@ -28,8 +29,10 @@ inline std::vector<NamedPattern> patterns() {
   bricks.size = Vec3(0.19, 0.09, 0.19);
   dry.size = Vec3(0.2, 0.1, 0.2);
   dry.mortar = 0;
+  CellSplinters file;
+  file.path = write_cells(std::filesystem::temp_directory_path() / "griffith_turned_bond.obj", turned_bond());
   return {{"shards", shards},   {"lattice", lattice}, {"wood", wood}, {"glass", glass},
-          {"regular", regular}, {"bricks", bricks},   {"dry", dry}};
+          {"regular", regular}, {"bricks", bricks},   {"dry", dry},   {"file", file}};
 }
 
 inline Eigen::AlignedBox3d bounds(const TetMesh& mesh) {

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+// Plain values in memory as bytes, for files that this machine reads back.
+
+namespace griffith {
+
+template <class T>
+std::string_view bytes_of(std::span<const T> values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
+}
+template <class T>
+std::string_view bytes_of(const std::vector<T>& values) {
+  return bytes_of(std::span<const T>(values));
+}
+
+/// Takes `count` values off the front of `bytes`; false when there are fewer.
+template <class T>
+bool take(std::string_view& bytes, T* values, std::int64_t count) {
+  if (count < 0 || count > std::ssize(bytes) / static_cast<std::int64_t>(sizeof(T))) return false;
+  const auto size = static_cast<std::size_t>(count) * sizeof(T);
+  if (size > 0) std::memcpy(static_cast<void*>(values), bytes.data(), size);
+  bytes.remove_prefix(size);
+  return true;
+}
+
+}  // namespace griffith

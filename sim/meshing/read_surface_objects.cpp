@@ -1,0 +1,95 @@
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "sim/error.h"
+#include "sim/meshing/surface_objects.h"
+#include "sim/meshing/temporary_folder.h"
+
+namespace griffith {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array kFormats = {".obj", ".stl", ".ply", ".off", ".gltf", ".glb"};
+constexpr char kRemedy[] = "the file is damaged: export the surface again";
+
+/// Assimp's reader of PLY files never ends where the header does not.
+void require_ply_header(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("end_header")) return;
+  throw InputError(path.string(), "cannot be read: its header has no end", "a line \"end_header\" is missing");
+}
+
+void require_known_file(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::exists(path, ignored)) throw InputError(path.string(), "no such file", "check the path");
+  if (!fs::is_regular_file(path, ignored))
+    throw InputError(path.string(), "is no file", "name the surface's file itself");
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  if (std::find(kFormats.begin(), kFormats.end(), extension) == kFormats.end())
+    throw InputError(path.string(), "is no surface format known here", ".obj, .stl, .ply, .off, .gltf or .glb");
+  if (fs::file_size(path, ignored) == 0) throw InputError(path.string(), "is empty", "export the surface again");
+  if (extension == ".ply") require_ply_header(path);
+}
+
+/// Beside this program, else where it was built.
+fs::path reader_program() {
+  constexpr char kName[] = "griffith_surface_reader";
+  std::error_code error;
+  const fs::path beside = fs::read_symlink("/proc/self/exe", error).parent_path() / kName;
+  if (fs::exists(beside, error)) return beside;
+  if (fs::exists(GRIFFITH_SURFACE_READER, error)) return GRIFFITH_SURFACE_READER;
+  throw std::runtime_error(std::string(kName) + " is missing: it belongs beside the program, in " +
+                           beside.parent_path().string());
+}
+
+/// Ten times what the slowest format takes.
+ProcessLimits limits_for(std::uintmax_t file_size) {
+  const auto bytes = static_cast<std::int64_t>(file_size);
+  return {20 + 5e-6 * static_cast<double>(bytes), (std::int64_t{2} << 30) + 100 * bytes};
+}
+
+void require_success(const ProcessOutcome& outcome, const ProcessLimits& limits, const fs::path& path) {
+  if (outcome.end == ProcessOutcome::End::cancelled) throw Cancelled();
+  if (outcome.end == ProcessOutcome::End::out_of_time) {
+    const std::string seconds = std::to_string(static_cast<int>(limits.seconds));
+    throw InputError(path.string(), "cannot be read: its reader did not come to an end within " + seconds + " s",
+                     kRemedy);
+  }
+  if (outcome.end == ProcessOutcome::End::killed_by_signal)
+    throw InputError(path.string(), "cannot be read: its reader was ended by signal " + std::to_string(outcome.code),
+                     kRemedy);
+  if (outcome.end != ProcessOutcome::End::exited) throw std::runtime_error("griffith_surface_reader cannot be started");
+  if (outcome.code == 0) return;
+  const std::size_t line = outcome.output.find('\n');
+  const std::string problem = outcome.output.substr(0, line);
+  const std::string rest = line == std::string::npos ? "" : outcome.output.substr(line + 1);
+  throw InputError(path.string(), problem.empty() ? "cannot be read" : problem,
+                   outcome.code == 2 ? rest.substr(0, rest.find('\n')) : kRemedy);
+}
+
+}  // namespace
+
+std::vector<SurfaceObject> read_surface_objects(const fs::path& path, const Monitor& monitor,
+                                                std::optional<ProcessLimits> limits) {
+  require_known_file(path);
+  const TemporaryFolder folder;
+  const fs::path objects = folder.path() / "objects";
+  if (!limits) limits = limits_for(fs::file_size(path));
+  const ProcessOutcome outcome = run_process({reader_program().string(), fs::absolute(path).string(), objects.string()},
+                                             *limits, {}, monitor.cancelled);
+  require_success(outcome, *limits, path);
+  std::ifstream file(objects, std::ios::binary);
+  auto decoded = decode_objects(std::string{std::istreambuf_iterator<char>(file), {}});
+  if (!decoded) throw std::runtime_error("griffith_surface_reader belongs to another version of this program");
+  return std::move(*decoded);
+}
+
+}  // namespace griffith
