@@ -22,7 +22,7 @@ void queue_burst(WorldState& world, const ProjectileBurst& burst);
 void launch_projectiles(WorldState& world);
 
 /// A step is divided into this many ticks; substeps are whole numbers of them.
-inline constexpr int kTicksPerStep = 256;
+inline constexpr int kTicksPerStep = 4096;
 /// Brings bodies to rest where what acts on them at `time` [s] is in balance; with `supported_only` just those that
 /// supports hold. Prescribed supports go on for `displacement_time` [s]. Free bodies get inertia relief (solve_static()).
 void find_equilibrium(WorldState& world, double time, double displacement_time, bool supported_only);

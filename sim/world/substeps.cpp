@@ -27,6 +27,13 @@ double least_impact_speed(const WorldState& world) {
   return std::max(0.1, 2 * world.scene.gravity.norm() * world.scene.simulation.time_step);
 }
 
+/// The shortest first one of so many substeps, each longer than the one before, that cover the time; in ticks. An
+/// impact's stress rises in its first substeps: the finest are spent there.
+int least_substep(int ticks_left, int substeps_left) {
+  const double sum = (std::pow(kGrowth, substeps_left) - 1) / (kGrowth - 1);
+  return static_cast<int>(std::ceil(ticks_left / sum));
+}
+
 int whole_ticks(double time, double tick) {
   return static_cast<int>(std::clamp(time / tick, 1.0, static_cast<double>(kTicksPerStep)));
 }
@@ -55,7 +62,7 @@ double substep_cost(const WorldState& world) {
 
 int next_substep(WorldState& world, int ticks_left, int substeps_left) {
   const double tick = world.scene.simulation.time_step / kTicksPerStep;
-  const int least = (ticks_left + substeps_left - 1) / substeps_left;
+  const int least = least_substep(ticks_left, substeps_left);
   const int impact_ticks = whole_ticks(impact_substep(world), tick),
             crack_ticks = whole_ticks(world.crack_transit_time, tick);
   const int finest = std::max(least, impact_ticks);
