@@ -10,7 +10,7 @@
 namespace griffith::ui {
 namespace {
 
-constexpr std::array<CommandInfo, 16> kRegistry = {{
+constexpr std::array<CommandInfo, 18> kRegistry = {{
     {CommandId::toggle_run, "simulation.run", "Run", "Run or pause", {key::kSpace}, "Space"},
     {CommandId::step, "simulation.step", "Step", "Pause and advance by one time step", {'N'}, "N"},
     {CommandId::reset, "simulation.reset", "Reset", "Start again from the scene as it is now edited", {'R'}, "R"},
@@ -38,6 +38,13 @@ constexpr std::array<CommandInfo, 16> kRegistry = {{
      {'O', true},
      "Ctrl+O"},
     {CommandId::open, "file.open_path", "Open scene", "Open the scene with the given path", {}, ""},
+    {CommandId::add_surface_dialog,
+     "file.add_surface",
+     "Add a body from a surface…",
+     "Fill a surface file with tetrahedra and add it to the scene",
+     {},
+     ""},
+    {CommandId::add_surface, "file.fill_surface", "Fill surface", "Fill the surface of the dialog", {}, ""},
     {CommandId::save, "file.save", "Save", "Write the scene as it is now edited and shown", {'S', true}, "Ctrl+S"},
     {CommandId::screenshot,
      "file.screenshot",
