@@ -99,6 +99,7 @@ TEST_F(EditorTest, ABodyIsFilledFromASurfaceAndTheEditCanBeUndone) {
   request.method = MeshingMethod::volumetric;
   request.automatic_size = false;
   request.element_size = 0.2;
+  draw(4);
   click("surface/fill");
   wait_for_work();
   EXPECT_EQ(value("report/title"), "Added the body \"ball\"");
