@@ -69,7 +69,17 @@ void add_render(CLI::App& program, Options& options) {
   command->add_option("--samples", render.samples, "Samples per pixel, 4 if not given; 1 has no smoothed edges")
       ->check(CLI::Range(1, 16))
       ->type_name("S");
-  command->add_option("--view", render.view, "Quantity to colour by, the scene's if not given")->type_name("NAME");
+  command
+      ->add_option("--view", render.view,
+                   "What to show: a quantity to colour by, a layer, wireframe, shrunken, exploded or slice; several "
+                   "joined by +, such as margin+fracture_planes+slice. The scene's view if not given")
+      ->type_name("NAME");
+  command
+      ->add_option("--node", render.node,
+                   "Node that is explained, in text and by the views candidate_plane and element_forces; the most "
+                   "loaded one if not given")
+      ->check(CLI::Range(0, 1 << 30))
+      ->type_name("N");
   command->add_option("--camera", render.camera, "Camera of the scene, the first if not given")->type_name("NAME");
   command->add_flag("--ui", render.interface, "Draw the editor's panels into the picture");
   command->add_flag("--legend,!--no-legend", render.legend, "Draw the legend of the colours; on if not given");

@@ -25,6 +25,7 @@ struct RenderOptions {
   int width = 1280, height = 720;  ///< [pixels]
   int samples = 4;                 ///< per pixel
   std::string view, camera;        ///< empty: the scene's
+  std::optional<int> node;         ///< whose forces and plane are shown; the most loaded one if absent
   bool interface = false;          ///< draw the editor's panels too
   bool legend = true;
   std::optional<int> egl_device;

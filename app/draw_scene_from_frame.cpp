@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "app/carried_points.h"
+#include "app/element_picture.h"
+#include "app/layer_picture.h"
 #include "app/natural_materials.h"
 #include "app/quantities.h"
 #include "app/skin_picture.h"
@@ -16,11 +18,16 @@ namespace {
 
 constexpr render::Rgb kProjectileColor = {0.24f, 0.27f, 0.31f};
 
+/// Whether what is embedded in tets can stand for them.
+bool shows_whole_bodies(const ViewSettings& view) {
+  return view.elements == ElementStyle::surface && view.quantity != "crack_age";
+}
+
 /// Whether a picture shows tets, or what is embedded in them.
 class TetFilter {
  public:
   TetFilter(const Frame& frame, const EmbeddedDisplay& display, const ViewSettings& view)
-      : frame_(frame), display_(display), embedded_(view.splinters && display.mesh) {}
+      : frame_(frame), display_(display), embedded_(view.splinters && display.mesh && shows_whole_bodies(view)) {}
 
   bool shows_embedded() const { return embedded_; }
   /// Whether a face without a neighbour is shown: of a body with a skin, what cracks have laid bare.
@@ -38,113 +45,105 @@ class TetFilter {
   bool embedded_;
 };
 
-template <class Visit>
-void for_each_surface_face(const Frame& frame, const Visit& visit) {
-  for (std::size_t tet = 0; tet < frame.tets.size(); ++tet) {
-    for (std::size_t face = 0; face < 4; ++face) {
-      if (!frame.neighbours[tet][face].valid()) visit(tet, face);
-    }
-  }
+void color_plainly(render::DrawScene& picture, const Frame& frame, const EmbeddedDisplay& display) {
+  if (!picture.embedded.mesh) return;
+  picture.embedded.piece_colors.assign(frame.splinters.size() + display.skin_parts.size(), picture.surface.color);
 }
 
-/// A light, saturated colour of its own for each id; neighbours in number are far apart in hue.
-render::Rgb id_color(std::int32_t id) {
-  constexpr double kGoldenRatio = 0.6180339887498949, kStart = 0.07;
-  const double hue = std::fmod(kStart + kGoldenRatio * id, 1.0);
-  const auto channel = [hue](double offset) {
-    const double k = std::fmod(offset + 12 * hue, 12);
-    return static_cast<float>(0.66 - 0.2 * std::clamp(std::min(k - 3, 9 - k), -1.0, 1.0));
-  };
-  return {channel(0), channel(8), channel(4)};
-}
-
-void add_triangle(render::Surface& surface, const Frame& frame, std::size_t tet, std::size_t face, TetId selected) {
-  for (const int corner : kTetFaces[face]) {
-    const NodeId node = frame.tets[tet][static_cast<std::size_t>(corner)];
-    surface.positions.push_back(frame.positions[static_cast<std::size_t>(node.value)].cast<float>());
-  }
-  std::uint8_t flags = render::kAllEdges;
-  if (!(frame.first_surface[tet] >> face & 1)) flags |= render::kCrackFace;
-  if (static_cast<std::int32_t>(tet) == selected.value) flags |= render::kSelected;
-  surface.flags.push_back(flags);
-  surface.ids.push_back(static_cast<std::int32_t>(tet));
-}
-
-BodyId body_of_splinter(const Frame& frame, const Splinter& splinter) {
-  return frame.tet_bodies[static_cast<std::size_t>(splinter.owner.value)];
+/// Of a tet, what the quantity "body", "tet" or "splinter" tells apart.
+render::Rgb tet_color(const Frame& frame, std::int32_t tet, const ViewSettings& view) {
+  return id_color(view.quantity == "tet" ? tet : frame.tet_bodies[tet].value);
 }
 
 void color_by_id(render::DrawScene& picture, const Frame& frame, const EmbeddedDisplay& display,
                  const ViewSettings& view) {
-  for (const std::int32_t tet : picture.surface.ids)
-    picture.surface.colors.push_back(id_color(frame.tet_bodies[static_cast<std::size_t>(tet)].value));
+  for (const std::int32_t tet : picture.surface.ids) picture.surface.colors.push_back(tet_color(frame, tet, view));
   if (!picture.embedded.mesh) return;
   for (std::size_t i = 0; i < frame.splinters.size(); ++i) {
-    const bool by_body = view.quantity == "body";
-    const std::int32_t id = by_body ? body_of_splinter(frame, frame.splinters[i]).value : static_cast<std::int32_t>(i);
-    picture.embedded.piece_colors.push_back(id_color(id));
+    const std::int32_t owner = frame.splinters[i].owner.value;
+    picture.embedded.piece_colors.push_back(view.quantity == "splinter" ? id_color(static_cast<std::int32_t>(i))
+                                                                        : tet_color(frame, owner, view));
   }
   for (const SkinPart& part : display.skin_parts)
-    picture.embedded.piece_colors.push_back(
-        id_color(frame.tet_bodies[static_cast<std::size_t>(part.triangle_tet.value)].value));
+    picture.embedded.piece_colors.push_back(tet_color(frame, part.triangle_tet.value, view));
 }
 
 void color_by_material(render::DrawScene& picture, const Frame& frame) {
   for (std::size_t i = 0; i < picture.surface.ids.size(); ++i) {
-    const auto tet = static_cast<std::size_t>(picture.surface.ids[i]);
-    const auto body = static_cast<std::size_t>(frame.tet_bodies[tet].value);
+    const BodyId body = frame.tet_bodies[picture.surface.ids[i]];
     const Look look = picture.surface.flags[i] & render::kCrackFace ? Look::inside : Look::outside;
     const auto index = static_cast<std::size_t>(look_index(frame.bodies[body].scene_body, look));
     picture.surface.colors.push_back(picture.embedded.materials[index].color);
   }
 }
 
-void add_scalars(render::Surface& surface, const Frame& frame, const TetFilter& filter, const QuantityValues& values) {
-  for_each_surface_face(frame, [&](std::size_t tet, std::size_t face) {
-    if (!filter.shows(tet, face)) return;
-    if (!values.per_node) return surface.scalars.push_back(values.values[tet]);
-    for (const int corner : kTetFaces[face]) {
-      const NodeId node = frame.tets[tet][static_cast<std::size_t>(corner)];
-      surface.scalars.push_back(values.values[static_cast<std::size_t>(node.value)]);
-    }
-  });
+bool is_scalar(const ViewSettings& view) {
+  const auto found = std::ranges::find(view_quantities(), view.quantity, &ViewQuantity::key);
+  return found != view_quantities().end() && !found->unit.empty();
 }
 
-void color_by_scalar(render::DrawScene& picture, const Frame& frame, const TetFilter& filter,
-                     const ViewSettings& view) {
-  QuantityValues values = quantity_values(frame, view.quantity);
-  add_scalars(picture.surface, frame, filter, values);
-  const Vec2 range = view.range.value_or(automatic_range(frame, view.quantity, values));
-  render::ScalarStyle& style = picture.surface.scalar_style;
+render::ScalarStyle scalar_style(const Frame& frame, const ViewSettings& view, const QuantityValues& values) {
+  constexpr int kBins = 48;
+  Vec2 range = view.range.value_or(automatic_range(frame, view.quantity, values));
+  if (view.symmetric && !view.range) range = symmetric_range(range);
+  render::ScalarStyle style;
   style.color_map = render::find_color_map(view.color_map).value_or(render::ColorMap::kViridis);
   style.minimum = static_cast<float>(range[0]);
   style.maximum = static_cast<float>(range[1]);
-  for (const ViewQuantity& quantity : view_quantities()) {
-    if (quantity.key != view.quantity) continue;
-    style.quantity = quantity.label;
-    style.unit = quantity.unit;
-  }
-  picture.embedded.scalars_per_point = values.per_node;
-  picture.embedded.scalars = std::move(values.values);
+  style.histogram = histogram(values, range, kBins);
+  style.has_nan =
+      values.place != ValuePlace::face && std::ranges::any_of(values.values, [](float v) { return std::isnan(v); });
+  const auto quantity = std::ranges::find(view_quantities(), view.quantity, &ViewQuantity::key);
+  style.quantity = quantity->label;
+  style.unit = quantity->unit;
+  return style;
 }
 
-void add_colors(render::DrawScene& picture, const Frame& frame, const EmbeddedDisplay& display, const TetFilter& filter,
+/// Moves the edges of the wireframe, or the triangles that show the bodies, into the picture.
+void add_elements(const ShownMesh& shown, const TetFilter& filter, const QuantityValues* values, TetId selected,
+                  render::DrawScene& picture) {
+  constexpr double kShrink = 0.75;
+  const ViewSettings& view = shown.view;
+  const render::ScalarStyle style = picture.surface.scalar_style;
+  if (view.elements == ElementStyle::wireframe) {
+    picture.lines = wireframe(shown, values, style);
+    return;
+  }
+  const bool shrunken = view.elements == ElementStyle::shrunken;
+  std::vector<PictureTriangle> triangles =
+      shrunken
+          ? element_triangles(shown)
+          : surface_triangles(shown.frame, [&](std::size_t tet, std::size_t face) { return filter.shows(tet, face); });
+  if (view.slice && !shrunken) {
+    picture.visible = visible_half(*view.slice);
+    const std::vector<PictureTriangle> caps = cap_triangles(shown);
+    triangles.insert(triangles.end(), caps.begin(), caps.end());
+  }
+  picture.surface = surface_of(triangles, shown, shrunken ? kShrink : 1, selected);
+  picture.surface.scalar_style = style;
+  picture.surface.opacity = static_cast<float>(view.opacity);
+  if (values) add_scalars(triangles, shown.frame, *values, picture.surface);
+}
+
+/// Colours of what has no scalar.
+void add_colors(render::DrawScene& picture, const Frame& frame, const EmbeddedDisplay& display,
                 const ViewSettings& view) {
-  if (view.quantity == "body" || view.quantity == "splinter") {
-    color_by_id(picture, frame, display, view);
-  } else if (view.quantity == "material" || view.quantity == "texture") {
+  if (view.quantity == "material" || view.quantity == "texture") {
     picture.embedded.checker = view.quantity == "texture";
     color_by_material(picture, frame);
-  } else {
-    color_by_scalar(picture, frame, filter, view);
+  } else if (view.quantity == "plain") {
+    color_plainly(picture, frame, display);
+  } else if (!is_scalar(view)) {
+    color_by_id(picture, frame, display, view);
   }
 }
 
-render::EmbeddedSurface embedded_surface(const Frame& frame, const EmbeddedDisplay& display) {
+render::EmbeddedSurface embedded_surface(const ShownMesh& shown, const EmbeddedDisplay& display) {
+  const Frame& frame = shown.frame;
   render::EmbeddedSurface surface;
   surface.mesh = display.mesh;
-  surface.points.reserve(frame.positions.size());
-  for (const Vec3& position : frame.positions) surface.points.push_back(position.cast<float>());
+  surface.points.reserve(shown.positions.size());
+  for (const Vec3& position : shown.positions) surface.points.push_back(position.cast<float>());
   surface.tets = ordered_tets(frame, display.orders);
   add_carriers(frame, surface.carriers);
   for (const SkinPart& part : display.skin_parts) surface.carriers.push_back(skin_carrier(frame, part).value);
@@ -156,6 +155,26 @@ render::EmbeddedSurface embedded_surface(const Frame& frame, const EmbeddedDispl
 float grid_spacing(const Eigen::AlignedBox3f& box) {
   const float size = box.isEmpty() ? 1 : std::max(box.diagonal().norm(), 1e-3f);
   return std::pow(10.0f, std::floor(std::log10(size / 2)));
+}
+
+void mark_node(const ShownMesh& shown, NodeId node, render::DrawScene& picture) {
+  const Eigen::Vector3f place = shown.positions[node].cast<float>();
+  // Of two at one place the first is seen: the second is its rim.
+  picture.points.push_back({place, 9, {1.0f, 0.55f, 0.10f}, render::kNoId});
+  picture.points.push_back({place, 13, {0.10f, 0.11f, 0.13f}, render::kNoId});
+  picture.labels.push_back({place, "node " + std::to_string(node.value), 1.4f});
+}
+
+void add_surroundings(const Frame& frame, const Scene& scene, float grid, render::DrawScene& picture) {
+  for (const ProjectileView& projectile : frame.projectiles) {
+    picture.spheres.push_back(
+        {projectile.position.cast<float>(), static_cast<float>(projectile.radius), kProjectileColor, render::kNoId});
+  }
+  if (!scene.ground) return;
+  render::Ground ground;
+  ground.height = static_cast<float>(scene.ground->height);
+  ground.grid_spacing = grid;
+  picture.ground = ground;
 }
 
 }  // namespace
@@ -182,27 +201,28 @@ EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene) {
 }
 
 render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDisplay& display, const Scene& scene,
-                                        const ViewSettings& view, TetId selected) {
+                                        const ViewSettings& view, const ui::Selection& selection) {
   render::DrawScene result;
+  const ShownMesh shown = shown_mesh(frame, view, selection);
   const TetFilter filter(frame, display, view);
-  for_each_surface_face(frame, [&](std::size_t tet, std::size_t face) {
-    if (filter.shows(tet, face)) add_triangle(result.surface, frame, tet, face, selected);
-  });
-  if (filter.shows_embedded()) result.embedded = embedded_surface(frame, display);
+  std::optional<QuantityValues> values;
+  if (is_scalar(view)) {
+    values = quantity_values(frame, view.quantity);
+    result.surface.scalar_style = scalar_style(frame, view, *values);
+  }
+  add_elements(shown, filter, values ? &*values : nullptr, selection.tet, result);
+  if (filter.shows_embedded()) result.embedded = embedded_surface(shown, display);
   result.embedded.materials = natural_materials(scene);
-  result.embedded.selected_tet = selected.value;
-  add_colors(result, frame, display, filter, view);
+  result.embedded.selected_tet = selection.tet.value;
+  add_colors(result, frame, display, view);
+  if (values && filter.shows_embedded()) {
+    result.embedded.scalars_per_point = values->place == ValuePlace::node;
+    result.embedded.scalars = std::move(values->values);
+  }
   const float spacing = grid_spacing(bounds(result));
-  for (const ProjectileView& projectile : frame.projectiles) {
-    result.spheres.push_back(
-        {projectile.position.cast<float>(), static_cast<float>(projectile.radius), kProjectileColor, render::kNoId});
-  }
-  if (scene.ground) {
-    render::Ground ground;
-    ground.height = static_cast<float>(scene.ground->height);
-    ground.grid_spacing = spacing;
-    result.ground = ground;
-  }
+  add_layers(shown, result);
+  if (selection.valid()) mark_node(shown, selection.node, result);
+  add_surroundings(frame, scene, spacing, result);
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include "renderer/draw_scene.h"
 #include "sim/scene/scene.h"
 #include "sim/world/frame.h"
+#include "ui/selection.h"
 
 namespace griffith::app {
 
@@ -25,10 +26,11 @@ struct EmbeddedDisplay {
 /// Throws InputError when a surface cannot be read.
 EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene);
 
-/// The picture of a frame: surface coloured by view.quantity (natural colours for "material", one for each body or
-/// splinter for "body" and "splinter"), cracks and `selected` marked, projectiles, ground. Bodies with splinters or a
-/// surface of their own show them if view.splinters says so. A triangle's id is its tet.
+/// The picture of a frame: bodies as view.elements says, coloured by view.quantity (natural colours for "material", one
+/// for each body, element or splinter for "body", "tet" and "splinter"), cracks and the selection marked, the view's
+/// layers, projectiles, ground. Bodies with splinters or a surface of their own show them if view.splinters says so. A
+/// triangle's id is its tet.
 render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDisplay& display, const Scene& scene,
-                                        const ViewSettings& view, TetId selected);
+                                        const ViewSettings& view, const ui::Selection& selection);
 
 }  // namespace griffith::app

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "app/named_view.h"
+#include "app/picture_options.h"
 #include "app/scene_camera.h"
 #include "app/scene_files.h"
 #include "app/scene_legend.h"
@@ -23,6 +25,16 @@ ProjectileBurst first_shot(const Scene& scene) {
   return shot;
 }
 
+/// Of what is elastic, whatever the picture shows of it.
+void set_bounds(ui::EditorInput& input) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& position : input.frame.positions)
+    if (position.allFinite()) box.extend(position);
+  if (box.isEmpty()) return;
+  input.low = box.min();
+  input.high = box.max();
+}
+
 }  // namespace
 
 Editor::Editor(Scene scene, std::filesystem::path path) : history_(scene), world_(make_world(scene, path)) {
@@ -34,6 +46,7 @@ void Editor::show_scene(Scene scene, std::filesystem::path path) {
   state_.view = scene.view;
   state_.shot = first_shot(scene);
   state_.selected_body = 0;
+  state_.selection = {};
   history_ = ui::EditHistory(std::move(scene));
   path_ = std::move(path);
   scene_files_ = scene_files(path_);
@@ -44,14 +57,31 @@ void Editor::show_scene(Scene scene, std::filesystem::path path) {
 
 void Editor::restart() {
   display_ = embedded_display(world_.frame(), history_.scene());
-  state_.selected_tet = {};
+  history_of_margins_.clear();
+  remember();
   pacer_.reset();
   step_seconds_ = 0;
   ++world_count_;
-  picture_ = draw_scene_from_frame(world_.frame(), display_, history_.scene(), state_.view, {});
+  picture_ = draw_scene_from_frame(world_.frame(), display_, history_.scene(), state_.view, state_.selection);
+}
+
+void Editor::remember() {
+  const Frame frame = world_.frame();
+  history_of_margins_.record(frame);
+  state_.selection = ui::follow(state_.selection, frame);
 }
 
 void Editor::use_camera(const std::string& name) { camera_ = scene_camera(history_.scene(), name, picture_, aspect()); }
+
+void Editor::use_view(const std::string& names) {
+  use_named_view(state_.view, names, world_.frame(), (camera_.position - camera_.target).cast<double>());
+}
+
+void Editor::select_node(NodeId node) {
+  const Frame frame = world_.frame();
+  if (!node.valid() || static_cast<std::size_t>(node) >= frame.positions.size()) return;
+  state_.selection = ui::select(frame, frame.stars[node].front(), node);
+}
 
 void Editor::advance(double elapsed) {
   if (elapsed > 0) picture_seconds_ += kSmoothing * (elapsed - picture_seconds_);
@@ -62,6 +92,7 @@ void Editor::advance(double elapsed) {
 
 void Editor::step() {
   world_.step();
+  remember();
   const Frame frame = world_.frame();
   const double seconds = frame.report.milliseconds.step / 1000;
   step_seconds_ = step_seconds_ == 0 ? seconds : step_seconds_ + kSmoothing * (seconds - step_seconds_);
@@ -79,7 +110,7 @@ Editor::PictureKey Editor::picture_key() const {
           laid_out ? static_cast<int>(std::lround(state_.viewport_size.x)) : kFirstWidth,
           laid_out ? static_cast<int>(std::lround(state_.viewport_size.y)) : kFirstHeight,
           state_.view,
-          state_.selected_tet.value,
+          state_.selection,
           camera_.position,
           camera_.target};
 }
@@ -88,13 +119,8 @@ void Editor::draw_picture(int samples) {
   const PictureKey key = picture_key();
   if (key == drawn_) return;
   drawn_ = key;
-  picture_ = draw_scene_from_frame(world_.frame(), display_, history_.scene(), state_.view, state_.selected_tet);
-  render::RenderOptions options;
-  options.width = key.width;
-  options.height = key.height;
-  options.samples = samples;
-  options.edges = state_.view.edges;
-  renderer_.render(picture_, picture_camera(), options);
+  picture_ = draw_scene_from_frame(world_.frame(), display_, history_.scene(), state_.view, state_.selection);
+  renderer_.render(picture_, picture_camera(), picture_options(key.width, key.height, samples, state_.view));
 }
 
 void Editor::draw_panels(const ui::Fonts& fonts) {
@@ -104,6 +130,11 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
   input.fonts = fonts;
   input.picture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(renderer_.color_texture()));
   input.legend = scene_legend(picture_, state_.view.range.has_value());
+  input.labels = scene_labels(picture_, picture_camera(), aspect());
+  if (state_.selection.valid()) margins_ = history_of_margins_.samples(input.frame, state_.selection.node);
+  input.margins = margins_;
+  set_bounds(input);
+  input.towards_eye = (camera_.position - camera_.target).cast<double>();
   input.scene_files = scene_files_;
   input.scene_path = path_;
   input.time_step = history_.scene().simulation.time_step;
@@ -130,6 +161,21 @@ void Editor::move_camera() {
   camera_ = render::orbit(camera_, motion.yaw, motion.pitch);
   camera_ = render::pan(camera_, motion.pan_right, motion.pan_up);
   camera_ = render::zoom(camera_, motion.zoom);
+  if (state_.view.slice && (motion.slice_right != 0 || motion.slice_up != 0)) move_slice(motion);
+}
+
+void Editor::move_slice(const ui::CameraMotion& motion) {
+  constexpr double kHalfDegree = 3.14159265358979 / 360, kFacing = 0.05;
+  const Vec3 sight = (camera_.target - camera_.position).cast<double>();
+  const Vec3 right = sight.cross(Vec3::UnitY()).normalized(), up = right.cross(sight).normalized();
+  const double height = 2 * sight.norm() * std::tan(kHalfDegree * camera_.vertical_fov);  // of the picture [m]
+  SlicePlane& slice = *state_.view.slice;
+  const Vec3 normal = slice.normal.normalized();
+  const Vec2 along(normal.dot(right), normal.dot(up)), drag(motion.slice_right, motion.slice_up);
+  // A plane that faces the eye has no direction on the screen: up is towards the eye.
+  const double share = along.squaredNorm() > kFacing ? drag.dot(along) / along.squaredNorm()
+                                                     : -normal.dot(sight.normalized()) * drag.y();
+  slice.offset += height * share;
 }
 
 float Editor::aspect() const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/draw_scene_from_frame.h"
+#include "app/margin_history.h"
 #include "app/step_pacer.h"
 #include "app/world_loader.h"
 #include "renderer/camera.h"
@@ -38,10 +39,15 @@ class Editor {
   void open(const std::filesystem::path& path);
   /// Looks through that camera of the scene. Throws InputError when there is none.
   void use_camera(const std::string& name);
+  /// Changes what is shown by names, as named_view.h has them. Throws InputError for unknown ones.
+  void use_view(const std::string& names);
+  /// Chooses a node to be explained; nothing happens where there is none of that number.
+  void select_node(NodeId node);
   void log(ui::LogLevel level, std::string text);
 
   ui::EditorState& state() { return state_; }
   const ui::WidgetTags& tags() const { return tags_; }
+  Frame frame() const { return world_.frame(); }
   std::string title() const;
   bool wants_to_quit() const { return wants_to_quit_; }
   /// True once after a screenshot was asked for.
@@ -63,6 +69,9 @@ class Editor {
   void save(std::filesystem::path path);
   void frame_all();
   void toggle_range_lock();
+  void toggle_slice();
+  void remember();
+  void move_slice(const ui::CameraMotion& motion);
   void move_camera();
   float aspect() const;
   /// The camera, opened so far that a narrow view shows as much across as a wide one.
@@ -74,7 +83,7 @@ class Editor {
     std::size_t projectiles = 0;
     int width = 0, height = 0;
     ViewSettings view;
-    std::int32_t selected = -1;
+    ui::Selection selected;
     Eigen::Vector3f position = Eigen::Vector3f::Zero(), target = Eigen::Vector3f::Zero();
     bool operator==(const PictureKey&) const = default;
   };
@@ -94,6 +103,8 @@ class Editor {
   render::Renderer renderer_;
   render::DrawScene picture_;
   PictureKey drawn_;
+  MarginHistory history_of_margins_;
+  std::vector<ui::MarginSample> margins_;  ///< of the selected node
   StepPacer pacer_;
   double step_seconds_ = 0, picture_seconds_ = 0;  ///< smoothed
   bool wants_to_quit_ = false, screenshot_wanted_ = false;

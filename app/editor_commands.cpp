@@ -1,10 +1,12 @@
 #include <algorithm>
 
 #include "app/editor.h"
+#include "app/picking.h"
 #include "app/scene_world.h"
 #include "app/shooting.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/scene_writer.h"
+#include "sim/world/node_report.h"
 
 namespace griffith::app {
 namespace {
@@ -57,6 +59,10 @@ void Editor::execute(const ui::Command& command) {
         return;
       case CommandId::toggle_range_lock:
         return toggle_range_lock();
+      case CommandId::toggle_slice:
+        return toggle_slice();
+      case CommandId::select_most_loaded:
+        return select_node(most_loaded_node(world_.frame()));
       case CommandId::screenshot:
         screenshot_wanted_ = true;
         return;
@@ -135,21 +141,31 @@ void Editor::fire(const Vec2& cursor) {
 }
 
 void Editor::pick(const Vec2& cursor) {
-  const std::int32_t id =
-      renderer_.id_at(static_cast<int>(cursor.x() * drawn_.width), static_cast<int>(cursor.y() * drawn_.height));
-  state_.selected_tet = TetId(id);
+  const float x = static_cast<float>(cursor.x() * drawn_.width), y = static_cast<float>(cursor.y() * drawn_.height);
+  const std::int32_t id = renderer_.id_at(static_cast<int>(x), static_cast<int>(y));
+  state_.selection = {};
   if (id < 0) return;
   const Frame frame = world_.frame();
-  const BodyId body = frame.tet_bodies[static_cast<std::size_t>(id)];
-  state_.selected_body = frame.bodies[static_cast<std::size_t>(body.value)].scene_body;
+  const render::Ray ray = render::pixel_ray(picture_camera(), x, y, drawn_.width, drawn_.height);
+  const ShownMesh shown = shown_mesh(frame, state_.view, {});
+  state_.selection = ui::select(frame, TetId(id), nearest_corner(shown, TetId(id), ray));
+  state_.selected_body = frame.bodies[frame.tet_bodies[id]].scene_body;
 }
 
 void Editor::frame_all() { camera_ = render::frame_bounds(camera_, render::bounds(picture_), aspect()); }
 
+void Editor::toggle_slice() {
+  if (state_.view.slice) {
+    state_.view.slice.reset();
+  } else {
+    use_view("slice");
+  }
+}
+
 void Editor::toggle_range_lock() {
   if (state_.view.range) {
     state_.view.range.reset();
-  } else if (!picture_.surface.scalars.empty() || !picture_.embedded.scalars.empty()) {
+  } else if (!picture_.surface.scalar_style.quantity.empty()) {
     const render::ScalarStyle& style = picture_.surface.scalar_style;
     state_.view.range = Vec2(style.minimum, style.maximum);
   }

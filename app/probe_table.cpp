@@ -25,8 +25,9 @@ std::string field_text(const std::string& text) {
 }  // namespace
 
 ProbeTable::ProbeTable(const World& world, const std::filesystem::path& scene) : csv_("step,time [s]") {
-  if (world.probes().empty()) throw InputError(scene.string() + "#/probes", "are none", "add a probe to the scene");
-  for (const std::string& column : probe_columns(world.probes())) csv_.append(",").append(field_text(column));
+  if (world.frame().probes.empty())
+    throw InputError(scene.string() + "#/probes", "are none", "add a probe to the scene");
+  for (const std::string& column : probe_columns(world.frame().probes)) csv_.append(",").append(field_text(column));
   csv_ += "\n";
   add(world);
 }
@@ -34,7 +35,7 @@ ProbeTable::ProbeTable(const World& world, const std::filesystem::path& scene) :
 void ProbeTable::add(const World& world) {
   const Frame frame = world.frame();
   csv_.append(std::to_string(frame.step)).append(",").append(number_text(frame.time));
-  for (const double value : probe_values(world.probes(), frame)) csv_.append(",").append(number_text(value));
+  for (const double value : probe_values(frame.probes, frame)) csv_.append(",").append(number_text(value));
   csv_ += "\n";
 }
 

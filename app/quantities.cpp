@@ -6,35 +6,49 @@
 #include <cassert>
 #include <cmath>
 
+#include "sim/meshing/mesh_quality.h"
+
 namespace griffith::app {
 namespace {
 
-using TetValue = double (*)(const Mat3& stress);
-using NodeValue = double (*)(const Frame& frame, std::size_t node);
+using Value = double (*)(const Frame& frame, std::size_t index);
 
-struct TetQuantity {
+struct Quantity {
   std::string_view key;
-  TetValue value;
-};
-struct NodeQuantity {
-  std::string_view key;
-  NodeValue value;
+  ValuePlace place;
+  Value value;
 };
 
-constexpr std::array<TetQuantity, 4> kTetQuantities = {{
-    {"von_mises", von_mises_stress},
-    {"max_principal_stress", [](const Mat3& stress) { return principal_stresses(stress)[0]; }},
-    {"min_principal_stress", [](const Mat3& stress) { return principal_stresses(stress)[2]; }},
-    {"pressure", [](const Mat3& stress) { return -stress.trace() / 3; }},
+double crack_age(const Frame& frame, std::size_t face) { return frame.time - frame.face_opened[face / 4][face % 4]; }
+
+constexpr std::array<Quantity, 13> kQuantities = {{
+    {"margin", ValuePlace::node, [](const Frame& frame, std::size_t i) { return frame.separations[i].margin; }},
+    {"von_mises", ValuePlace::tet,
+     [](const Frame& frame, std::size_t i) { return von_mises_stress(frame.stresses[i]); }},
+    {"max_principal_stress", ValuePlace::tet,
+     [](const Frame& frame, std::size_t i) { return principal_stresses(frame.stresses[i])[0]; }},
+    {"mid_principal_stress", ValuePlace::tet,
+     [](const Frame& frame, std::size_t i) { return principal_stresses(frame.stresses[i])[1]; }},
+    {"min_principal_stress", ValuePlace::tet,
+     [](const Frame& frame, std::size_t i) { return principal_stresses(frame.stresses[i])[2]; }},
+    {"pressure", ValuePlace::tet, [](const Frame& frame, std::size_t i) { return -frame.stresses[i].trace() / 3; }},
+    {"separation_stress", ValuePlace::node,
+     [](const Frame& frame, std::size_t i) { return frame.separations[i].stress; }},
+    {"separation_eigenvalue", ValuePlace::node,
+     [](const Frame& frame, std::size_t i) { return frame.separations[i].eigenvalue; }},
+    {"strain_energy", ValuePlace::tet,
+     [](const Frame& frame, std::size_t i) { return frame.states[i].energy_density; }},
+    {"displacement", ValuePlace::node,
+     [](const Frame& frame, std::size_t i) { return (frame.positions[i] - frame.rest_positions[i]).norm(); }},
+    {"speed", ValuePlace::node, [](const Frame& frame, std::size_t i) { return frame.velocities[i].norm(); }},
+    {"element_quality", ValuePlace::tet, element_quality},
+    {"crack_age", ValuePlace::face, crack_age},
 }};
 
-constexpr std::array<NodeQuantity, 4> kNodeQuantities = {{
-    {"margin", [](const Frame& frame, std::size_t node) { return frame.separations[node].margin; }},
-    {"separation_eigenvalue", [](const Frame& frame, std::size_t node) { return frame.separations[node].eigenvalue; }},
-    {"displacement",
-     [](const Frame& frame, std::size_t node) { return (frame.positions[node] - frame.rest_positions[node]).norm(); }},
-    {"speed", [](const Frame& frame, std::size_t node) { return frame.velocities[node].norm(); }},
-}};
+std::size_t value_count(const Frame& frame, ValuePlace place) {
+  if (place == ValuePlace::node) return frame.positions.size();
+  return (place == ValuePlace::face ? 4 : 1) * frame.tets.size();
+}
 
 /// What lies at `share` (0..1) of the sorted values.
 double percentile(std::vector<float>& values, double share) {
@@ -45,16 +59,26 @@ double percentile(std::vector<float>& values, double share) {
 
 /// Differences below it are noise.
 double least_width(const Frame& frame, std::string_view key) {
-  constexpr double kStressShare = 1e-4, kLeastForce = 1e-3, kLeastDisplacement = 1e-6, kLeastSpeed = 1e-3;
+  constexpr double kStressShare = 1e-4, kLeastForce = 1e-3, kLeastDisplacement = 1e-6, kLeastSpeed = 1e-3,
+                   kLeastEnergy = 1e-3, kLeastAge = 1e-3;
   if (key == "displacement") return kLeastDisplacement;
   if (key == "speed") return kLeastSpeed;
   if (key == "separation_eigenvalue") return kLeastForce;
+  if (key == "strain_energy") return kLeastEnergy;
+  if (key == "crack_age") return kLeastAge;
   double strength = 1;
   for (const Material& material : frame.materials) strength = std::max(strength, material.tensile_strength);
   return kStressShare * strength;
 }
 
 }  // namespace
+
+double element_quality(const Frame& frame, std::size_t tet) {
+  std::array<Vec3, 4> corners;
+  for (std::size_t i = 0; i < 4; ++i)
+    corners[i] = frame.rest_positions[static_cast<std::size_t>(frame.tets[tet][i].value)];
+  return 1 / aspect_ratio(corners);
+}
 
 double von_mises_stress(const Mat3& stress) {
   const Mat3 deviator = stress - stress.trace() / 3 * Mat3::Identity();
@@ -67,24 +91,32 @@ Vec3 principal_stresses(const Mat3& stress) {
 }
 
 QuantityValues quantity_values(const Frame& frame, std::string_view key) {
+  const auto found = std::ranges::find(kQuantities, key, &Quantity::key);
+  assert(found != kQuantities.end());
   QuantityValues result;
-  for (const TetQuantity& quantity : kTetQuantities) {
-    if (quantity.key != key) continue;
-    for (const Mat3& stress : frame.stresses) result.values.push_back(static_cast<float>(quantity.value(stress)));
-    return result;
-  }
-  const auto found = std::find_if(kNodeQuantities.begin(), kNodeQuantities.end(),
-                                  [key](const NodeQuantity& quantity) { return quantity.key == key; });
-  assert(found != kNodeQuantities.end());
-  result.per_node = true;
-  for (std::size_t node = 0; node < frame.positions.size(); ++node) {
-    result.values.push_back(static_cast<float>(found->value(frame, node)));
-  }
+  result.place = found->place;
+  result.values.resize(value_count(frame, found->place));
+  for (std::size_t i = 0; i < result.values.size(); ++i) result.values[i] = static_cast<float>(found->value(frame, i));
   return result;
 }
 
+std::vector<int> histogram(const QuantityValues& values, const Vec2& range, int bins) {
+  std::vector<int> counts(static_cast<std::size_t>(bins), 0);
+  for (const float value : values.values) {
+    if (!std::isfinite(value)) continue;
+    const double t = std::clamp((value - range[0]) / (range[1] - range[0]), 0.0, 1.0);
+    ++counts[std::min(static_cast<std::size_t>(t * bins), counts.size() - 1)];
+  }
+  return counts;
+}
+
+Vec2 symmetric_range(const Vec2& range) {
+  const double reach = range.cwiseAbs().maxCoeff();
+  return {-reach, reach};
+}
+
 Vec2 automatic_range(const Frame& frame, std::string_view key, const QuantityValues& values) {
-  if (key == "margin") return {0, 1};
+  if (key == "margin" || key == "element_quality") return {0, 1};
   std::vector<float> finite;
   std::copy_if(values.values.begin(), values.values.end(), std::back_inserter(finite),
                [](float value) { return std::isfinite(value); });

@@ -5,7 +5,10 @@
 
 #include "app/command_options.h"
 #include "app/editor.h"
+#include "app/explanation.h"
 #include "app/interface.h"
+#include "app/named_view.h"
+#include "app/picture_options.h"
 #include "app/progress.h"
 #include "app/scene_camera.h"
 #include "app/scene_legend.h"
@@ -14,25 +17,17 @@
 #include "renderer/target.h"
 #include "sim/error.h"
 #include "sim/scene/scene_reader.h"
-#include "sim/scene/view_quantity.h"
 
 namespace griffith::app {
 namespace {
 
 constexpr int kFramesToLayOut = 3;  // the panels know their sizes only after being drawn
 
-void use_view(ViewSettings& view, const std::string& quantity) {
-  if (quantity.empty()) return;
-  std::string names;
-  for (const ViewQuantity& known : view_quantities()) {
-    if (known.key == quantity) {
-      if (view.quantity != quantity) view.range.reset();
-      view.quantity = quantity;
-      return;
-    }
-    names += (names.empty() ? "" : ", ") + std::string(known.key);
-  }
-  throw InputError("--view", "there is no quantity \"" + quantity + "\"", "it is one of " + names);
+/// From what is looked at to the eye, before there is a picture.
+Vec3 towards_eye(const Scene& scene, const std::string& camera) {
+  for (const Camera& known : scene.cameras)
+    if (camera.empty() || known.name == camera) return known.position - known.target;
+  return Vec3::UnitZ();
 }
 
 std::filesystem::path numbered(const std::filesystem::path& path, int frame) {
@@ -57,48 +52,75 @@ void save_pictures(const RenderOptions& options, const std::function<void()>& st
   if (options.every == 0) save_png(options.output, picture());
 }
 
-/// The picture in `texture` with the legend over it.
-render::Image with_legend(Interface& interface, const render::Target& target, unsigned texture,
-                          const ui::Legend& legend) {
+/// The node that was asked for, while there is one of that number. Throws InputError where the last step has none.
+ui::Selection selected(const RenderOptions& options, const Frame& frame) {
+  if (!options.node) return {};
+  const auto nodes = static_cast<int>(frame.positions.size());
+  if (*options.node >= nodes && frame.step >= options.frame)
+    throw InputError("--node", "there is no node " + std::to_string(*options.node),
+                     "take one below " + std::to_string(nodes) + "; cracks make more");
+  if (*options.node >= nodes) return {};
+  const NodeId node(*options.node);
+  return ui::select(frame, frame.stars[node].front(), node);
+}
+
+void explain(const RenderOptions& options, const Frame& frame, const Scene& scene) {
+  if (options.node) std::fputs(explanation(frame, NodeId(*options.node), scene.simulation.fracture).c_str(), stdout);
+}
+
+/// What is written over a picture.
+struct Writing {
+  std::optional<ui::Legend> legend;
+  std::vector<ui::PictureLabel> labels;
+};
+
+/// The picture in `texture` with the writing over it.
+render::Image written_over(Interface& interface, const render::Target& target, unsigned texture,
+                           const Writing& writing) {
   interface.begin_frame(target.width(), target.height());
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImDrawList* list = ImGui::GetBackgroundDrawList();
   list->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), {0, 0}, size, {0, 1}, {1, 0});
-  ui::draw_legend(list, legend, interface.fonts(), {0, 0}, size, 1);
+  ui::draw_labels(list, writing.labels, interface.fonts(), {0, 0}, size, 1);
+  if (writing.legend) ui::draw_legend(list, *writing.legend, interface.fonts(), {0, 0}, size, 1);
   target.bind();
   interface.end_frame();
   return target.image();
 }
 
-void render_plainly(const RenderOptions& options, const Scene& scene) {
+void render_plainly(const RenderOptions& options, Scene scene) {
   World world = make_world(scene, options.scene);
+  use_named_view(scene.view, options.view, world.frame(), towards_eye(scene, options.camera));
   const EmbeddedDisplay display = embedded_display(world.frame(), scene);
   render::Renderer renderer;
   Interface interface(1);
   const render::Target target(options.width, options.height);
-  const auto draw_scene = [&] { return draw_scene_from_frame(world.frame(), display, scene, scene.view, {}); };
+  const auto draw_scene = [&] {
+    return draw_scene_from_frame(world.frame(), display, scene, scene.view, selected(options, world.frame()));
+  };
   const float aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
   const render::Camera camera = scene_camera(scene, options.camera, draw_scene(), aspect);
   const auto picture = [&] {
     const render::DrawScene drawn = draw_scene();
-    renderer.render(
-        drawn, camera,
-        {.width = options.width, .height = options.height, .samples = options.samples, .edges = scene.view.edges});
-    const std::optional<ui::Legend> legend = scene_legend(drawn, scene.view.range.has_value());
-    if (!options.legend || !legend) return renderer.image();
-    return with_legend(interface, target, renderer.color_texture(), *legend);
+    renderer.render(drawn, camera, picture_options(options.width, options.height, options.samples, scene.view));
+    const Writing writing{scene_legend(drawn, scene.view.range.has_value()), scene_labels(drawn, camera, aspect)};
+    if (!options.legend || (!writing.legend && writing.labels.empty())) return renderer.image();
+    return written_over(interface, target, renderer.color_texture(), writing);
   };
   save_pictures(
       options, [&world] { world.step(); }, picture);
+  explain(options, world.frame(), scene);
 }
 
 void render_editor(const RenderOptions& options, const Scene& scene) {
   Editor editor(scene, options.scene);
   editor.use_camera(options.camera);
+  editor.use_view(options.view);
   editor.state().show_times = false;
   Interface interface(1);
   const render::Target target(options.width, options.height);
   const auto picture = [&] {
+    if (options.node) editor.state().selection = selected(options, editor.frame());
     for (int i = 0; i < kFramesToLayOut; ++i) {
       editor.draw_picture(options.samples);
       interface.begin_frame(options.width, options.height);
@@ -111,6 +133,7 @@ void render_editor(const RenderOptions& options, const Scene& scene) {
   };
   save_pictures(
       options, [&editor] { editor.step(); }, picture);
+  explain(options, editor.frame(), scene);
 }
 
 }  // namespace
@@ -118,8 +141,7 @@ void render_editor(const RenderOptions& options, const Scene& scene) {
 void render_command(const RenderOptions& options) {
   if (options.output.extension() != ".png")
     throw InputError(options.output.string(), "is no name of a PNG file", "end it in .png");
-  Scene scene = read_scene(options.scene);
-  use_view(scene.view, options.view);
+  const Scene scene = read_scene(options.scene);
   const render::EglContext context(options.egl_device);
   std::fprintf(stderr, "Graphics: %s (%s)\n", context.renderer().c_str(), context.origin().c_str());
   if (options.interface) {

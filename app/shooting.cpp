@@ -5,9 +5,7 @@
 #include "sim/mesh/tet_mesh.h"
 
 namespace griffith::app {
-namespace {
 
-/// Möller & Trumbore 1997, both sides.
 std::optional<double> triangle_hit(const Vec3& origin, const Vec3& direction, const Vec3& a, const Vec3& b,
                                    const Vec3& c) {
   const Vec3 ab = b - a, ac = c - a, across = direction.cross(ac), from_a = origin - a;
@@ -20,8 +18,6 @@ std::optional<double> triangle_hit(const Vec3& origin, const Vec3& direction, co
   if (!(u >= 0 && v >= 0 && u + v <= 1 && t > 0)) return std::nullopt;
   return t;
 }
-
-}  // namespace
 
 std::optional<double> surface_hit(const Frame& frame, const std::optional<Ground>& ground, const Vec3& origin,
                                   const Vec3& direction) {

@@ -19,6 +19,8 @@ Eigen::AlignedBox3f bounds(const DrawScene& scene) {
     add(line.end, 0);
   }
   for (const Point& point : scene.points) add(point.position, 0);
+  for (const auto* glyphs : {&scene.glyphs.arrows, &scene.glyphs.balls, &scene.glyphs.discs, &scene.glyphs.boxes})
+    for (const Glyph& glyph : *glyphs) add(glyph.center, glyph.axes.colwise().norm().maxCoeff());
   return box;
 }
 

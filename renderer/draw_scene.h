@@ -24,6 +24,7 @@ enum TriangleFlag : std::uint8_t {
   kAllEdges = kEdge0 | kEdge1 | kEdge2,
   kCrackFace = 1 << 3,  ///< made by fracture: darker and warmer where no scalar is shown
   kSelected = 1 << 4,   ///< highlighted
+  kPlain = 1 << 5,      ///< in its plain colour although the surface has scalars
 };
 
 /// How Surface::scalars become colours, and what the legend says about them.
@@ -31,6 +32,8 @@ struct ScalarStyle {
   ColorMap color_map = ColorMap::kViridis;
   float minimum = 0, maximum = 1;  ///< values of the map's two ends; minimum < maximum
   std::string quantity, unit;      ///< for the legend, e.g. "largest principal stress", "Pa"
+  std::vector<int> histogram = {};  ///< for the legend: how many values in each of equal parts of the range
+  bool has_nan = false;             ///< for the legend: some values are not numbers
 };
 
 /// Triangles with data per corner or per triangle. Everything but `positions` may be empty. Front faces are
@@ -43,6 +46,31 @@ struct Surface {
   std::vector<std::uint8_t> flags;         ///< 1 per triangle: TriangleFlag bits; none if empty
   ScalarStyle scalar_style;
   Rgb color = {0.74f, 0.77f, 0.80f};
+  float opacity = 1;  ///< of this and of the embedded surface, 0..1; what is selected stays opaque
+};
+
+/// Part of the space: the points x with normal · x <= offset.
+struct HalfSpace {
+  Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();  ///< unit length
+  float offset = 0;                                   ///< [m]
+};
+
+/// A unit solid, scaled and turned: the image of
+///   arrow  from the origin to (1, 0, 0), its head of radius 1 about the x axis
+///   ball   of radius 1
+///   disc   of radius 1 about the x axis, without thickness
+///   box    from (−1, −1, −1) to (1, 1, 1)
+struct Glyph {
+  Eigen::Vector3f center = Eigen::Vector3f::Zero();    ///< of the unit solid's origin [m]
+  Eigen::Matrix3f axes = Eigen::Matrix3f::Identity();  ///< columns: images of the unit axes [m]
+  Rgb color = {0.85f, 0.40f, 0.25f};
+  float opacity = 1;  ///< 0..1
+  std::int32_t id = kNoId;
+};
+
+/// Any number of glyphs, drawn in one call a shape.
+struct Glyphs {
+  std::vector<Glyph> arrows, balls, discs, boxes;
 };
 
 struct Sphere {
@@ -67,6 +95,13 @@ struct Point {
   std::int32_t id = kNoId;
 };
 
+/// A few words at a place, to be drawn over the picture by whoever can write.
+struct Label {
+  Eigen::Vector3f position = Eigen::Vector3f::Zero();  ///< [m]
+  std::string text;
+  float rise = 0;  ///< how far its middle is above the place [heights of a line]
+};
+
 /// A horizontal plane with a grid that shows the scale and catches shadows.
 struct Ground {
   float height = 0;        ///< y of the plane [m]
@@ -86,7 +121,10 @@ struct DrawScene {
   std::vector<Sphere> spheres;
   std::vector<Line> lines;
   std::vector<Point> points;
-  float line_width = 1.5f;  ///< [pixels]
+  Glyphs glyphs;
+  std::vector<Label> labels;
+  float line_width = 2;              ///< [pixels]
+  std::optional<HalfSpace> visible;  ///< of surface and embedded surface only this part is drawn
   std::optional<Ground> ground;
   Background background;
 };

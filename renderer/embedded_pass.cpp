@@ -45,11 +45,16 @@ int scalar_kind(const EmbeddedSurface& surface) {
   return surface.scalars_per_point ? 2 : 1;
 }
 
+std::string fragment_source(Output output) {
+  return with_output(std::string(shaders::shading_glsl) + shaders::embedded_frag, output);
+}
+
 }  // namespace
 
 EmbeddedPass::EmbeddedPass()
-    : program_("embedded surface", shaders::embedded_vert,
-               (std::string(shaders::shading_glsl) + shaders::embedded_frag).c_str()),
+    : program_("embedded surface", shaders::embedded_vert, fragment_source(Output::kOpaque).c_str()),
+      transparent_program_("transparent embedded surface", shaders::embedded_vert,
+                           fragment_source(Output::kTransparent).c_str()),
       shadow_program_("embedded shadow", shaders::embedded_vert, shaders::depth_frag) {
   glBindVertexArray(vertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, corners_.id());
@@ -116,18 +121,21 @@ void EmbeddedPass::draw_shadow() const {
 }
 
 void EmbeddedPass::draw(const EmbeddedSurface& surface, const ScalarStyle& style, const ColorTables& color_tables,
-                        const RenderOptions& options) const {
+                        const RenderOptions& options, float opacity, Output output, DrawnPart part) const {
   if (!mesh_) return;
-  program_.use();
-  program_.set("scalar_kind", scalar_kind(surface));
-  program_.set("scalar_range", style.minimum, style.maximum);
-  program_.set("has_piece_colors", !surface.piece_colors.empty());
-  program_.set("nan_color", kNanColor);
-  program_.set("draw_edges", options.edges);
-  program_.set("edge_width", options.edge_width);
-  program_.set("unlit", options.unlit_scalars);
-  program_.set("selected_tet", surface.selected_tet);
-  program_.set("checker", surface.checker);
+  const ShaderProgram& program = output == Output::kOpaque ? program_ : transparent_program_;
+  program.use();
+  program.set("scalar_kind", scalar_kind(surface));
+  program.set("scalar_range", style.minimum, style.maximum);
+  program.set("has_piece_colors", !surface.piece_colors.empty());
+  program.set("nan_color", kNanColor);
+  program.set("draw_edges", options.edges);
+  program.set("edge_width", options.edge_width * options.pixel_scale);
+  program.set("unlit", options.unlit_scalars);
+  program.set("selected_tet", surface.selected_tet);
+  program.set("opacity", opacity);
+  program.set("drawn_part", static_cast<int>(part));
+  program.set("checker", surface.checker);
   color_tables.bind(style.color_map);
   draw_triangles();
 }

@@ -18,7 +18,7 @@ class EmbeddedPass {
   void upload(const EmbeddedSurface& surface);
   void draw_shadow() const;
   void draw(const EmbeddedSurface& surface, const ScalarStyle& style, const ColorTables& color_tables,
-            const RenderOptions& options) const;
+            const RenderOptions& options, float opacity, Output output, DrawnPart part) const;
 
  private:
   void upload_mesh();
@@ -26,7 +26,7 @@ class EmbeddedPass {
   void upload_opened(const std::vector<std::int32_t>& opened);
   void draw_triangles() const;
 
-  ShaderProgram program_, shadow_program_;
+  ShaderProgram program_, transparent_program_, shadow_program_;
   VertexArray vertices_;
   Buffer corners_, triangles_;
   StreamTexture points_{GL_R32F}, tets_{GL_R32I}, carriers_{GL_R32I}, scalars_{GL_R32F}, colors_{GL_R32F},

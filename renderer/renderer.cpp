@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <optional>
 
 #include "renderer/background_pass.h"
+#include "renderer/blend_target.h"
 #include "renderer/embedded_pass.h"
+#include "renderer/glyph_pass.h"
 #include "renderer/ground_pass.h"
 #include "renderer/shadow_map.h"
 #include "renderer/sphere_pass.h"
@@ -48,10 +51,18 @@ ViewBlock picture_view(const Camera& camera, const Eigen::AlignedBox3f& box, con
   return block;
 }
 
+/// As the uniform block wants it: with a little room, so that what lies on the plane is drawn.
+Vec4 visible_plane(const DrawScene& scene, float radius) {
+  constexpr float kSlack = 1e-5f;
+  if (!scene.visible) return Vec4::UnitW();
+  const auto& [normal, offset] = *scene.visible;
+  return {normal.x(), normal.y(), normal.z(), offset + kSlack * (radius + std::abs(offset))};
+}
+
 /// Everything the passes rely on, whoever drew before.
 void set_state() {
   for (const GLenum off : {GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB,
-                           GL_SAMPLE_ALPHA_TO_COVERAGE, GL_PRIMITIVE_RESTART}) {
+                           GL_SAMPLE_ALPHA_TO_COVERAGE, GL_PRIMITIVE_RESTART, GL_CLIP_DISTANCE0}) {
     glDisable(off);
   }
   glEnable(GL_DEPTH_TEST);
@@ -72,16 +83,20 @@ struct Renderer::Passes {
   SurfacePass surface;
   EmbeddedPass embedded;
   SpherePass spheres;
+  GlyphPass glyphs;
   StrokePass strokes;
   GroundPass ground;
   Target target{1, 1};
-  int requested_samples = 1;  // target.samples() may be fewer
+  std::unique_ptr<BlendTarget> blend;  // of the target; none until something is transparent
+  int requested_samples = 1;           // target.samples() may be fewer
 
   void resize(const RenderOptions& options);
-  void upload(const DrawScene& scene);
-  void draw_shadow_map(const ViewBlock& view, bool shadows) const;
-  void draw_picture(const DrawScene& scene, const Camera& camera, const Focus& focus,
-                    const RenderOptions& options) const;
+  void upload(const DrawScene& scene, float pixel_scale);
+  void draw_surfaces(const DrawScene& scene, const RenderOptions& options, Output output, DrawnPart part) const;
+  void draw_transparent(const DrawScene& scene, const RenderOptions& options);
+  /// `opaque`: surfaces cast shadows too.
+  void draw_shadow_map(const ViewBlock& view, bool shadows, bool opaque) const;
+  void draw_picture(const DrawScene& scene, const Camera& camera, const Focus& focus, const RenderOptions& options);
 };
 
 void Renderer::Passes::resize(const RenderOptions& options) {
@@ -89,46 +104,83 @@ void Renderer::Passes::resize(const RenderOptions& options) {
   if (target.width() == options.width && target.height() == options.height && requested_samples == options.samples) {
     return;
   }
+  blend.reset();
   target = Target(options.width, options.height, options.samples);
   requested_samples = options.samples;
 }
 
-void Renderer::Passes::upload(const DrawScene& scene) {
+void Renderer::Passes::upload(const DrawScene& scene, float pixel_scale) {
   surface.upload(scene.surface);
   embedded.upload(scene.embedded);
   spheres.upload(scene.spheres);
-  strokes.upload(scene);
+  glyphs.upload(scene.glyphs);
+  strokes.upload(scene, pixel_scale);
 }
 
-void Renderer::Passes::draw_shadow_map(const ViewBlock& view, bool shadows) const {
+void Renderer::Passes::draw_shadow_map(const ViewBlock& view, bool shadows, bool opaque) const {
   shadow_map.begin();
   if (!shadows) return;
   shadow_view.bind(view);
   glEnable(GL_POLYGON_OFFSET_FILL);
   glPolygonOffset(1.5f, 2);  // against self-shadowing
-  surface.draw_shadow();
-  embedded.draw_shadow();
+  if (opaque) {
+    glEnable(GL_CLIP_DISTANCE0);
+    surface.draw_shadow();
+    embedded.draw_shadow();
+    glDisable(GL_CLIP_DISTANCE0);
+  }
   spheres.draw_shadow();
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
+void Renderer::Passes::draw_surfaces(const DrawScene& scene, const RenderOptions& options, Output output,
+                                     DrawnPart part) const {
+  glEnable(GL_CLIP_DISTANCE0);
+  surface.draw(scene.surface, color_tables, options, output, part);
+  embedded.draw(scene.embedded, scene.surface.scalar_style, color_tables, options, scene.surface.opacity, output, part);
+  glDisable(GL_CLIP_DISTANCE0);
+}
+
 void Renderer::Passes::draw_picture(const DrawScene& scene, const Camera& camera, const Focus& focus,
-                                    const RenderOptions& options) const {
+                                    const RenderOptions& options) {
+  const bool see_through = scene.surface.opacity < 1;
   target.bind();
   target.clear(scene.background.bottom);
   shadow_map.bind();
   background.draw(scene.background);
   glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);  // the picture is opaque; alpha only blends
-  surface.draw(scene.surface, color_tables, options);
-  embedded.draw(scene.embedded, scene.surface.scalar_style, color_tables, options);
+  draw_surfaces(scene, options, Output::kOpaque, see_through ? DrawnPart::kSelected : DrawnPart::kAll);
   spheres.draw();
+  glyphs.draw(Output::kOpaque);
   if (scene.ground) {
     const bool from_below = camera.position.y() < scene.ground->height;
     ground.draw(*scene.ground, focus.center, ground_radius(focus), from_below);
   }
   strokes.draw();
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  if (see_through || glyphs.has_transparent()) {
+    draw_transparent(scene, options);
+  } else {
+    target.resolve();
+  }
+}
+
+void Renderer::Passes::draw_transparent(const DrawScene& scene, const RenderOptions& options) {
+  const bool see_through = scene.surface.opacity < 1;
+  if (!blend) blend = std::make_unique<BlendTarget>(target);
+  blend->begin();
+  if (see_through) draw_surfaces(scene, options, Output::kTransparent, DrawnPart::kUnselected);
+  glyphs.draw(Output::kTransparent);
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+  if (see_through) {  // what is seen through can be picked all the same
+    target.bind();
+    glColorMaski(0, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    draw_surfaces(scene, options, Output::kOpaque, DrawnPart::kUnselected);
+    glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  }
   target.resolve();
+  blend->end();
 }
 
 Renderer::Renderer() : passes_(std::make_unique<Passes>()) {}
@@ -138,11 +190,12 @@ void Renderer::render(const DrawScene& scene, const Camera& camera, const Render
   const BoundFramebuffer previous;
   const Eigen::AlignedBox3f box = bounds(scene);
   const Focus focus = focus_of(box, camera);
-  const ViewBlock shadow_view = ShadowMap::view(focus);
+  ViewBlock shadow_view = ShadowMap::view(focus);
+  shadow_view.visible = visible_plane(scene, focus.radius);
   set_state();
   passes_->resize(options);
-  passes_->upload(scene);
-  passes_->draw_shadow_map(shadow_view, options.shadows);
+  passes_->upload(scene, options.pixel_scale);
+  passes_->draw_shadow_map(shadow_view, options.shadows, scene.surface.opacity == 1);
   passes_->picture_view.bind(picture_view(camera, visible_box(scene, focus, box), passes_->target, shadow_view));
   passes_->draw_picture(scene, camera, focus, options);
 }

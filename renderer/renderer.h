@@ -16,6 +16,7 @@ struct RenderOptions {
   bool shadows = true;
   bool unlit_scalars = false;  ///< a scalar's pixel is the legend's colour to the byte: no shading, no shadow
   float edge_width = 1.1f;     ///< [pixels]
+  float pixel_scale = 1;       ///< factor on the widths of edges and lines and the diameters of points
 };
 
 /// Draws a DrawScene into its own target. Construct and use it while one OpenGL 3.3 core context (or newer) is current.

@@ -36,6 +36,11 @@ void attach_stage(GLuint program, GLenum stage, const std::string& name, const c
 
 }  // namespace
 
+std::string with_output(const std::string& fragment_source, Output output) {
+  const char* prefix = output == Output::kTransparent ? "#define TRANSPARENT\n" : "";
+  return prefix + std::string(shaders::output_glsl) + fragment_source;
+}
+
 ShaderProgram::ShaderProgram(const std::string& name, const char* vertex_source, const char* fragment_source) {
   attach_stage(program_.id(), GL_VERTEX_SHADER, name, vertex_source);
   attach_stage(program_.id(), GL_FRAGMENT_SHADER, name, fragment_source);
@@ -49,11 +54,18 @@ ShaderProgram::ShaderProgram(const std::string& name, const char* vertex_source,
   const GLuint block = glGetUniformBlockIndex(program_.id(), "View");
   if (block != GL_INVALID_INDEX) glUniformBlockBinding(program_.id(), block, kViewBinding);
   use();
-  const std::pair<const char*, int> samplers[] = {{"shadow_map", kShadowUnit}, {"color_table", kColorTableUnit},
-                                                  {"scalars", kScalarsUnit},   {"colors", kColorsUnit},
-                                                  {"ids", kIdsUnit},           {"flags", kFlagsUnit},
-                                                  {"points", kPointsUnit},     {"tets", kTetsUnit},
-                                                  {"carriers", kCarriersUnit}, {"materials", kMaterialsUnit}};
+  const std::pair<const char*, int> samplers[] = {{"shadow_map", kShadowUnit},
+                                                  {"color_table", kColorTableUnit},
+                                                  {"scalars", kScalarsUnit},
+                                                  {"colors", kColorsUnit},
+                                                  {"ids", kIdsUnit},
+                                                  {"flags", kFlagsUnit},
+                                                  {"points", kPointsUnit},
+                                                  {"tets", kTetsUnit},
+                                                  {"carriers", kCarriersUnit},
+                                                  {"materials", kMaterialsUnit},
+                                                  {"color_sums", kColorSumsUnit},
+                                                  {"weight_sums", kWeightSumsUnit}};
   for (const auto& [sampler, unit] : samplers) set(sampler, unit);
 }
 

@@ -8,8 +8,27 @@
 namespace griffith::render {
 
 /// The texture units of all programs; every sampler is bound to the unit of its name.
-enum TextureUnit : int { kShadowUnit, kColorTableUnit, kScalarsUnit, kColorsUnit, kIdsUnit, kFlagsUnit,
-                         kPointsUnit, kTetsUnit, kCarriersUnit, kMaterialsUnit };
+enum TextureUnit : int {
+  kShadowUnit,
+  kColorTableUnit,
+  kScalarsUnit,
+  kColorsUnit,
+  kIdsUnit,
+  kFlagsUnit,
+  kPointsUnit,
+  kTetsUnit,
+  kCarriersUnit,
+  kMaterialsUnit,
+  kColorSumsUnit,
+  kWeightSumsUnit
+};
+
+/// Where a fragment shader that calls emit() of shaders/output.glsl writes: into a Target or into a BlendTarget.
+enum class Output { kOpaque, kTransparent };
+std::string with_output(const std::string& fragment_source, Output output);
+
+/// Which part of a surface is drawn.
+enum class DrawnPart : int { kAll, kSelected, kUnselected };
 
 /// A vertex and a fragment shader, each preceded by shaders/common.glsl, linked. Throws RenderError with `name`, the
 /// stage and the driver's log if one is rejected.

@@ -18,13 +18,13 @@ StrokePass::StrokePass() : program_("stroke", shaders::stroke_vert, shaders::str
   instance_integer(4, sizeof(Stroke), offsetof(Stroke, id));
 }
 
-void StrokePass::upload(const DrawScene& scene) {
+void StrokePass::upload(const DrawScene& scene, float pixel_scale) {
   strokes_.clear();
   for (const Line& line : scene.lines) {
-    strokes_.push_back({line.start, line.end, line.color, scene.line_width, line.id});
+    strokes_.push_back({line.start, line.end, line.color, pixel_scale * scene.line_width, line.id});
   }
   for (const Point& point : scene.points) {
-    strokes_.push_back({point.position, point.position, point.color, point.diameter, point.id});
+    strokes_.push_back({point.position, point.position, point.color, pixel_scale * point.diameter, point.id});
   }
   buffer_.upload(strokes_);
 }

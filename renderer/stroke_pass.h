@@ -10,7 +10,8 @@ namespace griffith::render {
 class StrokePass {
  public:
   StrokePass();
-  void upload(const DrawScene& scene);
+  /// `pixel_scale`: factor on all widths.
+  void upload(const DrawScene& scene, float pixel_scale);
   void draw() const;
 
  private:

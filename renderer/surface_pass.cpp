@@ -23,11 +23,15 @@ void check_sizes([[maybe_unused]] const Surface& surface) {
   assert(surface.flags.empty() || surface.flags.size() == triangles);
 }
 
+std::string fragment_source(Output output) {
+  return with_output(std::string(shaders::shading_glsl) + shaders::surface_frag, output);
+}
+
 }  // namespace
 
 SurfacePass::SurfacePass()
-    : program_("surface", shaders::surface_vert,
-               (std::string(shaders::shading_glsl) + shaders::surface_frag).c_str()),
+    : program_("surface", shaders::surface_vert, fragment_source(Output::kOpaque).c_str()),
+      transparent_program_("transparent surface", shaders::surface_vert, fragment_source(Output::kTransparent).c_str()),
       shadow_program_("surface shadow", shaders::surface_vert, shaders::depth_frag) {
   glBindVertexArray(vertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, positions_.id());
@@ -50,19 +54,23 @@ void SurfacePass::draw_shadow() const {
   draw_triangles();
 }
 
-void SurfacePass::draw(const Surface& surface, const ColorTables& color_tables, const RenderOptions& options) const {
+void SurfacePass::draw(const Surface& surface, const ColorTables& color_tables, const RenderOptions& options,
+                       Output output, DrawnPart part) const {
   const ScalarStyle& style = surface.scalar_style;
-  program_.use();
-  program_.set("scalars_per_triangle", scalars_per_triangle(surface));
-  program_.set("scalar_range", style.minimum, style.maximum);
-  program_.set("has_colors", !surface.colors.empty());
-  program_.set("has_ids", !surface.ids.empty());
-  program_.set("has_flags", !surface.flags.empty());
-  program_.set("plain_color", surface.color);
-  program_.set("nan_color", kNanColor);
-  program_.set("draw_edges", options.edges);
-  program_.set("edge_width", options.edge_width);
-  program_.set("unlit", options.unlit_scalars);
+  const ShaderProgram& program = output == Output::kOpaque ? program_ : transparent_program_;
+  program.use();
+  program.set("scalars_per_triangle", scalars_per_triangle(surface));
+  program.set("scalar_range", style.minimum, style.maximum);
+  program.set("has_colors", !surface.colors.empty());
+  program.set("has_ids", !surface.ids.empty());
+  program.set("has_flags", !surface.flags.empty());
+  program.set("plain_color", surface.color);
+  program.set("nan_color", kNanColor);
+  program.set("draw_edges", options.edges);
+  program.set("edge_width", options.edge_width * options.pixel_scale);
+  program.set("unlit", options.unlit_scalars);
+  program.set("opacity", surface.opacity);
+  program.set("drawn_part", static_cast<int>(part));
   color_tables.bind(style.color_map);
   draw_triangles();
 }

@@ -14,12 +14,13 @@ class SurfacePass {
   SurfacePass();
   void upload(const Surface& surface);
   void draw_shadow() const;
-  void draw(const Surface& surface, const ColorTables& color_tables, const RenderOptions& options) const;
+  void draw(const Surface& surface, const ColorTables& color_tables, const RenderOptions& options, Output output,
+            DrawnPart part) const;
 
  private:
   void draw_triangles() const;
 
-  ShaderProgram program_, shadow_program_;
+  ShaderProgram program_, transparent_program_, shadow_program_;
   VertexArray vertices_;
   StreamBuffer positions_;
   StreamTexture scalars_{GL_R32F}, colors_{GL_R32F}, ids_{GL_R32I}, flags_{GL_R8UI};

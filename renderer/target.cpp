@@ -103,6 +103,8 @@ void Target::resolve() const {
     glDrawBuffers(2, buffers);
     glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
   }
+  const GLenum both[] = {kColorAttachment, kIdAttachment};
+  glDrawBuffers(2, both);
 }
 
 Image Target::image() const {

@@ -32,6 +32,11 @@ class Target {
   /// The resolved colour: a GL_TEXTURE_2D whose first row is the bottom one (ImGui::Image: uv0 = (0, 1), uv1 = (1, 0)).
   unsigned color_texture() const { return color_.id(); }
 
+  /// The framebuffer of the resolved picture, to draw over it.
+  unsigned resolved_framebuffer() const { return resolved_.id(); }
+  /// Depth, with as many samples as the target.
+  unsigned depth_buffer() const { return depth_.id(); }
+
   Image image() const;
 
   /// The id drawn at a pixel, counted from the top left, kNoId where nothing is or outside.

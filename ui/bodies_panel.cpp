@@ -19,7 +19,7 @@ void body_row(Panel& panel, int index, const BodyDescription& body) {
   const std::string item = body.name + "##body" + std::to_string(index);
   if (ImGui::Selectable(item.c_str(), panel.state.selected_body == index)) {
     panel.state.selected_body = index;
-    panel.state.selected_tet = {};
+    panel.state.selection = {};
   }
   tag_last_item(panel.tags, "bodies/" + std::to_string(index), body.name);
   char text[64];

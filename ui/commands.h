@@ -26,6 +26,8 @@ enum class CommandId {
   frame_all,
   toggle_edges,
   toggle_range_lock,
+  toggle_slice,
+  select_most_loaded,
   screenshot,
   help,
   quit,

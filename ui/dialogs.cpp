@@ -11,11 +11,12 @@ namespace {
 
 constexpr char kWorkTitle[] = "Building the bodies";
 
-constexpr std::array<std::pair<const char*, const char*>, 7> kMouseHelp = {{
+constexpr std::array<std::pair<const char*, const char*>, 8> kMouseHelp = {{
     {"Left drag", "turn about the target"},
     {"Shift + drag, middle drag", "move the picture"},
     {"Wheel", "come closer, go away"},
-    {"Click", "inspect an element, select its body"},
+    {"Click", "inspect a node and its element, select the body"},
+    {"Ctrl + drag", "move the slice plane"},
     {"Right click in the view", "fire the projectile there"},
     {"Right click on a number", "type a value, such as 20 GPa"},
     {"Drop a file", "open a scene"},

@@ -14,7 +14,9 @@
 #include "ui/commands.h"
 #include "ui/edit_history.h"
 #include "ui/fonts.h"
+#include "ui/labels.h"
 #include "ui/legend.h"
+#include "ui/selection.h"
 #include "ui/widget_tags.h"
 
 namespace griffith::ui {
@@ -24,6 +26,14 @@ struct CameraMotion {
   float yaw = 0, pitch = 0;         ///< turn about the target [rad]
   float pan_right = 0, pan_up = 0;  ///< of camera and target, in heights of the picture
   float zoom = 1;                   ///< factor on the distance to the target
+  float slice_right = 0, slice_up = 0;  ///< of the slice plane, in heights of the picture
+};
+
+/// What the margin of a node was at a time.
+struct MarginSample {
+  double time = 0;  ///< [s]
+  float margin = 0;
+  bool broke = false;  ///< the node separated under it
 };
 
 /// What an error dialog says.
@@ -60,7 +70,7 @@ struct EditorState {
   ViewSettings view;      ///< as shown now; starts with the scene's
   ProjectileBurst shot;   ///< what the projectile tool fires; position and direction come from the cursor
   int selected_body = 0;  ///< index into Scene::bodies
-  TetId selected_tet;     ///< picked in the view; tets keep their ids when a body breaks
+  Selection selection;    ///< picked in the view; follows the material when a body breaks
   CameraMotion camera_motion;
   ImVec2 viewport_minimum = {0, 0}, viewport_size = {0, 0};  ///< of the picture, as drawn last [pixels]
   float left_width = 0, right_width = 0;                     ///< of the side panels [pixels]; 0: not laid out yet
@@ -85,6 +95,10 @@ struct EditorInput {
   Fonts fonts;
   ImTextureID picture = nullptr;                       ///< of the scene, bottom row first
   std::optional<Legend> legend;                        ///< of the picture
+  std::vector<PictureLabel> labels;                    ///< of the picture
+  std::span<const MarginSample> margins;               ///< past of the selected node, oldest first
+  Vec3 low = Vec3::Zero(), high = Vec3::Zero();        ///< box round the bodies [m]
+  Vec3 towards_eye = Vec3::UnitZ();                    ///< from what is looked at
   std::span<const std::filesystem::path> scene_files;  ///< offered for opening
   std::filesystem::path scene_path;                    ///< of the scene being edited, may be empty
   double time_step = 0;                                ///< in force [s]

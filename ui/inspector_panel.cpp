@@ -1,51 +1,139 @@
-#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
+#include "sim/elasticity/principal_stress.h"
+#include "ui/margin_plot.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/units.h"
+#include "ui/verdict.h"
 #include "ui/widgets.h"
 
 namespace griffith::ui {
 namespace {
 
-/// The corner that is nearest to separating.
-const NodeSeparation& most_loaded_corner(const Frame& frame, const std::array<NodeId, 4>& corners) {
-  const auto worst = std::max_element(corners.begin(), corners.end(), [&](NodeId a, NodeId b) {
-    return frame.separations[static_cast<std::size_t>(a.value)].margin <
-           frame.separations[static_cast<std::size_t>(b.value)].margin;
-  });
-  return frame.separations[static_cast<std::size_t>(worst->value)];
+constexpr std::size_t kMostElements = 8, kMostEvents = 4;  // listed
+
+std::string direction_text(const Vec3& direction) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.2f, %.2f, %.2f", direction.x(), direction.y(), direction.z());
+  return text;
 }
 
-void separation_rows(const Panel& panel, const NodeSeparation& separation, const Material& material) {
-  const bool by_force = material.criterion == FractureCriterion::separation_force;
-  const std::string_view unit = by_force ? "N" : "Pa";
-  const double load = by_force ? separation.eigenvalue : separation.stress;
-  value_row(panel, by_force ? "Separation force" : "Separation stress", format_quantity(load, unit), palette::kText);
-  value_row(panel, "Resistance", format_quantity(separation.resistance, unit), palette::kText);
+/// Three values with the prefix of the largest: "3.02, -1.85, -12.7 kPa".
+std::string triple(const Vec3& values, const char* unit) {
+  const SiPrefix prefix = si_prefix(values.cwiseAbs().maxCoeff(), unit);
+  char text[96];
+  std::snprintf(text, sizeof text, "%.3g, %.3g, %.3g ", values[0] / prefix.factor, values[1] / prefix.factor,
+                values[2] / prefix.factor);
+  return text + std::string(prefix.symbol) + unit;
+}
+
+void verdict_line(const Panel& panel, const Verdict& verdict) {
+  constexpr std::array kColors = {palette::kGood, palette::kWarning, palette::kError, palette::kAccent,
+                                  palette::kTextDim};
+  ImGui::PushTextWrapPos(0);
+  ImGui::PushStyleColor(ImGuiCol_Text, kColors[static_cast<std::size_t>(verdict.kind)]);
+  ImGui::TextUnformatted(verdict.text.c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopTextWrapPos();
+  tag_last_item(panel.tags, "inspector/verdict", verdict.text);
+}
+
+void node_rows(const Panel& panel, const NodeReport& report, const Material& material) {
+  const NodeSeparation& separation = report.separation;
+  const char* unit = load_unit(material);
+  value_row(panel, "Node", std::to_string(report.node.value), palette::kText);
+  value_row(panel, "Load", format_quantity(load_of(separation, material), unit), palette::kText);
+  value_row(panel, "Resistance",
+            std::isfinite(separation.resistance) ? format_quantity(separation.resistance, unit)
+                                                 : std::string("not yet known"),
+            palette::kText);
   value_row(panel, "Margin", format_quantity(separation.margin, "", 3),
-            separation.margin > 0.9 ? palette::kWarning : palette::kText);
+            separation.margin > 0.8 ? palette::kWarning : palette::kText);
+  value_row(panel, "Normal of the plane", direction_text(separation.direction), palette::kText);
+  value_row(panel, "Eigenvalues", triple(Vec3(report.principal.values.reverse()), "N"), palette::kText);
+  tooltip("Of the separation tensor, largest first: what pulls the node apart along its three axes.");
+  value_row(panel, "Top eigenvector", direction_text(report.principal.directions.col(2)), palette::kText);
+}
+
+/// One ranked element; a click selects it.
+void element_row(Panel& panel, const ElementShare& element, std::size_t rank) {
+  char text[96];
+  std::snprintf(text, sizeof text, "%zu   element %d, %s", rank + 1, element.tet.value,
+                element.above ? "above" : "below");
+  const bool selected = panel.state.selection.tet == element.tet;
+  if (ImGui::Selectable((std::string(text) + "##share").c_str(), selected)) panel.state.selection.tet = element.tet;
+  const std::string share = format_quantity(element.share, "N", 3);
+  tag_last_item(panel.tags, "inspector/element/" + std::to_string(rank), share);
+  tooltip("Tensile force " + format_quantity(element.force.tensile.norm(), "N", 3) + " along " +
+          direction_text(element.force.tensile.normalized()) + "\nCompressive force " +
+          format_quantity(element.force.compressive.norm(), "N", 3) + " along " +
+          direction_text(element.force.compressive.normalized()));
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(share.c_str()).x);
+  ImGui::TextColored(as_vec4(element.share > 0 ? palette::kAccent : palette::kTextDim), "%s", share.c_str());
+}
+
+void contribution_rows(Panel& panel, const NodeReport& report) {
+  hint(panel, "What each element adds to the load across the plane, by rank:");
+  for (std::size_t i = 0; i < std::min(report.elements.size(), kMostElements); ++i)
+    element_row(panel, report.elements[i], i);
+  if (report.elements.size() > kMostElements)
+    hint(panel, "and " + std::to_string(report.elements.size() - kMostElements) + " more that add less");
+  if (!report.supported) {
+    value_row(panel, "Balance of all forces", format_quantity(report.balance, "N", 3), palette::kText);
+    tooltip(
+        "What the sums of the tensile and compressive forces take away from it: forces that balance each other across "
+        "the node pull it apart, a force that is not balanced accelerates it.");
+  }
+}
+
+void event_rows(const Panel& panel, const NodeReport& report) {
+  const Frame& frame = panel.input.frame;
+  const std::size_t first = report.events.size() - std::min(report.events.size(), kMostEvents);
+  for (std::size_t i = first; i < report.events.size(); ++i) {
+    const CrackEvent& event = frame.crack_events[report.events[i]];
+    const std::string text = "step " + std::to_string(event.step) + ", " + format_quantity(event.time, "s", 3) +
+                             ", margin " + format_quantity(event.load / event.resistance, "", 3);
+    value_row(panel, "Crack", text, palette::kAccent);
+    tooltip("Plane " + direction_text(event.normal) + ", " + std::to_string(event.elements.size()) + " elements, " +
+            std::to_string(event.nodes_made) + " nodes made");
+  }
+}
+
+void element_rows(const Panel& panel, TetId tet) {
+  const Frame& frame = panel.input.frame;
+  const Mat3& stress = frame.stresses[tet];
+  const Mat3 deviator = stress - stress.trace() / 3 * Mat3::Identity();
+  value_row(panel, "Element", std::to_string(tet.value), palette::kText);
+  value_row(panel, "Von Mises stress", format_quantity(std::sqrt(1.5) * deviator.norm(), "Pa"), palette::kText);
+  value_row(panel, "Principal stresses", triple(Vec3(principal_values(stress).values.reverse()), "Pa"), palette::kText);
+  const BodyView& body = frame.bodies[frame.tet_bodies[tet]];
+  value_row(panel, "Piece", std::to_string(body.id.value) + ", " + format_quantity(body.mass, "kg", 3), palette::kText);
+  value_row(panel, "Its elements", std::to_string(body.tets), palette::kText);
+  value_row(panel, "Speed", format_quantity(body.velocity.norm(), "m/s", 3), palette::kText);
 }
 
 }  // namespace
 
 void draw_inspector_panel(Panel& panel) {
-  heading(panel, "Selection");
+  heading(panel, "Why did it break?");
   const Frame& frame = panel.input.frame;
-  const TetId tet = panel.state.selected_tet;
-  if (!tet.valid() || static_cast<std::size_t>(tet.value) >= frame.tets.size()) {
-    hint(panel, "Click an element in the view to inspect it.");
+  const Selection& selection = panel.state.selection;
+  if (!selection.valid() || static_cast<std::size_t>(selection.node) >= frame.positions.size()) {
+    hint(panel, "Click a node in the view, or press M for the most loaded one.");
     return;
   }
-  const auto t = static_cast<std::size_t>(tet.value);
-  const BodyView& body = frame.bodies[static_cast<std::size_t>(frame.tet_bodies[t].value)];
-  value_row(panel, "Element", std::to_string(tet.value), palette::kText);
-  value_row(panel, "Piece", std::to_string(body.id.value) + ", " + format_quantity(body.mass, "kg", 3), palette::kText);
-  const Mat3 deviator = frame.stresses[t] - frame.stresses[t].trace() / 3 * Mat3::Identity();
-  value_row(panel, "Von Mises stress", format_quantity(std::sqrt(1.5) * deviator.norm(), "Pa"), palette::kText);
-  separation_rows(panel, most_loaded_corner(frame, frame.tets[t]),
-                  frame.materials[static_cast<std::size_t>(body.scene_body)]);
+  const NodeReport report = node_report(frame, selection.node);
+  const BodyView& body = frame.bodies[report.body];
+  verdict_line(panel, verdict_on(report, frame, panel.history.scene().simulation.fracture));
+  draw_margin_bar(panel, report.separation.margin);
+  draw_margin_plot(panel, panel.input.margins);
+  node_rows(panel, report, frame.materials[body.scene_body]);
+  event_rows(panel, report);
+  contribution_rows(panel, report);
+  element_rows(panel, selection.tet);
 }
 
 }  // namespace griffith::ui

@@ -45,6 +45,27 @@ void draw_color_bar(ImDrawList* list, const Legend& legend, ImVec2 minimum, ImVe
   }
 }
 
+/// Bars that grow leftwards from the colours whose values they count; by the square root, so that rare ones show.
+void draw_histogram(ImDrawList* list, const Legend& legend, ImVec2 minimum, ImVec2 maximum) {
+  const int most = legend.histogram.empty() ? 0 : *std::max_element(legend.histogram.begin(), legend.histogram.end());
+  const float height = (maximum.y - minimum.y) / static_cast<float>(std::max<std::size_t>(legend.histogram.size(), 1));
+  for (std::size_t i = 0; i < legend.histogram.size(); ++i) {
+    const float share = std::sqrt(static_cast<float>(legend.histogram[i]) / static_cast<float>(std::max(most, 1)));
+    const float bottom = maximum.y - height * static_cast<float>(i);
+    if (share > 0)
+      list->AddRectFilled({maximum.x - share * (maximum.x - minimum.x), bottom - height}, {maximum.x, bottom},
+                          IM_COL32(140, 149, 160, 150));
+  }
+}
+
+/// A sample of the colour that stands for no number.
+void draw_nan_sample(ImDrawList* list, const Legend& legend, const Fonts& fonts, ImVec2 corner, float scale) {
+  const auto& color = *legend.nan_color;
+  const float size = fonts.small->FontSize;
+  list->AddRectFilled(corner, {corner.x + 18 * scale, corner.y + size}, IM_COL32(color[0], color[1], color[2], 255));
+  list->AddText(fonts.small, size, {corner.x + 28 * scale, corner.y}, palette::kText, "no number");
+}
+
 void draw_ticks(ImDrawList* list, const Legend& legend, const Fonts& fonts, ImVec2 minimum, ImVec2 maximum,
                 float scale) {
   const double factor = display_factor(legend);
@@ -81,17 +102,20 @@ ImVec2 draw_legend(ImDrawList* list, const Legend& legend, const Fonts& fonts, I
   const std::string title = legend_title(legend) + (legend.locked ? "  locked" : "");
   const float size = fonts.small->FontSize;
   const float text_width = fonts.small->CalcTextSizeA(size, FLT_MAX, 0, title.c_str()).x;
-  const float margin = 14 * scale, padding = 12 * scale;
-  const float width = std::max(text_width + 2 * padding, 110 * scale);
+  const float margin = 14 * scale, padding = 12 * scale, bars = legend.histogram.empty() ? 0 : 44 * scale;
+  const float width = std::max(text_width + 2 * padding, 110 * scale + bars);
   const float height = std::clamp(0.4f * (maximum.y - minimum.y), 90 * scale, 300 * scale);
   const ImVec2 corner = {maximum.x - margin - width, minimum.y + margin};
   const ImVec2 end = {corner.x + width, corner.y + height};
   list->AddRectFilled(corner, end, IM_COL32(24, 27, 32, 215), 6 * scale);
   list->AddText(fonts.small, size, {corner.x + padding, corner.y + padding * 0.75f}, palette::kText, title.c_str());
-  const ImVec2 bar = {corner.x + padding, corner.y + padding * 1.9f + size};
-  const ImVec2 bar_end = {bar.x + 18 * scale, end.y - padding - size * 0.3f};
+  const ImVec2 bar = {corner.x + padding + bars, corner.y + padding * 1.9f + size};
+  const float below = legend.nan_color ? 1.6f * size : 0;
+  const ImVec2 bar_end = {bar.x + 18 * scale, end.y - padding - size * 0.3f - below};
+  draw_histogram(list, legend, {corner.x + padding, bar.y}, {bar.x - 2 * scale, bar_end.y});
   draw_color_bar(list, legend, bar, bar_end);
   draw_ticks(list, legend, fonts, bar, bar_end, scale);
+  if (legend.nan_color) draw_nan_sample(list, legend, fonts, {bar.x, bar_end.y + 0.6f * size}, scale);
   return {corner.x, end.y};
 }
 

@@ -2,7 +2,9 @@
 
 #include <imgui.h>
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,6 +19,8 @@ struct Legend {
   double minimum = 0, maximum = 1;       ///< values of the ends of the bar [unit]
   std::span<const std::uint8_t> colors;  ///< RGBA bytes, lowest value first
   bool locked = false;                   ///< the range was set by hand
+  std::vector<int> histogram = {};       ///< how many values in each of equal parts of the range; may be empty
+  std::optional<std::array<std::uint8_t, 3>> nan_color = {};  ///< RGB; where some values are not numbers
 };
 
 /// Round values inside [minimum, maximum], about `count` of them, ascending. The range must not be empty.

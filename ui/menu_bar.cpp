@@ -73,6 +73,8 @@ void draw_menu_bar(Panel& panel) {
     command_item(panel, CommandId::frame_all);
     command_item(panel, CommandId::toggle_edges, panel.state.view.edges);
     command_item(panel, CommandId::toggle_range_lock, panel.state.view.range.has_value());
+    command_item(panel, CommandId::toggle_slice, panel.state.view.slice.has_value());
+    command_item(panel, CommandId::select_most_loaded);
     ImGui::EndMenu();
   }
   if (menu(panel, "Help")) {

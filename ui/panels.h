@@ -17,9 +17,9 @@ void draw_bodies_panel(Panel& panel);
 void draw_material_panel(Panel& panel);
 /// What the projectile tool fires.
 void draw_projectile_panel(Panel& panel);
-/// Quantity, range, colours and edges of the picture.
+/// What the picture shows: quantity, range and colours, how elements are drawn, slice, layers.
 void draw_view_panel(Panel& panel);
-/// What is known of the picked element.
+/// Why the picked node did or did not break, and its element and piece.
 void draw_inspector_panel(Panel& panel);
 /// Counts, solver, time per phase and everything that went wrong.
 void draw_statistics_panel(Panel& panel);

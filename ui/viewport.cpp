@@ -21,7 +21,10 @@ void move_camera(EditorState& state, const ImGuiIO& io) {
   const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
   const float right = io.MouseDelta.x / state.viewport_size.y, down = io.MouseDelta.y / state.viewport_size.y;
   CameraMotion& motion = state.camera_motion;
-  if (middle || (left && io.KeyShift)) {
+  if (left && io.KeyCtrl) {
+    motion.slice_right += right;
+    motion.slice_up -= down;
+  } else if (middle || (left && io.KeyShift)) {
     motion.pan_right -= right;
     motion.pan_up += down;
   } else if (left) {
@@ -54,13 +57,14 @@ void draw_card(ImDrawList* list, ImVec2 low, ImVec2 high, float scale) {
 void draw_hints(const Panel& panel, ImVec2 corner, ImVec2 end) {
   const Fonts& fonts = panel.input.fonts;
   const float scale = ui_scale(panel), size = fonts.small->FontSize, margin = 14 * scale;
-  const char* text = "drag: turn      shift+drag: move      wheel: zoom      click: inspect      right click: fire";
-  const float width = fonts.small->CalcTextSizeA(size, FLT_MAX, 0, text).x + 24 * scale;
+  std::string text = "drag: turn      shift+drag: move      wheel: zoom      click: inspect      right click: fire";
+  if (panel.state.view.slice) text += "      ctrl+drag: move the slice";
+  const float width = fonts.small->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x + 24 * scale;
   if (end.x - corner.x < width + 2 * margin) return;
   ImDrawList* list = ImGui::GetWindowDrawList();
   const ImVec2 low = {corner.x + margin, end.y - margin - size - 12 * scale};
   draw_card(list, low, {low.x + width, end.y - margin}, scale);
-  list->AddText(fonts.small, size, {low.x + 12 * scale, low.y + 6 * scale}, palette::kTextDim, text);
+  list->AddText(fonts.small, size, {low.x + 12 * scale, low.y + 6 * scale}, palette::kTextDim, text.c_str());
 }
 
 void draw_pause_mark(const Panel& panel, ImVec2 corner) {
@@ -88,6 +92,7 @@ void draw_viewport(Panel& panel) {
   mouse_input(panel);
   ImDrawList* list = ImGui::GetWindowDrawList();
   if (panel.input.picture) list->AddImage(panel.input.picture, state.viewport_minimum, end, {0, 1}, {1, 0});
+  draw_labels(list, panel.input.labels, panel.input.fonts, state.viewport_minimum, end, ui_scale(panel));
   if (panel.input.legend) {
     draw_legend(list, *panel.input.legend, panel.input.fonts, state.viewport_minimum, end, ui_scale(panel));
   }

@@ -5,6 +5,7 @@ layout(std140) uniform View {
   vec4 eye;            // homogeneous: a place (w = 1), or the direction towards the eye of a parallel projection (w = 0)
   vec4 light;          // unit vector towards the light; w: size of a shadow texel [m]
   vec4 viewport;       // width, height [pixels]; z: samples per pixel
+  vec4 visible;        // surfaces are drawn where dot(visible.xyz, position) <= visible.w
 };
 
 uniform sampler2DShadow shadow_map;

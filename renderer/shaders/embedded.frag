@@ -11,8 +11,7 @@ in vec4 own_weights;
 in float scalar;
 flat in int carrier;
 flat in ivec4 labels;  // tet, part, piece, style
-layout(location = 0) out vec4 pixel_color;
-layout(location = 1) out int pixel_id;
+uniform float opacity;
 
 uint hash(ivec3 place) {
   uint n = uint(place.x) * 73856093u ^ uint(place.y) * 19349663u ^ uint(place.z) * 83492791u;
@@ -99,6 +98,6 @@ void main() {
     color = shade(selected ? mix(color, kSelectionColor, 0.45) : color, position, normal_here(), here.xyz, is_scalar);
   }
   color = mix(color, selected ? kSelectionColor : kEdgeColor, (selected ? 1.0 : 0.6) * edge);
-  pixel_color = vec4(color, 1.0);
-  pixel_id = labels.x;
+  if (!is_drawn(selected)) discard;
+  emit(color, opacity, labels.x);
 }

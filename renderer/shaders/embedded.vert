@@ -14,6 +14,7 @@ out vec2 uv;
 out vec3 rest;
 out vec4 own_weights;
 out float scalar;
+out float gl_ClipDistance[1];
 flat out int carrier;
 flat out ivec4 labels;
 
@@ -47,5 +48,6 @@ void main() {
   rest = corner_rest;
   own_weights = weights;
   labels = corner_labels;
+  gl_ClipDistance[0] = visible.w - dot(visible.xyz, position);
   gl_Position = view_projection * vec4(position, 1.0);
 }

@@ -2,6 +2,10 @@
 const vec3 kCrackTint = vec3(0.80, 0.66, 0.55), kEdgeColor = vec3(0.09, 0.10, 0.12);
 const vec3 kSelectionColor = vec3(1.0, 0.55, 0.10);
 
+// What is drawn in this pass: 0 everything, 1 only what is selected, 2 only what is not.
+uniform int drawn_part;
+bool is_drawn(bool selected) { return drawn_part == 0 || (drawn_part == 1) == selected; }
+
 uniform sampler2D color_table;
 uniform vec2 scalar_range;
 uniform vec3 nan_color;

@@ -1,4 +1,4 @@
-const int kCrackFace = 8, kSelected = 16;  // TriangleFlag; bits 0 to 2 are the edges
+const int kCrackFace = 8, kSelected = 16, kPlain = 32;  // TriangleFlag; bits 0 to 2 are the edges
 
 uniform samplerBuffer scalars, colors;
 uniform isamplerBuffer ids;
@@ -6,15 +6,14 @@ uniform usamplerBuffer flags;
 uniform int scalars_per_triangle;
 uniform bool has_colors, has_ids, has_flags, draw_edges, unlit;
 uniform vec3 plain_color;
+uniform float opacity;
 in vec3 position;
 in vec3 barycentric;
 in float scalar;
-layout(location = 0) out vec4 pixel_color;
-layout(location = 1) out int pixel_id;
 
-vec3 triangle_color(int triangle_flags) {
-  if (scalars_per_triangle == 3) return scalar_color(scalar);
-  if (scalars_per_triangle == 1) return scalar_color(texelFetch(scalars, gl_PrimitiveID).r);
+vec3 triangle_color(int triangle_flags, bool is_scalar) {
+  if (is_scalar && scalars_per_triangle == 3) return scalar_color(scalar);
+  if (is_scalar) return scalar_color(texelFetch(scalars, gl_PrimitiveID).r);
   int first = 3 * gl_PrimitiveID;
   vec3 color = has_colors ? vec3(texelFetch(colors, first).r, texelFetch(colors, first + 1).r,
                                  texelFetch(colors, first + 2).r) : plain_color;
@@ -24,8 +23,8 @@ vec3 triangle_color(int triangle_flags) {
 void main() {
   int triangle_flags = has_flags ? int(texelFetch(flags, gl_PrimitiveID).r) : 0;
   bool selected = (triangle_flags & kSelected) != 0;
-  bool is_scalar = scalars_per_triangle != 0;
-  vec3 color = triangle_color(triangle_flags);
+  bool is_scalar = scalars_per_triangle != 0 && (triangle_flags & kPlain) == 0;
+  vec3 color = triangle_color(triangle_flags, is_scalar);
   vec3 marked = vec3(triangle_flags & 1, (triangle_flags >> 1) & 1, (triangle_flags >> 2) & 1);
   float edge = draw_edges ? edge_coverage(barycentric, marked) : 0.0;
   if (!(unlit && is_scalar)) {
@@ -33,6 +32,6 @@ void main() {
                   is_scalar);
   }
   color = mix(color, selected ? kSelectionColor : kEdgeColor, (selected ? 1.0 : 0.6) * edge);
-  pixel_color = vec4(color, 1.0);
-  pixel_id = has_ids ? texelFetch(ids, gl_PrimitiveID).r : -1;
+  if (!is_drawn(selected)) discard;
+  emit(color, opacity, has_ids ? texelFetch(ids, gl_PrimitiveID).r : -1);
 }

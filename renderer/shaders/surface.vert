@@ -4,11 +4,13 @@ layout(location = 0) in vec3 corner;
 out vec3 position;
 out vec3 barycentric;
 out float scalar;
+out float gl_ClipDistance[1];
 
 void main() {
   int k = gl_VertexID % 3;
   position = corner;
   barycentric = vec3(k == 0, k == 1, k == 2);
   scalar = scalars_per_triangle == 3 ? texelFetch(scalars, gl_VertexID).r : 0.0;
+  gl_ClipDistance[0] = visible.w - dot(visible.xyz, corner);
   gl_Position = view_projection * vec4(corner, 1.0);
 }

@@ -33,8 +33,19 @@ bool pair_less(const Allowance& left, const Allowance& right) {
 
 }  // namespace
 
+bool ContactWorld::Impl::all_at_rest() const {
+  return std::none_of(objects.begin(), objects.end(), [](const Object& object) {
+    return object.body && (object.fresh || object.body->isActive());
+  });
+}
+
 void ContactWorld::Impl::detect() {
   delete_retired();
+  if (all_at_rest()) {
+    contacts.clear();
+    points.clear();
+    return;
+  }
   world.performDiscreteCollisionDetection();
   collect_manifolds();
   update_allowances();
@@ -90,7 +101,7 @@ void ContactWorld::Impl::list_contacts() {
   sort_by_height();
 }
 
-/// Sweeps that go up and down through a pile carry its load at once.
+/// Sweeps down through a pile carry its load at once.
 void ContactWorld::Impl::sort_by_height() {
   std::vector<int> order(contacts.size());
   std::iota(order.begin(), order.end(), 0);

@@ -2,43 +2,68 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 
+#include <algorithm>
+
 #include "sim/contact/bullet_sweep.h"
 #include "sim/contact/contact_patch.h"
 
 namespace griffith::contact {
 namespace {
 
-std::vector<Vec3> world_corners(const HullShape& hull, const btTransform& transform) {
+std::vector<Vec3> world_corners(const PlacedHull& hull) {
   std::vector<Vec3> corners;
-  for (const btVector3& corner : hull.corners()) corners.push_back(from_bullet(transform * corner));
+  for (const btVector3& corner : hull.shape.corners()) corners.push_back(from_bullet(hull.transform * corner));
   return corners;
+}
+
+/// How far a hull reaches along a direction [m].
+btScalar extent_along(const PlacedHull& hull, const btVector3& direction) {
+  const btVector3 local = direction * hull.transform.getBasis();
+  btScalar extent = -BT_LARGE_FLOAT;
+  for (const btVector3& corner : hull.shape.corners()) extent = std::max(extent, local.dot(corner));
+  return extent + direction.dot(hull.transform.getOrigin());
+}
+
+btScalar contact_reach(const btCollisionObjectWrapper* object) {
+  return object->getCollisionObject()->getCollisionShape()->getContactBreakingThreshold(kContactReach);
 }
 
 }  // namespace
 
 HullHullAlgorithm::HullHullAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
                                      const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second)
-    : btCollisionAlgorithm(info),
-      manifold_(info.m_dispatcher1->getNewManifold(first->getCollisionObject(), second->getCollisionObject())) {}
+    : btCollisionAlgorithm(info), reach_(std::min(contact_reach(first), contact_reach(second))) {}
 
-HullHullAlgorithm::~HullHullAlgorithm() { m_dispatcher->releaseManifold(manifold_); }
+HullHullAlgorithm::~HullHullAlgorithm() { release_manifold(); }
+
+void HullHullAlgorithm::release_manifold() {
+  if (manifold_) m_dispatcher->releaseManifold(manifold_);
+  manifold_ = nullptr;
+}
 
 void HullHullAlgorithm::processCollision(const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second,
                                          const btDispatcherInfo&, btManifoldResult* result) {
+  const PlacedHull a{*static_cast<const HullShape*>(first->getCollisionShape()), first->getWorldTransform()};
+  const PlacedHull b{*static_cast<const HullShape*>(second->getCollisionShape()), second->getWorldTransform()};
+  const btVector3 direction = to_bullet(parting_direction_);
+  if (!parting_direction_.isZero(0) && -extent_along(a, -direction) - extent_along(b, direction) > reach_)
+    return release_manifold();
+  if (!manifold_) manifold_ = m_dispatcher->getNewManifold(first->getCollisionObject(), second->getCollisionObject());
   result->setPersistentManifold(manifold_);
-  const auto& a = *static_cast<const HullShape*>(first->getCollisionShape());
-  const auto& b = *static_cast<const HullShape*>(second->getCollisionShape());
-  const btScalar reach = manifold_->getContactBreakingThreshold();
-  const Separation apart = separation({&a, first->getWorldTransform()}, {&b, second->getWorldTransform()}, reach);
-  if (apart.distance < reach) {
-    const btVector3 normal = to_bullet(apart.normal);
-    const auto patch = contact_patch(world_corners(a, first->getWorldTransform()),
-                                     world_corners(b, second->getWorldTransform()), apart.normal, reach);
-    for (const PatchPoint& point : patch)
-      if (point.distance < reach) result->addContactPoint(normal, to_bullet(point.on_b), point.distance);
-    if (patch.empty()) result->addContactPoint(normal, to_bullet(apart.point_on_b), apart.distance);
-  }
+  add_contacts(a, b, *result);
   result->refreshContactPoints();
+  if (manifold_->getNumContacts() == 0) release_manifold();
+}
+
+void HullHullAlgorithm::add_contacts(const PlacedHull& a, const PlacedHull& b, btManifoldResult& result) {
+  const Separation apart = separation({&a.shape, a.transform}, {&b.shape, b.transform});
+  parting_direction_ = apart.normal;
+  if (apart.distance >= reach_) return;
+  const btVector3 normal = to_bullet(apart.normal);
+  const auto patch = contact_patch(world_corners(a), world_corners(b), apart.normal, reach_);
+  for (const PatchPoint& point : patch)
+    if (point.distance < reach_) result.addContactPoint(normal, to_bullet(point.on_b), point.distance);
+  if (patch.empty()) result.addContactPoint(normal, to_bullet(apart.point_on_b), apart.distance);
 }
 
 btCollisionAlgorithm* HullHullAlgorithm::Factory::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,

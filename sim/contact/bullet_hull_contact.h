@@ -4,10 +4,18 @@
 
 #include <btBulletCollisionCommon.h>
 
+#include "sim/contact/bullet_shapes.h"
+
 namespace griffith::contact {
 
+struct PlacedHull {
+  const HullShape& shape;
+  const btTransform& transform;
+};
+
 /// Contacts of two hulls: all corners of the area where they meet at once, where Bullet's own algorithm finds one point
-/// a step. So a face that strikes a face does not turn it, and stacks stand.
+/// a step. So a face that strikes a face does not turn it, and stacks stand. Most pairs with near bounding boxes do not
+/// touch: they have no manifold, and as long as the plane that parted them last still does, nothing else is computed.
 class HullHullAlgorithm final : public btCollisionAlgorithm {
  public:
   HullHullAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* first,
@@ -19,7 +27,9 @@ class HullHullAlgorithm final : public btCollisionAlgorithm {
                                  btManifoldResult*) override {
     return 1;
   }
-  void getAllContactManifolds(btManifoldArray& manifolds) override { manifolds.push_back(manifold_); }
+  void getAllContactManifolds(btManifoldArray& manifolds) override {
+    if (manifold_) manifolds.push_back(manifold_);
+  }
 
   struct Factory final : btCollisionAlgorithmCreateFunc {
     btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
@@ -28,7 +38,12 @@ class HullHullAlgorithm final : public btCollisionAlgorithm {
   };
 
  private:
-  btPersistentManifold* manifold_;
+  void add_contacts(const PlacedHull& a, const PlacedHull& b, btManifoldResult& result);
+  void release_manifold();
+
+  btScalar reach_;                            // gap at which contacts begin [m]
+  Vec3 parting_direction_ = Vec3::Zero();     // unit, from the second to the first; zero while unknown
+  btPersistentManifold* manifold_ = nullptr;  // while they touch
 };
 
 }  // namespace griffith::contact

@@ -98,6 +98,7 @@ struct ContactWorld::Impl {
 
   // Detection.
   void detect();
+  bool all_at_rest() const;
   void collect_manifolds();
   void update_allowances();
   double allowance(ProxyId a, ProxyId b) const;

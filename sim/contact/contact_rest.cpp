@@ -12,7 +12,7 @@ namespace {
 /// Objects sleep after lying still for this long [s].
 constexpr double kTimeToSleep = 0.5;
 /// No point of a still object leaves its place by more than this share of the radius.
-constexpr double kStillShare = 0.005;
+constexpr double kStillShare = 0.01;
 /// A share of the speed of a fall from the object's own height does not disturb sleepers.
 constexpr double kQuietShare = 0.04;
 /// Up to this multiple of that speed, what touches something stops turning at this rate [1/s].

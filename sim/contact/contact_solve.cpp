@@ -12,7 +12,7 @@ namespace {
 
 /// The share of an overlap that goes in a substep, and the overlap, as a share of the smaller radius, that stays, so
 /// that all contacts of what rests go on touching.
-constexpr double kCorrectionShare = 0.2, kRestingShare = 3e-4;
+constexpr double kCorrectionShare = 0.1, kRestingShare = 3e-4;
 
 Mat3 contact_axes(const Vec3& normal) {
   Mat3 axes;
@@ -30,12 +30,6 @@ Responder rigid_responder(const Object& object) {
   const Mat3 rotation = object.state.pose.rotation.toRotationMatrix();
   responder.inverse_inertia = rotation * object.inverse_inertia * rotation.transpose();
   return responder;
-}
-
-/// Few contacts, a tower's say, are solved well; many in as much time as there is: the next step goes on from there.
-int sweeps_for(std::size_t rows) {
-  constexpr std::size_t kWork = 60'000;
-  return static_cast<int>(std::clamp<std::size_t>(kWork / std::max<std::size_t>(rows, 1), 16, 150));
 }
 
 double smaller_radius(const Object& a, const Object& b) {
@@ -121,7 +115,7 @@ void ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elast
     velocities = response.velocities;
     velocities.reshaped() -= response.compliance * response.impulses.reshaped();
   }
-  solve_impulses(solved, answering, {.iterations = sweeps_for(solved.size())});
+  solve_impulses(solved, answering);
   for (std::size_t i = 0; i < contacts.size(); ++i) contacts[i].impulse = solved[i].axes * solved[i].impulse;
   remember_impulses(dt);
 }
@@ -217,7 +211,7 @@ void ContactWorld::Impl::correct_positions(const std::vector<ContactRow>& rows) 
   if (!any) return;
   std::vector<Responder> moving;
   for (const Object& object : objects) moving.push_back(rigid_responder(object));
-  solve_impulses(overlaps, moving, {.iterations = sweeps_for(overlaps.size()) / 2});
+  solve_impulses(overlaps, moving);
   for (std::size_t i = 0; i < objects.size(); ++i)
     objects[i].correction = {moving[i].velocity, moving[i].angular_velocity};
 }

@@ -70,7 +70,7 @@ struct ElasticResponse {
 /// The impulses of a free rigid object sum up to its change of momentum, to rounding, linear and angular (at the
 /// contacts' points). Approaches below 0.2 m/s do not bounce, nor does what touches an elastic object, which rebounds
 /// by itself. A gap that closes within `dt` at a higher speed is struck at once with the full approach speed; at a
-/// lower one, objects come to touch. Overlap is taken out by a fifth a substep through position_correction(), which
+/// lower one, objects come to touch. Overlap is taken out by a tenth a substep through position_correction(), which
 /// adds no velocity.
 ///
 /// The same calls give the same bits. Results depend on the history of contacts (the solver starts from the last

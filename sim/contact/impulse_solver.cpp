@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/contact/connected_groups.h"
+
 namespace griffith::contact {
 namespace {
 
@@ -87,29 +89,97 @@ double relax(ContactRow& row, const PreparedRow& prepared, std::span<Responder> 
   return (prepared.compliance * change).norm();
 }
 
+/// The rows of objects that hang together by contacts, in their order.
+std::vector<std::vector<int>> groups_of_rows(std::span<const ContactRow> rows, std::span<const Responder> responders) {
+  const auto answers = [&](const ContactEnd& end) {
+    return responders[end.responder].compliance || responders[end.responder].inverse_mass > 0;
+  };
+  std::vector<std::pair<int, int>> touching;
+  for (const ContactRow& row : rows)
+    if (answers(row.a) && answers(row.b)) touching.emplace_back(row.a.responder, row.b.responder);
+  const std::vector<int> group_of = connected_groups(static_cast<int>(responders.size()), touching);
+  std::vector<int> index_of(responders.size(), -1);
+  std::vector<std::vector<int>> groups;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!answers(rows[i].a) && !answers(rows[i].b)) continue;
+    int& index = index_of[group_of[answers(rows[i].a) ? rows[i].a.responder : rows[i].b.responder]];
+    if (index < 0) {
+      index = static_cast<int>(groups.size());
+      groups.emplace_back();
+    }
+    groups[index].push_back(static_cast<int>(i));
+  }
+  return groups;
+}
+
+/// One group's sweeps.
+class GroupSolver {
+ public:
+  GroupSolver(std::span<ContactRow> rows, const std::vector<int>& members, std::span<Responder> responders)
+      : responders_(responders) {
+    for (int member : members) {
+      rows_.push_back(&rows[member]);
+      prepared_.push_back(prepare(rows[member], responders));
+      speed_ =
+          std::max(speed_, rows[member].least_speed - rows[member].axes.col(0).dot(relative_velocity(rows[member])));
+    }
+    for (const ContactRow* row : rows_)
+      if (!row->impulse.isZero(0)) apply(*row, row->impulse, responders_);
+    before_.resize(rows_.size());
+    direction_.assign(rows_.size(), Vec3::Zero());
+  }
+
+  void solve(const SolverLimits& limits) {
+    const int sweeps =
+        std::clamp(limits.work / static_cast<int>(rows_.size()), limits.least_sweeps, limits.most_sweeps);
+    for (int i = 1; sweep() > limits.tolerance * speed_ && i < sweeps; ++i) extrapolate();
+  }
+
+ private:
+  Vec3 relative_velocity(const ContactRow& row) const {
+    return velocity_at(responders_[row.a.responder], row.a) - velocity_at(responders_[row.b.responder], row.b);
+  }
+
+  /// Returns the largest change of velocity.
+  double sweep() {
+    double change = 0;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      before_[i] = rows_[i]->impulse;
+      change = std::max(change, relax(*rows_[i], prepared_[i], responders_));
+    }
+    return change;
+  }
+
+  /// Goes on from a sweep along the conjugate direction, unless the sweeps do not converge.
+  void extrapolate() {
+    double size = 0;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const Vec3 step = rows_[i]->impulse - before_[i];
+      size += step.dot(prepared_[i].compliance * step);
+    }
+    const double share = size < last_size_ ? size / last_size_ : 0;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const Vec3 step = rows_[i]->impulse - before_[i], more = share * direction_[i];
+      direction_[i] = step + more;
+      if (more.isZero(0)) continue;
+      rows_[i]->impulse += more;
+      apply(*rows_[i], more, responders_);
+    }
+    last_size_ = size;
+  }
+
+  std::span<Responder> responders_;
+  std::vector<ContactRow*> rows_;
+  std::vector<PreparedRow> prepared_;
+  std::vector<Vec3> before_, direction_;  // impulses before the sweep; the last change of impulses
+  double speed_ = 0, last_size_ = 0;
+};
+
 }  // namespace
 
 void solve_impulses(std::span<ContactRow> rows, std::span<Responder> responders, const SolverLimits& limits) {
-  std::vector<PreparedRow> prepared;
-  prepared.reserve(rows.size());
-  double speed = 0;
-  for (const ContactRow& row : rows) {
-    prepared.push_back(prepare(row, responders));
-    speed = std::max(speed, row.least_speed - row.axes.col(0).dot(velocity_at(responders[row.a.responder], row.a) -
-                                                                  velocity_at(responders[row.b.responder], row.b)));
-  }
-  for (const ContactRow& row : rows)
-    if (!row.impulse.isZero(0)) apply(row, row.impulse, responders);
-  const std::size_t count = rows.size();
-  for (int sweep = 0; sweep < limits.iterations; ++sweep) {
-    double change = 0;
-    // Up and down in turn: what a stack carries goes through it both ways.
-    for (std::size_t k = 0; k < count; ++k) {
-      const std::size_t i = sweep % 2 == 0 ? k : count - 1 - k;
-      change = std::max(change, relax(rows[i], prepared[i], responders));
-    }
-    if (change <= limits.tolerance * speed) return;
-  }
+  for (const std::vector<int>& members : groups_of_rows(rows, responders))
+    GroupSolver(rows, members, responders).solve(limits);
 }
 
 }  // namespace griffith::contact

@@ -34,13 +34,17 @@ struct ContactRow {
 };
 
 struct SolverLimits {
-  int iterations = 24;
-  double tolerance = 1e-7;  ///< the largest change of velocity in a sweep, as a share of the largest speed to correct
+  int work = 12'000;                        ///< rows times sweeps, in each group of objects that touch
+  int least_sweeps = 20, most_sweeps = 200;  ///< whatever the work
+  /// The largest change of velocity in a sweep, as a share of the group's largest speed to correct.
+  double tolerance = 1e-7;
 };
 
-/// The Signorini–Coulomb problem by projected Gauss–Seidel (Jean & Moreau 1992): the normal impulse of a row pushes
-/// only and keeps its parting speed at or above `least_speed`; the tangential one stops the sliding within friction's
-/// disc. Velocities of the responders hold everything but the rows' impulses before, those too after.
-void solve_impulses(std::span<ContactRow> rows, std::span<Responder> responders, const SolverLimits& limits);
+/// The Signorini–Coulomb problem by projected Gauss–Seidel (Jean & Moreau 1992), each group of objects that touch on
+/// its own, quickened by nonlinear conjugate gradients (Silcowitz, Niebe & Erleben 2010): the normal impulse of a row
+/// pushes only and keeps its parting speed at or above `least_speed`; the tangential one stops the sliding within
+/// friction's disc. Velocities of the responders hold everything but the rows' impulses before, those too after.
+/// Impulses are within their limits however early the sweeps end.
+void solve_impulses(std::span<ContactRow> rows, std::span<Responder> responders, const SolverLimits& limits = {});
 
 }  // namespace griffith::contact

@@ -55,9 +55,11 @@ Mat3 force_dyad(const Vec3& force) {
 }
 
 SplitForce split_force(const SeparationInput& input, TetId tet, NodeId node) {
-  const ElementRest& rest = input.rests[tet];
-  const ElementState& state = input.states[tet];
-  const Vec3 gradient = rest.shape_gradients.col(local_corner(input.mesh, tet, node));
+  return split_force(input.rests[tet], input.states[tet], local_corner(input.mesh, tet, node));
+}
+
+SplitForce split_force(const ElementRest& rest, const ElementState& state, int corner) {
+  const Vec3 gradient = rest.shape_gradients.col(corner);
   const Vec3 tensile = -rest.volume * (state.frame * (state.tensile_stress * gradient));
   return {tensile, -rest.volume * (state.frame * (state.stress * gradient)) - tensile};
 }

@@ -24,6 +24,7 @@ struct SeparationInput {
 struct SplitForce {
   Vec3 tensile = Vec3::Zero(), compressive = Vec3::Zero();  ///< f_e⁺, f_e⁻
 };
+SplitForce split_force(const ElementRest& rest, const ElementState& state, int corner);
 SplitForce split_force(const SeparationInput& input, TetId tet, NodeId node);
 
 /// The separation tensor of a node in the world frame [N] (O'Brien & Hodgins 1999, eq. 16):

@@ -95,13 +95,53 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
+/// How the tets of a body are drawn.
+enum class ElementStyle {
+  surface,    ///< the faces that nothing lies behind
+  wireframe,  ///< all edges, and nothing else
+  shrunken,   ///< each tet by itself, drawn smaller
+};
+
+/// What can be drawn besides the bodies; view_layers() has the names and what they mean, in this order.
+enum class ViewLayer {
+  stress_axes,
+  stress_ellipsoids,
+  separation_axes,
+  velocities,
+  contacts,
+  fracture_planes,
+  candidate_plane,
+  element_forces,
+  body_frames,
+  collision_shapes,
+  supports,
+  loads,
+  probes,
+};
+
+/// Hides the points x with x · normal/|normal| > offset.
+struct SlicePlane {
+  Vec3 normal = Vec3::UnitZ();  ///< any length but 0
+  double offset = 0;            ///< [m]
+  bool operator==(const SlicePlane&) const = default;
+};
+
 /// What is shown at first; nothing here influences the simulation.
 struct ViewSettings {
   std::string quantity = "von_mises";  ///< one of view_quantities()
   std::string color_map = "viridis";   ///< viridis, coolwarm or cividis
   std::optional<Vec2> range;           ///< in the quantity's unit; automatic when absent
+  bool symmetric = false;              ///< the automatic range reaches as far below 0 as above
   bool edges = true;
-  bool splinters = true;  ///< shown in place of tets where a body has them
+  double edge_width = 1.1;  ///< of element edges, in pixels of a picture 720 pixels high, 0.25..10
+  bool splinters = true;    ///< shown in place of tets where a body has them
+  ElementStyle elements = ElementStyle::surface;
+  double explode = 0;               ///< pieces are drawn this much farther from the middle, 0..20; 0: where they are
+  double opacity = 1;               ///< of bodies, 0.05..1
+  std::optional<SlicePlane> slice;  ///< bodies are drawn cut by it
+  std::vector<ViewLayer> layers;
+  int fracture_planes = 100;  ///< of how many cracks, newest first, 1..1000000
+  double glyph_scale = 1;     ///< size of arrows and other signs, 0.01..100
   bool operator==(const ViewSettings&) const = default;
 };
 

@@ -254,18 +254,39 @@ void describe(Archive& archive, Camera& camera) {
 }
 
 template <class Archive>
+void describe(Archive& archive, SlicePlane& slice) {
+  archive.field("normal", slice.normal, kDirection, "Towards what is hidden; any length but 0");
+  archive.field("offset", slice.offset, kPlace, "Distance of the plane from the origin along the normal");
+}
+
+template <class Archive>
 void describe(Archive& archive, ViewSettings& view) {
   Numbers range = between(-1e15, 1e15);
   range.ascending = true;
   OneOf quantities;
   for (const ViewQuantity& quantity : view_quantities()) quantities.names.push_back(quantity.key);
+  OneOf layers;
+  for (const ViewLayerInfo& layer : view_layers()) layers.names.push_back(layer.key);
   const auto maps = color_map_names();
   archive.field("quantity", view.quantity, quantities, "What the colours show");
   archive.field("color_map", view.color_map, OneOf{{maps.begin(), maps.end()}}, "Colours from low to high");
   archive.field("range", view.range, range,
                 "Values at the two ends of the colours, in the quantity's unit; null: automatic");
+  archive.field("symmetric", view.symmetric, Flag{}, "Whether the automatic range reaches as far below 0 as above");
   archive.field("edges", view.edges, Flag{}, "Whether element edges are drawn");
+  archive.field("edge_width", view.edge_width, between(0.25, 10),
+                "Width of element edges, in pixels of a picture 720 pixels high");
   archive.field("splinters", view.splinters, Flag{}, "Whether splinters and surfaces are drawn in place of the tetrahedra");
+  archive.field("elements", view.elements, OneOf{{"surface", "wireframe", "shrunken"}},
+                "How tetrahedra are drawn: the surface, all edges, or each one by itself and smaller");
+  archive.field("explode", view.explode, between(0, 20, "-"),
+                "How much farther from the middle pieces are drawn than they are");
+  archive.field("opacity", view.opacity, between(0.05, 1, "-"), "How opaque bodies are drawn");
+  archive.field("slice", view.slice, Parts{}, "A plane that bodies are drawn cut by; null: none");
+  archive.field("layers", view.layers, layers, "What is drawn besides the bodies");
+  archive.field("fracture_planes", view.fracture_planes, between(1, 1000000),
+                "Of how many cracks the layer `fracture_planes` shows the plane, newest first");
+  archive.field("glyph_scale", view.glyph_scale, between(0.01, 100, "-"), "Size of arrows and other signs");
 }
 
 template <class Archive>

@@ -5,21 +5,58 @@
 namespace griffith {
 
 std::span<const ViewQuantity> view_quantities() {
-  static constexpr std::array<ViewQuantity, 12> kQuantities = {{
+  static constexpr std::array<ViewQuantity, 19> kQuantities = {{
+      {"margin", "load over resistance", "-"},
       {"von_mises", "von Mises stress", "Pa"},
       {"max_principal_stress", "largest principal stress", "Pa"},
+      {"mid_principal_stress", "middle principal stress", "Pa"},
       {"min_principal_stress", "smallest principal stress", "Pa"},
       {"pressure", "pressure", "Pa"},
-      {"margin", "load over resistance", "-"},
+      {"separation_stress", "separation stress", "Pa"},
       {"separation_eigenvalue", "separation eigenvalue", "N"},
+      {"strain_energy", "strain energy density", "J/m³"},
       {"displacement", "displacement", "m"},
       {"speed", "speed", "m/s"},
+      {"element_quality", "element quality", "-"},
+      {"crack_age", "age of crack faces", "s"},
+      {"plain", "nothing", ""},
       {"material", "material", ""},
       {"body", "body", ""},
+      {"tet", "element", ""},
       {"splinter", "splinter", ""},
       {"texture", "texture coordinates", ""},
   }};
   return kQuantities;
+}
+
+std::span<const ViewLayerInfo> view_layers() {
+  static constexpr std::array<ViewLayerInfo, 13> kLayers = {{
+      {"stress_axes", "Principal stress axes",
+       "A line along each axis of every element's stress: red tension, blue "
+       "compression, as long as the stress is large."},
+      {"stress_ellipsoids", "Stress ellipsoids",
+       "Every element's stress as a ball stretched along its axes: red where "
+       "tension prevails, blue where compression does."},
+      {"separation_axes", "Separation axes",
+       "The eigenvectors of every node's separation tensor; the top one, normal of "
+       "the candidate plane, in the colour of its margin."},
+      {"velocities", "Velocities", "An arrow at every surface node."},
+      {"contacts", "Contacts", "A dot where things touched in the last step, and the impulse as an arrow."},
+      {"fracture_planes", "Fracture planes", "The planes of the last cracks as discs with their normals."},
+      {"candidate_plane", "Candidate plane",
+       "The plane across which the chosen node would separate, and which of its "
+       "elements lie on either side; without a choice, at the most loaded node."},
+      {"element_forces", "Element forces",
+       "What each element does to the chosen node: tensile force red, compressive "
+       "blue; without a choice, at the most loaded node."},
+      {"body_frames", "Body frames", "Centre of mass and axes of every piece."},
+      {"collision_shapes", "Collision shapes", "The convex parts that stand for every piece in contacts."},
+      {"supports", "Supports",
+       "Nodes that are held: boxes fixed, discs sliding, arrows prescribed; and the reactions."},
+      {"loads", "Loads", "The force of the loads on each node."},
+      {"probes", "Probes", "Where probes measure."},
+  }};
+  return kLayers;
 }
 
 std::span<const std::string_view> color_map_names() {

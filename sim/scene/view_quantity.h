@@ -12,6 +12,16 @@ struct ViewQuantity {
   std::string_view unit;   ///< "Pa"; "-" for a ratio, "" for an id
 };
 
+/// Something that a picture can show besides the bodies.
+struct ViewLayerInfo {
+  std::string_view key;    ///< as in a scene file: "stress_axes"
+  std::string_view label;  ///< as in a menu: "Principal stress axes"
+  std::string_view hint;   ///< what it shows, a sentence
+};
+
+/// All layers, by ViewLayer.
+std::span<const ViewLayerInfo> view_layers();
+
 /// All quantities, in the order in which menus show them.
 std::span<const ViewQuantity> view_quantities();
 /// All colour maps' names, in the order in which menus show them.

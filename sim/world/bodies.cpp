@@ -23,17 +23,17 @@ Eigen::VectorXd gather(const std::vector<double>& values, const std::vector<Node
 }
 
 void place_stand_in(WorldState& world, Body& body) {
-  const std::vector<ConvexPart> parts = collision_parts(world, body);
+  body.collision_parts = collision_parts(world, body);
   const RigidMass mass{body.motion.mass, body.motion.inertia};
   const Mobility mobility = body.supported() ? Mobility::held : Mobility::free;
   const RigidState state{{body.motion.center, body.orientation}, body.motion.velocity, body.motion.angular_velocity};
   if (body.stand_in.valid()) {
-    world.contact_world.reshape(body.stand_in, parts, mass, mobility, state);
+    world.contact_world.reshape(body.stand_in, body.collision_parts, mass, mobility, state);
     return;
   }
   const Material& material = world.material_of(body);
-  body.stand_in =
-      world.contact_world.add_stand_in(parts, mass, mobility, state, {material.friction, material.restitution});
+  body.stand_in = world.contact_world.add_stand_in(body.collision_parts, mass, mobility, state,
+                                                   {material.friction, material.restitution});
   if (static_cast<std::size_t>(body.stand_in) >= world.body_of_proxy.size())
     world.body_of_proxy.resize(body.stand_in + 1);
   world.body_of_proxy[body.stand_in] = body.id;

@@ -1,5 +1,6 @@
 #include <Eigen/LU>
 #include <algorithm>
+#include <limits>
 
 #include "sim/fracture/slit_tips.h"
 #include "sim/mesh/mesh_report.h"
@@ -92,6 +93,8 @@ void append_elements(WorldState& world, TetId first, BodyId body) {
   elements.plastic_strains.resize(world.mesh.tets.size(), Mat3::Zero());
   elements.stresses.resize(world.mesh.tets.size(), Mat3::Zero());
   elements.bodies.resize(world.mesh.tets.size(), body);
+  constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
+  elements.opened.resize(world.mesh.tets.size(), {kNever, kNever, kNever, kNever});
 }
 
 void set_initial_motion(WorldState& world, Body& body, const BodyDescription& description) {

@@ -229,15 +229,16 @@ std::vector<Vec3> external_forces(const WorldState& world) {
 }
 
 void resolve_contacts(WorldState& world, double dt) {
-  tell_rigid_velocities(world);
-  world.contact_world.detect();
+  world.contact_world.detect();  // before the prediction, by which all that rests is about to fall
   take_sleep(world);
+  tell_rigid_velocities(world);
   TouchedBodies touched = solve_contacts(world, dt);
   limit_energy(world, touched, dt);
   tell_rigid_velocities(world);
   world.contact_world.advance(dt);
   take_rigid_velocities(world);
   apply_corrections(world);
+  note_contacts(world);
   const int contacts = static_cast<int>(world.contact_world.contacts().size());
   world.contacts_before = contacts;
   world.report.contacts = std::max(world.report.contacts, contacts);

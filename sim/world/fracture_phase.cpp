@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "sim/fracture/remesh.h"
@@ -152,6 +153,15 @@ Opened crack_in_turn(WorldState& world, const std::vector<NodeId>& overloaded, d
   return opened;
 }
 
+/// Notes when the faces were opened that have no neighbour any more.
+void date_open_faces(WorldState& world, const std::vector<TetId>& parted) {
+  for (TetId tet : parted)
+    for (int face = 0; face < 4; ++face) {
+      const bool open = !world.mesh.neighbours[tet][face].valid() && !(world.elements.first_surface[tet] >> face & 1);
+      if (open && std::isnan(world.elements.opened[tet][face])) world.elements.opened[tet][face] = world.time;
+    }
+}
+
 /// How long a crack takes to run across an element [s]. In brittle solids it hardly ever passes half the Rayleigh
 /// wave speed (Freund 1990), some quarter to third of the bar's.
 double crack_transit_time(const WorldState& world, const Body& body) {
@@ -181,6 +191,7 @@ void open_cracks(WorldState& world, double substep) {
     world.crack_transit_time = std::min(world.crack_transit_time, crack_transit_time(world, world.bodies[body]));
     part_body(world, body);
   }
+  date_open_faces(world, opened.parted);
   for (std::size_t i = opened.first_event; i < world.crack_events.size(); ++i)
     world.crack_events[i].children = children_of(world, world.crack_events[i]);
   world.report.cracks_postponed = static_cast<int>(world.postponed.size());

@@ -6,12 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "sim/elasticity/element.h"
 #include "sim/elasticity/material.h"
 #include "sim/fracture/crack_event.h"
 #include "sim/fracture/node_separation.h"
 #include "sim/ids.h"
 #include "sim/linear_algebra.h"
+#include "sim/solver/node_constraint.h"
 #include "sim/splinters/splinters.h"
+#include "sim/world/probes.h"
 
 namespace griffith {
 
@@ -22,8 +25,19 @@ struct BodyView {
   int tets = 0;
   double mass = 0;               ///< [kg]
   Vec3 center_of_mass, velocity, angular_velocity;
+  Quat orientation = Quat::Identity();                 ///< from the shape that it had when it came to be
+  std::span<const std::vector<Vec3>> collision_parts;  ///< corners of the convex parts, in the body's own frame [m]
   bool supported = false;        ///< has nodes held in place
+  bool rigid = false;            ///< moves as a whole: its stress is not computed until something strikes it
   bool asleep = false;           ///< lies still until something strikes it
+};
+
+/// What two things did to each other in the last step, near one place.
+struct ContactView {
+  BodyId a, b;                   ///< invalid: a projectile or the ground
+  Vec3 position = Vec3::Zero();  ///< [m]
+  Vec3 normal = Vec3::UnitY();   ///< unit, from b to a
+  Vec3 impulse = Vec3::Zero();   ///< on a, over all substeps [N·s]
 };
 
 struct ProjectileView {
@@ -74,12 +88,19 @@ struct Frame {
   std::span<const Vec3> velocities;                     ///< per node [m/s]
   std::span<const double> node_masses;                  ///< per node [kg]
   std::span<const std::uint8_t> node_held;              ///< per node: 1 where a support acts on it
+  std::span<const NodeConstraint> constraints;          ///< per node: what supports leave free
+  std::span<const Vec3> load_forces;                    ///< per node: what loads do to it now [N]; empty without loads
+  std::span<const std::uint8_t> at_crack_front;         ///< per node: 1 where cut faces end
   std::span<const NodeSeparation> separations;          ///< per node
   std::span<const Vec3> reactions;                      ///< per node: what supports did to it in the last step [N]
   std::span<const std::array<NodeId, 4>> tets;          ///< per tet: corners; face i opposite corner i (kTetFaces)
   std::span<const std::array<TetId, 4>> neighbours;     ///< per tet: behind face i; invalid on the surface
   std::span<const BodyId> tet_bodies;                   ///< per tet
   std::span<const std::uint8_t> first_surface;          ///< per tet: bit i: face i was on the surface at the start
+  std::span<const std::array<double, 4>> face_opened;   ///< per tet: when a crack opened face i [s], else not a number
+  std::span<const std::vector<TetId>> stars;            ///< per node: its tets, ascending
+  std::span<const ElementRest> rests;                   ///< per tet
+  std::span<const ElementState> states;                 ///< per tet
   std::span<const Mat3> stresses;                       ///< per tet: Cauchy stress, world frame [Pa]
   std::span<const Material> materials;                  ///< per scene body, as in force now
   std::span<const BodyView> bodies;                     ///< one per BodyId; bodies are never removed
@@ -90,6 +111,8 @@ struct Frame {
   std::span<const std::uint8_t> attached_parts;         ///< per part: 1 carried by its own tet, 0 by the owner
   std::span<const int> open_walls;                      ///< faces between splinters that cracks have opened
   std::span<const ProjectileView> projectiles;
+  std::span<const ContactView> contacts;                ///< of the last step, those that carried an impulse
+  std::span<const PlacedProbe> probes;                  ///< the scene's, to be read with probe_values()
   std::span<const CrackEvent> crack_events;             ///< all so far, oldest first
   int fragments = 0;                                    ///< connected pieces beyond the scene's own bodies
   Totals totals;

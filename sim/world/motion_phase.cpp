@@ -156,7 +156,7 @@ void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>&
 }
 
 void freeze_if_broken_down(WorldState& world, Body& body) {
-  if (all_finite(world, body)) return;
+  if (body.asleep || all_finite(world, body)) return;
   for (NodeId node : body.nodes) world.nodes.velocities[node].setZero();
   body.rigid = true;
   body.motion.velocity.setZero();
@@ -203,7 +203,7 @@ void calm_bodies(WorldState& world) {
     const bool calm = std::all_of(body.nodes.begin(), body.nodes.end(),
                                   [&](NodeId node) { return world.nodes.separations[node].margin < kCalmMargin; });
     body.calm_steps = calm ? body.calm_steps + 1 : 0;
-    if (body.calm_steps >= kCalmSteps) stiffen(world, body);
+    if (body.tets.size() == 1 || body.calm_steps >= kCalmSteps) stiffen(world, body);
   }
 }
 

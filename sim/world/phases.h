@@ -27,8 +27,8 @@ inline constexpr int kTicksPerStep = 256;
 /// supports hold. Prescribed supports go on for `displacement_time` [s]. Free bodies get inertia relief (solve_static()).
 void find_equilibrium(WorldState& world, double time, double displacement_time, bool supported_only);
 
-/// How many substeps the coming step may take, by the work that one costs and the scene's limit.
-int substep_budget(const WorldState& world);
+/// What a substep costs as things are, as a share of what a step may cost; counted in work, not in time. > 0.
+double substep_cost(const WorldState& world);
 /// The length of the next substep in ticks: all that is left while nothing strikes; up to an impact in one go, through it
 /// in substeps in which a wave crosses a quarter of an element, then ever longer ones; while a crack runs, no longer than it
 /// takes to cross an element. `substeps_left` is kept.
@@ -77,7 +77,7 @@ SeparationInput separation_input(const WorldState& world);
 /// Opens the mesh where the margin is passed, worst first; parted pieces become bodies. What exceeds the budget of cracks
 /// opens in the next step. New cracks start no nearer to each other than a wave gets in the `substep` [s].
 void open_cracks(WorldState& world, double substep);
-/// Bodies whose stress has died turn rigid.
+/// Bodies whose stress has died, and single tets, which cannot break, turn rigid.
 void calm_bodies(WorldState& world);
 /// Rigid bodies that lie still fall asleep; after a step of this length [s].
 void rest_bodies(WorldState& world, double time_step);
@@ -106,7 +106,9 @@ double hurting_speed(const WorldState& world, const Body& body);
 /// Lumped mass of a node from its star [kg].
 double node_mass(const WorldState& world, NodeId node);
 
-/// Body and projectile views and the totals, for the frame.
+/// Adds the contacts of a substep that carry an impulse to those of the step, for the frame.
+void note_contacts(WorldState& world);
+/// Views and totals, for the frame.
 void publish(WorldState& world);
 
 }  // namespace griffith

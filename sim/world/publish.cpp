@@ -1,18 +1,53 @@
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
 #include "sim/world/phases.h"
 
 namespace griffith {
 namespace {
 
+/// The elements near which a contact acts, as cells of half an element's size: contacts in one cell show as one.
+std::array<std::int64_t, 3> contact_cell(const WorldState& world, const ContactView& contact) {
+  const BodyId body = contact.a.valid() ? contact.a : contact.b;
+  if (!body.valid()) return {};
+  const Vec3 place = contact.position / (0.5 * world.bodies[body].element_size);
+  constexpr double kFarthest = 1e15;
+  std::array<std::int64_t, 3> cell;
+  for (int i = 0; i < 3; ++i) cell[i] = std::llround(std::clamp(place[i], -kFarthest, kFarthest));
+  return cell;
+}
+
+/// `contact` becomes the mean of both, weighted by their impulses, which are added up.
+void merge(ContactView& contact, const ContactView& other) {
+  const double weight = contact.impulse.norm(), other_weight = other.impulse.norm(), sum = weight + other_weight;
+  contact.position = (weight * contact.position + other_weight * other.position) / sum;
+  contact.normal = (weight * contact.normal + other_weight * other.normal).normalized();
+  contact.impulse += other.impulse;
+}
+
+/// The contacts of all substeps, those at one place merged.
+void merge_contacts(WorldState& world) {
+  using Key = std::tuple<BodyId, BodyId, std::array<std::int64_t, 3>>;
+  std::vector<std::pair<Key, ContactView>> contacts;
+  for (const ContactView& contact : world.contact_views)
+    contacts.emplace_back(Key(contact.a, contact.b, contact_cell(world, contact)), contact);
+  std::ranges::stable_sort(contacts, {}, &std::pair<Key, ContactView>::first);
+  world.contact_views.clear();
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (i > 0 && contacts[i].first == contacts[i - 1].first) {
+      merge(world.contact_views.back(), contacts[i].second);
+    } else {
+      world.contact_views.push_back(contacts[i].second);
+    }
+  }
+}
+
 BodyView view_of(const Body& body) {
-  return {body.id,
-          body.parent,
-          body.scene_body,
-          static_cast<int>(body.tets.size()),
-          body.motion.mass,
-          body.motion.center,
-          body.motion.velocity,
-          body.motion.angular_velocity,
-          body.supported(),
+  return {body.id,          body.parent,          body.scene_body,      static_cast<int>(body.tets.size()),
+          body.motion.mass, body.motion.center,   body.motion.velocity, body.motion.angular_velocity,
+          body.orientation, body.collision_parts, body.supported(),     body.rigid,
           body.asleep};
 }
 
@@ -39,6 +74,14 @@ void add_projectile(const ProjectileView& projectile, const RigidState& state, T
 
 }  // namespace
 
+void note_contacts(WorldState& world) {
+  for (const Contact& contact : std::as_const(world.contact_world).contacts()) {
+    if (contact.impulse.isZero(0)) continue;
+    world.contact_views.push_back(
+        {world.body_of(contact.a), world.body_of(contact.b), contact.position, contact.normal, contact.impulse});
+  }
+}
+
 void publish(WorldState& world) {
   world.totals = {};
   world.body_views.clear();
@@ -53,6 +96,9 @@ void publish(WorldState& world) {
         {state.pose.translation, state.velocity, state.pose.rotation, projectile.radius, projectile.mass});
     add_projectile(world.projectile_views.back(), state, world.totals);
   }
+  merge_contacts(world);
+  world.load_forces.assign(world.loads.empty() ? 0 : world.nodes.positions.size(), Vec3::Zero());
+  if (!world.loads.empty()) add_load_forces(world, world.time, world.load_forces);
 }
 
 }  // namespace griffith

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <limits>
 
@@ -61,11 +62,19 @@ void step_explicitly(WorldState& world, double time_step) {
   rest_bodies(world, time_step);
 }
 
+/// How many substeps may follow: each has its cost, and the step its budget of 1. What a crack or a shot brings into
+/// touch counts from then on.
+int substeps_left(const WorldState& world, double budget, int made) {
+  const int most = std::max(1, world.scene.simulation.impact_substeps - made);
+  return static_cast<int>(std::clamp<double>(budget / substep_cost(world), 1, most));
+}
+
 void step_implicitly(WorldState& world, double time_step) {
-  const int budget = substep_budget(world);
   int substeps = 0;
+  double budget = 1;
   for (int ticks_left = kTicksPerStep; ticks_left > 0; ++substeps) {
-    const int ticks = next_substep(world, ticks_left, budget - substeps);
+    const int ticks = next_substep(world, ticks_left, substeps_left(world, budget, substeps));
+    budget -= substep_cost(world);
     substep(world, time_step * ticks / kTicksPerStep);
     ticks_left -= ticks;
   }
@@ -103,6 +112,7 @@ void World::step() { advance(impl_->state); }
 
 void advance(WorldState& world) {
   world.report = {};
+  world.contact_views.clear();
   {
     PhaseTimer timer(world.report.milliseconds.step);
     const double time_step = world.scene.simulation.time_step;

@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "sim/mesh/topology.h"
@@ -35,6 +36,9 @@ void append_element(WorldState& world, const TetBisection& halves) {
   const int faces = elements.first_surface[tet], outer = 1 << halves.kept, inner = 1 << halves.moved;
   elements.first_surface.push_back(static_cast<std::uint8_t>(faces & ~inner));
   elements.first_surface[tet] = static_cast<std::uint8_t>(faces & ~outer);
+  elements.opened.push_back(std::array<double, 4>(elements.opened[tet]));
+  elements.opened[halves.child][halves.moved] = std::numeric_limits<double>::quiet_NaN();
+  elements.opened[tet][halves.kept] = std::numeric_limits<double>::quiet_NaN();
   world.bodies[elements.bodies[tet]].tets.push_back(halves.child);
 }
 

@@ -44,13 +44,13 @@ int ticks_before_impact(const WorldState& world, double tick, double speed, int 
 
 }  // namespace
 
-int substep_budget(const WorldState& world) {
+double substep_cost(const WorldState& world) {
   constexpr double kWorkPerStep = 13'000;                    // elements times substeps
   constexpr double kWorkPerBody = 20, kWorkPerContact = 10;  // in elements
-  double work = kWorkPerContact * world.contacts_before;
+  double work = 1 + kWorkPerContact * world.contacts_before;
   for (const Body& body : world.bodies)
     work += kWorkPerBody + (body.rigid ? 0.0 : static_cast<double>(body.tets.size()));
-  return std::clamp(static_cast<int>(kWorkPerStep / work), 1, world.scene.simulation.impact_substeps);
+  return work / kWorkPerStep;
 }
 
 int next_substep(WorldState& world, int ticks_left, int substeps_left) {

@@ -42,12 +42,19 @@ Frame World::frame() const {
   frame.velocities = world.nodes.velocities;
   frame.node_masses = world.nodes.masses;
   frame.node_held = world.nodes.held;
+  frame.constraints = world.nodes.constraints;
+  frame.load_forces = world.load_forces;
+  frame.at_crack_front = world.nodes.at_crack_front;
   frame.separations = world.nodes.separations;
   frame.reactions = world.nodes.reactions;
   frame.tets = world.mesh.tets;
   frame.neighbours = world.mesh.neighbours;
   frame.tet_bodies = world.elements.bodies;
   frame.first_surface = world.elements.first_surface;
+  frame.face_opened = world.elements.opened;
+  frame.stars = world.mesh.stars;
+  frame.rests = world.elements.rests;
+  frame.states = world.elements.states;
   frame.stresses = world.elements.stresses;
   frame.materials = world.materials;
   frame.bodies = world.body_views;
@@ -58,6 +65,8 @@ Frame World::frame() const {
   frame.attached_parts = world.splinter_state.attached;
   frame.open_walls = world.splinter_state.open_walls;
   frame.projectiles = world.projectile_views;
+  frame.contacts = world.contact_views;
+  frame.probes = world.probes;
   frame.crack_events = world.crack_events;
   frame.fragments = static_cast<int>(
       std::count_if(world.bodies.begin(), world.bodies.end(), [](const Body& body) { return body.parent.valid(); }));
@@ -66,7 +75,6 @@ Frame World::frame() const {
   return frame;
 }
 
-const std::vector<PlacedProbe>& World::probes() const { return impl_->state.probes; }
 const std::vector<InputError>& World::findings() const { return impl_->state.findings; }
 
 void World::fire(const ProjectileBurst& burst) { queue_burst(impl_->state, burst); }

@@ -10,8 +10,6 @@
 
 namespace griffith {
 
-struct PlacedProbe;
-
 /// A scene in motion. Results depend on the scene, the shots and edits, and the number of steps alone: never on the clock,
 /// the number of threads or the frame rate.
 class World {
@@ -27,8 +25,6 @@ class World {
   void step();
   /// A read-only view, valid until the next call that changes the world.
   Frame frame() const;
-  /// The scene's probes, to be read with probe_values() (probes.h).
-  const std::vector<PlacedProbe>& probes() const;
   /// What the user should know about the scene although it runs: supports, loads and probes that hold nothing, oddities of
   /// mesh files. `where` is a JSON pointer, "#/bodies/0/loads/1/region".
   const std::vector<InputError>& findings() const;

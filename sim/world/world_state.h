@@ -42,6 +42,7 @@ struct ElementArrays {
   std::vector<Mat3> stresses;         ///< Cauchy stress, world frame [Pa], for the frame
   std::vector<BodyId> bodies;
   std::vector<std::uint8_t> first_surface;  ///< bit i: face i was on the surface before anything broke
+  std::vector<std::array<double, 4>> opened;  ///< when a crack opened face i [s], else not a number
 };
 
 /// A connected piece of elastic material and its stand-in in the contact world.
@@ -54,6 +55,7 @@ struct Body {
   NodeVectors reference_arms;            ///< nodes relative to the centre of mass when the shape was made [m]
   std::unique_ptr<ElasticSystem> system;
   ProxyId stand_in;
+  std::vector<ConvexPart> collision_parts;  ///< of the stand-in, for the frame [m]
   RigidMotion motion;                    ///< mass, momentum and inertia of the nodes now
   Quat orientation = Quat::Identity();   ///< from the reference shape to now
   double highest_frequency = 0;          ///< [rad/s]; 0 until explicit integration asks for it
@@ -119,6 +121,8 @@ struct WorldState {
   StepReport report;
   std::vector<BodyView> body_views;
   std::vector<ProjectileView> projectile_views;
+  std::vector<ContactView> contact_views;
+  std::vector<Vec3> load_forces;  ///< per node, for the frame [N]; empty without loads
   Totals totals;
 
   bool integrates_explicitly() const { return scene.simulation.integrator == Integrator::symplectic_euler; }

@@ -75,8 +75,9 @@ TEST(DrawSceneFromFrame, SelectionAndLockedRangeAreTakenOver) {
   view.range = Vec2(-1, 5);
   view.color_map = "coolwarm";
   const TetId selected(0);
+  const ui::Selection selection = ui::select(frame, selected, frame.tets[0][0]);
   const render::Surface surface =
-      draw_scene_from_frame(frame, embedded_display(frame, small_wall()), small_wall(), view, selected).surface;
+      draw_scene_from_frame(frame, embedded_display(frame, small_wall()), small_wall(), view, selection).surface;
   EXPECT_EQ(surface.scalar_style.minimum, -1);
   EXPECT_EQ(surface.scalar_style.maximum, 5);
   EXPECT_EQ(surface.scalar_style.color_map, render::ColorMap::kCoolwarm);

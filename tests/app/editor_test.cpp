@@ -79,7 +79,7 @@ TEST_F(EditorTest, WorkThatLastsShowsADialogThatCancelsIt) {
   const std::string before = editor_.title();
   editor_.open(path);
   draw(3);
-  EXPECT_THAT(value("work/stage"), ::testing::AnyOf("Filling with tetrahedra", "Finding the inside"));
+  EXPECT_THAT(value("work/stage"), ::testing::AnyOf("Filling with tetrahedra", "Finding the inside", "Finding the border"));
   click("work/cancel");
   draw(2);
   EXPECT_TRUE(editor_.state().work.empty());
@@ -173,8 +173,68 @@ TEST_F(EditorTest, RunsInSlowMotionOnlyWhileRunning) {
 
 TEST_F(EditorTest, ClickInTheViewSelectsAnElementOfTheWall) {
   click("viewport");
-  EXPECT_TRUE(editor_.state().selected_tet.valid());
-  EXPECT_EQ(value("value/Element"), std::to_string(editor_.state().selected_tet.value));
+  EXPECT_TRUE(editor_.state().selection.valid());
+  EXPECT_EQ(value("value/Element"), std::to_string(editor_.state().selection.tet.value));
+}
+
+TEST_F(EditorTest, SelectionIsExplainedAndSurvivesBreakingAndReset) {
+  click("viewport");
+  const ui::Selection selected = editor_.state().selection;
+  ASSERT_TRUE(selected.valid());
+  EXPECT_EQ(value("value/Node"), std::to_string(selected.node.value));
+  for (int i = 0; i < 12; ++i) click("command/simulation.step");
+  EXPECT_EQ(editor_.state().selection.rest_position, selected.rest_position);
+  EXPECT_NE(value("inspector/verdict").find("resistance"), std::string::npos);
+  EXPECT_GE(std::stoi(value("inspector/margin_plot")), 13);
+  EXPECT_NE(value("inspector/element/0").find("N"), std::string::npos);
+  click("command/simulation.reset");
+  EXPECT_EQ(editor_.state().selection, selected);
+}
+
+TEST_F(EditorTest, KeysSliceTheBodiesAndSelectTheMostLoadedNode) {
+  const auto press = [this](int key) {
+    ImGui::GetIO().KeysDown[key] = true;
+    draw();
+    ImGui::GetIO().KeysDown[key] = false;
+    draw();
+  };
+  for (int i = 0; i < 6; ++i) click("command/simulation.step");
+  press('M');
+  ASSERT_TRUE(editor_.state().selection.valid());
+  const auto& separations = editor_.frame().separations;
+  for (const NodeSeparation& separation : separations)
+    EXPECT_LE(separation.margin, separations[static_cast<std::size_t>(editor_.state().selection.node)].margin);
+  press('X');
+  ASSERT_TRUE(editor_.state().view.slice);
+  const double offset = editor_.state().view.slice->offset;
+  editor_.state().camera_motion.slice_up = 0.1f;
+  draw();
+  EXPECT_NE(editor_.state().view.slice->offset, offset);
+  press('X');
+  EXPECT_FALSE(editor_.state().view.slice);
+}
+
+TEST_F(EditorTest, LayersAndElementsAreChosenInTheViewPanel) {
+  click("view/layers");
+  click("view/layers/stress_axes");
+  EXPECT_EQ(editor_.state().view.layers, std::vector{ViewLayer::stress_axes});
+  EXPECT_LT(editor_.state().view.opacity, 1);
+  click("view/layers/stress_axes");
+  EXPECT_TRUE(editor_.state().view.layers.empty());
+  click("view/layers/fracture_planes");
+  click("viewport");  // closes the list
+  EXPECT_EQ(value("view/fracture_planes"), "100");
+  click("view/element_rows");
+  click("view/elements");
+  click("view/elements/shrunken");
+  EXPECT_EQ(editor_.state().view.elements, ElementStyle::shrunken);
+  click("view/slice");
+  ASSERT_TRUE(editor_.state().view.slice);
+  click("view/slice_Y");
+  EXPECT_EQ(editor_.state().view.slice->normal, Vec3::UnitY());
+  EXPECT_NEAR(editor_.state().view.slice->offset, 1, 1e-4);  // the middle of the wall
+  click("view/slice_flip");
+  EXPECT_EQ(editor_.state().view.slice->normal, -Vec3::UnitY());
 }
 
 TEST_F(EditorTest, RightClickInTheViewHitsTheWallThere) {

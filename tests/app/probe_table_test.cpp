@@ -39,7 +39,7 @@ TEST(ProbeTable, HasAHeadingAndARowAFrameWithEveryBit) {
   EXPECT_EQ(rows, 3);
   double step = 0, time = 0, x = 0, y = 0, z = 0;
   ASSERT_EQ(std::sscanf(last.c_str(), "%lf,%lf,%lf,%lf,%lf", &step, &time, &x, &y, &z), 5) << last;
-  const std::vector<double> values = probe_values(world.probes(), world.frame());
+  const std::vector<double> values = probe_values(world.frame().probes, world.frame());
   EXPECT_EQ(step, 1);
   EXPECT_EQ(time, world.frame().time);
   EXPECT_EQ((std::vector{x, y, z}), values);

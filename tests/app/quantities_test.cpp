@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <limits>
+#include <numeric>
 #include <random>
 
 #include "program.h"
@@ -60,7 +62,11 @@ TEST(Quantities, EveryQuantityOfTheMenuHasValuesAndARange) {
   for (const ViewQuantity& quantity : view_quantities()) {
     if (quantity.unit.empty()) continue;
     const QuantityValues values = quantity_values(frame, quantity.key);
-    EXPECT_EQ(values.values.size(), values.per_node ? frame.positions.size() : frame.tets.size()) << quantity.key;
+    const std::size_t tets = frame.tets.size();
+    EXPECT_EQ(values.values.size(), values.place == ValuePlace::node   ? frame.positions.size()
+                                    : values.place == ValuePlace::face ? 4 * tets
+                                                                       : tets)
+        << quantity.key;
     const Vec2 range = automatic_range(frame, quantity.key, values);
     EXPECT_LT(range[0], range[1]) << quantity.key;
   }
@@ -84,12 +90,45 @@ TEST(Quantities, RangeIsNeverEmptyAndHoldsZero) {
   for (const char* key : {"von_mises", "pressure", "margin", "displacement", "speed", "separation_eigenvalue"}) {
     for (const std::vector<float>& numbers :
          {std::vector<float>{}, {0, 0, 0}, {-1e-20f, -1e-20f}, {1e-20f}, {-5e6f, -4e6f}, {NAN}}) {
-      const Vec2 range = automatic_range(frame, key, {false, numbers});
+      const Vec2 range = automatic_range(frame, key, {ValuePlace::tet, numbers});
       EXPECT_LT(range[0], range[1]) << key;
       EXPECT_LE(range[0], 0) << key;
       EXPECT_GE(range[1], 0) << key;
     }
   }
+}
+
+TEST(Quantities, HistogramCountsEveryFiniteValueOnce) {
+  std::mt19937 random(4);
+  std::normal_distribution<float> normal;
+  QuantityValues values;
+  for (int i = 0; i < 1000; ++i) values.values.push_back(normal(random));
+  values.values.insert(values.values.end(), {NAN, INFINITY, -1, 1, -50, 50});
+  const std::vector<int> counts = histogram(values, Vec2(-1, 1), 20);
+  ASSERT_EQ(counts.size(), 20u);
+  EXPECT_EQ(std::accumulate(counts.begin(), counts.end(), 0), 1004);
+  for (int bin = 1; bin < 19; ++bin) {
+    const float low = -1 + 0.1f * static_cast<float>(bin);
+    EXPECT_NEAR(counts[static_cast<std::size_t>(bin)],
+                std::ranges::count_if(values.values, [low](float v) { return v >= low && v < low + 0.1f; }), 1);
+  }
+}
+
+TEST(Quantities, ElementQualityIsOneForARegularTetAndFallsWithItsHeight) {
+  const std::vector<std::array<NodeId, 4>> tets = {{NodeId(0), NodeId(1), NodeId(2), NodeId(3)}};
+  std::vector<Vec3> points = {Vec3(1, 1, 1), Vec3(-1, 1, -1), Vec3(1, -1, -1), Vec3(-1, -1, 1)};
+  Frame frame;
+  frame.tets = tets;
+  frame.rest_positions = points;
+  EXPECT_NEAR(element_quality(frame, 0), 1, 1e-12);
+  const Vec3 base = (points[1] + points[2] + points[3]) / 3, tip = points[0];
+  double last = 1;
+  for (const double height : {0.5, 0.1, 0.01}) {
+    points[0] = base + height * (tip - base);
+    EXPECT_LT(element_quality(frame, 0), last);
+    last = element_quality(frame, 0);
+  }
+  EXPECT_LT(last, 0.02);
 }
 
 }  // namespace

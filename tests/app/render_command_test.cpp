@@ -46,6 +46,19 @@ TEST(RenderCommand, OptionsChangeThePicture) {
   EXPECT_EQ(rendered("other.png", "--frame 4 --legend --camera front"), plain);
 }
 
+TEST(RenderCommand, NodeIsExplainedAndOneThatIsNotThereRefused) {
+  const std::string common = "render " + small_wall_file().string() + " -o " + (test_folder() / "n.png").string() +
+                             " --size 200x120 --frame 6 --view candidate_plane+element_forces --node ";
+  const Outcome outcome = run_program(common + "3");
+  EXPECT_EQ(outcome.code, 0) << outcome.output;
+  for (const char* part : {"Node 3, step 6", "resistance", "plane across", "eigenvalues", "adds to the load"})
+    EXPECT_NE(outcome.output.find(part), std::string::npos) << part;
+  const Outcome refused = run_program(common + "99999");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.output.find("there is no node 99999"), std::string::npos);
+  EXPECT_EQ(run_program("render " + small_wall_file().string() + " -o x.png --view margins").code, 2);
+}
+
 TEST(RenderCommand, SequenceIsNumberedAndAgreesWithSinglePictures) {
   run_program("render " + small_wall_file().string() + " -o " + (test_folder() / "s.png").string() +
               " --size 320x200 --frame 8 --every 4");

@@ -37,7 +37,8 @@ class SplinterPicture : public ::testing::Test {
     options.width = 320;
     options.height = 240;
     options.edges = view.edges;
-    renderer_.render(draw_scene_from_frame(world.frame(), display, scene, view, TetId(7)), camera, options);
+    renderer_.render(draw_scene_from_frame(world.frame(), display, scene, view, {TetId(7), NodeId(), Vec3::Zero()}),
+                     camera, options);
     return renderer_.image();
   }
 

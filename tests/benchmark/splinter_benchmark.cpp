@@ -114,7 +114,7 @@ void hand_to_renderer(benchmark::State& state) {
   const Frame frame = halved.frame();
   const app::EmbeddedDisplay display = app::embedded_display(frame, halved.scene());
   for (auto _ : state) {
-    const auto picture = app::draw_scene_from_frame(frame, display, halved.scene(), halved.scene().view, TetId());
+    const auto picture = app::draw_scene_from_frame(frame, display, halved.scene(), halved.scene().view, {});
     benchmark::DoNotOptimize(picture.embedded.carriers.size());
   }
   count(state, frame);
@@ -128,7 +128,7 @@ void upload(benchmark::State& state) {
   const HalvedCube halved(state);
   const Frame frame = halved.frame();
   const app::EmbeddedDisplay display = app::embedded_display(frame, halved.scene());
-  const auto picture = app::draw_scene_from_frame(frame, display, halved.scene(), halved.scene().view, TetId());
+  const auto picture = app::draw_scene_from_frame(frame, display, halved.scene(), halved.scene().view, {});
   pass.upload(picture.embedded);
   for (auto _ : state) pass.upload(picture.embedded);
   count(state, frame);

@@ -135,8 +135,8 @@ TEST(Probes, EveryColumnHasAName) {
                                           ProbeQuantity::stress,       ProbeQuantity::principal_stress,
                                           ProbeQuantity::separation,   ProbeQuantity::reaction};
   const World world(probed_block({probe_at(ProbePoint{}, all)}));
-  const std::vector<std::string> columns = probe_columns(world.probes());
-  EXPECT_EQ(columns.size(), probe_values(world.probes(), world.frame()).size());
+  const std::vector<std::string> columns = probe_columns(world.frame().probes);
+  EXPECT_EQ(columns.size(), probe_values(world.frame().probes, world.frame()).size());
   EXPECT_THAT(columns, ::testing::IsSupersetOf({"probe.displacement.x [m]", "probe.stress.zx [Pa]",
                                                 "probe.separation.margin [-]", "probe.reaction.z [N]"}));
 }
@@ -159,7 +159,7 @@ TEST(Probes, WhatTheyNameHasToExist) {
   const World world(probed_block({probe_at(SphereRegion{Vec3(0, 9, 0), 1}, {ProbeQuantity::velocity})}));
   ASSERT_EQ(world.findings().size(), 1u);
   EXPECT_EQ(world.findings()[0].where(), "#/probes/0/at/region");
-  for (const double value : probe_values(world.probes(), world.frame())) EXPECT_TRUE(std::isnan(value));
+  for (const double value : probe_values(world.frame().probes, world.frame())) EXPECT_TRUE(std::isnan(value));
 }
 
 }  // namespace

@@ -1,0 +1,51 @@
+#include "app/explanation.h"
+
+#include <cstdio>
+
+#include "sim/world/node_report.h"
+#include "ui/units.h"
+#include "ui/verdict.h"
+
+namespace griffith::app {
+namespace {
+
+std::string direction_text(const Vec3& direction) {
+  char text[64];
+  std::snprintf(text, sizeof text, "(%.3f, %.3f, %.3f)", direction.x(), direction.y(), direction.z());
+  return text;
+}
+
+std::string newtons(double force) { return ui::format_quantity(force, "N"); }
+
+std::string element_lines(const NodeReport& report) {
+  std::string text = "  element    side    adds to the load    tensile force    compressive force\n";
+  for (const ElementShare& element : report.elements) {
+    char line[160];
+    std::snprintf(line, sizeof line, "  %7d    %-5s   %16s %16s %20s\n", element.tet.value,
+                  element.above ? "above" : "below", newtons(element.share).c_str(),
+                  newtons(element.force.tensile.norm()).c_str(), newtons(element.force.compressive.norm()).c_str());
+    text += line;
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string explanation(const Frame& frame, NodeId node, bool fracture) {
+  const NodeReport report = node_report(frame, node);
+  const NodeSeparation& separation = report.separation;
+  const Material& material = frame.materials[frame.bodies[report.body].scene_body];
+  const char* unit = ui::load_unit(material);
+  std::string text = "Node " + std::to_string(node.value) + ", step " + std::to_string(frame.step) + ", " +
+                     ui::format_quantity(frame.time, "s") + "\n" + ui::verdict_on(report, frame, fracture).text + "\n";
+  text += "  load " + ui::format_quantity(ui::load_of(separation, material), unit) + ", resistance " +
+          ui::format_quantity(separation.resistance, unit) + ", margin " + ui::format_quantity(separation.margin, "") + "\n";
+  text += "  plane across " + direction_text(separation.direction) + ", load on it " + newtons(separation.eigenvalue) + "\n";
+  text += "  eigenvalues of the separation tensor " + newtons(report.principal.values[2]) + ", " +
+          newtons(report.principal.values[1]) + ", " + newtons(report.principal.values[0]) + "\n";
+  text += element_lines(report);
+  if (!report.supported) text += "  balance of all forces " + newtons(report.balance) + "\n";
+  return text;
+}
+
+}  // namespace griffith::app

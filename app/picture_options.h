@@ -1,0 +1,24 @@
+#pragma once
+
+#include <algorithm>
+
+#include "renderer/renderer.h"
+#include "sim/scene/scene.h"
+
+namespace griffith::app {
+
+/// How to draw a picture of this size [pixels] and view: lines are as thick in proportion to the picture's height,
+/// whatever its resolution, as long as they can be seen.
+inline render::RenderOptions picture_options(int width, int height, int samples, const ViewSettings& view) {
+  constexpr float kDesignHeight = 720, kLeastScale = 0.6f;
+  render::RenderOptions options;
+  options.width = width;
+  options.height = height;
+  options.samples = samples;
+  options.edges = view.edges;
+  options.edge_width = static_cast<float>(view.edge_width);
+  options.pixel_scale = std::max(static_cast<float>(height) / kDesignHeight, kLeastScale);
+  return options;
+}
+
+}  // namespace griffith::app

@@ -1,0 +1,9 @@
+// The mean colour of all transparent things at a pixel; alpha is what the background keeps.
+uniform sampler2D color_sums, weight_sums;
+layout(location = 0) out vec4 pixel_color;
+
+void main() {
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vec4 sum = texelFetch(color_sums, pixel, 0);
+  pixel_color = vec4(sum.rgb / max(texelFetch(weight_sums, pixel, 0).r, 1e-5), sum.a);
+}

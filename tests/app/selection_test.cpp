@@ -1,0 +1,169 @@
+#include "ui/selection.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "app/margin_history.h"
+#include "app/picking.h"
+#include "program.h"
+#include "sim/world/node_report.h"
+#include "sim/world/world.h"
+#include "ui/verdict.h"
+
+namespace griffith::app {
+namespace {
+
+Scene weak_wall(bool remeshing) {
+  Scene scene = small_wall();
+  scene.bodies[0].remeshing = remeshing;
+  scene.bodies[0].material.tensile_strength *= 0.2;
+  scene.bodies[0].material.fracture_toughness *= 0.2;
+  return scene;
+}
+
+std::vector<ui::Selection> all_corners(const Frame& frame) {
+  std::vector<ui::Selection> selections;
+  for (std::size_t i = 0; i < frame.tets.size(); ++i)
+    for (NodeId node : frame.tets[i])
+      selections.push_back(ui::select(frame, TetId(static_cast<std::int64_t>(i)), node));
+  return selections;
+}
+
+TEST(Selection, SurvivesSplitsAndStaysWithItsPieceOfMaterial) {
+  for (const bool remeshing : {false, true}) {
+    World world(weak_wall(remeshing));
+    std::vector<ui::Selection> selections = all_corners(world.frame());
+    const std::vector<ui::Selection> before = selections;
+    for (int step = 0; step < 20; ++step) {
+      world.step();
+      for (ui::Selection& selection : selections) selection = ui::follow(selection, world.frame());
+    }
+    const Frame frame = world.frame();
+    ASSERT_GT(frame.crack_events.size(), 3u);
+    int copies = 0;
+    for (std::size_t i = 0; i < selections.size(); ++i) {
+      const ui::Selection& selection = selections[i];
+      ASSERT_TRUE(selection.valid());
+      EXPECT_EQ(frame.rest_positions[selection.node], before[i].rest_position);
+      const auto& corners = frame.tets[selection.tet];
+      EXPECT_NE(std::ranges::find(corners, selection.node), corners.end());
+      EXPECT_TRUE(remeshing || selection.tet == before[i].tet);
+      copies += selection.node != before[i].node;
+    }
+    EXPECT_GT(copies, 0);
+  }
+}
+
+TEST(Selection, IsTheSameNodeAgainInANewRun) {
+  World world(weak_wall(false));
+  const ui::Selection first = all_corners(world.frame())[17];
+  ui::Selection selection = first;
+  for (int step = 0; step < 20; ++step) {
+    world.step();
+    selection = ui::follow(selection, world.frame());
+  }
+  World again(weak_wall(false));
+  EXPECT_EQ(ui::follow(selection, again.frame()), first);
+  EXPECT_FALSE(ui::follow(selection, Frame{}).valid());
+}
+
+TEST(MarginHistory, HasThePastOfEveryNodeAndOfWhatCopiesWerePartOf) {
+  World world(weak_wall(false));
+  MarginHistory history;
+  std::vector<std::vector<double>> margins;
+  std::vector<double> times;
+  for (int step = 0; step < 20; ++step) {
+    world.step();
+    const Frame frame = world.frame();
+    history.record(frame);
+    margins.emplace_back();
+    times.push_back(frame.time);
+    for (const NodeSeparation& separation : frame.separations) margins.back().push_back(separation.margin);
+  }
+  const Frame frame = world.frame();
+  ASSERT_GT(frame.positions.size(), margins.front().size());
+  for (std::size_t node = 0; node < frame.positions.size(); ++node) {
+    const NodeId id(static_cast<std::int64_t>(node));
+    std::size_t steps = 0, breaks = 0;
+    for (const ui::MarginSample& sample : history.samples(frame, id)) {
+      breaks += sample.broke;
+      EXPECT_TRUE(!sample.broke || sample.margin > 1);
+      if (sample.broke) continue;
+      EXPECT_EQ(sample.time, times[steps]);
+      const bool known = node < margins[steps].size();
+      EXPECT_TRUE(!known || sample.margin == static_cast<float>(margins[steps][node]));
+      ++steps;
+    }
+    EXPECT_EQ(steps, times.size()) << node;
+    EXPECT_EQ(breaks, node_report(frame, id).events.size());
+  }
+}
+
+TEST(MarginHistory, ForgetsTheOldestStepsWhenItIsFull) {
+  World world(small_wall());
+  const std::size_t nodes = world.frame().positions.size();
+  MarginHistory history(5 * nodes);
+  for (int step = 0; step < 4; ++step) {
+    world.step();
+    history.record(world.frame());
+  }
+  EXPECT_EQ(history.samples(world.frame(), NodeId(0)).size(), 4u);
+  for (int step = 0; step < 4; ++step) history.record(world.frame());
+  EXPECT_EQ(history.samples(world.frame(), NodeId(0)).size(), 5u);
+  history.clear();
+  EXPECT_TRUE(history.samples(world.frame(), NodeId(0)).empty());
+}
+
+TEST(NearestCorner, IsTheOneThatTheRayEntersNearest) {
+  World world(small_wall());
+  const Frame frame = world.frame();
+  const ShownMesh shown = shown_mesh(frame, {}, {});
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int trial = 0; trial < 500; ++trial) {
+    const TetId tet(static_cast<std::int64_t>(random() % frame.tets.size()));
+    const std::size_t wanted = random() % 4;
+    // Onto a face near one of its corners, from outside.
+    const std::size_t opposite = (wanted + 1 + random() % 3) % 4;
+    Vec3 place = Vec3::Zero(), middle = Vec3::Zero();
+    for (std::size_t i = 0; i < 4; ++i) {
+      middle += frame.positions[frame.tets[tet][i]] / 4;
+      if (i != opposite) place += (i == wanted ? 0.8 : 0.1) * frame.positions[frame.tets[tet][i]];
+    }
+    const Vec3 way = (middle - place).normalized();
+    const render::Ray ray{(place - 3 * way).cast<float>(), way.cast<float>()};
+    EXPECT_EQ(nearest_corner(shown, tet, ray), frame.tets[tet][wanted]);
+  }
+}
+
+TEST(Verdict, SaysWhetherAndWhyANodeBroke) {
+  World world(weak_wall(false));
+  for (int step = 0; step < 20; ++step) world.step();
+  const Frame frame = world.frame();
+  using Kind = ui::Verdict::Kind;
+  for (std::size_t i = 0; i < frame.positions.size(); ++i) {
+    const NodeReport report = node_report(frame, NodeId(static_cast<std::int64_t>(i)));
+    const ui::Verdict verdict = ui::verdict_on(report, frame, true);
+    EXPECT_FALSE(verdict.text.empty());
+    const bool overloaded = report.separation.margin > 1 && !frame.bodies[report.body].rigid;
+    EXPECT_EQ(verdict.kind == Kind::overloaded, overloaded);
+    EXPECT_EQ(verdict.kind == Kind::broke, !report.events.empty() && !overloaded);
+  }
+}
+
+TEST(Verdict, KnowsThatTheSceneKeepsItWhole) {
+  Scene scene = weak_wall(false);
+  scene.simulation.fracture = false;
+  World world(scene);
+  do {
+    world.step();
+  } while (world.frame().separations[most_loaded_node(world.frame())].margin <= 1 && world.frame().step < 60);
+  const Frame frame = world.frame();
+  const NodeReport report = node_report(frame, most_loaded_node(frame));
+  ASSERT_GT(report.separation.margin, 1);
+  EXPECT_NE(ui::verdict_on(report, frame, false).text.find("does not let bodies break"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace griffith::app

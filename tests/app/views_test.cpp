@@ -1,0 +1,182 @@
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+#include <numeric>
+
+#include "app/draw_scene_from_frame.h"
+#include "app/glyph_shape.h"
+#include "app/named_view.h"
+#include "app/picture_options.h"
+#include "app/shown_mesh.h"
+#include "program.h"
+#include "renderer/egl_context.h"
+#include "sim/scene/view_quantity.h"
+#include "sim/world/world.h"
+
+namespace griffith::app {
+namespace {
+
+constexpr int kWidth = 480, kHeight = 320;
+
+/// A wall with everything that a view can show: a support that slides, one that pushes, loads, probes, shots.
+Scene rich_wall() {
+  Scene scene = small_wall();
+  BodyDescription& wall = scene.bodies[0];
+  wall.shape = BoxShape{Vec3(2, 2, 0.5), Vec3::Constant(0.25), BoxPattern::five_tet};
+  Support sliding{BoxRegion{Vec3(1, -0.5, -0.25), Vec3(1, 0.5, 0.25)}};
+  sliding.kind = SupportKind::sliding;
+  sliding.normal = Vec3::UnitX();
+  wall.supports.push_back(sliding);
+  Load load;
+  load.region = BoxRegion{Vec3(-1, 1, -0.25), Vec3(1, 1, 0.25)};
+  load.force = Vec3(0, -2e4, 0);
+  wall.loads = {load};
+  Probe probe;
+  probe.name = "top";
+  probe.body = "wall";
+  probe.at = ProbePoint{Vec3(0.5, 0.9, 0.25)};
+  scene.probes = {probe};
+  return scene;
+}
+
+class ViewsTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    context_ = std::make_unique<render::EglContext>();
+    renderer_ = std::make_unique<render::Renderer>();
+    scene_ = rich_wall();
+    world_ = std::make_unique<World>(scene_);
+    struck_ = std::make_unique<World>(scene_);
+    broken_ = std::make_unique<World>(scene_);
+    while (struck_->frame().contacts.empty() && struck_->frame().step < 60) struck_->step();
+    for (int step = 0; step < 20; ++step) broken_->step();
+  }
+  static void TearDownTestSuite() {
+    renderer_.reset();
+    context_.reset();
+  }
+
+  static render::DrawScene drawn(const World& world, const std::string& names) {
+    const Frame frame = world.frame();
+    ViewSettings view = scene_.view;
+    use_named_view(view, names, frame, Vec3(2, 1, 5));
+    return draw_scene_from_frame(frame, embedded_display(world_->frame(), scene_), scene_, view, {});
+  }
+
+  static render::Image picture(const World& world, const std::string& names) {
+    const render::DrawScene scene = drawn(world, names);
+    const render::Camera camera = {{1.5f, 1.7f, 3.2f}, {0, 1, 0}, 40};
+    renderer_->render(scene, camera, picture_options(kWidth, kHeight, 4, scene_.view));
+    return renderer_->image();
+  }
+
+  static std::unique_ptr<render::EglContext> context_;
+  static std::unique_ptr<render::Renderer> renderer_;
+  static std::unique_ptr<World> world_, struck_, broken_;
+  static Scene scene_;
+};
+
+std::unique_ptr<render::EglContext> ViewsTest::context_;
+std::unique_ptr<render::Renderer> ViewsTest::renderer_;
+std::unique_ptr<World> ViewsTest::world_, ViewsTest::struck_, ViewsTest::broken_;
+Scene ViewsTest::scene_;
+
+/// Pixels whose hue is that of `color`, lit or shaded.
+int pixels_like(const render::Image& image, const render::Rgb& color) {
+  const Eigen::Vector3f wanted = Eigen::Vector3f(color.r, color.g, color.b).normalized();
+  int count = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const auto pixel = image.pixel(x, y);
+      const Eigen::Vector3f seen(pixel[0], pixel[1], pixel[2]);
+      count += seen.norm() > 60 && seen.normalized().dot(wanted) > 0.97f;
+    }
+  return count;
+}
+
+struct LayerCase {
+  const char* name;
+  render::Rgb color;  ///< of its signs
+  bool struck;        ///< shown when the wall is struck, else when it has broken
+};
+
+TEST_F(ViewsTest, EveryLayerShowsItsSignsInItsColours) {
+  const LayerCase cases[] = {
+      {"stress_axes", sign_color::kCompression, true},
+      {"stress_ellipsoids", sign_color::kCompression, true},
+      {"separation_axes", sign_color::kCompression, true},
+      {"velocities", sign_color::kVelocity, true},
+      {"contacts", sign_color::kImpulse, true},
+      {"fracture_planes", {1.0f, 0.62f, 0.08f}, false},
+      {"candidate_plane", sign_color::kBelow, true},
+      {"element_forces", sign_color::kTension, true},
+      {"body_frames", {0.86f, 0.22f, 0.20f}, true},
+      {"collision_shapes", id_color(0), true},
+      {"supports", sign_color::kSupport, true},
+      {"loads", sign_color::kLoad, true},
+      {"probes", sign_color::kProbe, true},
+  };
+  ASSERT_EQ(std::size(cases), view_layers().size());
+  for (const LayerCase& test : cases) {
+    const World& world = test.struck ? *struck_ : *broken_;
+    const render::Image plain = picture(world, "plain"), image = picture(world, test.name);
+    render::save_png(test_folder() / (std::string(test.name) + ".png"), image);  // for people to look at
+    EXPECT_GT(pixels_like(image, test.color), pixels_like(plain, test.color) + 15) << test.name;
+  }
+}
+
+TEST_F(ViewsTest, EveryQuantityAndStyleGivesAPictureOfItsOwn) {
+  std::map<std::string, render::Image> pictures;
+  for (const ViewQuantity& quantity : view_quantities()) {
+    if (quantity.key == "splinter") continue;  // the wall has none
+    pictures[std::string(quantity.key)] = picture(*broken_, std::string(quantity.key) + "+exploded");
+  }
+  for (const char* name : {"wireframe", "shrunken", "slice", "exploded", "surface"})
+    pictures[name] = picture(*broken_, name);
+  for (auto a = pictures.begin(); a != pictures.end(); ++a)
+    for (auto b = std::next(a); b != pictures.end(); ++b) {
+      const bool the_same = a->first == "exploded" && b->first == "von_mises";
+      EXPECT_EQ(a->second == b->second, the_same) << a->first << ", " << b->first;
+    }
+}
+
+TEST_F(ViewsTest, NothingOfAViewInfluencesAnother) {
+  const render::Image before = picture(*struck_, "margin");
+  for (const ViewLayerInfo& layer : view_layers()) picture(*struck_, std::string(layer.key) + "+slice");
+  EXPECT_EQ(picture(*struck_, "margin"), before);
+}
+
+TEST_F(ViewsTest, UnknownNamesAreRefusedWithAllThatThereAre) {
+  ViewSettings view;
+  try {
+    use_named_view(view, "margin+sliced", world_->frame(), Vec3::UnitZ());
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(error.problem().find("sliced"), std::string::npos);
+    for (const char* known : {"margin", "stress_axes", "wireframe", "slice"})
+      EXPECT_NE(error.remedy().find(known), std::string::npos);
+  }
+}
+
+TEST_F(ViewsTest, SymmetricRangeReachesAsFarBelowZero) {
+  ViewSettings view;
+  view.quantity = "pressure";
+  view.symmetric = true;
+  const Frame frame = struck_->frame();
+  const auto drawn = draw_scene_from_frame(frame, embedded_display(frame, scene_), scene_, view, {});
+  const render::ScalarStyle& style = drawn.surface.scalar_style;
+  EXPECT_EQ(style.minimum, -style.maximum);
+  EXPECT_EQ(std::accumulate(style.histogram.begin(), style.histogram.end(), 0), static_cast<int>(frame.tets.size()));
+  EXPECT_FALSE(style.has_nan);
+}
+
+TEST_F(ViewsTest, SliceHidesTheSideThatItsNormalPointsTo) {
+  const render::DrawScene cut = drawn(*struck_, "slice");
+  ASSERT_TRUE(cut.visible);
+  EXPECT_GT(cut.visible->normal.z(), 0.99f);  // towards the eye
+  EXPECT_NEAR(cut.visible->offset, 0, 0.05);
+}
+
+}  // namespace
+}  // namespace griffith::app

@@ -1,0 +1,156 @@
+#include "sim/contact/impulse_solver.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace griffith::contact {
+namespace {
+
+constexpr SolverLimits kExact{.work = 1'000'000'000, .least_sweeps = 1, .most_sweeps = 5000, .tolerance = 1e-12};
+
+Mat3 axes_along(const Vec3& normal) {
+  Mat3 axes;
+  axes << normal, normal.unitOrthogonal(), normal.cross(normal.unitOrthogonal());
+  return axes;
+}
+
+Responder moving(double mass, const Vec3& velocity) {
+  Responder responder;
+  responder.inverse_mass = 1 / mass;
+  responder.inverse_inertia = 10 / mass * Mat3::Identity();
+  responder.velocity = velocity;
+  return responder;
+}
+
+ContactRow touch(int a, int b, const Vec3& normal, double friction = 0) {
+  ContactRow row;
+  row.a.responder = a;
+  row.b.responder = b;
+  row.axes = axes_along(normal);
+  row.friction = friction;
+  return row;
+}
+
+/// A column of unit masses on an immovable one, all falling at 1 m/s: contact k carries what lies above it.
+struct Column {
+  explicit Column(int count) : responders(1) {
+    for (int i = 1; i <= count; ++i) {
+      responders.push_back(moving(1, -Vec3::UnitY()));
+      rows.push_back(touch(i, i - 1, Vec3::UnitY()));
+    }
+  }
+  std::vector<Responder> responders;
+  std::vector<ContactRow> rows;
+};
+
+TEST(ImpulseSolver, AColumnRestsOnWhatEachContactCarries) {
+  Column column(30);
+  solve_impulses(column.rows, column.responders, kExact);
+  for (int i = 0; i < 30; ++i) EXPECT_NEAR(column.rows[i].impulse[0], 30 - i, 1e-6);
+  for (const Responder& responder : column.responders) EXPECT_LT(responder.velocity.norm(), 1e-7);
+}
+
+TEST(ImpulseSolver, ConjugateStepsFindTheColumnsImpulsesInFewSweeps) {
+  Column column(30);  // plain sweeps are half-way by then
+  solve_impulses(column.rows, column.responders, {.work = 1 << 20, .most_sweeps = 200, .tolerance = 0});
+  for (int i = 0; i < 30; ++i) EXPECT_NEAR(column.rows[i].impulse[0], 30 - i, 1e-2);
+}
+
+TEST(ImpulseSolver, FrictionStopsASlideOrOpposesItWithItsLimit) {
+  for (const double friction : {0.3, 0.5}) {
+    std::vector<Responder> responders = {Responder{}, moving(2, Vec3(0.4, -1, 0))};
+    responders[1].inverse_inertia.setZero();
+    std::vector<ContactRow> rows = {touch(1, 0, Vec3::UnitY(), friction)};
+    solve_impulses(rows, responders, kExact);
+    EXPECT_NEAR(rows[0].impulse[0], 2, 1e-9);
+    EXPECT_NEAR(responders[1].velocity.x(), std::max(0.0, 0.4 - friction), 1e-9) << friction;
+  }
+}
+
+/// Random objects with random contacts between them and with an immovable one.
+struct Heap {
+  explicit Heap(int seed, double friction) : responders(1) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const auto vector = [&] { return Vec3(uniform(random), uniform(random), uniform(random)); };
+    for (int i = 1; i <= 12; ++i) responders.push_back(moving(std::exp(2 * uniform(random)), vector()));
+    for (int i = 0; i < 24; ++i) {
+      const int a = 1 + i % 12, b = static_cast<int>(random() % 13);
+      if (a == b) continue;
+      rows.push_back(touch(a, b, vector().normalized(), friction));
+      rows.back().a.arm = 0.2 * vector();
+      rows.back().b.arm = 0.2 * vector();
+    }
+  }
+  Vec3 velocity(const ContactRow& row) const {
+    const auto at = [&](const ContactEnd& end) {
+      const Responder& responder = responders[end.responder];
+      return Vec3(responder.velocity + responder.angular_velocity.cross(end.arm));
+    };
+    return row.axes.transpose() * (at(row.a) - at(row.b));
+  }
+  double energy() const {
+    double energy = 0;
+    for (const Responder& responder : responders) {
+      if (responder.inverse_mass == 0) continue;
+      energy += 0.5 / responder.inverse_mass *
+                (responder.velocity.squaredNorm() + responder.angular_velocity.squaredNorm() / 10);
+    }
+    return energy;
+  }
+  std::vector<Responder> responders;
+  std::vector<ContactRow> rows;
+};
+
+TEST(ImpulseSolver, SolvesTheComplementarityProblem) {
+  for (int seed = 0; seed < 20; ++seed) {
+    Heap heap(seed, 0);
+    solve_impulses(heap.rows, heap.responders, kExact);
+    for (const ContactRow& row : heap.rows) {
+      const double parting = heap.velocity(row)[0];
+      EXPECT_GE(row.impulse[0], 0);
+      EXPECT_GT(parting, -1e-6) << seed;
+      EXPECT_LT(std::abs(parting * row.impulse[0]), 1e-6) << seed;
+    }
+  }
+}
+
+TEST(ImpulseSolver, KeepsToTheLimitsOfFrictionHoweverEarlyItEnds) {
+  for (int seed = 0; seed < 20; ++seed)
+    for (int sweeps : {1, 2, 3, 7, 200}) {
+      Heap heap(seed, 0.6);
+      solve_impulses(heap.rows, heap.responders, {.least_sweeps = 1, .most_sweeps = sweeps});
+      for (const ContactRow& row : heap.rows)
+        EXPECT_LE(row.impulse.tail<2>().norm(), row.friction * row.impulse[0] * (1 + 1e-12) + 1e-15);
+    }
+}
+
+TEST(ImpulseSolver, AddsNoEnergy) {
+  for (int seed = 0; seed < 20; ++seed) {
+    Heap heap(seed, 0.6);
+    const double before = heap.energy();
+    solve_impulses(heap.rows, heap.responders);
+    EXPECT_LE(heap.energy(), before) << seed;
+  }
+}
+
+TEST(ImpulseSolver, GroupsThatDoNotTouchDoNotKnowOfEachOther) {
+  Heap left(1, 0.6), right(2, 0.6), both(1, 0.6);
+  solve_impulses(left.rows, left.responders);
+  solve_impulses(right.rows, right.responders);
+  const Heap fresh(2, 0.6);
+  for (std::size_t i = 1; i < fresh.responders.size(); ++i) both.responders.push_back(fresh.responders[i]);
+  for (ContactRow row : fresh.rows) {
+    for (ContactEnd* end : {&row.a, &row.b})
+      if (end->responder > 0) end->responder += 12;
+    both.rows.push_back(row);
+  }
+  solve_impulses(both.rows, both.responders);
+  for (std::size_t i = 0; i < left.rows.size(); ++i) EXPECT_EQ(both.rows[i].impulse, left.rows[i].impulse);
+  for (std::size_t i = 0; i < right.rows.size(); ++i)
+    EXPECT_EQ(both.rows[left.rows.size() + i].impulse, right.rows[i].impulse);
+}
+
+}  // namespace
+}  // namespace griffith::contact

@@ -1,0 +1,137 @@
+#include "sim/world/node_report.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "scenes.h"
+#include "sim/world/world.h"
+
+namespace griffith::testing {
+namespace {
+
+TEST(NodeReport, SharesAndBalanceAddUpToTheLoadOnThePlane) {
+  World world(shot_wall(Vec3(2, 2, 0.5), 0.25, brick(20)));
+  for (int step = 0; step < 30; ++step) world.step();
+  const Frame frame = world.frame();
+  double largest = 0;
+  for (std::size_t i = 0; i < frame.positions.size(); ++i) {
+    const NodeReport report = node_report(frame, NodeId(static_cast<std::int64_t>(i)));
+    double sum = report.balance;
+    for (const ElementShare& element : report.elements) sum += element.share;
+    const Vec3 normal = report.separation.direction;
+    const double scale = report.separation.tensor.norm();
+    EXPECT_NEAR(sum, normal.dot(report.separation.tensor * normal), 1e-9 * scale + 1e-9) << i;
+    EXPECT_EQ(report.elements.size(), frame.stars[i].size());
+    largest = std::max(largest, scale);
+  }
+  EXPECT_GT(largest, 1);  // it was struck
+}
+
+TEST(NodeReport, ElementsAreRankedByTheirShare) {
+  World world(struck_block(brick(50)));
+  for (int step = 0; step < 8; ++step) world.step();
+  const Frame frame = world.frame();
+  for (std::size_t i = 0; i < frame.positions.size(); ++i) {
+    const NodeReport report = node_report(frame, NodeId(static_cast<std::int64_t>(i)));
+    std::set<TetId> seen;
+    for (std::size_t k = 0; k < report.elements.size(); ++k) {
+      seen.insert(report.elements[k].tet);
+      EXPECT_TRUE(k == 0 || report.elements[k - 1].share >= report.elements[k].share);
+    }
+    EXPECT_EQ(seen.size(), report.elements.size());
+  }
+}
+
+TEST(NodeReport, AllCopiesOfABrokenNodeKnowWhereItBroke) {
+  World world(shot_wall(Vec3(2, 2, 0.5), 0.25, brick(0.5)));
+  for (int step = 0; step < 30; ++step) world.step();
+  const Frame frame = world.frame();
+  ASSERT_GT(frame.crack_events.size(), 5u);
+  for (std::size_t k = 0; k < frame.crack_events.size(); ++k) {
+    int knowing = 0;
+    for (std::size_t i = 0; i < frame.positions.size(); ++i) {
+      if (frame.rest_positions[i] != frame.crack_events[k].rest_position) continue;
+      const std::vector<int> events = node_report(frame, NodeId(static_cast<std::int64_t>(i))).events;
+      EXPECT_NE(std::ranges::find(events, static_cast<int>(k)), events.end());
+      ++knowing;
+    }
+    EXPECT_GE(knowing, 1);
+  }
+}
+
+TEST(NodeReport, MostLoadedNodeHasTheLargestMarginOfWhatIsElastic) {
+  World world(shot_wall(Vec3(2, 2, 0.5), 0.25, brick(20)));
+  for (int step = 0; step < 20; ++step) world.step();
+  const Frame frame = world.frame();
+  const NodeId node = most_loaded_node(frame);
+  ASSERT_TRUE(node.valid());
+  for (const NodeSeparation& separation : frame.separations)
+    EXPECT_LE(separation.margin, frame.separations[node].margin);
+  EXPECT_FALSE(most_loaded_node(Frame{}).valid());
+}
+
+TEST(PublishedFrame, CrackFacesAndNoOthersHaveTheTimeTheyWereOpened) {
+  Scene scene = shot_wall(Vec3(2, 2, 0.5), 0.25, brick(0.5));
+  for (const bool remeshing : {false, true}) {
+    scene.bodies[0].remeshing = remeshing;
+    World world(scene);
+    for (int step = 0; step < 30; ++step) world.step();
+    const Frame frame = world.frame();
+    int opened = 0;
+    for (std::size_t tet = 0; tet < frame.tets.size(); ++tet) {
+      for (int face = 0; face < 4; ++face) {
+        const bool crack = !frame.neighbours[tet][face].valid() && !(frame.first_surface[tet] >> face & 1);
+        const double time = frame.face_opened[tet][face];
+        EXPECT_EQ(crack, !std::isnan(time)) << "tet " << tet << ", face " << face;
+        EXPECT_TRUE(!crack || (time > 0 && time <= frame.time));
+        opened += crack;
+      }
+    }
+    EXPECT_GT(opened, 10);
+  }
+}
+
+TEST(PublishedFrame, ContactsOfASupportedLoadCarryItsWeight) {
+  // A block at rest on the ground: over a step the ground gives it the impulse of its weight.
+  Scene scene;
+  BodyDescription block;
+  block.shape = BoxShape{Vec3(1, 1, 1), Vec3::Constant(0.5), BoxPattern::five_tet};
+  block.position = Vec3(0, 0.5, 0);
+  block.material = brick(100);
+  scene.bodies = {block};
+  World world(scene);
+  for (int step = 0; step < 40; ++step) world.step();
+  Vec3 impulse = Vec3::Zero();
+  for (int step = 0; step < 20; ++step) {
+    world.step();
+    const Frame frame = world.frame();
+    for (const ContactView& contact : frame.contacts) {
+      EXPECT_NEAR(contact.position.y(), 0, 0.02);
+      EXPECT_NEAR(contact.normal.norm(), 1, 1e-9);
+      EXPECT_NE(contact.a.valid(), contact.b.valid());
+      impulse += contact.a.valid() ? contact.impulse : Vec3(-contact.impulse);
+    }
+  }
+  const double weight = 1900 * 9.81 * 20 * scene.simulation.time_step;
+  EXPECT_NEAR(impulse.y(), weight, 0.05 * weight);
+}
+
+TEST(PublishedFrame, LoadForcesAddUpToTheLoad) {
+  Scene scene = shot_wall(Vec3(1, 1, 0.5), 0.25, brick(100));
+  scene.projectiles.clear();
+  Load load;
+  load.region = HalfSpaceRegion{Vec3(0, 0.5, 0), Vec3::UnitY()};
+  load.force = Vec3(30, -70, 5);
+  scene.bodies[0].loads = {load};
+  World world(scene);
+  world.step();
+  const Frame frame = world.frame();
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& force : frame.load_forces) sum += force;
+  EXPECT_LT((sum - load.force).norm(), 1e-9);
+}
+
+}  // namespace
+}  // namespace griffith::testing

@@ -1,0 +1,105 @@
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <random>
+
+#include "sim/mesh/topology.h"
+#include "sim/world/world.h"
+#include "tests/world/scenes.h"
+
+namespace griffith {
+namespace {
+
+/// What cracks have opened [m²]: both faces of a crack count half.
+double crack_area(const Frame& frame) {
+  double area = 0;
+  for (std::size_t tet = 0; tet < frame.tets.size(); ++tet)
+    for (int face = 0; face < 4; ++face) {
+      if (frame.neighbours[tet][face].valid() || (frame.first_surface[tet] >> face & 1)) continue;
+      const auto corner = [&](int i) { return frame.rest_positions[frame.tets[tet][kTetFaces[face][i]]]; };
+      area += 0.25 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
+    }
+  return area;
+}
+
+/// A wall of 6 × 6 × 1 m that a sphere of 25 kg strikes near the middle.
+Scene struck_wall(const Material& material, double speed, std::mt19937& random) {
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  Scene scene;
+  scene.bodies = {testing::wall(Vec3(6, 6, 1), 1, material)};
+  std::get<BoxShape>(scene.bodies[0].shape).pattern = BoxPattern::five_tet;
+  ProjectileBurst shot;
+  shot.start = 0.02;
+  shot.position = Vec3(1.5 * uniform(random), 3.8 + 0.8 * uniform(random), 2);
+  shot.direction = -Vec3::UnitZ();
+  shot.speed = speed * (1 + 0.1 * uniform(random));
+  scene.projectiles = {shot};
+  return scene;
+}
+
+/// The crack area that one shot leaves behind [m²], the mean over some that differ a little: one shot alone depends on
+/// where it strikes more than on the wall.
+double damage(const Material& material, double speed) {
+  constexpr int kShots = 5;
+  std::mt19937 random(1);
+  double sum = 0;
+  for (int shot = 0; shot < kShots; ++shot) {
+    World world(struck_wall(material, speed, random));
+    for (int step = 0; step < 60; ++step) world.step();
+    sum += crack_area(world.frame());
+  }
+  return sum / kShots;
+}
+
+Material brickwork() {
+  Material material;
+  material.tensile_strength = 60e3;
+  material.fracture_toughness = 45e3;
+  return material;
+}
+
+void separation_toughness(Material& material, double value) {
+  material.criterion = FractureCriterion::separation_force;
+  material.separation_toughness = value;
+}
+
+/// A property varied alone, from the weak over the regular to the strong wall.
+struct Variation {
+  std::string name;
+  double speed;  ///< [m/s]
+  std::array<double, 3> values;
+  std::function<void(Material&, double)> set;
+};
+
+std::ostream& operator<<(std::ostream& stream, const Variation& variation) { return stream << variation.name; }
+
+class OrderedDamage : public ::testing::TestWithParam<Variation> {};
+
+TEST_P(OrderedDamage, WeakRegularAndStrongWallsBreakInThatOrder) {
+  const Variation& variation = GetParam();
+  std::vector<double> areas;
+  for (double value : variation.values) {
+    Material material = brickwork();
+    variation.set(material, value);
+    areas.push_back(damage(material, variation.speed));
+  }
+  std::printf("%s: %.2f %.2f %.2f m2\n", variation.name.c_str(), areas[0], areas[1], areas[2]);
+  EXPECT_GT(areas[1], 0);
+  EXPECT_GT(areas[0], 1.2 * areas[1]);
+  EXPECT_GT(areas[1], 1.2 * areas[2]);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Properties, OrderedDamage,
+    ::testing::Values(
+        Variation{"young_modulus", 15, {55e9, 16e9, 5e9}, [](Material& m, double x) { m.young_modulus = x; }},
+        Variation{"poisson_ratio", 12, {0.45, 0.25, 0.05}, [](Material& m, double x) { m.poisson_ratio = x; }},
+        Variation{"density", 12, {500, 1000, 2000}, [](Material& m, double x) { m.density = x; }},
+        Variation{"tensile_strength", 15, {40e3, 60e3, 90e3}, [](Material& m, double x) { m.tensile_strength = x; }},
+        Variation{"separation_toughness", 15, {15e3, 30e3, 60e3}, separation_toughness},
+        Variation{
+            "fracture_toughness", 25, {15e3, 45e3, 135e3}, [](Material& m, double x) { m.fracture_toughness = x; }}),
+    [](const auto& variation) { return variation.param.name; });
+
+}  // namespace
+}  // namespace griffith

@@ -1,0 +1,76 @@
+#include "ui/verdict.h"
+
+#include <cmath>
+
+#include "ui/units.h"
+
+namespace griffith::ui {
+namespace {
+
+constexpr double kNear = 0.8;
+
+std::string percent(double share) { return format_quantity(100 * share, "", 3) + " %"; }
+
+Verdict overloaded(const NodeReport& report, const Frame& frame, bool fracture) {
+  const std::string load = "Overloaded, at " + percent(report.separation.margin) + " of its resistance, but whole: ";
+  std::string why = "a crack that opened close by relieves it first, or all its elements lie on one side of the plane.";
+  if (!fracture) {
+    why = "the scene does not let bodies break.";
+  } else if (frame.report.cracks_postponed > 0) {
+    why = "the budget of cracks a step was used up. It breaks in the next step if the load stays.";
+  } else if (frame.report.cracks_suppressed > 0) {
+    why = "the fragment would have been smaller than the scene allows.";
+  }
+  return {Verdict::Kind::overloaded, load + why};
+}
+
+std::string breaking(const CrackEvent& event, const char* unit) {
+  std::string text = "Broke at " + format_quantity(event.time, "s", 3) + " (step " + std::to_string(event.step) +
+                     "): the load of " + format_quantity(event.load, unit, 3) + " was " +
+                     percent(event.load / event.resistance) + " of the resistance.";
+  if (event.torn_off) text += " A support lost its hold there.";
+  return text;
+}
+
+/// `what`: "Holds" or "What is left holds".
+std::string holding(const std::string& what, const NodeReport& report, const Material& material) {
+  const NodeSeparation& separation = report.separation;
+  if (!std::isfinite(separation.resistance)) return "No load has been measured here yet.";
+  constexpr double kNoise = 1e-6;
+  if (separation.margin > 0 && separation.margin < kNoise) return what + ": there is no load to speak of.";
+  const char* unit = load_unit(material);
+  std::string text = what + ": the load of " + format_quantity(load_of(separation, material), unit, 3) + " is " +
+                     percent(separation.margin) + " of the resistance.";
+  if (report.at_crack_front) text += " A crack ends here, so the fracture toughness counts.";
+  if (separation.eigenvalue <= 0 && separation.margin <= 0) text += " Nothing pulls: the elements press on the node.";
+  return text;
+}
+
+}  // namespace
+
+const char* load_unit(const Material& material) {
+  return material.criterion == FractureCriterion::separation_force ? "N" : "Pa";
+}
+
+double load_of(const NodeSeparation& separation, const Material& material) {
+  return material.criterion == FractureCriterion::separation_force ? separation.eigenvalue : separation.stress;
+}
+
+Verdict verdict_on(const NodeReport& report, const Frame& frame, bool fracture) {
+  const BodyView& body = frame.bodies[report.body];
+  const Material& material = frame.materials[body.scene_body];
+  std::string past;
+  if (!report.events.empty()) past = breaking(frame.crack_events[report.events.back()], load_unit(material));
+  if (body.rigid) {
+    const std::string text = body.tets == 1
+                                 ? "A single element cannot break any further."
+                                 : "Its piece moves as a rigid body: nothing strains it until something strikes.";
+    return {past.empty() ? Verdict::Kind::unknown : Verdict::Kind::broke, past + (past.empty() ? "" : " ") + text};
+  }
+  if (report.separation.margin > 1) return overloaded(report, frame, fracture);
+  if (!past.empty()) return {Verdict::Kind::broke, past + " " + holding("What is left holds", report, material)};
+  return {report.separation.margin > kNear ? Verdict::Kind::near : Verdict::Kind::holds,
+          holding("Holds", report, material)};
+}
+
+}  // namespace griffith::ui
