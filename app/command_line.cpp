@@ -147,7 +147,7 @@ void add_mesh(CLI::App& program, Options& options) {
                    "automatic (the default), tetgen (keeps the surface's triangles) or volumetric (takes any surface)")
       ->transform(CLI::CheckedTransformer(methods).description(""))
       ->type_name("NAME");
-  command->add_option("--grading", mesh.meshing.grading, "TetGen: how many times longer edges may be inside; 1 if not given")
+  command->add_option("--grading", mesh.meshing.grading, "how many times longer edges may be deep inside; 1 if not given")
       ->check(CLI::Range(1.0, 100.0))
       ->type_name("G");
   command->add_option("--quality", mesh.meshing.radius_edge_ratio, "TetGen: most circumradius over shortest edge; 1.4 if not given")

@@ -58,6 +58,10 @@ class Editor {
   void restart();
   void follow_materials();
   void receive_world();
+  void take_world(WorldLoader::Loaded loaded);
+  void add_surface();
+  void report_surface();
+  void follow_bodies();
   void execute(const ui::Command& command);
   void show_error(const InputError& error);
   void fire(const Vec2& cursor);
@@ -92,6 +96,7 @@ class Editor {
   std::vector<std::filesystem::path> scene_files_;
   World world_;
   WorldLoader loader_;
+  bool adding_body_ = false;  ///< what is being built is this scene with one body more
   std::int64_t world_count_ = 0;  ///< worlds made so far
   EmbeddedDisplay display_;
   render::Camera camera_;

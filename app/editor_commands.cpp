@@ -39,12 +39,19 @@ void Editor::execute(const ui::Command& command) {
         return;
       case CommandId::open:
         return open(command.path);
+      case CommandId::add_surface_dialog:
+        state_.show_surface = true;
+        return;
+      case CommandId::add_surface:
+        return add_surface();
       case CommandId::save:
         return save(command.path.empty() ? path_ : command.path);
       case CommandId::undo:
-        return history_.undo();
+        history_.undo();
+        return follow_bodies();
       case CommandId::redo:
-        return history_.redo();
+        history_.redo();
+        return follow_bodies();
       case CommandId::frame_all:
         return frame_all();
       case CommandId::toggle_edges:
@@ -79,6 +86,7 @@ void Editor::show_error(const InputError& error) {
 
 void Editor::open(const std::filesystem::path& path) {
   try {
+    adding_body_ = false;
     loader_.start(read_scene(path), path);
     loader_.wait(kPatience);
     receive_world();
@@ -91,14 +99,21 @@ void Editor::receive_world() {
   if (state_.cancel_work) loader_.cancel();
   state_.cancel_work = false;
   try {
-    if (std::optional<WorldLoader::Loaded> loaded = loader_.take()) {
-      world_ = std::move(loaded->world);
-      show_scene(std::move(loaded->scene), std::move(loaded->path));
-    }
+    if (std::optional<WorldLoader::Loaded> loaded = loader_.take()) take_world(std::move(*loaded));
   } catch (const InputError& error) {
     show_error(error);
   }
   state_.work = loader_.stage();
+}
+
+void Editor::take_world(WorldLoader::Loaded loaded) {
+  world_ = std::move(loaded.world);
+  if (!adding_body_) return show_scene(std::move(loaded.scene), std::move(loaded.path));
+  history_.change("Add body", [&](Scene& scene) { scene.bodies = loaded.scene.bodies; });
+  history_.finish();
+  state_.selected_body = static_cast<int>(loaded.scene.bodies.size()) - 1;
+  restart();
+  report_surface();
 }
 
 void Editor::save(std::filesystem::path path) {

@@ -1,35 +1,11 @@
 #include "app/skin.h"
 
-#include <map>
-
+#include "app/placed_tets.h"
 #include "sim/meshing/embedding.h"
 #include "sim/scene/body_pose.h"
 
 namespace griffith::app {
 namespace {
-
-/// The tets of a scene body at rest, where they stand in the world.
-struct PlacedTets {
-  TetSoup soup;
-  std::vector<TetId> tets;  ///< per tet of the soup
-};
-
-PlacedTets tets_of(const Frame& frame, int scene_body) {
-  PlacedTets placed;
-  std::map<NodeId, int> points;
-  for (TetId tet(0); tet < std::ssize(frame.tets); ++tet.value) {
-    if (frame.bodies[frame.tet_bodies[tet]].scene_body != scene_body) continue;
-    std::array<int, 4>& corners = placed.soup.tets.emplace_back();
-    for (int i = 0; i < 4; ++i) {
-      const NodeId node = frame.tets[tet][i];
-      const auto [found, is_new] = points.try_emplace(node, static_cast<int>(placed.soup.points.size()));
-      if (is_new) placed.soup.points.push_back(frame.rest_positions[node]);
-      corners[i] = found->second;
-    }
-    placed.tets.push_back(tet);
-  }
-  return placed;
-}
 
 TriangleSurface placed_surface(const Scene& scene, const BodyDescription& body) {
   const SurfaceShape& shape = std::get<SurfaceShape>(body.shape);
@@ -43,7 +19,7 @@ TriangleSurface placed_surface(const Scene& scene, const BodyDescription& body) 
 
 Skin make_skin(const Frame& frame, const Scene& scene, int scene_body) {
   const TriangleSurface surface = placed_surface(scene, scene.bodies[scene_body]);
-  const PlacedTets placed = tets_of(frame, scene_body);
+  const PlacedTets placed = placed_tets(frame, scene_body);
   const Embedding embedding = embed(surface, placed.soup);
   const std::vector<std::array<Vec3, 3>> normals = smooth_normals(surface);
   Skin skin{scene_body, !surface.uvs.empty(), {}};

@@ -8,10 +8,14 @@
 namespace griffith::app {
 
 void WorldLoader::start(Scene scene, std::filesystem::path path) {
+  start([scene = std::move(scene)](const Monitor&) { return scene; }, std::move(path));
+}
+
+void WorldLoader::start(MakeScene make_scene, std::filesystem::path path) {
   cancel();
   shared_ = std::make_shared<Shared>();
   shared_->stage = "Building the bodies";
-  auto build = [shared = shared_, scene = std::move(scene), path = std::move(path)]() mutable -> Loaded {
+  auto build = [shared = shared_, make_scene = std::move(make_scene), path = std::move(path)]() mutable -> Loaded {
     Monitor monitor;
     monitor.stage = [shared](std::string_view stage) {
       const std::lock_guard lock(shared->mutex);
@@ -21,6 +25,7 @@ void WorldLoader::start(Scene scene, std::filesystem::path path) {
       const std::lock_guard lock(shared->mutex);
       return shared->cancelled;
     };
+    Scene scene = make_scene(monitor);
     World world = make_world(scene, path, monitor);
     return {std::move(scene), std::move(path), std::move(world)};
   };

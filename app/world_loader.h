@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <future>
 #include <memory>
 #include <mutex>
@@ -25,6 +26,9 @@ class WorldLoader {
 
   /// Starts to build the world of a scene from the file `path`; what was being built before is given up.
   void start(Scene scene, std::filesystem::path path);
+  /// The same for a scene that takes work itself.
+  using MakeScene = std::function<Scene(const Monitor&)>;
+  void start(MakeScene make_scene, std::filesystem::path path);
   /// Waits for `seconds` at most; whether the result is there to be taken.
   bool wait(double seconds) const;
   /// The world, once it is built; nothing while there is none. Throws the InputError that kept it from being built.

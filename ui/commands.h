@@ -18,6 +18,8 @@ enum class CommandId {
   pick,
   open_dialog,
   open,
+  add_surface_dialog,
+  add_surface,
   save,
   undo,
   redo,

@@ -1,6 +1,7 @@
 #include <array>
 #include <utility>
 
+#include "ui/dialog_window.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
@@ -8,9 +9,7 @@
 namespace griffith::ui {
 namespace {
 
-constexpr ImGuiWindowFlags kDialogFlags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                          ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings |
-                                          ImGuiWindowFlags_AlwaysAutoResize;
+constexpr char kWorkTitle[] = "Building the bodies";
 
 constexpr std::array<std::pair<const char*, const char*>, 8> kMouseHelp = {{
     {"Left drag", "turn about the target"},
@@ -23,22 +22,6 @@ constexpr std::array<std::pair<const char*, const char*>, 8> kMouseHelp = {{
     {"Drop a file", "open a scene"},
 }};
 
-/// Opens the popup when `wanted` and centres it. True while its content is to be drawn.
-bool begin_dialog(const Panel& panel, const char* title, bool wanted, float design_width) {
-  const float scale = ui_scale(panel), width = design_width * scale;
-  if (wanted && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
-  const ImVec2 center = ImGui::GetMainViewport()->GetCenter();
-  ImGui::SetNextWindowPos(center, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, FLT_MAX});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8 * scale);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, scale);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20 * scale, 14 * scale});
-  const bool open = ImGui::BeginPopupModal(title, nullptr, kDialogFlags);
-  ImGui::PopStyleVar(3);
-  if (open) heading(panel, title);
-  return open;
-}
-
 void labelled_text(const char* label, const std::string& text, ImU32 color) {
   if (text.empty()) return;
   ImGui::TextColored(as_vec4(palette::kTextDim), "%s", label);
@@ -49,8 +32,6 @@ void labelled_text(const char* label, const std::string& text, ImU32 color) {
   ImGui::PopTextWrapPos();
   ImGui::Spacing();
 }
-
-bool escape_pressed() { return ImGui::IsKeyPressed(key::kEscape, false); }
 
 void error_dialog(Panel& panel) {
   std::optional<ErrorMessage>& error = panel.state.error;
@@ -69,7 +50,7 @@ void error_dialog(Panel& panel) {
 
 void work_dialog(Panel& panel) {
   EditorState& state = panel.state;
-  if (!begin_dialog(panel, "Opening the scene", true, 480)) return;
+  if (!begin_dialog(panel, kWorkTitle, true, 480)) return;
   const std::string text = state.work + " ...";
   ImGui::TextUnformatted(text.c_str());
   tag_last_item(panel.tags, "work/stage", state.work);
@@ -80,8 +61,8 @@ void work_dialog(Panel& panel) {
 
 /// Closes the dialog of work that is done: nothing in it says so itself.
 void close_work_dialog() {
-  if (!ImGui::IsPopupOpen("Opening the scene")) return;
-  if (ImGui::BeginPopupModal("Opening the scene", nullptr, kDialogFlags)) {
+  if (!ImGui::IsPopupOpen(kWorkTitle)) return;
+  if (ImGui::BeginPopupModal(kWorkTitle, nullptr, kDialogFlags)) {
     ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
@@ -154,6 +135,10 @@ void draw_dialogs(Panel& panel) {
     work_dialog(panel);
   } else if (panel.state.error) {
     error_dialog(panel);
+  } else if (panel.state.report) {
+    draw_report_dialog(panel);
+  } else if (panel.state.show_surface) {
+    draw_surface_dialog(panel);
   } else if (panel.state.show_open) {
     open_dialog(panel);
   } else if (panel.state.show_help) {

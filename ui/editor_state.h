@@ -41,6 +41,21 @@ struct ErrorMessage {
   std::string where, problem, remedy;
 };
 
+/// A body to be filled from a surface file, as the dialog for it has it.
+struct SurfaceRequest {
+  std::array<char, 512> path = {};
+  double scale = 1;            ///< metres per unit of the file
+  bool automatic_size = true;  ///< the size of the elements follows from that of the surface
+  double element_size = 0.1;   ///< else this [m]
+  MeshingMethod method = MeshingMethod::automatic;
+};
+
+/// What there is to tell about work that went well.
+struct WorkReport {
+  std::string title;
+  std::vector<std::string> facts, warnings;
+};
+
 enum class LogLevel { info, warning, error };
 
 struct LogLine {
@@ -60,8 +75,10 @@ struct EditorState {
   ImVec2 viewport_minimum = {0, 0}, viewport_size = {0, 0};  ///< of the picture, as drawn last [pixels]
   float left_width = 0, right_width = 0;                     ///< of the side panels [pixels]; 0: not laid out yet
   bool show_times = true;  ///< milliseconds and pictures a second; off makes pictures of the panels reproducible
-  bool show_help = false, show_open = false;
-  std::string work;          ///< what is being done while a scene is opened; empty: nothing
+  bool show_help = false, show_open = false, show_surface = false;
+  SurfaceRequest surface;
+  std::optional<WorkReport> report;
+  std::string work;          ///< what is being done while a world is built; empty: nothing
   bool cancel_work = false;  ///< the user wants no more of it
   std::optional<ErrorMessage> error;
   std::vector<LogLine> log;

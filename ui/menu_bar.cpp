@@ -36,6 +36,7 @@ void file_menu(Panel& panel) {
     scene_items(panel);
     ImGui::EndMenu();
   }
+  command_item(panel, CommandId::add_surface_dialog);
   command_item(panel, CommandId::save);
   ImGui::Separator();
   command_item(panel, CommandId::screenshot);

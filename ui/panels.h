@@ -29,5 +29,9 @@ void draw_viewport(Panel& panel);
 void draw_status_bar(Panel& panel);
 /// Help, open and error windows, where wanted.
 void draw_dialogs(Panel& panel);
+/// Asks for a surface file and how to fill it.
+void draw_surface_dialog(Panel& panel);
+/// Tells what came of it.
+void draw_report_dialog(Panel& panel);
 
 }  // namespace griffith::ui

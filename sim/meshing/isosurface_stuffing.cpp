@@ -8,6 +8,7 @@
 
 #include "sim/mesh/topology.h"
 #include "sim/meshing/bcc_lattice.h"
+#include "sim/meshing/cube_tree.h"
 #include "sim/parallel.h"
 
 namespace griffith {
@@ -28,8 +29,8 @@ struct Cut {
 /// The lattice with what is known of the border.
 class Stuffing {
  public:
-  Stuffing(const Solid& solid, const BccLattice& lattice, const Monitor& monitor)
-      : solid_(solid), lattice_(lattice), monitor_(monitor) {}
+  Stuffing(const Solid& solid, const BccLattice& lattice, int levels, const Monitor& monitor)
+      : solid_(solid), lattice_(lattice), levels_(levels), monitor_(monitor) {}
 
   TetSoup run() {
     monitor_.enter("Finding the inside");
@@ -62,6 +63,7 @@ class Stuffing {
 
   const Solid& solid_;
   const BccLattice& lattice_;
+  int levels_;
   const Monitor& monitor_;
   std::vector<std::int8_t> signs_;            ///< per vertex: 1 inside, 0 on the border, −1 outside
   std::vector<Cut> cuts_;                     ///< by inner vertex
@@ -136,6 +138,11 @@ void Stuffing::move_vertices() {
 
 void Stuffing::fill() {
   points_.assign(lattice_.vertex_count(), -1);
+  if (levels_ > 0) {
+    const CubeTree tree(
+        lattice_, [this](int vertex) { return signs_[vertex] > 0; }, levels_);
+    return tree.visit_tets([this](const std::array<int, 4>& tet) { fill_tet(tet); });
+  }
   const auto [nx, ny, nz] = lattice_.cells();
   for (int z = 0; z < nz; ++z) {
     if (monitor_.is_cancelled()) throw Cancelled();
@@ -257,9 +264,9 @@ void Stuffing::add_wedge(int a, int b, int outer1, int outer2) {
 }  // namespace
 
 TetSoup stuff_isosurface(const Solid& solid, const Eigen::AlignedBox3d& box, double cube_edge, const std::string& name,
-                         const Monitor& monitor) {
+                         const Monitor& monitor, int levels) {
   const BccLattice lattice(box, cube_edge, name);
-  return Stuffing(solid, lattice, monitor).run();
+  return Stuffing(solid, lattice, levels, monitor).run();
 }
 
 }  // namespace griffith

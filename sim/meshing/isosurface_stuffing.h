@@ -16,12 +16,12 @@ struct Solid {
   std::function<double(const Vec3& inner, const Vec3& outer)> crossing;
 };
 
-/// Fills a solid with tets by isosurface stuffing on a uniform body-centred cubic lattice (Labelle & Shewchuk 2007):
-/// lattice vertices near the border move onto it, tets that still cross it are cut. All dihedral angles lie from 10.7°
-/// to 164.8° (their table 1), whatever the solid. What is thinner than a lattice cube may be lost. `box` holds the
-/// solid; `cube_edge` is the lattice's longer edge [m]. Throws InputError, about `name`, when the lattice is too fine,
-/// and Cancelled.
+/// Fills a solid with tets by isosurface stuffing on a body-centred cubic lattice (Labelle & Shewchuk 2007): lattice
+/// vertices near the border move onto it, tets that still cross it are cut. All dihedral angles lie from 10.7° to
+/// 164.8° (their table 1), whatever the solid. What is thinner than a lattice cube may be lost. `box` holds the solid;
+/// `cube_edge` is the lattice's longer edge [m] at the border; deep inside, edges may be longer by 2^`levels`. Throws
+/// InputError, about `name`, when the lattice is too fine, and Cancelled.
 TetSoup stuff_isosurface(const Solid& solid, const Eigen::AlignedBox3d& box, double cube_edge, const std::string& name,
-                         const Monitor& monitor = {});
+                         const Monitor& monitor = {}, int levels = 0);
 
 }  // namespace griffith

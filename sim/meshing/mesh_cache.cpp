@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Changes whenever the same surface and options would give another mesh than before.
-constexpr std::string_view kFormat = "griffith mesh 2\n";
+constexpr std::string_view kFormat = "griffith mesh 3\n";
 
 /// FNV-1a (Fowler, Noll & Vo 1991).
 std::uint64_t hash(std::string_view bytes, std::uint64_t start) {

@@ -91,7 +91,7 @@ FilledSurface fill(const TriangleSurface& surface, const SurfaceReport& report, 
     filled.refusal = result.refusal;
     filled.lasting = result.installed;
   }
-  filled.soup = stuff_surface(surface, element_size, setup.name, setup.monitor);
+  filled.soup = stuff_surface(surface, element_size, options.grading, setup.name, setup.monitor);
   if (filled.soup.tets.empty()) {
     const bool sound = unsound(report).empty();
     throw InputError(setup.name,

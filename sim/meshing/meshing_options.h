@@ -14,7 +14,8 @@ enum class MeshingMethod { automatic, tetgen, volumetric };
 struct MeshingOptions {
   MeshingMethod method = MeshingMethod::automatic;
   std::optional<double> element_size;  ///< wanted edge of a tet [m]; none: a twentieth of the bounding box's diagonal
-  double grading = 1;              ///< TetGen: how many times longer edges may be deep inside than at the surface, >= 1
+  double grading =
+      1;  ///< how many times longer edges may be deep inside than at the surface, 1..100; powers of two for the lattice
   double radius_edge_ratio = 1.4;  ///< TetGen: most circumradius over shortest edge, >= 1.1
   double min_dihedral_angle = 10;  ///< TetGen: smallest angle between faces that it works for [degrees], 0 .. 18
   bool operator==(const MeshingOptions&) const = default;

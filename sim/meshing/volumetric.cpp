@@ -35,14 +35,14 @@ double crossing(const TriangleTree& tree, const Vec3& inner, const Vec3& outer) 
 
 }  // namespace
 
-TetSoup stuff_surface(const TriangleSurface& surface, double element_size, const std::string& name,
+TetSoup stuff_surface(const TriangleSurface& surface, double element_size, double grading, const std::string& name,
                       const Monitor& monitor) {
   const TriangleTree tree(surface);
   const Eigen::AlignedBox3d box = bounds(surface);
   Solid solid;
   solid.inside = [&](const Vec3& point) { return box.contains(point) && is_inside(tree, point); };
   solid.crossing = [&](const Vec3& inner, const Vec3& outer) { return crossing(tree, inner, outer); };
-  return stuff_isosurface(solid, box, element_size, name, monitor);
+  return stuff_isosurface(solid, box, element_size, name, monitor, static_cast<int>(std::log2(grading)));
 }
 
 }  // namespace griffith

@@ -12,7 +12,7 @@ namespace griffith {
 /// holes, crossings and loose triangles do no harm. `element_size`: the longer edge of the lattice [m]; what is thinner
 /// is lost. The soup is empty when the surface has no inside. Throws InputError, about `name`, when the lattice would
 /// be too fine, and Cancelled.
-TetSoup stuff_surface(const TriangleSurface& surface, double element_size, const std::string& name,
+TetSoup stuff_surface(const TriangleSurface& surface, double element_size, double grading, const std::string& name,
                       const Monitor& monitor = {});
 
 }  // namespace griffith

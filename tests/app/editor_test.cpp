@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
 #include "app/interface.h"
 #include "program.h"
 #include "renderer/egl_context.h"
@@ -41,6 +45,15 @@ class EditorTest : public testing::Test {
     draw(2);
   }
 
+  /// Draws until nothing is being built, a minute at most.
+  void wait_for_work() {
+    for (int i = 0; i < 6000 && !editor_.state().work.empty(); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      draw();
+    }
+    draw(4);  // a dialog needs some to find its place
+  }
+
   std::string value(const std::string& tag) const {
     const ui::WidgetTag* widget = ui::find_tag(editor_.tags(), tag);
     return widget ? widget->value : "no widget " + tag;
@@ -71,6 +84,70 @@ TEST_F(EditorTest, WorkThatLastsShowsADialogThatCancelsIt) {
   draw(2);
   EXPECT_TRUE(editor_.state().work.empty());
   EXPECT_EQ(editor_.title(), before);
+  EXPECT_FALSE(editor_.state().error);
+}
+
+constexpr char kTetSurface[] = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+
+TEST_F(EditorTest, ABodyIsFilledFromASurfaceAndTheEditCanBeUndone) {
+  const std::string file = test_file("ball.off", kTetSurface).string();
+  click("menu/File");
+  click("menu/file.add_surface");
+  draw(4);
+  ui::SurfaceRequest& request = editor_.state().surface;
+  std::copy(file.begin(), file.end(), request.path.begin());
+  request.method = MeshingMethod::volumetric;
+  request.automatic_size = false;
+  request.element_size = 0.2;
+  draw(4);
+  click("surface/fill");
+  wait_for_work();
+  EXPECT_EQ(value("report/title"), "Added the body \"ball\"");
+  EXPECT_THAT(value("report/fact0"), ::testing::HasSubstr("tetrahedra"));
+  click("report/close");
+  EXPECT_EQ(value("bodies/1"), "ball");
+  EXPECT_EQ(editor_.state().selected_body, 1);
+  click("command/simulation.step");
+  EXPECT_EQ(value("toolbar/step"), "step 1");
+  click("menu/Edit");
+  click("menu/edit.undo");
+  EXPECT_EQ(value("bodies/1"), "no widget bodies/1");
+  EXPECT_EQ(editor_.state().selected_body, 0);
+  click("menu/Edit");
+  click("menu/edit.redo");
+  EXPECT_EQ(value("bodies/1"), "ball");
+  click("command/simulation.step");
+  EXPECT_FALSE(editor_.state().error);
+}
+
+TEST_F(EditorTest, ASurfaceThatCannotBeFilledChangesNothing) {
+  const std::string file = test_file("sheet.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 2 1\n").string();
+  std::copy(file.begin(), file.end(), editor_.state().surface.path.begin());
+  editor_.state().show_surface = true;
+  draw(4);
+  click("surface/fill");
+  wait_for_work();
+  ASSERT_TRUE(editor_.state().error);
+  EXPECT_THAT(editor_.state().error->problem, ::testing::HasSubstr("no inside"));
+  EXPECT_EQ(value("bodies/1"), "no widget bodies/1");
+}
+
+TEST_F(EditorTest, FillingASurfaceCanBeCancelled) {
+  const std::string file = test_file("ball.off", kTetSurface).string();
+  ui::SurfaceRequest& request = editor_.state().surface;
+  std::copy(file.begin(), file.end(), request.path.begin());
+  request.method = MeshingMethod::volumetric;
+  request.automatic_size = false;
+  request.element_size = 0.01;  // two million lattice vertices
+  editor_.state().show_surface = true;
+  draw(4);
+  click("surface/fill");
+  draw(3);
+  EXPECT_NE(value("work/stage"), "no widget work/stage");
+  click("work/cancel");
+  draw(2);
+  EXPECT_TRUE(editor_.state().work.empty());
+  EXPECT_EQ(value("bodies/1"), "no widget bodies/1");
   EXPECT_FALSE(editor_.state().error);
 }
 

@@ -104,6 +104,54 @@ TEST(IsosurfaceStuffing, EveryTetIsPositiveAndFacesMatch) {
     }
 }
 
+/// Grading changes nothing at the border and leaves no gap: the surface is the same, and so is what it encloses.
+TEST(IsosurfaceStuffing, GradingKeepsTheSurfaceAndSavesElements) {
+  const Solid ball =
+      solid_of([](const Vec3& p) { return 1 - (p - Vec3(0.1, 0, 0)).norm() + 0.05 * std::sin(7 * p.x()); });
+  const auto graded = [&](int levels) {
+    TetSoup soup = stuff_isosurface(ball, cube(1.3), 0.06, "ball", {}, levels);
+    for (const auto& [a, b, c, d] : soup.tets)
+      EXPECT_GT(signed_volume(soup.points[a], soup.points[b], soup.points[c], soup.points[d]), 0);
+    prepare(soup);
+    EXPECT_TRUE(check_invariants(build_mesh(soup)).empty());
+    return mesh_quality(soup);
+  };
+  const MeshQuality even = graded(0);
+  int tets = even.tets;
+  for (const int levels : {1, 2}) {
+    const MeshQuality quality = graded(levels);
+    EXPECT_NEAR(quality.volume, even.volume, 1e-11 * even.volume);
+    EXPECT_EQ(quality.surface_triangles, even.surface_triangles);
+    EXPECT_GT(quality.min_dihedral, 10.78);
+    EXPECT_LT(quality.max_dihedral, 164.75);
+    EXPECT_NEAR(quality.longest_edge / 0.06, 1 << levels, 0.01);
+    EXPECT_LT(quality.tets, levels == 1 ? 0.65 * tets : tets);
+    tets = quality.tets;
+  }
+}
+
+/// Of the tets inside alone: a cube that the lattice fits exactly.
+TEST(IsosurfaceStuffing, GradedElementsAreWellShaped) {
+  const Solid noisy =
+      solid_of([](const Vec3& p) { return 1.5 - p.norm() + 0.4 * std::sin(9 * p.x()) * std::cos(8 * p.y()); });
+  const TetSoup soup = stuff_isosurface(noisy, cube(2.1), 0.1, "noisy", {}, 2);
+  int large = 0;
+  for (const auto& tet : soup.tets) {
+    std::array<Vec3, 4> corners;
+    for (int i = 0; i < 4; ++i) corners[i] = soup.points[tet[i]];
+    double longest = 0;
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < i; ++j) longest = std::max(longest, (corners[i] - corners[j]).norm());
+    if (longest < 0.15) continue;
+    ++large;
+    for (const double angle : dihedral_angles(corners)) {
+      EXPECT_GT(angle * 180 / std::numbers::pi, 29.9);
+      EXPECT_LT(angle * 180 / std::numbers::pi, 135.1);
+    }
+  }
+  EXPECT_GT(large, 100);
+}
+
 TEST(IsosurfaceStuffing, IsTheSameForAnyNumberOfThreads) {
   const auto ball = solid_of([](const Vec3& p) { return 1 - p.norm(); });
   const auto with_threads = [&](int threads) {

@@ -41,7 +41,7 @@ inline std::filesystem::path write_cells(const std::filesystem::path& path, cons
     }
     first += 8;
   }
-  replace_file(path, file.str());  // tests in other processes may read it now
+  replace_file(path, file.str());
   return path;
 }
 

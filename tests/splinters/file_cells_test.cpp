@@ -4,6 +4,7 @@
 #include "sim/error.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/topology.h"
+#include "sim/meshing/temporary_folder.h"
 #include "sim/splinters/splinters.h"
 #include "tests/random_values.h"
 #include "tests/splinters/cell_files.h"
@@ -16,7 +17,10 @@ using testing::BoxCell;
 using ::testing::HasSubstr;
 using testing::write_cells;
 
-std::filesystem::path file(const std::string& name) { return std::filesystem::path(::testing::TempDir()) / name; }
+std::filesystem::path file(const std::string& name) {
+  static const TemporaryFolder folder;
+  return folder.path() / name;
+}
 
 std::string message_of(const std::vector<BoxCell>& cells, int faces = 6) {
   try {

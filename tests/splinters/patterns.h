@@ -1,9 +1,11 @@
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <vector>
 
 #include "sim/mesh/tet_mesh.h"
+#include "sim/meshing/temporary_folder.h"
 #include "sim/splinters/convex_cells.h"
 #include "tests/splinters/cell_files.h"
 
@@ -13,6 +15,8 @@ struct NamedPattern {
   std::string name;
   SplinterPattern pattern;
 };
+
+inline void PrintTo(const NamedPattern& pattern, std::ostream* stream) { *stream << pattern.name; }
 
 /// One of each kind and their degenerate cases, of splinters of about 0.1 m.
 inline std::vector<NamedPattern> patterns() {
@@ -29,8 +33,9 @@ inline std::vector<NamedPattern> patterns() {
   bricks.size = Vec3(0.19, 0.09, 0.19);
   dry.size = Vec3(0.2, 0.1, 0.2);
   dry.mortar = 0;
+  static const TemporaryFolder folder;
   CellSplinters file;
-  file.path = write_cells(std::filesystem::temp_directory_path() / "griffith_turned_bond.obj", turned_bond());
+  file.path = write_cells(folder.path() / "turned_bond.obj", turned_bond());
   return {{"shards", shards},   {"lattice", lattice}, {"wood", wood}, {"glass", glass},
           {"regular", regular}, {"bricks", bricks},   {"dry", dry},   {"file", file}};
 }

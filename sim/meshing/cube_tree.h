@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "sim/meshing/bcc_lattice.h"
+
+namespace griffith {
+
+/// The cubes of a body-centred lattice, merged by eights as far as levels allow where nothing but deep vertices is
+/// near. Cubes that touch differ by one level at most, and all vertices are the lattice's (Labelle & Shewchuk 2007,
+/// section 4).
+class CubeTree {
+ public:
+  /// `is_deep`: whether a vertex may belong to a larger cube. A cube of level k is 2^k lattice cubes wide.
+  CubeTree(const BccLattice& lattice, const std::function<bool(int vertex)>& is_deep, int levels);
+
+  using Visit = std::function<void(const std::array<int, 4>& tet)>;
+  /// Calls `visit` for each tet between the middles of cubes that share a face and that face's border. Tets of cubes of
+  /// level 0 are BccLattice::tets_at(); others have dihedral angles from 30° to 135°. Not all turn the same way.
+  void visit_tets(const Visit& visit) const;
+
+ private:
+  using Index3 = BccLattice::Index3;
+
+  void find_deep_cubes(const std::function<bool(int vertex)>& is_deep);
+  void merge(int level);
+  bool surroundings_reach(const Index3& origin, int width, int level) const;
+  bool contains(const Index3& cell) const;
+  std::size_t index(const Index3& cell) const;
+  /// Of the cube that a lattice cube is in; 0 outside of the lattice.
+  int level(const Index3& cell) const;
+  void visit_face(const Index3& origin, int axis, int side, const Visit& visit) const;
+  std::vector<int> outline(const Index3& middle, int axis, int level) const;
+  bool touches_smaller(const Index3& place, int level) const;
+
+  const BccLattice& lattice_;
+  std::vector<std::int8_t> levels_;  ///< per lattice cube; -1: has vertices that are not deep
+};
+
+}  // namespace griffith

@@ -1,0 +1,26 @@
+#include "ui/dialog_window.h"
+
+#include <cfloat>
+
+#include "ui/widgets.h"
+
+namespace griffith::ui {
+
+bool begin_dialog(const Panel& panel, const char* title, bool wanted, float design_width) {
+  const float scale = ui_scale(panel), width = design_width * scale;
+  if (wanted && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  const ImVec2 center = ImGui::GetMainViewport()->GetCenter();
+  ImGui::SetNextWindowPos(center, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, FLT_MAX});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 8 * scale);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, scale);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20 * scale, 14 * scale});
+  const bool open = ImGui::BeginPopupModal(title, nullptr, kDialogFlags);
+  ImGui::PopStyleVar(3);
+  if (open) heading(panel, title);
+  return open;
+}
+
+bool escape_pressed() { return ImGui::IsKeyPressed(key::kEscape, false); }
+
+}  // namespace griffith::ui

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "ui/editor_state.h"
+
+namespace griffith::ui {
+
+inline constexpr ImGuiWindowFlags kDialogFlags = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings |
+                                                 ImGuiWindowFlags_AlwaysAutoResize;
+
+/// Opens the popup when `wanted` and centres it. True while its content is to be drawn, up to ImGui::EndPopup().
+bool begin_dialog(const Panel& panel, const char* title, bool wanted, float design_width);
+
+bool escape_pressed();
+
+}  // namespace griffith::ui
