@@ -70,9 +70,10 @@ void add_render(CLI::App& program, Options& options) {
       ->check(CLI::Range(1, 16))
       ->type_name("S");
   command
-      ->add_option("--view", render.view,
-                   "What to show: a quantity to colour by, a layer, wireframe, shrunken, exploded or slice; several "
-                   "joined by +, such as margin+fracture_planes+slice. The scene's view if not given")
+      ->add_option(
+          "--view", render.view,
+          "What to show: a quantity to colour by, a layer, wireframe, shrunken, exploded, slice or unlit; several "
+          "joined by +, such as margin+fracture_planes+slice. The scene's view if not given")
       ->type_name("NAME");
   command
       ->add_option("--node", render.node,

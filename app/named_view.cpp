@@ -1,6 +1,7 @@
 #include "app/named_view.h"
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 
 #include "sim/error.h"
@@ -47,7 +48,7 @@ std::string all_names() {
   for (const ViewQuantity& quantity : view_quantities()) names.append(quantity.key).append(", ");
   for (const ViewLayerInfo& layer : view_layers()) names.append(layer.key).append(", ");
   for (const std::string_view style : kStyles) names.append(style).append(", ");
-  return names + "exploded, slice";
+  return names + "exploded, slice, unlit";
 }
 
 }  // namespace
@@ -62,6 +63,8 @@ void use_named_view(ViewSettings& view, const std::string& names, const Frame& f
       has_layer = true;
     } else if (name == "exploded") {
       view.explode = kExplode;
+    } else if (name == "unlit") {
+      view.shading = false;
     } else if (name == "slice") {
       view.slice = slice_through(frame, towards_eye);
     } else if (!use_style(view, name)) {

@@ -16,6 +16,7 @@ inline render::RenderOptions picture_options(int width, int height, int samples,
   options.height = height;
   options.samples = samples;
   options.edges = view.edges;
+  options.unlit_scalars = !view.shading;
   options.edge_width = static_cast<float>(view.edge_width);
   options.pixel_scale = std::max(static_cast<float>(height) / kDesignHeight, kLeastScale);
   return options;

@@ -148,6 +148,8 @@ void draw_view_panel(Panel& panel) {
   quantity_row(panel);
   color_map_row(panel);
   range_part(panel);
+  checkbox(panel, "view/shading", "Shading", panel.state.view.shading);
+  tooltip("Without, a pixel has exactly the colour that the legend gives to its value.");
   checkbox(panel, "view/edges", "Element edges", panel.state.view.edges);
   checkbox(panel, "view/splinters", "Splinters and surfaces", panel.state.view.splinters);
   layer_rows(panel);

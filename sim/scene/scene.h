@@ -131,6 +131,7 @@ struct ViewSettings {
   std::string quantity = "von_mises";  ///< one of view_quantities()
   std::string color_map = "viridis";   ///< viridis, coolwarm or cividis
   std::optional<Vec2> range;           ///< in the quantity's unit; automatic when absent
+  bool shading = true;                 ///< off: a scalar's pixel has the legend's colour to the byte
   bool symmetric = false;              ///< the automatic range reaches as far below 0 as above
   bool edges = true;
   double edge_width = 1.1;  ///< of element edges, in pixels of a picture 720 pixels high, 0.25..10

@@ -273,6 +273,8 @@ void describe(Archive& archive, ViewSettings& view) {
   archive.field("range", view.range, range,
                 "Values at the two ends of the colours, in the quantity's unit; null: automatic");
   archive.field("symmetric", view.symmetric, Flag{}, "Whether the automatic range reaches as far below 0 as above");
+  archive.field("shading", view.shading, Flag{},
+                "Whether light falls on scalars; without, a pixel has exactly the legend's colour");
   archive.field("edges", view.edges, Flag{}, "Whether element edges are drawn");
   archive.field("edge_width", view.edge_width, between(0.25, 10),
                 "Width of element edges, in pixels of a picture 720 pixels high");

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <memory>
 #include <numeric>
@@ -8,6 +9,7 @@
 #include "app/glyph_shape.h"
 #include "app/named_view.h"
 #include "app/picture_options.h"
+#include "app/scene_legend.h"
 #include "app/shown_mesh.h"
 #include "program.h"
 #include "renderer/egl_context.h"
@@ -169,6 +171,45 @@ TEST_F(ViewsTest, SymmetricRangeReachesAsFarBelowZero) {
   EXPECT_EQ(style.minimum, -style.maximum);
   EXPECT_EQ(std::accumulate(style.histogram.begin(), style.histogram.end(), 0), static_cast<int>(frame.tets.size()));
   EXPECT_FALSE(style.has_nan);
+}
+
+TEST_F(ViewsTest, UnlitPixelsHaveTheLegendsColourOfTheirElementsValue) {
+  ViewSettings view;
+  view.quantity = "von_mises";
+  view.shading = view.edges = false;
+  view.range = Vec2(1e3, 9e4);
+  const Frame frame = struck_->frame();
+  const QuantityValues values = quantity_values(frame, view.quantity);
+  renderer_->render(draw_scene_from_frame(frame, embedded_display(frame, scene_), scene_, view, {}),
+                    {{1.5f, 1.7f, 3.2f}, {0, 1, 0}, 40}, picture_options(kWidth, kHeight, 1, view));
+  const render::Image image = renderer_->image();
+  int pixels = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const std::int32_t tet = renderer_->id_at(x, y);
+      if (tet < 0) continue;
+      const float t = (values.values[static_cast<std::size_t>(tet)] - 1e3f) / (9e4f - 1e3f);
+      const render::Rgb color = render::color_map_color(render::ColorMap::kViridis, t);
+      const auto seen = image.pixel(x, y);
+      EXPECT_EQ(seen[0], std::lround(255 * color.r));
+      EXPECT_EQ(seen[1], std::lround(255 * color.g));
+      EXPECT_EQ(seen[2], std::lround(255 * color.b));
+      ++pixels;
+    }
+  EXPECT_GT(pixels, 10000);
+}
+
+TEST_F(ViewsTest, LabelsStandWhereTheirPlacesAreSeen) {
+  render::DrawScene scene;
+  const render::Camera camera = {{0, 0, 5}, {0, 0, 0}, 90};
+  scene.labels = {{{0, 0, 0}, "middle"}, {{0, 2.5f, 0}, "up"}, {{-5, 0, 0}, "left"}, {{0, 0, 9}, "behind"}};
+  const std::vector<ui::PictureLabel> labels = scene_labels(scene, camera, 2);
+  ASSERT_EQ(labels.size(), 3u);
+  const float expected[3][2] = {{0.5f, 0.5f}, {0.5f, 0.25f}, {0.25f, 0.5f}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(labels[i].x, expected[i][0], 1e-5);
+    EXPECT_NEAR(labels[i].y, expected[i][1], 1e-5);
+  }
 }
 
 TEST_F(ViewsTest, SliceHidesTheSideThatItsNormalPointsTo) {
