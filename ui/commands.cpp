@@ -10,7 +10,7 @@
 namespace griffith::ui {
 namespace {
 
-constexpr std::array<CommandInfo, 18> kRegistry = {{
+constexpr std::array<CommandInfo, 20> kRegistry = {{
     {CommandId::toggle_run, "simulation.run", "Run", "Run or pause", {key::kSpace}, "Space"},
     {CommandId::step, "simulation.step", "Step", "Pause and advance by one time step", {'N'}, "N"},
     {CommandId::reset, "simulation.reset", "Reset", "Start again from the scene as it is now edited", {'R'}, "R"},
