@@ -53,6 +53,7 @@ void ContactWorld::Impl::resist_rolling(double dt) {
 
 /// What lies still for long enough among neighbours that do so too sleeps.
 void ContactWorld::Impl::fall_asleep(double dt) {
+  if (gravity.isZero(0)) return;  // nothing rests where nothing falls: what drifts slowly goes on
   for (Object& object : objects) {
     if (!object.moves()) continue;
     if (object.elastic || has_left(object)) {

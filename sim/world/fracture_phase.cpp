@@ -98,6 +98,15 @@ CrackEvent describe(const WorldState& world, NodeId node, const std::vector<std:
   return event;
 }
 
+/// Notes when the faces were opened that have no neighbour any more.
+void date_open_faces(WorldState& world, const std::vector<TetId>& parted) {
+  for (TetId tet : parted)
+    for (int face = 0; face < 4; ++face) {
+      const bool open = !world.mesh.neighbours[tet][face].valid() && !(world.elements.first_surface[tet] >> face & 1);
+      if (open && std::isnan(world.elements.opened[tet][face])) world.elements.opened[tet][face] = world.time;
+    }
+}
+
 /// Opens the mesh at one node, or tears it off its support; whether anything was parted.
 bool crack(WorldState& world, NodeId node, Opened& opened) {
   const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
@@ -114,6 +123,7 @@ bool crack(WorldState& world, NodeId node, Opened& opened) {
   event.nodes_made = static_cast<int>(result.copies.size());
   event.torn_off = result.changed_tets.empty() ? tear_off(world, node, event.normal) : share_support(world, result.copies);
   if (result.changed_tets.empty() && !event.torn_off) return false;
+  date_open_faces(world, result.changed_tets);
   opened.parted.insert(opened.parted.end(), result.changed_tets.begin(), result.changed_tets.end());
   world.report.supports_torn += event.torn_off;
   world.crack_events.push_back(std::move(event));
@@ -153,15 +163,6 @@ Opened crack_in_turn(WorldState& world, const std::vector<NodeId>& overloaded, d
   return opened;
 }
 
-/// Notes when the faces were opened that have no neighbour any more.
-void date_open_faces(WorldState& world, const std::vector<TetId>& parted) {
-  for (TetId tet : parted)
-    for (int face = 0; face < 4; ++face) {
-      const bool open = !world.mesh.neighbours[tet][face].valid() && !(world.elements.first_surface[tet] >> face & 1);
-      if (open && std::isnan(world.elements.opened[tet][face])) world.elements.opened[tet][face] = world.time;
-    }
-}
-
 /// How long a crack takes to run across an element [s]. In brittle solids it hardly ever passes half the Rayleigh
 /// wave speed (Freund 1990), some quarter to third of the bar's.
 double crack_transit_time(const WorldState& world, const Body& body) {
@@ -191,7 +192,6 @@ void open_cracks(WorldState& world, double substep) {
     world.crack_transit_time = std::min(world.crack_transit_time, crack_transit_time(world, world.bodies[body]));
     part_body(world, body);
   }
-  date_open_faces(world, opened.parted);
   for (std::size_t i = opened.first_event; i < world.crack_events.size(); ++i)
     world.crack_events[i].children = children_of(world, world.crack_events[i]);
   world.report.cracks_postponed = static_cast<int>(world.postponed.size());

@@ -91,7 +91,7 @@ void move_nodes(WorldState& world, const Body& body, double dt) {
 /// the linearised step stretches it: then it deforms less, so that it has no more energy than it was given. Whether it
 /// had to.
 bool move_elastic(WorldState& world, const Body& body, const std::vector<Vec3>& external, double dt) {
-  constexpr double kTolerance = 1e-3;
+  constexpr double kTolerance = 1e-5;
   const bool checked = !world.integrates_explicitly();
   const double given = checked ? body.energy + work_done(world, body, external, dt) : 0;
   const Snapshot before = checked ? snapshot(world, body) : Snapshot{};

@@ -53,12 +53,14 @@ Eigen::MatrixXd surface_compliance(const WorldState& world, const Body& body, st
   return compliance;
 }
 
-/// What the offsets of the contacts from the surface add: the rigid answer at the contacts for that at the surface.
+/// What the offsets of the contacts from the surface add: the rigid answer at the contacts for that at the surface. It
+/// has the factor of the rest, which holds the latter: the sum then stays positive semidefinite.
 void add_offset_compliance(const WorldState& world, const TouchedBody& touched, double dt,
                            Eigen::MatrixXd& compliance) {
   const Body& body = world.bodies[touched.body];
   if (body.supported()) return;
-  const Mat3 inverse_inertia = body.motion.inertia.inverse() / (1 + dt * world.material_of(body).mass_damping);
+  const double factor = world.integrates_explicitly() ? 1 : body.compliance_factor;
+  const Mat3 inverse_inertia = factor / (1 + dt * world.material_of(body).mass_damping) * body.motion.inertia.inverse();
   std::vector<Mat3> contact_arms, surface_arms;
   for (const TouchedPoint& point : touched.points) {
     contact_arms.push_back(cross_matrix(point.contact - body.motion.center));
