@@ -29,9 +29,14 @@ RigidMotion rigid_motion(const NodeVectors& positions, const NodeVectors& veloci
 }
 
 Mat3 turn_step(const RigidMotion& motion, double dt) {
-  const Mat3 half = rotation_by(0.5 * dt * motion.angular_velocity);
+  constexpr int kIterations = 4;
+  const Mat3 inverse_inertia = motion.inertia.inverse();
   const Vec3 angular_momentum = motion.inertia * motion.angular_velocity;
-  const Vec3 middle = half * motion.inertia.inverse() * half.transpose() * angular_momentum;
+  Vec3 middle = motion.angular_velocity;
+  for (int i = 0; i < kIterations; ++i) {
+    const Mat3 half = rotation_by(0.5 * dt * middle);
+    middle = half * inverse_inertia * half.transpose() * angular_momentum;
+  }
   return rotation_by(dt * middle);
 }
 

@@ -19,7 +19,7 @@ struct RigidMotion {
 /// They must not all lie on one line.
 RigidMotion rigid_motion(const NodeVectors& positions, const NodeVectors& velocities, const Eigen::VectorXd& masses);
 
-/// The rotation of a free body with this motion over `dt` [s], second order (explicit midpoint): its angular momentum
+/// The rotation of a free body with this motion over `dt` [s], second order (implicit midpoint): its angular momentum
 /// stands still while its inertia turns.
 Mat3 turn_step(const RigidMotion& motion, double dt);
 

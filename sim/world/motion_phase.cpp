@@ -98,16 +98,23 @@ bool move_elastic(WorldState& world, const Body& body, const std::vector<Vec3>& 
   move_nodes(world, body, dt);
   update_elements(world, body);
   if (!checked) return false;
-  bool shortened = false;
-  for (double share = 0.5; mechanical_energy(world, body) > given + kTolerance * body.energy + 1e-9; share /= 2) {
-    if (share < 0.05) share = 0;
-    shortened = true;
+  const auto gains = [&](double limit) {
+    return mechanical_energy(world, body) > limit + kTolerance * body.energy + 1e-9;
+  };
+  if (!gains(given)) return false;
+  const auto move_with = [&](double share) {
     restore(world, body, before, share);
     move_nodes(world, body, dt);
     update_elements(world, body);
-    if (share == 0) break;
+  };
+  move_with(0);  // as a rigid body: what its turning alone gains is not for the deformation to make up for
+  const double limit = std::max(given, mechanical_energy(world, body));
+  for (double share = 0.5; share > 0.05; share /= 2) {
+    move_with(share);
+    if (!gains(limit)) return true;
   }
-  return shortened;
+  move_with(0);
+  return true;
 }
 
 bool all_finite(const WorldState& world, const Body& body) {
