@@ -71,18 +71,7 @@ void BlendTarget::begin() const {
 }
 
 void BlendTarget::end() const {
-  if (target_.samples() > 1) {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, multisampled_.id());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
-    for (const GLenum attachment : {kColorSums, kWeightSums}) {
-      const GLenum buffers[] = {attachment == kColorSums ? kColorSums : GL_NONE,
-                                attachment == kWeightSums ? kWeightSums : GL_NONE};
-      glReadBuffer(attachment);
-      glDrawBuffers(2, buffers);
-      glBlitFramebuffer(0, 0, target_.width(), target_.height(), 0, 0, target_.width(), target_.height(),
-                        GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    }
-  }
+  if (target_.samples() > 1) resolve_attachments(multisampled_, resolved_, target_.width(), target_.height());
   glBindFramebuffer(GL_FRAMEBUFFER, target_.resolved_framebuffer());
   glActiveTexture(GL_TEXTURE0 + kColorSumsUnit);
   glBindTexture(GL_TEXTURE_2D, color_sums_.id());

@@ -80,4 +80,20 @@ class BoundFramebuffer {
   GLint draw_ = 0, read_ = 0, viewport_[4] = {};
 };
 
+/// Resolves the two colour attachments of a multisampled framebuffer into those of another one of the same size. Leaves
+/// both bound, the latter with both attachments drawn into.
+inline void resolve_attachments(const Framebuffer& multisampled, const Framebuffer& resolved, int width, int height) {
+  constexpr GLenum kAttachments[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, multisampled.id());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved.id());
+  for (const GLenum attachment : kAttachments) {
+    const GLenum buffers[] = {attachment == kAttachments[0] ? attachment : GL_NONE,
+                              attachment == kAttachments[1] ? attachment : GL_NONE};
+    glReadBuffer(attachment);
+    glDrawBuffers(2, buffers);
+    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  }
+  glDrawBuffers(2, kAttachments);
+}
+
 }  // namespace griffith::render

@@ -94,17 +94,7 @@ void Target::clear(const Rgb& color) const {
 void Target::resolve() const {
   if (samples_ == 1) return;
   const BoundFramebuffer previous;
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, multisampled_.id());
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
-  for (const GLenum attachment : {kColorAttachment, kIdAttachment}) {
-    const GLenum buffers[] = {attachment == kColorAttachment ? kColorAttachment : GL_NONE,
-                              attachment == kIdAttachment ? kIdAttachment : GL_NONE};
-    glReadBuffer(attachment);
-    glDrawBuffers(2, buffers);
-    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  }
-  const GLenum both[] = {kColorAttachment, kIdAttachment};
-  glDrawBuffers(2, both);
+  resolve_attachments(multisampled_, resolved_, width_, height_);
 }
 
 Image Target::image() const {

@@ -24,15 +24,12 @@ btScalar extent_along(const PlacedHull& hull, const btVector3& direction) {
   return extent + direction.dot(hull.transform.getOrigin());
 }
 
-btScalar contact_reach(const btCollisionObjectWrapper* object) {
-  return object->getCollisionObject()->getCollisionShape()->getContactBreakingThreshold(kContactReach);
-}
-
 }  // namespace
 
 HullHullAlgorithm::HullHullAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
                                      const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second)
-    : btCollisionAlgorithm(info), reach_(std::min(contact_reach(first), contact_reach(second))) {}
+    : btCollisionAlgorithm(info),
+      reach_(std::min(contact_reach(*first->getCollisionObject()), contact_reach(*second->getCollisionObject()))) {}
 
 HullHullAlgorithm::~HullHullAlgorithm() { release_manifold(); }
 

@@ -21,6 +21,10 @@ inline btTransform to_bullet(const Pose& pose) {
 
 /// A contact begins when a gap is smaller than this share of the smaller object's radius.
 inline constexpr double kContactReach = 0.02;
+/// The gap at which contacts of an object begin [m].
+inline btScalar contact_reach(const btCollisionObject& object) {
+  return object.getCollisionShape()->getContactBreakingThreshold(kContactReach);
+}
 
 /// A convex hull whose rounded surface is the true surface: the corners are moved inward by the margin that the narrow
 /// phase adds again. Overlaps up to twice the margin are then found by the distance algorithm, quickly and smoothly.

@@ -5,6 +5,7 @@
 #include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
 
 #include <cmath>
+#include <limits>
 
 namespace griffith::contact {
 namespace {
@@ -18,7 +19,7 @@ Separation separation_from_ground(const PlacedShape& shape, double height) {
 
 }  // namespace
 
-Separation separation(const PlacedShape& a, const PlacedShape& b, double limit) {
+Separation separation(const PlacedShape& a, const PlacedShape& b) {
   if (!b.convex) return separation_from_ground(a, b.ground_height);
   btVoronoiSimplexSolver simplex;
   btGjkEpaPenetrationDepthSolver penetration;
@@ -26,8 +27,6 @@ Separation separation(const PlacedShape& a, const PlacedShape& b, double limit) 
   btGjkPairDetector::ClosestPointInput input;
   input.m_transformA = a.transform;
   input.m_transformB = b.transform;
-  const double reach = limit + a.convex->getMargin() + b.convex->getMargin();
-  if (std::isfinite(limit)) input.m_maximumDistanceSquared = reach * reach;
   btPointCollector closest;
   detector.getClosestPoints(input, closest, nullptr);
   if (!closest.m_hasResult) return {std::numeric_limits<double>::infinity(), Vec3::UnitY(), Vec3::Zero()};

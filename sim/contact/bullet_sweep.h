@@ -2,7 +2,6 @@
 
 // Private to sim/contact: distances and the first touch of moving shapes.
 
-#include <limits>
 #include <optional>
 
 #include "sim/contact/bullet_shapes.h"
@@ -22,10 +21,8 @@ struct Separation {
   Vec3 point_on_b;  ///< [m]
 };
 
-/// The shortest distance between two shapes, `a` a convex one. Shapes farther apart than `limit` [m] may be reported as
-/// infinitely far.
-Separation separation(const PlacedShape& a, const PlacedShape& b,
-                      double limit = std::numeric_limits<double>::infinity());
+/// The shortest distance between two shapes, `a` a convex one.
+Separation separation(const PlacedShape& a, const PlacedShape& b);
 
 struct Touch {
   double fraction;  ///< of the displacement, 0..1

@@ -42,7 +42,7 @@ void CollisionWorld::updateAabbs() {
     btVector3 minimum, maximum;
     object->getCollisionShape()->getAabb(object->getWorldTransform(), minimum, maximum);
     if (!object->getCollisionShape()->isInfinite()) {
-      const btScalar reach = object->getCollisionShape()->getContactBreakingThreshold(kContactReach);
+      const btScalar reach = contact_reach(*object);
       minimum -= btVector3(reach, reach, reach);
       maximum += btVector3(reach, reach, reach);
     }

@@ -35,26 +35,20 @@ void add_elastic_forces(const WorldState& world, const Body& body, std::vector<V
   });
 }
 
-/// Takes out what the elastic forces turn a free body by. Corotational stress is symmetric before the stretch is
-/// applied: where plastic strain and stretch have different axes, it leaves a torque, which would let the body spin
-/// itself up.
-void remove_inner_torque(const WorldState& world, const Body& body, const std::vector<Vec3>& external,
-                         std::vector<Vec3>& forces) {
-  Vec3 torque = Vec3::Zero();
-  const auto arm = [&](NodeId node) { return Vec3(world.nodes.positions[node] - body.motion.center); };
-  for (std::size_t i = 0; i < body.nodes.size(); ++i)
-    torque += arm(body.nodes[i]).cross(forces[body.nodes[i]] - external[i]);
+/// Takes the torque of the elastic forces [N·m] out of the forces on a free body. Corotational stress is symmetric
+/// before the stretch is applied: where plastic strain and stretch have different axes, it leaves one, which would let
+/// the body spin itself up.
+void remove_inner_torque(const WorldState& world, const Body& body, const Vec3& torque, std::vector<Vec3>& forces) {
   const Vec3 spin = body.motion.inertia.inverse() * torque;
-  for (NodeId node : body.nodes) forces[node] -= world.nodes.masses[node] * spin.cross(arm(node));
+  for (NodeId node : body.nodes)
+    forces[node] -= world.nodes.masses[node] * spin.cross(world.nodes.positions[node] - body.motion.center);
 }
 
 SolveReport predict_elastic(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt) {
   const bool spins_freely = !body.supported() && world.material_of(body).yield_strength;
-  std::vector<Vec3> external;
-  if (spins_freely)
-    for (NodeId node : body.nodes) external.push_back(forces[node]);
+  const Vec3 outer_torque = spins_freely ? wrench_of(world, body, forces).torque : Vec3(Vec3::Zero());
   add_elastic_forces(world, body, forces);
-  if (spins_freely) remove_inner_torque(world, body, external, forces);
+  if (spins_freely) remove_inner_torque(world, body, wrench_of(world, body, forces).torque - outer_torque, forces);
   if (world.integrates_explicitly()) {
     predict_explicitly(world, body, forces, dt);
     return {};

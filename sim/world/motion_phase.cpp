@@ -132,6 +132,15 @@ void stiffen(WorldState& world, Body& body) {
 
 }  // namespace
 
+Wrench wrench_of(const WorldState& world, const Body& body, const std::vector<Vec3>& forces) {
+  Wrench wrench;
+  for (NodeId node : body.nodes) {
+    wrench.force += forces[node];
+    wrench.torque += (world.nodes.positions[node] - body.motion.center).cross(forces[node]);
+  }
+  return wrench;
+}
+
 double mechanical_energy(const WorldState& world, const Body& body) {
   double energy = 0;
   for (NodeId node : body.nodes) energy += 0.5 * world.nodes.masses[node] * world.nodes.velocities[node].squaredNorm();
@@ -151,11 +160,7 @@ void place_rigid_nodes(WorldState& world, const Body& body) {
 
 void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>& forces, double dt) {
   if (body.supported()) return;  // frozen: its supports hold it
-  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
-  for (NodeId node : body.nodes) {
-    force += forces[node];
-    torque += (world.nodes.positions[node] - body.motion.center).cross(forces[node]);
-  }
+  const auto [force, torque] = wrench_of(world, body, forces);
   RigidMotion& motion = body.motion;
   const double damping = 1 + dt * world.material_of(body).mass_damping;
   motion.velocity = (motion.velocity + dt / motion.mass * force) / damping;

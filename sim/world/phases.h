@@ -59,6 +59,11 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
 void place_rigid_nodes(WorldState& world, const Body& body);
 /// A body whose numbers broke down stays where it is, rigid and at rest: one lost body, not a lost scene.
 void freeze_if_broken_down(WorldState& world, Body& body);
+/// The sum of nodal forces on a body [N], and their torque about its centre of mass [N·m].
+struct Wrench {
+  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+};
+Wrench wrench_of(const WorldState& world, const Body& body, const std::vector<Vec3>& forces);
 /// Kinetic and elastic energy of a body [J].
 double mechanical_energy(const WorldState& world, const Body& body);
 /// The implicit step of a body.

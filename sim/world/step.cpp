@@ -62,19 +62,20 @@ void step_explicitly(WorldState& world, double time_step) {
   rest_bodies(world, time_step);
 }
 
-/// How many substeps may follow: each has its cost, and the step its budget of 1. What a crack or a shot brings into
+/// How many substeps of this cost may follow: the step has a budget of 1. What a crack or a shot brings into
 /// touch counts from then on.
-int substeps_left(const WorldState& world, double budget, int made) {
+int substeps_left(const WorldState& world, double budget, double cost, int made) {
   const int most = std::max(1, world.scene.simulation.impact_substeps - made);
-  return static_cast<int>(std::clamp<double>(budget / substep_cost(world), 1, most));
+  return static_cast<int>(std::clamp<double>(budget / cost, 1, most));
 }
 
 void step_implicitly(WorldState& world, double time_step) {
   int substeps = 0;
   double budget = 1;
   for (int ticks_left = kTicksPerStep; ticks_left > 0; ++substeps) {
-    const int ticks = next_substep(world, ticks_left, substeps_left(world, budget, substeps));
-    budget -= substep_cost(world);
+    const double cost = substep_cost(world);
+    const int ticks = next_substep(world, ticks_left, substeps_left(world, budget, cost, substeps));
+    budget -= cost;
     substep(world, time_step * ticks / kTicksPerStep);
     ticks_left -= ticks;
   }
@@ -83,8 +84,8 @@ void step_implicitly(WorldState& world, double time_step) {
   rest_bodies(world, time_step);
 }
 
-/// Without inertia: from one equilibrium to the next, as loads and supports move on. Each crack changes the balance, so it
-/// is found again until nothing more cracks or the budget ends.
+/// Without inertia: from one equilibrium to the next, as loads and supports move on. Each crack changes the balance, so
+/// it is found again until nothing more cracks or the budget ends.
 void step_statically(WorldState& world, double time_step) {
   const int budget = world.scene.simulation.impact_substeps;
   double displacement_time = time_step;

@@ -287,25 +287,14 @@ std::vector<SampleFile> sample_files(const TetSoup& soup) {
           vtu(soup, VtuKind::appended_base64, false)};
 }
 
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "griffith_mesh_XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
 void TemporaryFolder::write(const SampleFile& sample) const {
   for (const auto& [name, content] : sample.files) write(name, content);
 }
 
 void TemporaryFolder::write(const std::string& name, const std::string& content) const {
-  std::filesystem::create_directories((path_ / name).parent_path());
-  std::filesystem::remove(path_ / name);  // some file systems wait for the disk when a file is overwritten
-  std::ofstream(path_ / name, std::ios::binary) << content;
+  std::filesystem::create_directories((path() / name).parent_path());
+  std::filesystem::remove(path() / name);  // some file systems wait for the disk when a file is overwritten
+  std::ofstream(path() / name, std::ios::binary) << content;
 }
 
 }  // namespace griffith::testing

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "sim/mesh/tet_mesh.h"
+#include "sim/meshing/temporary_folder.h"
 
 namespace griffith::testing {
 
@@ -20,20 +20,11 @@ struct SampleFile {
 /// A mesh in every format and variant.
 std::vector<SampleFile> sample_files(const TetSoup& soup);
 
-/// A folder of its own under the system's temporary one, removed in the end.
-class TemporaryFolder {
+/// A folder of its own to write files into, removed in the end.
+class TemporaryFolder : public griffith::TemporaryFolder {
  public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
   void write(const SampleFile& sample) const;
   void write(const std::string& name, const std::string& content) const;
-
- private:
-  std::filesystem::path path_;
 };
 
 }  // namespace griffith::testing

@@ -4,12 +4,10 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <limits>
-#include <memory>
 #include <random>
 
-#include "renderer/egl_context.h"
 #include "renderer/glyph_shapes.h"
-#include "renderer/renderer.h"
+#include "tests/renderer/renderer_fixture.h"
 #include "tests/renderer/wall_scene.h"
 
 namespace griffith::render {
@@ -17,51 +15,12 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr int kWidth = 320, kHeight = 200;
-
-class GlyphTest : public testing::Test {
+class GlyphTest : public RendererFixture {
  protected:
-  static void SetUpTestSuite() {
-    context_ = std::make_unique<EglContext>();
-    renderer_ = std::make_unique<Renderer>();
-  }
-  static void TearDownTestSuite() {
-    renderer_.reset();
-    context_.reset();
-  }
-
   static Image picture(const DrawScene& scene, int samples = 1) {
-    renderer_->render(scene, camera(), options(samples));
-    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
-    return renderer_->image();
+    return RendererFixture::picture(scene, options(samples));
   }
-
-  static RenderOptions options(int samples) {
-    RenderOptions options;
-    options.width = kWidth;
-    options.height = kHeight;
-    options.samples = samples;
-    return options;
-  }
-
-  static Camera camera() { return {{-2.6f, 2.6f, 5.2f}, {0, 1.2f, 0}, 40}; }
-
-  static std::unique_ptr<EglContext> context_;
-  static std::unique_ptr<Renderer> renderer_;
 };
-
-std::unique_ptr<EglContext> GlyphTest::context_;
-std::unique_ptr<Renderer> GlyphTest::renderer_;
-
-/// A square that fills the picture, `nearer` metres before the camera's target.
-std::vector<Vector3f> filling_square(const Camera& camera, float nearer) {
-  const Vector3f forward = (camera.target - camera.position).normalized();
-  const Vector3f right = forward.cross(Vector3f::UnitY()).normalized(), up = right.cross(forward);
-  const auto corner = [&](float x, float y) -> Vector3f {
-    return camera.target - nearer * forward + 20 * (x * right + y * up);
-  };
-  return {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, -1), corner(1, 1), corner(-1, 1)};
-}
 
 TEST(GlyphShapes, EnclosingShapesAreClosedAndTheirNormalsPointOutwards) {
   const auto volume = [](const std::vector<GlyphCorner>& corners) {

@@ -1,5 +1,3 @@
-#include "renderer/renderer.h"
-
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
@@ -7,13 +5,12 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <memory>
 #include <random>
 #include <regex>
 #include <set>
 
-#include "renderer/egl_context.h"
 #include "renderer/target.h"
+#include "tests/renderer/renderer_fixture.h"
 #include "tests/renderer/wall_scene.h"
 
 namespace griffith::render {
@@ -22,49 +19,16 @@ namespace {
 using Eigen::Vector3f;
 using Pixel = std::array<std::uint8_t, 4>;
 
-constexpr int kWidth = 320, kHeight = 200;
-
-/// One context and one renderer for all tests: compiling the shaders takes longest.
-class RendererTest : public testing::Test {
+class RendererTest : public RendererFixture {
  protected:
-  static void SetUpTestSuite() {
-    context_ = std::make_unique<EglContext>();
-    renderer_ = std::make_unique<Renderer>();
-  }
-  static void TearDownTestSuite() {
-    renderer_.reset();
-    context_.reset();
-  }
-
-  static RenderOptions options() {
-    RenderOptions small;
-    small.width = kWidth;
-    small.height = kHeight;
-    return small;
-  }
-
   static Image picture(const DrawScene& scene, const RenderOptions& how = options()) {
-    renderer_->render(scene, camera(), how);
-    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
-    return renderer_->image();
+    return RendererFixture::picture(scene, how);
   }
-
-  static Camera camera() { return {{-2.6f, 2.6f, 5.2f}, {0, 1.2f, 0}, 40}; }
-
-  static std::unique_ptr<EglContext> context_;
-  static std::unique_ptr<Renderer> renderer_;
 };
 
-std::unique_ptr<EglContext> RendererTest::context_;
-std::unique_ptr<Renderer> RendererTest::renderer_;
-
-/// A square that fills the picture of RendererTest's camera, facing it.
 DrawScene screen_filling_square(const Camera& camera) {
-  const Vector3f forward = (camera.target - camera.position).normalized();
-  const Vector3f right = forward.cross(Vector3f::UnitY()).normalized(), up = right.cross(forward);
-  const auto corner = [&](float x, float y) -> Vector3f { return camera.target + 20 * (x * right + y * up); };
   DrawScene scene;
-  scene.surface.positions = {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, -1), corner(1, 1), corner(-1, 1)};
+  scene.surface.positions = filling_square(camera);
   return scene;
 }
 

@@ -83,7 +83,6 @@ TEST_P(OrderedDamage, WeakRegularAndStrongWallsBreakInThatOrder) {
     variation.set(material, value);
     areas.push_back(damage(material, variation.speed));
   }
-  std::printf("%s: %.2f %.2f %.2f m2\n", variation.name.c_str(), areas[0], areas[1], areas[2]);
   EXPECT_GT(areas[1], 0);
   EXPECT_GT(areas[0], 1.2 * areas[1]);
   EXPECT_GT(areas[1], 1.2 * areas[2]);

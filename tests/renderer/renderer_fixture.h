@@ -1,0 +1,58 @@
+#pragma once
+
+#include <epoxy/gl.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <vector>
+
+#include "renderer/egl_context.h"
+#include "renderer/renderer.h"
+
+namespace griffith::render {
+
+/// One context and one renderer for all tests of a suite: compiling the shaders takes longest.
+class RendererFixture : public testing::Test {
+ protected:
+  static constexpr int kWidth = 320, kHeight = 200;
+
+  static void SetUpTestSuite() {
+    context_ = std::make_unique<EglContext>();
+    renderer_ = std::make_unique<Renderer>();
+  }
+  static void TearDownTestSuite() {
+    renderer_.reset();
+    context_.reset();
+  }
+
+  static RenderOptions options(int samples = RenderOptions().samples) {
+    RenderOptions small;
+    small.width = kWidth;
+    small.height = kHeight;
+    small.samples = samples;
+    return small;
+  }
+
+  static Image picture(const DrawScene& scene, const RenderOptions& how) {
+    renderer_->render(scene, camera(), how);
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    return renderer_->image();
+  }
+
+  static Camera camera() { return {{-2.6f, 2.6f, 5.2f}, {0, 1.2f, 0}, 40}; }
+
+  static inline std::unique_ptr<EglContext> context_;
+  static inline std::unique_ptr<Renderer> renderer_;
+};
+
+/// Triangles of a square across the line of sight that fills the picture, `nearer` metres before the camera's target.
+inline std::vector<Eigen::Vector3f> filling_square(const Camera& camera, float nearer = 0) {
+  const Eigen::Vector3f forward = (camera.target - camera.position).normalized();
+  const Eigen::Vector3f right = forward.cross(Eigen::Vector3f::UnitY()).normalized(), up = right.cross(forward);
+  const auto corner = [&](float x, float y) -> Eigen::Vector3f {
+    return camera.target - nearer * forward + 20 * (x * right + y * up);
+  };
+  return {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, -1), corner(1, 1), corner(-1, 1)};
+}
+
+}  // namespace griffith::render
