@@ -45,6 +45,12 @@ void HullHullAlgorithm::processCollision(const btCollisionObjectWrapper* first, 
   const btVector3 direction = to_bullet(parting_direction_);
   if (!parting_direction_.isZero(0) && -extent_along(a, -direction) - extent_along(b, direction) > reach_)
     return release_manifold();
+  if (manifold_ && hardly_moved(a, b)) {
+    result->setPersistentManifold(manifold_);
+    carry_contacts(b);
+    result->refreshContactPoints();
+    return;
+  }
   if (!manifold_) manifold_ = m_dispatcher->getNewManifold(first->getCollisionObject(), second->getCollisionObject());
   result->setPersistentManifold(manifold_);
   add_contacts(a, b, *result);
@@ -52,11 +58,30 @@ void HullHullAlgorithm::processCollision(const btCollisionObjectWrapper* first, 
   if (manifold_->getNumContacts() == 0) release_manifold();
 }
 
+/// Whether the contacts that were found are still those that would be: any that are new lie near the end of the reach.
+bool HullHullAlgorithm::hardly_moved(const PlacedHull& a, const PlacedHull& b) const {
+  constexpr btScalar kShareOfReach = 0.1;
+  const btTransform now = b.transform.inverse() * a.transform;
+  const btScalar radius = a.shape.getContactBreakingThreshold(0) / kContactReach;  // of a about its centre
+  btVector3 turned(0, 0, 0);
+  for (int i = 0; i < 3; ++i) turned[i] = (now.getBasis().getColumn(i) - seen_from_b_.getBasis().getColumn(i)).length();
+  const btScalar moved = (now.getOrigin() - seen_from_b_.getOrigin()).length() + radius * turned.length();
+  return moved < kShareOfReach * reach_;
+}
+
+/// Turns the normals with the pair; Bullet's refresh moves the points and takes their distances along them.
+void HullHullAlgorithm::carry_contacts(const PlacedHull& b) {
+  for (int i = 0; i < manifold_->getNumContacts(); ++i)
+    manifold_->getContactPoint(i).m_normalWorldOnB = b.transform.getBasis() * normal_in_b_;
+}
+
 void HullHullAlgorithm::add_contacts(const PlacedHull& a, const PlacedHull& b, btManifoldResult& result) {
   const Separation apart = separation({&a.shape, a.transform}, {&b.shape, b.transform});
   parting_direction_ = apart.normal;
   if (apart.distance >= reach_) return;
   const btVector3 normal = to_bullet(apart.normal);
+  seen_from_b_ = b.transform.inverse() * a.transform;
+  normal_in_b_ = normal * b.transform.getBasis();
   const auto patch = contact_patch(world_corners(a), world_corners(b), apart.normal, reach_);
   for (const PatchPoint& point : patch)
     if (point.distance < reach_) result.addContactPoint(normal, to_bullet(point.on_b), point.distance);

@@ -16,6 +16,7 @@ struct PlacedHull {
 /// Contacts of two hulls: all corners of the area where they meet at once, where Bullet's own algorithm finds one point
 /// a step. So a face that strikes a face does not turn it, and stacks stand. Most pairs with near bounding boxes do not
 /// touch: they have no manifold, and as long as the plane that parted them last still does, nothing else is computed.
+/// Of those that touch most hardly move against each other: their points are carried along until they have.
 class HullHullAlgorithm final : public btCollisionAlgorithm {
  public:
   HullHullAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* first,
@@ -39,11 +40,15 @@ class HullHullAlgorithm final : public btCollisionAlgorithm {
 
  private:
   void add_contacts(const PlacedHull& a, const PlacedHull& b, btManifoldResult& result);
+  bool hardly_moved(const PlacedHull& a, const PlacedHull& b) const;
+  void carry_contacts(const PlacedHull& b);
   void release_manifold();
 
   btScalar reach_;                            // gap at which contacts begin [m]
   Vec3 parting_direction_ = Vec3::Zero();     // unit, from the second to the first; zero while unknown
   btPersistentManifold* manifold_ = nullptr;  // while they touch
+  btTransform seen_from_b_;                   // where a was in b's frame when the contacts were found
+  btVector3 normal_in_b_;                     // of these contacts
 };
 
 }  // namespace griffith::contact

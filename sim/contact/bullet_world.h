@@ -108,6 +108,7 @@ struct ContactWorld::Impl {
   void list_pair(std::span<btPersistentManifold* const> of_pair);
 
   // Solving.
+  std::vector<int> drop_near_misses(double dt, std::span<const double> approach);
   void solve(double dt, std::span<const ElasticResponse> elastic);
   std::vector<contact::Responder> rigid_responders(double dt) const;
   std::vector<contact::ContactRow> rows(double dt) const;

@@ -107,6 +107,11 @@ class ContactWorld {
   void detect();
   std::span<Contact> contacts();
   std::span<const Contact> contacts() const;
+  /// Leaves out of contacts() the near misses, most of a heap's: gaps that stay open for `dt` [s] > 0 even where both
+  /// sides come together a quarter faster than `approach` says (per contact [m/s], negative where they part), or with
+  /// half the speed of what strikes either of them, and that did not push in the last substep. Returns the new index of
+  /// each contact, or -1. To be called between detect() and solve(), if at all.
+  std::vector<int> drop_near_misses(double dt, std::span<const double> approach);
   /// Writes the impulses of a substep of `dt` [s] > 0 into contacts(); to be called again when more is known about the
   /// responses of what is elastic.
   void solve(double dt, std::span<const ElasticResponse> elastic = {});

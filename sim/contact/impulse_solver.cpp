@@ -9,8 +9,12 @@
 namespace griffith::contact {
 namespace {
 
+/// After so many sweeps over the rows that push, all are looked at again.
+constexpr int kSweepsBetweenLooks = 5;
+
 /// What a sweep needs of a row again and again.
 struct PreparedRow {
+  bool ready = false;                  ///< most rows of a heap never push and need nothing of this
   Mat3 compliance;                     ///< of both ends along the axes [1/kg]
   Eigen::Matrix2d inverse_tangential;  ///< of its tangential block
   double largest_tangential;           ///< eigenvalue of that block
@@ -23,7 +27,9 @@ Vec3 velocity_at(const Responder& responder, const ContactEnd& end) {
 
 void push(Responder& responder, const ContactEnd& end, const Vec3& impulse) {
   if (responder.compliance) {
-    responder.point_velocities.reshaped().noalias() += responder.compliance->middleCols<3>(3 * end.point) * impulse;
+    const auto columns = responder.compliance->middleCols<3>(3 * end.point);
+    Eigen::Map<Eigen::VectorXd> velocities(responder.point_velocities.data(), responder.point_velocities.size());
+    velocities += impulse[0] * columns.col(0) + impulse[1] * columns.col(1) + impulse[2] * columns.col(2);
   } else if (responder.inverse_mass > 0) {
     responder.velocity += responder.inverse_mass * impulse;
     responder.angular_velocity += responder.inverse_inertia * end.arm.cross(impulse);
@@ -44,6 +50,7 @@ Mat3 compliance_of(const Responder& responder, const ContactEnd& end) {
 
 PreparedRow prepare(const ContactRow& row, std::span<const Responder> responders) {
   PreparedRow prepared;
+  prepared.ready = true;
   const Mat3 compliance =
       compliance_of(responders[row.a.responder], row.a) + compliance_of(responders[row.b.responder], row.b);
   prepared.compliance = row.axes.transpose() * compliance * row.axes;
@@ -70,12 +77,20 @@ Vec2 friction_impulse(const Vec2& impulse, const Vec2& sliding, double limit, co
   return length > limit ? Vec2(limit / length * opposing) : opposing;
 }
 
+Vec3 relative_velocity(const ContactRow& row, std::span<const Responder> responders) {
+  return velocity_at(responders[row.a.responder], row.a) - velocity_at(responders[row.b.responder], row.b);
+}
+
+/// Whether a row has nothing to do as things are: it neither pushes nor ought to.
+bool is_idle(const ContactRow& row, std::span<const Responder> responders) {
+  return row.impulse.isZero(0) && row.axes.col(0).dot(relative_velocity(row, responders)) >= row.least_speed;
+}
+
 /// Solves one row among the others' present impulses; returns the change of velocity that this made.
 double relax(ContactRow& row, const PreparedRow& prepared, std::span<Responder> responders) {
   const double stiffness = prepared.compliance(0, 0);
   if (!(stiffness > 0)) return 0;
-  const Vec3 velocity = row.axes.transpose() * (velocity_at(responders[row.a.responder], row.a) -
-                                                velocity_at(responders[row.b.responder], row.b));
+  const Vec3 velocity = row.axes.transpose() * relative_velocity(row, responders);
   Vec3 next = row.impulse;
   next[0] = std::max(0.0, row.impulse[0] - (velocity[0] - row.least_speed) / stiffness);
   if (row.friction > 0) {
@@ -112,19 +127,18 @@ std::vector<std::vector<int>> groups_of_rows(std::span<const ContactRow> rows, s
   return groups;
 }
 
-/// One group's sweeps.
+/// One group's sweeps. In a heap most rows are near misses: what pushes is swept every time, the rest now and then.
 class GroupSolver {
  public:
   GroupSolver(std::span<ContactRow> rows, const std::vector<int>& members, std::span<Responder> responders)
       : responders_(responders) {
     for (int member : members) {
-      rows_.push_back(&rows[member]);
-      prepared_.push_back(prepare(rows[member], responders));
-      speed_ =
-          std::max(speed_, rows[member].least_speed - rows[member].axes.col(0).dot(relative_velocity(rows[member])));
+      const ContactRow& row = *rows_.emplace_back(&rows[member]);
+      speed_ = std::max(speed_, row.least_speed - row.axes.col(0).dot(relative_velocity(row, responders)));
     }
     for (const ContactRow* row : rows_)
       if (!row->impulse.isZero(0)) apply(*row, row->impulse, responders_);
+    prepared_.resize(rows_.size());
     before_.resize(rows_.size());
     direction_.assign(rows_.size(), Vec3::Zero());
   }
@@ -132,20 +146,40 @@ class GroupSolver {
   void solve(const SolverLimits& limits) {
     const int sweeps =
         std::clamp(limits.work / static_cast<int>(rows_.size()), limits.least_sweeps, limits.most_sweeps);
-    for (int i = 1; sweep() > limits.tolerance * speed_ && i < sweeps; ++i) extrapolate();
+    bool of_all = true;
+    for (int i = 1;; ++i) {
+      const bool settled = (of_all ? sweep_all() : sweep_busy()) <= limits.tolerance * speed_;
+      if ((settled && of_all) || i >= sweeps) return;
+      extrapolate();
+      of_all = settled || i % kSweepsBetweenLooks == 0;
+    }
   }
 
  private:
-  Vec3 relative_velocity(const ContactRow& row) const {
-    return velocity_at(responders_[row.a.responder], row.a) - velocity_at(responders_[row.b.responder], row.b);
+  /// Returns the change of velocity.
+  double relax_row(int i) {
+    if (!prepared_[i].ready) prepared_[i] = prepare(*rows_[i], responders_);
+    before_[i] = rows_[i]->impulse;
+    return relax(*rows_[i], prepared_[i], responders_);
   }
 
-  /// Returns the largest change of velocity.
-  double sweep() {
+  /// Both return the largest change of velocity.
+  double sweep_busy() {
     double change = 0;
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      before_[i] = rows_[i]->impulse;
-      change = std::max(change, relax(*rows_[i], prepared_[i], responders_));
+    for (int i : busy_) change = std::max(change, relax_row(i));
+    return change;
+  }
+
+  double sweep_all() {
+    double change = 0;
+    busy_.clear();
+    for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
+      if (is_idle(*rows_[i], responders_)) {
+        direction_[i].setZero();
+        continue;
+      }
+      busy_.push_back(i);
+      change = std::max(change, relax_row(i));
     }
     return change;
   }
@@ -153,12 +187,12 @@ class GroupSolver {
   /// Goes on from a sweep along the conjugate direction, unless the sweeps do not converge.
   void extrapolate() {
     double size = 0;
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
+    for (int i : busy_) {
       const Vec3 step = rows_[i]->impulse - before_[i];
       size += step.dot(prepared_[i].compliance * step);
     }
     const double share = size < last_size_ ? size / last_size_ : 0;
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
+    for (int i : busy_) {
       const Vec3 step = rows_[i]->impulse - before_[i], more = share * direction_[i];
       direction_[i] = step + more;
       if (more.isZero(0)) continue;
@@ -171,6 +205,7 @@ class GroupSolver {
   std::span<Responder> responders_;
   std::vector<ContactRow*> rows_;
   std::vector<PreparedRow> prepared_;
+  std::vector<int> busy_;                 // rows that the last look at all found pushing
   std::vector<Vec3> before_, direction_;  // impulses before the sweep; the last change of impulses
   double speed_ = 0, last_size_ = 0;
 };

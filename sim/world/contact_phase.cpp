@@ -184,6 +184,7 @@ TouchedBodies solve_contacts(WorldState& world, double dt) {
   constexpr int kMostRounds = 3;
   TouchedBodies touched = touched_bodies(world);
   correct_distances(world, touched);
+  drop_near_misses(world, touched, dt);
   for (bool woken = true; woken;) {
     parallel_for(static_cast<int>(touched.bodies.size()), 1, [&](int begin, int end) {
       for (int i = begin; i < end; ++i) prepare_response(world, touched.bodies[i], dt, touched.responses[i]);

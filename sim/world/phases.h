@@ -29,6 +29,8 @@ void find_equilibrium(WorldState& world, double time, double displacement_time, 
 
 /// What a substep costs as things are, as a share of what a step may cost; counted in work, not in time. > 0.
 double substep_cost(const WorldState& world);
+/// The same for opening cracks.
+double cracks_cost(int cracks);
 /// The length of the next substep in ticks: all that is left while nothing strikes; up to an impact in one go, through it
 /// in substeps in which a wave crosses a quarter of an element, then ever longer ones; while a crack runs, no longer than it
 /// takes to cross an element. `substeps_left` is kept.

@@ -75,8 +75,9 @@ void step_implicitly(WorldState& world, double time_step) {
   for (int ticks_left = kTicksPerStep; ticks_left > 0; ++substeps) {
     const double cost = substep_cost(world);
     const int ticks = next_substep(world, ticks_left, substeps_left(world, budget, cost, substeps));
-    budget -= cost;
+    const int cracks = world.report.cracks;
     substep(world, time_step * ticks / kTicksPerStep);
+    budget -= cost + cracks_cost(world.report.cracks - cracks);
     ticks_left -= ticks;
   }
   world.report.substeps = substeps;

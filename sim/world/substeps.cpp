@@ -6,6 +6,8 @@
 namespace griffith {
 namespace {
 
+/// What a step may cost, in elements times substeps; some 15 ms on one core.
+constexpr double kWorkPerStep = 13'000;
 /// Substeps lengthen by this factor once nothing strikes any more.
 constexpr double kGrowth = 1.3;
 /// A wave crosses an element in this many substeps of the finest kind (stress of an impact within some percent).
@@ -52,12 +54,16 @@ int ticks_before_impact(const WorldState& world, double tick, double speed, int 
 }  // namespace
 
 double substep_cost(const WorldState& world) {
-  constexpr double kWorkPerStep = 13'000;                    // elements times substeps
-  constexpr double kWorkPerBody = 20, kWorkPerContact = 10;  // in elements
+  constexpr double kWorkPerBody = 10, kWorkPerContact = 16;
   double work = 1 + kWorkPerContact * world.contacts_before;
   for (const Body& body : world.bodies)
     work += kWorkPerBody + (body.rigid ? 0.0 : static_cast<double>(body.tets.size()));
   return work / kWorkPerStep;
+}
+
+double cracks_cost(int cracks) {
+  constexpr double kWorkPerCrack = 100;
+  return kWorkPerCrack * cracks / kWorkPerStep;
 }
 
 int next_substep(WorldState& world, int ticks_left, int substeps_left) {

@@ -72,17 +72,45 @@ void add_offset_compliance(const WorldState& world, const TouchedBody& touched, 
           surface_arms[i] * inverse_inertia * surface_arms[j] - contact_arms[i] * inverse_inertia * contact_arms[j];
 }
 
+bool is_elastic(const WorldState& world, ProxyId object) {
+  const BodyId id = world.body_of(object);
+  return id.valid() && !world.bodies[id].rigid;
+}
+
+/// How fast the sides of each contact come together as if it did not push [m/s].
+std::vector<double> approach_speeds(const WorldState& world, const TouchedBodies& touched) {
+  const std::span<const Contact> contacts = world.contact_world.contacts();
+  std::vector<double> speeds(contacts.size(), 0.0);
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    for (const auto& [object, side] : {std::pair(contacts[i].a, 1.0), std::pair(contacts[i].b, -1.0)}) {
+      if (is_elastic(world, object)) continue;
+      const RigidState state = world.contact_world.state(object);
+      const Vec3 arm = contacts[i].position - state.pose.translation;
+      speeds[i] -= side * contacts[i].normal.dot(state.velocity + state.angular_velocity.cross(arm));
+    }
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
+    const Eigen::Matrix3Xd velocities = point_velocities(world, touched.bodies[i]);
+    for (Eigen::Index k = 0; k < velocities.cols(); ++k) {
+      const int index = touched.responses[i].contacts[k];
+      const double side = contacts[index].a == touched.responses[i].object ? 1 : -1;
+      speeds[index] -= side * contacts[index].normal.dot(velocities.col(k));
+    }
+  }
+  return speeds;
+}
+
 void list_contacts(const WorldState& world, TouchedBodies& touched) {
   std::vector<int> index_of_body(world.bodies.size(), -1);
   const std::span<const Contact> contacts = world.contact_world.contacts();
   for (std::size_t i = 0; i < contacts.size(); ++i)
     for (bool is_a : {true, false}) {
-      const BodyId id = world.body_of(is_a ? contacts[i].a : contacts[i].b);
-      if (!id.valid() || world.bodies[id].rigid) continue;
+      const ProxyId object = is_a ? contacts[i].a : contacts[i].b;
+      if (!is_elastic(world, object)) continue;
+      const BodyId id = world.body_of(object);
       if (index_of_body[id] < 0) {
         index_of_body[id] = static_cast<int>(touched.bodies.size());
         touched.bodies.emplace_back().body = id;
-        touched.responses.emplace_back().object = world.bodies[id].stand_in;
+        touched.responses.emplace_back().object = object;
       }
       TouchedPoint& point = touched.bodies[index_of_body[id]].points.emplace_back();
       point.contact = contacts[i].position;
@@ -96,11 +124,13 @@ TouchedBodies touched_bodies(const WorldState& world) {
   TouchedBodies touched;
   list_contacts(world, touched);
   parallel_for(static_cast<int>(touched.bodies.size()), 1, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i)
+    for (int i = begin; i < end; ++i) {
+      const SurfaceSearch surface(world, world.bodies[touched.bodies[i].body]);
       for (TouchedPoint& point : touched.bodies[i].points) {
-        point.surface = closest_surface_point(world, world.bodies[touched.bodies[i].body], point.contact);
+        point.surface = surface.closest(point.contact);
         point.position = surface_position(world, point.surface);
       }
+    }
   });
   return touched;
 }
@@ -115,6 +145,22 @@ void correct_distances(WorldState& world, const TouchedBodies& touched) {
       const double side = contact.a == body.stand_in ? 1 : -1;
       contact.distance += side * contact.normal.dot(point.position - stand_in_position(body, point.surface));
     }
+  }
+}
+
+void drop_near_misses(WorldState& world, TouchedBodies& touched, double dt) {
+  const std::vector<int> index = world.contact_world.drop_near_misses(dt, approach_speeds(world, touched));
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
+    std::vector<TouchedPoint> points;
+    std::vector<int> contacts;
+    for (std::size_t k = 0; k < touched.bodies[i].points.size(); ++k) {
+      const int kept = index[touched.responses[i].contacts[k]];
+      if (kept < 0) continue;
+      points.push_back(touched.bodies[i].points[k]);
+      contacts.push_back(kept);
+    }
+    touched.bodies[i].points = std::move(points);
+    touched.responses[i].contacts = std::move(contacts);
   }
 }
 
