@@ -26,6 +26,10 @@ btScalar extent_along(const PlacedHull& hull, const btVector3& direction) {
 
 }  // namespace
 
+PlacedHull placed_hull(const btCollisionObjectWrapper& wrapper) {
+  return {*static_cast<const HullShape*>(wrapper.getCollisionShape()), wrapper.getWorldTransform()};
+}
+
 HullHullAlgorithm::HullHullAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
                                      const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second)
     : btCollisionAlgorithm(info),
@@ -40,21 +44,32 @@ void HullHullAlgorithm::release_manifold() {
 
 void HullHullAlgorithm::processCollision(const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second,
                                          const btDispatcherInfo&, btManifoldResult* result) {
-  const PlacedHull a{*static_cast<const HullShape*>(first->getCollisionShape()), first->getWorldTransform()};
-  const PlacedHull b{*static_cast<const HullShape*>(second->getCollisionShape()), second->getWorldTransform()};
+  const PlacedHull b = placed_hull(*second);
+  find(placed_hull(*first), b);
+  note(b, *result);
+}
+
+void HullHullAlgorithm::find(const PlacedHull& a, const PlacedHull& b) {
   const btVector3 direction = to_bullet(parting_direction_);
-  if (!parting_direction_.isZero(0) && -extent_along(a, -direction) - extent_along(b, direction) > reach_)
-    return release_manifold();
-  if (manifold_ && hardly_moved(a, b)) {
-    result->setPersistentManifold(manifold_);
-    carry_contacts(b);
-    result->refreshContactPoints();
-    return;
+  const bool parted =
+      !parting_direction_.isZero(0) && -extent_along(a, -direction) - extent_along(b, direction) > reach_;
+  if (parted) {
+    found_ = Found::nothing;
+  } else if (manifold_ && hardly_moved(a, b)) {
+    found_ = Found::the_same;
+  } else {
+    find_anew(a, b);
   }
-  if (!manifold_) manifold_ = m_dispatcher->getNewManifold(first->getCollisionObject(), second->getCollisionObject());
-  result->setPersistentManifold(manifold_);
-  add_contacts(a, b, *result);
-  result->refreshContactPoints();
+}
+
+void HullHullAlgorithm::note(const PlacedHull& b, btManifoldResult& result) {
+  if (found_ == Found::nothing) return release_manifold();
+  if (!manifold_) manifold_ = m_dispatcher->getNewManifold(result.getBody0Internal(), result.getBody1Internal());
+  result.setPersistentManifold(manifold_);
+  if (found_ == Found::the_same) carry_contacts(b);
+  if (found_ == Found::anew)
+    for (const PatchPoint& point : points_) result.addContactPoint(normal_, to_bullet(point.on_b), point.distance);
+  result.refreshContactPoints();
   if (manifold_->getNumContacts() == 0) release_manifold();
 }
 
@@ -75,17 +90,18 @@ void HullHullAlgorithm::carry_contacts(const PlacedHull& b) {
     manifold_->getContactPoint(i).m_normalWorldOnB = b.transform.getBasis() * normal_in_b_;
 }
 
-void HullHullAlgorithm::add_contacts(const PlacedHull& a, const PlacedHull& b, btManifoldResult& result) {
+void HullHullAlgorithm::find_anew(const PlacedHull& a, const PlacedHull& b) {
   const Separation apart = separation({&a.shape, a.transform}, {&b.shape, b.transform});
   parting_direction_ = apart.normal;
+  found_ = Found::nothing;
   if (apart.distance >= reach_) return;
-  const btVector3 normal = to_bullet(apart.normal);
+  found_ = Found::anew;
+  points_ = contact_patch(world_corners(a), world_corners(b), apart.normal, reach_);
+  if (points_.empty()) points_.push_back({apart.point_on_b, apart.distance});
+  std::erase_if(points_, [&](const PatchPoint& point) { return point.distance >= reach_; });
+  normal_ = to_bullet(apart.normal);
+  normal_in_b_ = normal_ * b.transform.getBasis();
   seen_from_b_ = b.transform.inverse() * a.transform;
-  normal_in_b_ = normal * b.transform.getBasis();
-  const auto patch = contact_patch(world_corners(a), world_corners(b), apart.normal, reach_);
-  for (const PatchPoint& point : patch)
-    if (point.distance < reach_) result.addContactPoint(normal, to_bullet(point.on_b), point.distance);
-  if (patch.empty()) result.addContactPoint(normal, to_bullet(apart.point_on_b), apart.distance);
 }
 
 btCollisionAlgorithm* HullHullAlgorithm::Factory::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,

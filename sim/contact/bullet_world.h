@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "sim/contact/bullet_dispatcher.h"
 #include "sim/contact/bullet_ground_contact.h"
 #include "sim/contact/bullet_hull_contact.h"
 #include "sim/contact/bullet_shapes.h"
@@ -151,7 +152,7 @@ struct ContactWorld::Impl {
   std::vector<contact::Object> objects;  ///< by ProxyId
 
   btDefaultCollisionConfiguration configuration;
-  btCollisionDispatcher dispatcher;
+  contact::Dispatcher dispatcher;
   contact::HullGroundAlgorithm::Factory hull_ground, ground_hull;
   contact::HullHullAlgorithm::Factory hull_hull;
   contact::PairCache pairs;
