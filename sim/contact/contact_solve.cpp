@@ -3,6 +3,7 @@
 
 #include "sim/contact/bullet_world.h"
 #include "sim/contact/connected_groups.h"
+#include "sim/parallel.h"
 
 namespace griffith {
 
@@ -37,8 +38,7 @@ double smaller_radius(const Object& a, const Object& b) {
   return b.kind == Kind::ground ? a.shape.radius : std::min(a.shape.radius, b.shape.radius);
 }
 
-Vec3 velocity_of(const Responder& responder, const ContactEnd& end) {
-  if (responder.compliance) return responder.point_velocities.col(end.point);
+Vec3 rigid_velocity(const Responder& responder, const ContactEnd& end) {
   return responder.velocity + responder.angular_velocity.cross(end.arm);
 }
 
@@ -96,25 +96,31 @@ void ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elast
   std::vector<Responder> answering = rigid_responders(dt);
   solved = rows(dt);
   for (Object& object : objects) object.elastic = false;
+  std::vector<const ElasticResponse*> response_of(objects.size(), nullptr);
   for (const ElasticResponse& response : elastic) {
     objects[response.object].elastic = true;
-    answering[response.object].compliance = &response.compliance;
-    answering[response.object].point_velocities = response.free_velocities;
+    response_of[response.object] = &response;
     for (std::size_t point = 0; point < response.contacts.size(); ++point) {
       ContactRow& row = solved[response.contacts[point]];
       (row.a.responder == response.object.value ? row.a : row.b).point = static_cast<int>(point);
     }
   }
+  const auto free_velocity = [&](const ContactEnd& end) {
+    if (const ElasticResponse* response = response_of[end.responder])
+      return Vec3(response->free_velocities.col(end.point));
+    return rigid_velocity(answering[end.responder], end);
+  };
   for (std::size_t i = 0; i < contacts.size(); ++i)
-    solved[i].least_speed = least_speed(contacts[i],
-                                        velocity_of(answering[solved[i].a.responder], solved[i].a) -
-                                            velocity_of(answering[solved[i].b.responder], solved[i].b),
-                                        dt);
-  for (const ElasticResponse& response : elastic) {
-    Eigen::Matrix3Xd& velocities = answering[response.object].point_velocities;
-    velocities = response.velocities;
-    velocities.reshaped() -= response.compliance * response.impulses.reshaped();
-  }
+    solved[i].least_speed = least_speed(contacts[i], free_velocity(solved[i].a) - free_velocity(solved[i].b), dt);
+  parallel_for(static_cast<int>(elastic.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const ElasticResponse& response = elastic[i];
+      Responder& responder = answering[response.object];
+      responder.compliance = &response.compliance;
+      responder.elastic.emplace(response.compliance,
+                                response.velocities - respond(response.compliance, response.impulses));
+    }
+  });
   solve_impulses(solved, answering);
   for (std::size_t i = 0; i < contacts.size(); ++i) contacts[i].impulse = solved[i].axes * solved[i].impulse;
   remember_impulses(dt);

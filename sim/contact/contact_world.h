@@ -7,6 +7,7 @@
 
 #include "sim/ids.h"
 #include "sim/linear_algebra.h"
+#include "sim/point_compliance.h"
 
 namespace griffith {
 
@@ -57,7 +58,7 @@ struct ElasticResponse {
   Eigen::Matrix3Xd free_velocities;  ///< without impulses [m/s]
   Eigen::Matrix3Xd velocities;       ///< under `impulses` [m/s]
   Eigen::Matrix3Xd impulses;         ///< on the object [N·s]
-  Eigen::MatrixXd compliance;        ///< symmetric, 3×3 blocks [1/kg]
+  PointCompliance compliance;
 };
 
 /// Finds and solves the contacts of everything. Bullet, in double precision, finds them.

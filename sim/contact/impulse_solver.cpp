@@ -21,15 +21,13 @@ struct PreparedRow {
 };
 
 Vec3 velocity_at(const Responder& responder, const ContactEnd& end) {
-  if (responder.compliance) return responder.point_velocities.col(end.point);
+  if (responder.elastic) return responder.elastic->velocity(end.point);
   return responder.velocity + responder.angular_velocity.cross(end.arm);
 }
 
 void push(Responder& responder, const ContactEnd& end, const Vec3& impulse) {
-  if (responder.compliance) {
-    const auto columns = responder.compliance->middleCols<3>(3 * end.point);
-    Eigen::Map<Eigen::VectorXd> velocities(responder.point_velocities.data(), responder.point_velocities.size());
-    velocities += impulse[0] * columns.col(0) + impulse[1] * columns.col(1) + impulse[2] * columns.col(2);
+  if (responder.elastic) {
+    responder.elastic->push(end.point, impulse);
   } else if (responder.inverse_mass > 0) {
     responder.velocity += responder.inverse_mass * impulse;
     responder.angular_velocity += responder.inverse_inertia * end.arm.cross(impulse);
@@ -43,7 +41,7 @@ Mat3 cross_matrix(const Vec3& v) {
 }
 
 Mat3 compliance_of(const Responder& responder, const ContactEnd& end) {
-  if (responder.compliance) return responder.compliance->block<3, 3>(3 * end.point, 3 * end.point);
+  if (responder.compliance) return responder.compliance->block(end.point);
   const Mat3 arm = cross_matrix(end.arm);
   return responder.inverse_mass * Mat3::Identity() - arm * responder.inverse_inertia * arm;
 }
@@ -81,20 +79,16 @@ Vec3 relative_velocity(const ContactRow& row, std::span<const Responder> respond
   return velocity_at(responders[row.a.responder], row.a) - velocity_at(responders[row.b.responder], row.b);
 }
 
-/// Whether a row has nothing to do as things are: it neither pushes nor ought to.
-bool is_idle(const ContactRow& row, std::span<const Responder> responders) {
-  return row.impulse.isZero(0) && row.axes.col(0).dot(relative_velocity(row, responders)) >= row.least_speed;
-}
-
-/// Solves one row among the others' present impulses; returns the change of velocity that this made.
-double relax(ContactRow& row, const PreparedRow& prepared, std::span<Responder> responders) {
+/// Solves one row among the others' present impulses, with which its ends have this relative `velocity` (world axes);
+/// returns the change of velocity that this made.
+double relax(ContactRow& row, const Vec3& velocity, const PreparedRow& prepared, std::span<Responder> responders) {
   const double stiffness = prepared.compliance(0, 0);
   if (!(stiffness > 0)) return 0;
-  const Vec3 velocity = row.axes.transpose() * relative_velocity(row, responders);
+  const Vec3 along_axes = row.axes.transpose() * velocity;
   Vec3 next = row.impulse;
-  next[0] = std::max(0.0, row.impulse[0] - (velocity[0] - row.least_speed) / stiffness);
+  next[0] = std::max(0.0, row.impulse[0] - (along_axes[0] - row.least_speed) / stiffness);
   if (row.friction > 0) {
-    const Vec2 sliding = velocity.tail<2>() + (next[0] - row.impulse[0]) * prepared.compliance.block<2, 1>(1, 0);
+    const Vec2 sliding = along_axes.tail<2>() + (next[0] - row.impulse[0]) * prepared.compliance.block<2, 1>(1, 0);
     next.tail<2>() = friction_impulse(row.impulse.tail<2>(), sliding, row.friction * next[0], prepared);
   }
   const Vec3 change = next - row.impulse;
@@ -157,16 +151,16 @@ class GroupSolver {
 
  private:
   /// Returns the change of velocity.
-  double relax_row(int i) {
+  double relax_row(int i, const Vec3& velocity) {
     if (!prepared_[i].ready) prepared_[i] = prepare(*rows_[i], responders_);
     before_[i] = rows_[i]->impulse;
-    return relax(*rows_[i], prepared_[i], responders_);
+    return relax(*rows_[i], velocity, prepared_[i], responders_);
   }
 
   /// Both return the largest change of velocity.
   double sweep_busy() {
     double change = 0;
-    for (int i : busy_) change = std::max(change, relax_row(i));
+    for (int i : busy_) change = std::max(change, relax_row(i, relative_velocity(*rows_[i], responders_)));
     return change;
   }
 
@@ -174,12 +168,14 @@ class GroupSolver {
     double change = 0;
     busy_.clear();
     for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
-      if (is_idle(*rows_[i], responders_)) {
+      const Vec3 velocity = relative_velocity(*rows_[i], responders_);
+      const bool idle = rows_[i]->impulse.isZero(0) && rows_[i]->axes.col(0).dot(velocity) >= rows_[i]->least_speed;
+      if (idle) {
         direction_[i].setZero();
         continue;
       }
       busy_.push_back(i);
-      change = std::max(change, relax_row(i));
+      change = std::max(change, relax_row(i, velocity));
     }
     return change;
   }

@@ -104,14 +104,13 @@ Answer answer(WorldState& world, TouchedBody& touched, ElasticResponse& response
   touched.change = touched.change.size() == 0 ? change : NodeVectors(touched.change + change);
 
   const Eigen::Matrix3Xd velocities = point_velocities(world, touched), moved = velocities - response.velocities;
-  Eigen::Matrix3Xd expected = added;
-  expected.reshaped() = response.compliance * added.reshaped();
+  const Eigen::Matrix3Xd expected = griffith::respond(response.compliance, added);
   const double negligible = kNegligible * dt * world.scene.gravity.norm() * std::sqrt(added.cols());
   answer.foreseen = (moved - expected).norm() <= kForeseen * expected.norm() + negligible;
   const double ratio = moved.cwiseProduct(added).sum() / expected.cwiseProduct(added).sum();
   if (ratio > 0 && !world.integrates_explicitly()) {
     const double factor = std::clamp(ratio * body.compliance_factor, 0.1, 100.0);
-    response.compliance *= factor / body.compliance_factor;
+    response.compliance.scale(factor / body.compliance_factor);
     body.compliance_factor = factor;
   }
   response.impulses = impulses;

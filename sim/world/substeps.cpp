@@ -6,8 +6,8 @@
 namespace griffith {
 namespace {
 
-/// What a step may cost, in elements times substeps; some 15 ms on one core.
-constexpr double kWorkPerStep = 13'000;
+/// What a step may cost, in elements times substeps; some 12 ms on one core.
+constexpr double kWorkPerStep = 10'000;
 /// Substeps lengthen by this factor once nothing strikes any more.
 constexpr double kGrowth = 1.3;
 /// A wave crosses an element in this many substeps of the finest kind (stress of an impact within some percent).
@@ -62,7 +62,7 @@ double substep_cost(const WorldState& world) {
 }
 
 double cracks_cost(int cracks) {
-  constexpr double kWorkPerCrack = 100;
+  constexpr double kWorkPerCrack = 120;
   return kWorkPerCrack * cracks / kWorkPerStep;
 }
 

@@ -33,43 +33,35 @@ Mat3 cross_matrix(const Vec3& v) {
 
 /// The compliance of the touched surface points: of the implicit step's system, or of single nodes, which explicit
 /// integration moves before their neighbours answer.
-Eigen::MatrixXd surface_compliance(const WorldState& world, const Body& body, std::span<const TouchedPoint> points) {
+PointCompliance surface_compliance(const WorldState& world, const Body& body, std::span<const TouchedPoint> points) {
+  const bool of_nodes = world.integrates_explicitly();
   std::vector<WeightedRows> rows(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     for (int k = 0; k < 3; ++k) {
       const NodeId node = points[i].surface.nodes[k];
-      rows[i].rows[k] = world.nodes.rows[node];
+      rows[i].rows[k] = of_nodes ? static_cast<int>(node) : world.nodes.rows[node];
       rows[i].weights[k] = points[i].surface.weights[k] * world.nodes.constraints[node].allowed;
     }
-  if (!world.integrates_explicitly()) return body.compliance_factor * body.system->compliance(rows);
-  const Eigen::Index count = 3 * static_cast<Eigen::Index>(points.size());
-  Eigen::MatrixXd compliance = Eigen::MatrixXd::Zero(count, count);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (std::size_t j = 0; j < points.size(); ++j)
-      for (int k = 0; k < 9; ++k)
-        if (const NodeId node = points[i].surface.nodes[k / 3]; node == points[j].surface.nodes[k % 3])
-          compliance.block<3, 3>(3 * i, 3 * j) +=
-              rows[i].weights[k / 3] * rows[j].weights[k % 3] / world.nodes.masses[node];
-  return compliance;
+  if (!of_nodes) return body.system->compliance(rows);
+  std::vector<Mat3> nodes(world.nodes.masses.size());
+  for (NodeId node : body.nodes) nodes[node] = Mat3::Identity() / world.nodes.masses[node];
+  return node_compliance(rows, nodes);
 }
 
-/// What the offsets of the contacts from the surface add: the rigid answer at the contacts for that at the surface. It
-/// has the factor of the rest, which holds the latter: the sum then stays positive semidefinite.
+/// What the offsets of the contacts from the surface add: the rigid answer at the contacts for that at the surface. The
+/// rest holds the latter: the sum stays positive semidefinite.
 void add_offset_compliance(const WorldState& world, const TouchedBody& touched, double dt,
-                           Eigen::MatrixXd& compliance) {
+                           PointCompliance& compliance) {
   const Body& body = world.bodies[touched.body];
   if (body.supported()) return;
-  const double factor = world.integrates_explicitly() ? 1 : body.compliance_factor;
-  const Mat3 inverse_inertia = factor / (1 + dt * world.material_of(body).mass_damping) * body.motion.inertia.inverse();
+  const Mat3 inverse_inertia = body.motion.inertia.inverse() / (1 + dt * world.material_of(body).mass_damping);
   std::vector<Mat3> contact_arms, surface_arms;
   for (const TouchedPoint& point : touched.points) {
     contact_arms.push_back(cross_matrix(point.contact - body.motion.center));
     surface_arms.push_back(cross_matrix(point.position - body.motion.center));
   }
-  for (std::size_t i = 0; i < touched.points.size(); ++i)
-    for (std::size_t j = 0; j < touched.points.size(); ++j)
-      compliance.block<3, 3>(3 * i, 3 * j) +=
-          surface_arms[i] * inverse_inertia * surface_arms[j] - contact_arms[i] * inverse_inertia * contact_arms[j];
+  compliance.add_modes(inverse_inertia, contact_arms, false);
+  compliance.add_modes(inverse_inertia, surface_arms, true);
 }
 
 bool is_elastic(const WorldState& world, ProxyId object) {
@@ -169,6 +161,7 @@ void prepare_response(const WorldState& world, const TouchedBody& touched, doubl
   response.impulses = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(touched.points.size()));
   response.compliance = surface_compliance(world, world.bodies[touched.body], touched.points);
   add_offset_compliance(world, touched, dt, response.compliance);
+  if (!world.integrates_explicitly()) response.compliance.scale(world.bodies[touched.body].compliance_factor);
 }
 
 Eigen::Matrix3Xd point_velocities(const WorldState& world, const TouchedBody& touched) {
