@@ -79,16 +79,15 @@ std::vector<ContactRow> ContactWorld::Impl::rows(double dt) const {
 }
 
 /// A gap that closes in this substep is struck now, at full speed, rather than half now and half in the next one.
-bool ContactWorld::Impl::strikes(const Contact& contact, double approach, double dt) const {
-  return approach > kQuietSpeed && approach * dt > contact.distance;
+bool ContactWorld::Impl::strikes(const Contact& contact, double dt) const {
+  return contact.approach > kQuietSpeed && contact.approach * dt > contact.distance;
 }
 
-double ContactWorld::Impl::least_speed(const Contact& contact, const Vec3& velocity, double dt) const {
-  const double approach = -contact.normal.dot(velocity);
-  if (!strikes(contact, approach, dt)) return -std::max(0.0, contact.distance) / dt;
+double ContactWorld::Impl::least_speed(const Contact& contact, double dt) const {
+  if (!strikes(contact, dt)) return -std::max(0.0, contact.distance) / dt;
   const Object &a = objects[contact.a], &b = objects[contact.b];
   if (a.elastic || b.elastic || allowance(contact.a, contact.b) > 0) return 0;
-  return std::min(a.surface.restitution, b.surface.restitution) * approach;
+  return std::min(a.surface.restitution, b.surface.restitution) * contact.approach;
 }
 
 void ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elastic) {
@@ -105,11 +104,12 @@ void ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elast
       (row.a.responder == response.object.value ? row.a : row.b).point = static_cast<int>(point);
     }
   }
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    solved[i].least_speed = least_speed(contacts[i],
-                                        velocity_of(answering[solved[i].a.responder], solved[i].a) -
-                                            velocity_of(answering[solved[i].b.responder], solved[i].b),
-                                        dt);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Vec3 velocity = velocity_of(answering[solved[i].a.responder], solved[i].a) -
+                          velocity_of(answering[solved[i].b.responder], solved[i].b);
+    contacts[i].approach = -contacts[i].normal.dot(velocity);
+    solved[i].least_speed = least_speed(contacts[i], dt);
+  }
   for (const ElasticResponse& response : elastic) {
     Eigen::Matrix3Xd& velocities = answering[response.object].point_velocities;
     velocities = response.velocities;
