@@ -113,8 +113,8 @@ struct ContactWorld::Impl {
   void solve(double dt, std::span<const ElasticResponse> elastic);
   std::vector<contact::Responder> rigid_responders(double dt) const;
   std::vector<contact::ContactRow> rows(double dt) const;
-  double least_speed(const Contact& contact, const Vec3& velocity, double dt) const;
-  bool strikes(const Contact& contact, double approach, double dt) const;
+  double least_speed(const Contact& contact, double dt) const;
+  bool strikes(const Contact& contact, double dt) const;
   std::vector<double> limit_energy(double dt, std::span<const ElasticResponse> elastic);
   void advance(double dt);
   void remember_impulses(double dt);

@@ -79,16 +79,15 @@ std::vector<ContactRow> ContactWorld::Impl::rows(double dt) const {
 }
 
 /// A gap that closes in this substep is struck now, at full speed, rather than half now and half in the next one.
-bool ContactWorld::Impl::strikes(const Contact& contact, double approach, double dt) const {
-  return approach > kQuietSpeed && approach * dt > contact.distance;
+bool ContactWorld::Impl::strikes(const Contact& contact, double dt) const {
+  return contact.approach > kQuietSpeed && contact.approach * dt > contact.distance;
 }
 
-double ContactWorld::Impl::least_speed(const Contact& contact, const Vec3& velocity, double dt) const {
-  const double approach = -contact.normal.dot(velocity);
-  if (!strikes(contact, approach, dt)) return -std::max(0.0, contact.distance) / dt;
+double ContactWorld::Impl::least_speed(const Contact& contact, double dt) const {
+  if (!strikes(contact, dt)) return -std::max(0.0, contact.distance) / dt;
   const Object &a = objects[contact.a], &b = objects[contact.b];
   if (a.elastic || b.elastic || allowance(contact.a, contact.b) > 0) return 0;
-  return std::min(a.surface.restitution, b.surface.restitution) * approach;
+  return std::min(a.surface.restitution, b.surface.restitution) * contact.approach;
 }
 
 void ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elastic) {
@@ -110,8 +109,10 @@ void ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elast
       return Vec3(response->free_velocities.col(end.point));
     return rigid_velocity(answering[end.responder], end);
   };
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    solved[i].least_speed = least_speed(contacts[i], free_velocity(solved[i].a) - free_velocity(solved[i].b), dt);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    contacts[i].approach = -contacts[i].normal.dot(free_velocity(solved[i].a) - free_velocity(solved[i].b));
+    solved[i].least_speed = least_speed(contacts[i], dt);
+  }
   parallel_for(static_cast<int>(elastic.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const ElasticResponse& response = elastic[i];

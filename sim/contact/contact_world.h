@@ -47,6 +47,7 @@ struct Contact {
   Vec3 position;                ///< half-way between their surfaces, where the impulse acts on both [m]
   Vec3 normal;                  ///< unit, points from b to a
   double distance = 0;          ///< gap along the normal, negative when overlapping, allowed or not [m]
+  double approach = 0;          ///< speed at which the gap would close without impulses, from solve() [m/s]
   Vec3 impulse = Vec3::Zero();  ///< on a, in the substep just solved; b gets the opposite [N·s]
 };
 

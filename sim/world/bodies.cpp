@@ -49,6 +49,13 @@ void clear_stress(WorldState& world, const Body& body) {
   for (NodeId node : body.nodes) world.nodes.separations[node] = {};
 }
 
+/// Longest edge of the box round the body at rest [m].
+double extent_of(const WorldState& world, const Body& body) {
+  Eigen::AlignedBox3d box;
+  for (NodeId node : body.nodes) box.extend(world.mesh.rest_positions[node]);
+  return box.sizes().maxCoeff();
+}
+
 /// The component that goes on as the body itself: a supported one before a free one, then the largest.
 std::size_t heir(const WorldState& world, const std::vector<std::vector<TetId>>& components) {
   const auto rank = [&](const std::vector<TetId>& tets) {
@@ -113,6 +120,7 @@ void rebuild_body(WorldState& world, Body& body) {
   body.reference_arms = gather(world.nodes.positions, body.nodes).colwise() - body.motion.center;
   body.orientation.setIdentity();
   body.element_size = mean_element_size(world, body);
+  body.extent = extent_of(world, body);
   body.asleep = false;
   // A single tet cannot break any further: it is debris from the start.
   body.rigid = body.tets.size() == 1 && !body.supported();
@@ -134,6 +142,9 @@ void part_body(WorldState& world, BodyId id) {
     piece.id = BodyId(static_cast<std::int64_t>(world.bodies.size()));
     piece.parent = id;
     piece.scene_body = world.bodies[id].scene_body;
+    piece.last_strike = world.bodies[id].last_strike;
+    piece.softened = world.bodies[id].softened;
+    piece.softening = world.bodies[id].softening;
     piece.tets = std::move(components[i]);
     world.bodies.push_back(std::move(piece));
     rebuild_body(world, world.bodies.back());

@@ -21,6 +21,13 @@ bool could_hurt(const WorldState& world, const Body& body, double force) {
   return load > kWakingShare * limit;
 }
 
+/// Of a contact on a body in a substep of `dt` [N].
+double peak_force(const WorldState& world, const Body& body, const Contact& contact, double dt) {
+  const double mean = contact.impulse.norm() / dt;
+  const bool smoothed = world.coarse_impact && strikes(world, contact, body);
+  return smoothed ? mean / softening_factor(world, body, dt) : mean;
+}
+
 /// Makes rigid bodies elastic where the impulses found could hurt them; whether there were any.
 bool wake_struck_bodies(WorldState& world, double dt) {
   bool any = false;
@@ -28,7 +35,7 @@ bool wake_struck_bodies(WorldState& world, double dt) {
     for (ProxyId side : {contact.a, contact.b}) {
       const BodyId id = world.body_of(side);
       if (!id.valid() || !world.bodies[id].rigid || world.bodies[id].supported()) continue;
-      if (!could_hurt(world, world.bodies[id], contact.impulse.norm() / dt)) continue;
+      if (!could_hurt(world, world.bodies[id], peak_force(world, world.bodies[id], contact, dt))) continue;
       place_rigid_nodes(world, world.bodies[id]);
       wake(world, world.bodies[id]);
       world.bodies[id].energy = mechanical_energy(world, world.bodies[id]);

@@ -23,8 +23,8 @@ DirectionalStrength strength_at(const WorldState& world, const Weakness& weaknes
   return directional_strength(weakness, axis.normalized());
 }
 
-NodeSeparation evaluate_node(const WorldState& world, const Body& body, NodeId node, bool averaged) {
-  const SeparationInput input = separation_input(world);
+NodeSeparation evaluate_node(const WorldState& world, const SeparationInput& input, const Body& body, NodeId node,
+                             bool averaged) {
   const Material& material = world.material_of(body);
   const std::optional<Weakness>& weakness = world.weaknesses[body.scene_body];
   const DirectionalStrength strength = weakness ? strength_at(world, *weakness, node) : DirectionalStrength();
@@ -35,11 +35,10 @@ NodeSeparation evaluate_node(const WorldState& world, const Body& body, NodeId n
   separation.eigenvalue = plane.eigenvalue;
   separation.direction = plane.normal;
   separation.stress = averaged ? 0.5 * (plane.stress + world.nodes.separations[node].stress) : plane.stress;
-  separation.resistance = strength.share(plane.normal) *
-                          resistance(material, world.nodes.at_crack_front[node] != 0, element_size(world, node),
-                                     world.nodes.strength_factors[node]);
-  const double load =
-      material.criterion == FractureCriterion::strength ? separation.stress : separation.eigenvalue;
+  separation.resistance =
+      strength.share(plane.normal) * resistance(material, world.nodes.at_crack_front[node] != 0,
+                                                element_size(world, node), world.nodes.strength_factors[node]);
+  const double load = material.criterion == FractureCriterion::strength ? separation.stress : separation.eigenvalue;
   separation.margin = load / separation.resistance;
   return separation;
 }
@@ -51,11 +50,16 @@ SeparationInput separation_input(const WorldState& world) {
 }
 
 void evaluate_separation(WorldState& world, bool averaged) {
+  const bool softened = std::ranges::any_of(world.bodies, [](const Body& body) { return body.softening < 1; });
+  const std::vector<ElementState> states = softened ? softened_states(world) : std::vector<ElementState>();
+  SeparationInput input = separation_input(world);
+  if (softened) input.states = states;
   for (const Body& body : world.bodies) {
     if (body.rigid) continue;
     parallel_for(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
       for (int i = begin; i < end; ++i)
-        world.nodes.separations[body.nodes[i]] = evaluate_node(world, body, body.nodes[i], averaged);
+        world.nodes.separations[body.nodes[i]] =
+            evaluate_node(world, input, body, body.nodes[i], averaged && body.softening == 1 && !body.softened_before);
     });
     for (NodeId node : body.nodes)
       world.report.peak_margin = std::max(world.report.peak_margin, world.nodes.separations[node].margin);

@@ -45,6 +45,7 @@ void substep(WorldState& world, double dt) {
   {
     PhaseTimer timer(timings.contact);
     resolve_contacts(world, dt);
+    soften_struck_bodies(world, dt);
   }
   {
     PhaseTimer timer(timings.elasticity);
@@ -115,6 +116,7 @@ void World::step() { advance(impl_->state); }
 void advance(WorldState& world) {
   world.report = {};
   world.contact_views.clear();
+  for (Body& body : world.bodies) body.softened.reset();
   {
     PhaseTimer timer(world.report.milliseconds.step);
     const double time_step = world.scene.simulation.time_step;
