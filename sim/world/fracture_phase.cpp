@@ -167,7 +167,7 @@ Opened crack_in_turn(WorldState& world, const std::vector<NodeId>& overloaded, d
 /// wave speed (Freund 1990), some quarter to third of the bar's.
 double crack_transit_time(const WorldState& world, const Body& body) {
   constexpr double kCrackSpeed = 0.3;  // of the wave speed
-  return mean_element_size(world, body) / (kCrackSpeed * bar_wave_speed(world.material_of(body)));
+  return mean_element_size(world, body.tets) / (kCrackSpeed * bar_wave_speed(world.material_of(body)));
 }
 
 /// The bodies to which the elements of a crack belong, when there is more than one.
