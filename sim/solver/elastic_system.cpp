@@ -46,6 +46,7 @@ ElasticSystem::ElasticSystem(const TetMesh& mesh, std::span<const TetId> tets,
                              std::span<const NodeConstraint> constraints, std::span<int> row_of_node) {
   const std::vector<NodeId> body_nodes = nodes_of(mesh, tets);
   for (NodeId node : number_rows(body_nodes, constraints, row_of_node)) rows_.add(mesh, node, row_of_node);
+  rows_.allocate();
   rebuild_support_rows(mesh, body_nodes, constraints, row_of_node);
   preconditioner_ = std::make_unique<RigidModePreconditioner>(rows_.matrix, aggregate_size(rows_.matrix.rows()));
 }
@@ -69,6 +70,7 @@ void ElasticSystem::rebuild_support_rows(const TetMesh& mesh, std::span<const No
     if (row_of_node[node] >= 0) sliding_.push_back({row_of_node[node], constraints[node].allowed});
     support_rows_.add(mesh, node, {});
   }
+  support_rows_.allocate();
   for (int column : support_rows_.matrix.columns) row_of_support_column_.push_back(row_of_node[column]);
   reactions_.assign(supports().size(), Vec3::Zero());
 }

@@ -35,7 +35,6 @@ void ElementRows::add(const TetMesh& mesh, NodeId node, std::span<const int> col
   std::sort(columns.begin() + first, columns.end());
   columns.erase(std::unique(columns.begin() + first, columns.end()), columns.end());
   matrix.row_starts.push_back(static_cast<int>(columns.size()));
-  matrix.blocks.resize(columns.size());
 
   const int row = static_cast<int>(nodes.size());
   nodes.push_back(node);
@@ -97,7 +96,7 @@ std::vector<int> ElementRows::patch(const TetMesh& mesh, std::span<const NodeId>
       patched.keep(*this, previous[row], column_of_node);
     }
   }
-  patched.matrix.blocks.resize(patched.matrix.columns.size());
+  patched.allocate();
   *this = std::move(patched);
   return previous;
 }

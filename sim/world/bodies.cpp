@@ -22,6 +22,16 @@ Eigen::VectorXd gather(const std::vector<double>& values, const std::vector<Node
   return gathered;
 }
 
+/// A stand-in for the body as it is.
+ContactWorld::StandIn stand_in_of(const WorldState& world, const Body& body) {
+  const Material& material = world.material_of(body);
+  return {body.collision_parts,
+          {body.motion.mass, body.motion.inertia},
+          body.supported() ? Mobility::held : Mobility::free,
+          {{body.motion.center, body.orientation}, body.motion.velocity, body.motion.angular_velocity},
+          {material.friction, material.restitution}};
+}
+
 void clear_stress(WorldState& world, const Body& body) {
   for (TetId tet : body.tets) {
     world.elements.states[tet].stress.setZero();
@@ -100,29 +110,27 @@ void rebuild_shape(WorldState& world, Body& body) {
   body.calm_steps = 0;
   body.highest_frequency = 0;
   if (body.rigid) clear_stress(world, body);
-  body.collision_parts = collision_parts(world, body);
 }
 
-void place_stand_in(WorldState& world, Body& body) {
-  const RigidMass mass{body.motion.mass, body.motion.inertia};
-  const Mobility mobility = body.supported() ? Mobility::held : Mobility::free;
-  const RigidState state{{body.motion.center, body.orientation}, body.motion.velocity, body.motion.angular_velocity};
-  if (body.stand_in.valid()) {
-    world.contact_world.reshape(body.stand_in, body.collision_parts, mass, mobility, state);
-  } else {
-    const Material& material = world.material_of(body);
-    body.stand_in = world.contact_world.add_stand_in(body.collision_parts, mass, mobility, state,
-                                                     {material.friction, material.restitution});
-    if (static_cast<std::size_t>(body.stand_in) >= world.body_of_proxy.size())
-      world.body_of_proxy.resize(body.stand_in + 1);
-    world.body_of_proxy[body.stand_in] = body.id;
+void add_stand_ins(WorldState& world, std::span<Body> bodies) {
+  std::vector<ContactWorld::StandIn> added;
+  for (const Body& body : bodies) added.push_back(stand_in_of(world, body));
+  const std::vector<ProxyId> ids = world.contact_world.add_stand_ins(added);
+  if (ids.empty()) return;
+  world.body_of_proxy.resize(ids.back() + 1);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    bodies[i].stand_in = ids[i];
+    world.body_of_proxy[ids[i]] = bodies[i].id;
+    world.contact_world.set_impact_speed(ids[i], hurting_speed(world, bodies[i]));
   }
-  world.contact_world.set_impact_speed(body.stand_in, hurting_speed(world, body));
 }
 
 void rebuild_body(WorldState& world, Body& body) {
   rebuild_shape(world, body);
-  place_stand_in(world, body);
+  body.collision_parts = collision_parts(world, body);
+  const auto [parts, mass, mobility, state, surface] = stand_in_of(world, body);
+  world.contact_world.reshape(body.stand_in, parts, mass, mobility, state);
+  world.contact_world.set_impact_speed(body.stand_in, hurting_speed(world, body));
 }
 
 void hand_out_tets(WorldState& world, BodyId id, std::vector<std::vector<TetId>> pieces) {
@@ -145,7 +153,12 @@ void part_body(WorldState& world, BodyId id) {
   const std::size_t first_new = world.bodies.size();
   hand_out_tets(world, id, connected_components(world.mesh, world.bodies[id].tets));
   rebuild_body(world, world.bodies[id]);
-  for (std::size_t i = first_new; i < world.bodies.size(); ++i) rebuild_body(world, world.bodies[i]);
+  const std::span<Body> parted = std::span(world.bodies).subspan(first_new);
+  for (Body& body : parted) {
+    rebuild_shape(world, body);
+    body.collision_parts = collision_parts(world, body);
+  }
+  add_stand_ins(world, parted);
 }
 
 }  // namespace griffith

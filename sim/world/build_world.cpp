@@ -80,26 +80,28 @@ void set_initial_motion(WorldState& world, Body& body, const BodyDescription& de
   update_motion(world, body);
 }
 
-/// Where in `world.bodies` the pieces of a scene body are.
-struct PieceRange {
+/// Where in `world.bodies` the pieces of a scene body are, and of what shape they are.
+struct Pieces {
   std::size_t first, end;
+  const ShapeMesh& shape;
 };
 
 /// A body for each piece of the shape, parted from the start or not; nothing but its tets is known yet.
-PieceRange add_bodies(WorldState& world, int scene_body, TetId first_tet, std::vector<std::vector<TetId>> pieces) {
+Pieces add_bodies(WorldState& world, int scene_body, TetId first_tet, const ShapeMesh& shape) {
   const std::size_t first = world.bodies.size();
   Body& body = world.bodies.emplace_back();
   body.id = BodyId(static_cast<std::int64_t>(first));
   body.scene_body = scene_body;
+  std::vector<std::vector<TetId>> pieces = shape.pieces;
   for (std::vector<TetId>& piece : pieces)
     for (TetId& tet : piece) tet.value += first_tet;
   hand_out_tets(world, body.id, std::move(pieces));
   for (std::size_t i = first; i < world.bodies.size(); ++i) world.bodies[i].parent = BodyId();
-  return {first, world.bodies.size()};
+  return {first, world.bodies.size(), shape};
 }
 
 /// Adds all that a scene says of a body, but for what follows from it.
-PieceRange add_scene_body(WorldState& world, int scene_body, const ShapeMesh& shape) {
+Pieces add_scene_body(WorldState& world, int scene_body, const ShapeMesh& shape) {
   const BodyDescription& description = world.scene.bodies[scene_body];
   const RestBody rest = append_mesh(world, scene_body, shape);
   const auto [first_node, first_tet] = rest.range;
@@ -115,11 +117,23 @@ PieceRange add_scene_body(WorldState& world, int scene_body, const ShapeMesh& sh
   for (TetId tet = first_tet; tet < world.mesh.tet_count(); ++tet.value) tets.push_back(tet);
   const double quarter = mean_element_size(world, tets) / 4;
   world.least_edges.push_back(description.minimum_element_size > 0 ? description.minimum_element_size : quarter);
-  return add_bodies(world, scene_body, first_tet, shape.pieces);
+  return add_bodies(world, scene_body, first_tet, shape);
+}
+
+/// As collision_parts(), but known from the shape where it can be.
+std::vector<ConvexPart> first_collision_parts(const WorldState& world, const Body& body, const ShapeMesh& shape) {
+  const BodyDescription& description = world.scene.bodies[body.scene_body];
+  if (description.collision == CollisionShape::splinters || shape.convex_parts.empty())
+    return collision_parts(world, body);
+  const Quat rotation = pose_of(description).rotation;
+  std::vector<ConvexPart> parts = shape.convex_parts;
+  for (ConvexPart& part : parts)
+    for (Vec3& corner : part) corner = rotation * corner;
+  return parts;
 }
 
 /// What follows from the tets of a scene body's pieces, but for their stand-ins; touches nothing of other scene bodies.
-void complete(WorldState& world, PieceRange pieces) {
+void complete(WorldState& world, const Pieces& pieces) {
   for (std::size_t i = pieces.first; i < pieces.end; ++i)
     for (TetId tet : world.bodies[i].tets)
       for (NodeId node : world.mesh.tets[tet])
@@ -128,12 +142,13 @@ void complete(WorldState& world, PieceRange pieces) {
     Body& body = world.bodies[i];
     rebuild_shape(world, body);
     set_initial_motion(world, body, world.scene.bodies[body.scene_body]);
+    body.collision_parts = first_collision_parts(world, body, pieces.shape);
   }
 }
 
 void add_scene_bodies(WorldState& world, const Monitor& monitor) {
   ShapeMeshes shapes;
-  std::vector<PieceRange> pieces;
+  std::vector<Pieces> pieces;
   for (int i = 0; i < static_cast<int>(world.scene.bodies.size()); ++i)
     pieces.push_back(add_scene_body(world, i, shapes.of(world.scene, i, monitor)));
   close_splinters(world);
@@ -141,7 +156,7 @@ void add_scene_bodies(WorldState& world, const Monitor& monitor) {
   parallel_for(static_cast<int>(pieces.size()), 16, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) complete(world, pieces[i]);
   });
-  for (Body& body : world.bodies) place_stand_in(world, body);
+  add_stand_ins(world, world.bodies);
 }
 
 }  // namespace

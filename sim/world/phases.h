@@ -94,12 +94,13 @@ void part_body(WorldState& world, BodyId id);
 /// The same for pieces that are known: one goes on as the body itself, each other becomes a new body, of which nothing but
 /// the tets is known yet.
 void hand_out_tets(WorldState& world, BodyId id, std::vector<std::vector<TetId>> pieces);
-/// Rebuilds what follows from a body's tets: all that rebuild_shape() does, and the stand-in.
+/// Rebuilds what follows from the tets of a body with a stand-in: all that rebuild_shape() does, collision parts and
+/// stand-in.
 void rebuild_body(WorldState& world, Body& body);
-/// Nodes, surface, system, motion and collision parts of a body. Writes to what is the body's own alone.
+/// Nodes, surface, system and motion of a body. Writes to what is the body's own alone.
 void rebuild_shape(WorldState& world, Body& body);
-/// Gives the body's collision parts to its stand-in in the contact world, which is made if there is none.
-void place_stand_in(WorldState& world, Body& body);
+/// Makes the stand-ins of bodies that have none yet out of their collision parts, in the contact world.
+void add_stand_ins(WorldState& world, std::span<Body> bodies);
 /// Convex parts of the body's present shape, relative to its centre of mass: of the splinters that it owns where the scene
 /// asks for that and they are not too many to be told from a whole, else of its tets.
 std::vector<ConvexPart> collision_parts(const WorldState& world, const Body& body);

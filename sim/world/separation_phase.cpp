@@ -35,11 +35,10 @@ NodeSeparation evaluate_node(const WorldState& world, const Body& body, NodeId n
   separation.eigenvalue = plane.eigenvalue;
   separation.direction = plane.normal;
   separation.stress = averaged ? 0.5 * (plane.stress + world.nodes.separations[node].stress) : plane.stress;
-  separation.resistance = strength.share(plane.normal) *
-                          resistance(material, world.nodes.at_crack_front[node] != 0, element_size(world, node),
-                                     world.nodes.strength_factors[node]);
-  const double load =
-      material.criterion == FractureCriterion::strength ? separation.stress : separation.eigenvalue;
+  separation.resistance =
+      strength.share(plane.normal) * resistance(material, world.nodes.at_crack_front[node] != 0,
+                                                element_size(world, node), world.nodes.strength_factors[node]);
+  const double load = material.criterion == FractureCriterion::strength ? separation.stress : separation.eigenvalue;
   separation.margin = load / separation.resistance;
   return separation;
 }
@@ -51,15 +50,19 @@ SeparationInput separation_input(const WorldState& world) {
 }
 
 void evaluate_separation(WorldState& world, bool averaged) {
-  for (const Body& body : world.bodies) {
-    if (body.rigid) continue;
-    parallel_for(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
-      for (int i = begin; i < end; ++i)
-        world.nodes.separations[body.nodes[i]] = evaluate_node(world, body, body.nodes[i], averaged);
-    });
+  parallel_for(static_cast<int>(world.bodies.size()), 16, [&](int first, int last) {
+    for (const Body& body : std::span(world.bodies).subspan(first, last - first)) {
+      if (body.rigid) continue;
+      parallel_for(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i)
+          world.nodes.separations[body.nodes[i]] = evaluate_node(world, body, body.nodes[i], averaged);
+      });
+    }
+  });
+  for (const Body& body : world.bodies)
     for (NodeId node : body.nodes)
-      world.report.peak_margin = std::max(world.report.peak_margin, world.nodes.separations[node].margin);
-  }
+      if (!body.rigid)
+        world.report.peak_margin = std::max(world.report.peak_margin, world.nodes.separations[node].margin);
 }
 
 }  // namespace griffith

@@ -4,6 +4,7 @@
 #include "sim/fracture/slit_tips.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"
+#include "sim/world/collision_shape.h"
 #include "sim/world/shapes.h"
 
 namespace griffith {
@@ -32,6 +33,12 @@ TetSoup make_body_soup(const Scene& scene, int scene_body, std::vector<std::stri
   }
 }
 
+Vec3 center_of_mass(const TetMesh& mesh, double volume) {
+  Vec3 sum = Vec3::Zero();
+  for (TetId tet(0); tet < mesh.tet_count(); ++tet.value) sum += rest_volume(mesh, tet) * rest_centroid(mesh, tet);
+  return sum / volume;
+}
+
 ShapeMesh make_mesh(const Scene& scene, int scene_body, const Monitor& monitor) {
   const BodyDescription& body = scene.bodies[scene_body];
   ShapeMesh made;
@@ -39,6 +46,9 @@ ShapeMesh make_mesh(const Scene& scene, int scene_body, const Monitor& monitor) 
   MeshReport report = prepare(made.soup, body.name, &made.mesh);
   if (std::holds_alternative<MeshFileShape>(body.shape)) made.findings = findings(report);
   made.pieces = connected_components(made.mesh);
+  if (made.pieces.size() == 1)
+    made.convex_parts =
+        tet_parts(made.mesh, made.mesh.rest_positions, made.pieces.front(), center_of_mass(made.mesh, report.volume));
   if (report.coincident_nodes > 0) made.slit_tips = slit_tips(made.mesh);
   made.node_of_point = std::move(report.node_of_point);
   return made;

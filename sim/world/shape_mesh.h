@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "sim/contact/contact_world.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/meshing/monitor.h"
 #include "sim/scene/scene.h"
@@ -17,6 +18,7 @@ struct ShapeMesh {
   TetMesh mesh;                            ///< of the soup
   std::vector<std::vector<TetId>> pieces;  ///< what holds together through faces
   std::vector<NodeId> slit_tips;           ///< crack fronts that it has from the start
+  std::vector<ConvexPart> convex_parts;    ///< of one piece, relative to its centre of mass [m]; empty if it is in several
   std::vector<std::string> findings;       ///< what the user should know of a file
 };
 
