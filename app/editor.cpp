@@ -62,6 +62,7 @@ void Editor::restart() {
   pacer_.reset();
   step_seconds_ = 0;
   ++world_count_;
+  note_start();
   picture_ = draw_scene_from_frame(world_.frame(), display_, history_.scene(), state_.view, state_.selection);
 }
 
@@ -143,16 +144,8 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
   input.reached_speed = pacer_.reached_speed();
   input.falling_behind = pacer_.falling_behind();
   for (const ui::Command& command : ui::draw_editor(input, state_, history_, tags_)) execute(command);
-  follow_materials();
+  follow_edits();
   move_camera();
-}
-
-void Editor::follow_materials() {
-  const std::vector<BodyDescription>& bodies = history_.scene().bodies;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const bool same = world_.frame().materials[i] == bodies[i].material;
-    if (!same) world_.set_material(static_cast<int>(i), bodies[i].material);
-  }
 }
 
 void Editor::move_camera() {

@@ -34,8 +34,8 @@ class Editor {
   /// Draws the panels into the current ImGui frame and carries out what the user asked for.
   void draw_panels(const ui::Fonts& fonts);
 
-  /// Opens a scene; a problem is shown and leaves everything as it was. Where its world takes longer to build, the scene
-  /// appears when that is done, and a dialog that can cancel it shows until then.
+  /// Opens a scene; a problem is shown and leaves everything as it was. Where its world takes longer to build, the
+  /// scene appears when that is done, and a dialog that can cancel it shows until then.
   void open(const std::filesystem::path& path);
   /// Looks through that camera of the scene. Throws InputError when there is none.
   void use_camera(const std::string& name);
@@ -56,12 +56,18 @@ class Editor {
  private:
   void show_scene(Scene scene, std::filesystem::path path);
   void restart();
+  enum class Work { open, add_body, follow };
+  /// Builds the world again, for a scene that was edited.
+  void follow();
+  void take_followed(WorldLoader::Loaded loaded);
+  void log_findings();
+  void note_start();
+  void follow_edits();
   void follow_materials();
   void receive_world();
   void take_world(WorldLoader::Loaded loaded);
   void add_surface();
   void report_surface();
-  void follow_bodies();
   void execute(const ui::Command& command);
   void show_error(const InputError& error);
   void fire(const Vec2& cursor);
@@ -96,8 +102,10 @@ class Editor {
   std::vector<std::filesystem::path> scene_files_;
   World world_;
   WorldLoader loader_;
-  bool adding_body_ = false;  ///< what is being built is this scene with one body more
-  std::int64_t world_count_ = 0;  ///< worlds made so far
+  Work work_ = Work::open;           ///< what the world that is being built is for
+  Scene start_;                      ///< what the world was built from, but for what it follows or does not depend on
+  std::int64_t seen_revision_ = -1;  ///< of the scene, when it was last compared with that
+  std::int64_t world_count_ = 0;     ///< worlds made so far
   EmbeddedDisplay display_;
   render::Camera camera_;
   render::Renderer renderer_;

@@ -47,11 +47,9 @@ void Editor::execute(const ui::Command& command) {
       case CommandId::save:
         return save(command.path.empty() ? path_ : command.path);
       case CommandId::undo:
-        history_.undo();
-        return follow_bodies();
+        return history_.undo();
       case CommandId::redo:
-        history_.redo();
-        return follow_bodies();
+        return history_.redo();
       case CommandId::frame_all:
         return frame_all();
       case CommandId::toggle_edges:
@@ -86,7 +84,7 @@ void Editor::show_error(const InputError& error) {
 
 void Editor::open(const std::filesystem::path& path) {
   try {
-    adding_body_ = false;
+    work_ = Work::open;
     loader_.start(read_scene(path), path);
     loader_.wait(kPatience);
     receive_world();
@@ -96,19 +94,25 @@ void Editor::open(const std::filesystem::path& path) {
 }
 
 void Editor::receive_world() {
-  if (state_.cancel_work) loader_.cancel();
+  if (state_.cancel_work) {
+    loader_.cancel();
+    if (work_ == Work::follow) history_.undo();
+  }
   state_.cancel_work = false;
   try {
     if (std::optional<WorldLoader::Loaded> loaded = loader_.take()) take_world(std::move(*loaded));
   } catch (const InputError& error) {
+    // The edit is taken back, and can be redone.
+    if (work_ == Work::follow) history_.undo();
     show_error(error);
   }
   state_.work = loader_.stage();
 }
 
 void Editor::take_world(WorldLoader::Loaded loaded) {
+  if (work_ == Work::follow) return take_followed(std::move(loaded));
   world_ = std::move(loaded.world);
-  if (!adding_body_) return show_scene(std::move(loaded.scene), std::move(loaded.path));
+  if (work_ == Work::open) return show_scene(std::move(loaded.scene), std::move(loaded.path));
   history_.change("Add body", [&](Scene& scene) { scene.bodies = loaded.scene.bodies; });
   history_.finish();
   state_.selected_body = static_cast<int>(loaded.scene.bodies.size()) - 1;

@@ -83,7 +83,7 @@ void Editor::add_surface() {
     scene.bodies.push_back(std::move(body));
     return scene;
   };
-  adding_body_ = true;
+  work_ = Work::add_body;
   loader_.start(std::move(make_scene), path_);
 }
 
@@ -100,15 +100,6 @@ void Editor::report_surface() {
   for (const std::string& warning : report.warnings) log(ui::LogLevel::warning, warning);
   state_.report = std::move(report);
   frame_all();
-}
-
-/// Undone or redone, a new body goes or comes back: nothing else that can be edited changes which there are.
-void Editor::follow_bodies() {
-  const std::size_t bodies = history_.scene().bodies.size();
-  if (world_.frame().materials.size() == bodies) return;
-  world_ = make_world(history_.scene(), path_);
-  state_.selected_body = std::clamp(state_.selected_body, 0, std::max(0, static_cast<int>(bodies) - 1));
-  restart();
 }
 
 }  // namespace griffith::app

@@ -11,6 +11,7 @@ void EditHistory::change(const std::string& label, const std::function<void(Scen
     open_ = true;
   }
   edit(scene_);
+  ++revision_;
 }
 
 void EditHistory::finish() {
@@ -28,12 +29,14 @@ void EditHistory::undo() {
   finish();
   if (applied_ == 0) return;
   scene_ = entries_[--applied_].before;
+  ++revision_;
 }
 
 void EditHistory::redo() {
   finish();
   if (applied_ == entries_.size()) return;
   scene_ = entries_[applied_++].after;
+  ++revision_;
 }
 
 }  // namespace griffith::ui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -37,6 +38,11 @@ class EditHistory {
   const std::vector<EditEntry>& entries() const { return entries_; }
   std::size_t applied() const { return applied_; }
 
+  /// Whether an entry is open: a gesture is going on.
+  bool editing() const { return open_; }
+  /// Another one after each change of the scene.
+  std::int64_t revision() const { return revision_; }
+
   bool modified() const { return !(scene_ == saved_); }
   void mark_saved() { saved_ = scene_; }
 
@@ -44,6 +50,7 @@ class EditHistory {
   Scene scene_, saved_;
   std::vector<EditEntry> entries_;
   std::size_t applied_ = 0;
+  std::int64_t revision_ = 0;
   bool open_ = false;  ///< the last applied entry still grows
 };
 

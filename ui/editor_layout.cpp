@@ -56,6 +56,8 @@ void draw_left(Panel& panel, const Layout& layout) {
   begin_side(panel, "##left", layout, true, panel.state.left_width);
   draw_bodies_panel(panel);
   draw_material_panel(panel);
+  draw_body_panel(panel);
+  draw_scene_panel(panel);
   draw_projectile_panel(panel);
   ImGui::End();
 }

@@ -23,9 +23,9 @@ namespace griffith::ui {
 
 /// What the mouse asked of the camera in one drawn frame.
 struct CameraMotion {
-  float yaw = 0, pitch = 0;         ///< turn about the target [rad]
-  float pan_right = 0, pan_up = 0;  ///< of camera and target, in heights of the picture
-  float zoom = 1;                   ///< factor on the distance to the target
+  float yaw = 0, pitch = 0;             ///< turn about the target [rad]
+  float pan_right = 0, pan_up = 0;      ///< of camera and target, in heights of the picture
+  float zoom = 1;                       ///< factor on the distance to the target
   float slice_right = 0, slice_up = 0;  ///< of the slice plane, in heights of the picture
 };
 
@@ -66,11 +66,14 @@ struct LogLine {
 /// What the editor itself remembers: nothing of it is part of the scene, nothing of it influences results of a step.
 struct EditorState {
   bool running = false;
-  double speed = 1;       ///< simulated seconds per second, 0.001..1
-  ViewSettings view;      ///< as shown now; starts with the scene's
-  ProjectileBurst shot;   ///< what the projectile tool fires; position and direction come from the cursor
-  int selected_body = 0;  ///< index into Scene::bodies
-  Selection selection;    ///< picked in the view; follows the material when a body breaks
+  double speed = 1;          ///< simulated seconds per second, 0.001..1
+  ViewSettings view;         ///< as shown now; starts with the scene's
+  ProjectileBurst shot;      ///< what the projectile tool fires; position and direction come from the cursor
+  int selected_body = 0;     ///< index into Scene::bodies
+  bool list_pieces = false;  ///< the list of bodies holds each piece by itself
+  std::array<char, 64> body_filter = {};  ///< what the listed ones have in their name or state
+  std::string field_problem;              ///< why the last edit of a field was not taken
+  Selection selection;                    ///< picked in the view; follows the material when a body breaks
   CameraMotion camera_motion;
   ImVec2 viewport_minimum = {0, 0}, viewport_size = {0, 0};  ///< of the picture, as drawn last [pixels]
   float left_width = 0, right_width = 0;                     ///< of the side panels [pixels]; 0: not laid out yet

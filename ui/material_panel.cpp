@@ -10,6 +10,7 @@ namespace griffith::ui {
 namespace {
 
 constexpr std::array<std::string_view, 2> kCriteria = {"strength", "separation force"};
+constexpr std::array<std::string_view, 2> kElementModels = {"corotational", "Green's strain"};
 
 /// Puts the edited material into the scene as a part of the edit `label`.
 void keep(Panel& panel, const Edit& edit, const std::string& label, const Material& material) {
@@ -61,6 +62,33 @@ void fracture_rows(Panel& panel, Material& material) {
              &Material::fracture_toughness);
 }
 
+void element_model_row(Panel& panel, Material& material) {
+  const std::vector<std::string> names(kElementModels.begin(), kElementModels.end());
+  const bool green = material.element_model == ElementModel::green_strain;
+  const int chosen = combo_row(panel, "material/element_model", "Strain", names, kElementModels[green]);
+  if (chosen < 0) return;
+  material.element_model = static_cast<ElementModel>(chosen);
+  keep(panel, {true, true}, "Set element model", material);
+}
+
+void yield_rows(Panel& panel, Material& material) {
+  bool yields = material.yield_strength.has_value();
+  if (checkbox(panel, "material/yields", "Yields before it breaks", yields)) {
+    material.yield_strength = yields ? std::optional(material.tensile_strength) : std::nullopt;
+    keep(panel, {true, true}, "Set yielding", material);
+  }
+  if (!material.yield_strength) return;
+  const Edit edit = number_slider(
+      panel,
+      {"material/yield_strength", "Yield strength", "Pa", 1, 1e10, true, "The von Mises stress above which it flows."},
+      *material.yield_strength);
+  keep(panel, edit, "Set Yield strength", material);
+  number_row(panel, material,
+             {"material/plastic_limit", "Plastic limit", "", 0, 1, false,
+              "The norm of the plastic strain at which flow ends."},
+             &Material::plastic_limit);
+}
+
 void damping_rows(Panel& panel, Material& material) {
   number_row(panel, material, {"material/friction", "Friction", "", 0, 2}, &Material::friction);
   number_row(panel, material, {"material/restitution", "Restitution", "", 0, 1}, &Material::restitution);
@@ -92,6 +120,8 @@ void draw_material_panel(Panel& panel) {
              &Material::poisson_ratio);
   number_row(panel, material, {"material/density", "Density", "kg/m³", 1, 25000, true, "ρ"}, &Material::density);
   fracture_rows(panel, material);
+  element_model_row(panel, material);
+  yield_rows(panel, material);
   if (ImGui::TreeNodeEx("Contact and damping", ImGuiTreeNodeFlags_SpanAvailWidth)) {
     damping_rows(panel, material);
     ImGui::TreePop();

@@ -50,6 +50,22 @@ void draw_level(const NumberField& field, double value) {
                                             ImGui::GetStyle().FrameRounding, ImDrawFlags_RoundCornersBottom);
 }
 
+/// What follows from a drag that leads to `wanted`; typing begins where that is asked for.
+Edit take_dragged(Panel& panel, const NumberField& field, double wanted, double& value) {
+  Edit edit;
+  edit.finished = ImGui::IsItemDeactivatedAfterEdit();
+  const bool wants_typing =
+      ImGui::IsItemHovered() && (ImGui::IsMouseClicked(1) || (ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(0)));
+  if (wants_typing) {
+    begin_typing(panel.state, field, value);
+    return edit;
+  }
+  wanted = std::clamp(wanted, field.minimum, field.maximum);
+  edit.changed = wanted != value;
+  if (edit.changed) value = wanted;
+  return edit;
+}
+
 Edit dragged_slider(Panel& panel, const NumberField& field, const std::string& item, double& value) {
   const std::string text = format_quantity(value, field.unit);
   const ImGuiSliderFlags flags =
@@ -60,20 +76,21 @@ Edit dragged_slider(Panel& panel, const NumberField& field, const std::string& i
   ImGui::PushStyleColor(ImGuiCol_SliderGrabActive, IM_COL32_BLACK_TRANS);
   ImGui::SliderScalar(item.c_str(), ImGuiDataType_Double, &wanted, &field.minimum, &field.maximum, text.c_str(), flags);
   ImGui::PopStyleColor(2);
-  Edit edit;
-  edit.finished = ImGui::IsItemDeactivatedAfterEdit();
   tag_last_item(panel.tags, field.tag, text);
   draw_level(field, value);
-  const bool wants_typing =
-      ImGui::IsItemHovered() && (ImGui::IsMouseClicked(1) || (ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(0)));
-  if (wants_typing) {
-    begin_typing(panel.state, field, value);
-    return edit;
-  }
-  wanted = std::clamp(wanted, field.minimum, field.maximum);
-  edit.changed = wanted != value;
-  value = wanted;
-  return edit;
+  return take_dragged(panel, field, wanted, value);
+}
+
+Edit free_drag(Panel& panel, const NumberField& field, const std::string& item, double& value) {
+  constexpr double kSharePerPixel = 0.005, kLeast = 0.1;
+  const std::string text = format_quantity(value, field.hide_unit ? "" : field.unit, 4);
+  const double least = field.minimum > 0 ? field.minimum : std::min(kLeast, field.maximum);
+  const float speed = static_cast<float>(kSharePerPixel * std::max(std::abs(value), least));
+  double wanted = value;
+  ImGui::DragScalar(item.c_str(), ImGuiDataType_Double, &wanted, speed, nullptr, nullptr, text.c_str(),
+                    ImGuiSliderFlags_NoInput | ImGuiSliderFlags_NoRoundToFormat);
+  tag_last_item(panel.tags, field.tag, text);
+  return take_dragged(panel, field, wanted, value);
 }
 
 }  // namespace
@@ -84,6 +101,14 @@ Edit number_slider(Panel& panel, const NumberField& field, double& value) {
   const bool typing = panel.state.typed_tag == field.tag;
   const Edit edit =
       typing ? typed_entry(panel, field, item + "_text", value) : dragged_slider(panel, field, item, value);
+  if (!typing) tooltip(field.tooltip);
+  return edit;
+}
+
+Edit number_drag(Panel& panel, const NumberField& field, double& value) {
+  const std::string item = "##" + std::string(field.tag);
+  const bool typing = panel.state.typed_tag == field.tag;
+  const Edit edit = typing ? typed_entry(panel, field, item + "_text", value) : free_drag(panel, field, item, value);
   if (!typing) tooltip(field.tooltip);
   return edit;
 }

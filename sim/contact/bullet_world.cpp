@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <cassert>
 
+#include "sim/parallel.h"
+
 namespace griffith {
 
 using namespace contact;
@@ -153,9 +155,25 @@ ProxyId ContactWorld::add_sphere(double radius, double mass, const RigidState& s
 
 ProxyId ContactWorld::add_stand_in(std::span<const ConvexPart> parts, const RigidMass& mass, Mobility mobility,
                                    const RigidState& state, const SurfaceProperties& surface) {
-  return impl_->add(
-      {.kind = Kind::stand_in, .mobility = mobility, .shape = hull_shape(parts), .state = state, .surface = surface},
-      mass);
+  return add_stand_ins({{{parts, mass, mobility, state, surface}}}).front();
+}
+
+std::vector<ProxyId> ContactWorld::add_stand_ins(std::span<const StandIn> stand_ins) {
+  std::vector<Shape> shapes(stand_ins.size());
+  parallel_for(static_cast<int>(stand_ins.size()), 16, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) shapes[i] = hull_shape(stand_ins[i].parts);
+  });
+  std::vector<ProxyId> ids;
+  for (std::size_t i = 0; i < stand_ins.size(); ++i) {
+    const StandIn& added = stand_ins[i];
+    ids.push_back(impl_->add({.kind = Kind::stand_in,
+                              .mobility = added.mobility,
+                              .shape = std::move(shapes[i]),
+                              .state = added.state,
+                              .surface = added.surface},
+                             added.mass));
+  }
+  return ids;
 }
 
 void ContactWorld::reshape(ProxyId stand_in, std::span<const ConvexPart> parts, const RigidMass& mass,

@@ -91,6 +91,16 @@ class ContactWorld {
   /// The stand-in of an elastic body: at least one part. When held, its mass is not used.
   ProxyId add_stand_in(std::span<const ConvexPart> parts, const RigidMass& mass, Mobility mobility,
                        const RigidState& state, const SurfaceProperties& surface);
+  /// What add_stand_in() takes.
+  struct StandIn {
+    std::span<const ConvexPart> parts;
+    RigidMass mass;
+    Mobility mobility;
+    RigidState state;
+    SurfaceProperties surface;
+  };
+  /// Adds many in their order: as one by one, but their shapes are made in parallel.
+  std::vector<ProxyId> add_stand_ins(std::span<const StandIn> stand_ins);
   /// A new shape and mass for a stand-in whose body lost a piece. Pairs that overlap when first seen after
   /// add_stand_in() or reshape() are fresh cracks: they are neither pushed apart nor do they bounce. That much overlap
   /// stays allowed until it has shrunk, save with the ground.

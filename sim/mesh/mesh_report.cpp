@@ -203,7 +203,7 @@ double tet_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   return 6 * std::sqrt(2.0) * signed_volume(a, b, c, d) / (rms_edge * rms_edge * rms_edge);
 }
 
-MeshReport prepare(TetSoup& soup, const std::string& name) {
+MeshReport prepare(TetSoup& soup, const std::string& name, TetMesh* mesh) {
   MeshReport report;
   // Checks come before points are removed: messages number nodes as the file does.
   check_corners(soup, name);
@@ -212,10 +212,11 @@ MeshReport prepare(TetSoup& soup, const std::string& name) {
   check_faces(soup, name, report);
   remove_unused_points(soup, report);
   measure(soup, report);
-  const TetMesh mesh = build_mesh(soup);
-  report.pinched_nodes = count_pinched_nodes(mesh);
-  report.pinched_edges = count_pinched_edges(mesh);
-  report.pieces = static_cast<int>(connected_components(mesh).size());
+  TetMesh built = build_mesh(soup);
+  report.pinched_nodes = count_pinched_nodes(built);
+  report.pinched_edges = count_pinched_edges(built);
+  report.pieces = static_cast<int>(connected_components(built).size());
+  if (mesh != nullptr) *mesh = std::move(built);
   return report;
 }
 

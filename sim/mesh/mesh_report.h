@@ -36,8 +36,8 @@ double tet_quality(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 /// Makes a soup fit for build_mesh(): repairs what has one safe repair, and counts what the user should know. `name` (a
 /// file) begins the messages. Throws InputError, naming the tet, node or face (numbered from 0), when there are no
 /// tets, a corner index is out of range or repeated, a used coordinate is not finite, a tet is flat (volume below 1e-12
-/// of its longest edge cubed), or more than two tets share a face.
-MeshReport prepare(TetSoup& soup, const std::string& name = "mesh");
+/// of its longest edge cubed), or more than two tets share a face. `mesh`, if given, receives build_mesh() of the soup.
+MeshReport prepare(TetSoup& soup, const std::string& name = "mesh", TetMesh* mesh = nullptr);
 
 /// One sentence a finding, for people; empty when there is nothing to tell.
 std::vector<std::string> findings(const MeshReport& report);

@@ -17,10 +17,10 @@ struct FaceSide {
   }
 };
 
-std::vector<FaceSide> sorted_face_sides(const TetMesh& mesh, int first_tet) {
+std::vector<FaceSide> sorted_face_sides(const TetMesh& mesh) {
   std::vector<FaceSide> sides;
-  sides.reserve(4 * (mesh.tets.size() - first_tet));
-  for (int tet = first_tet; tet < mesh.tet_count(); ++tet)
+  sides.reserve(4 * mesh.tets.size());
+  for (int tet = 0; tet < mesh.tet_count(); ++tet)
     for (int face = 0; face < 4; ++face) {
       std::array<int, 3> key;
       for (int i = 0; i < 3; ++i) key[i] = mesh.tets[tet][kTetFaces[face][i]];
@@ -31,9 +31,9 @@ std::vector<FaceSide> sorted_face_sides(const TetMesh& mesh, int first_tet) {
   return sides;
 }
 
-void link_faces(TetMesh& mesh, int first_tet) {
+void link_faces(TetMesh& mesh) {
   mesh.neighbours.resize(mesh.tets.size());
-  const auto sides = sorted_face_sides(mesh, first_tet);
+  const auto sides = sorted_face_sides(mesh);
   for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
     const FaceSide &a = sides[i], &b = sides[i + 1];
     if (a.key != b.key) continue;
@@ -43,9 +43,9 @@ void link_faces(TetMesh& mesh, int first_tet) {
   }
 }
 
-void add_stars(TetMesh& mesh, int first_tet) {
+void add_stars(TetMesh& mesh) {
   mesh.stars.resize(mesh.rest_positions.size());
-  for (int tet = first_tet; tet < mesh.tet_count(); ++tet)
+  for (int tet = 0; tet < mesh.tet_count(); ++tet)
     for (NodeId node : mesh.tets[tet]) mesh.stars[node].push_back(TetId(tet));
 }
 
@@ -82,21 +82,30 @@ std::vector<std::vector<TetId>> components(const TetMesh& mesh, std::span<const 
 
 TetMesh build_mesh(const TetSoup& soup) {
   TetMesh mesh;
-  append(mesh, soup);
+  mesh.rest_positions = soup.points;
+  mesh.tets.reserve(soup.tets.size());
+  for (const auto& [a, b, c, d] : soup.tets) mesh.tets.push_back({NodeId(a), NodeId(b), NodeId(c), NodeId(d)});
+  link_faces(mesh);
+  add_stars(mesh);
   return mesh;
 }
 
-AppendedRange append(TetMesh& mesh, const TetSoup& soup) {
+AppendedRange append(TetMesh& mesh, const TetMesh& other) {
   const AppendedRange range = {NodeId(mesh.node_count()), TetId(mesh.tet_count())};
-  mesh.rest_positions.insert(mesh.rest_positions.end(), soup.points.begin(), soup.points.end());
-  mesh.tets.reserve(mesh.tets.size() + soup.tets.size());
-  for (const auto& corners : soup.tets) {
-    std::array<NodeId, 4> tet;
-    for (int i = 0; i < 4; ++i) tet[i] = NodeId(range.first_node + corners[i]);
+  mesh.rest_positions.insert(mesh.rest_positions.end(), other.rest_positions.begin(), other.rest_positions.end());
+  for (std::array<NodeId, 4> tet : other.tets) {
+    for (NodeId& node : tet) node.value += range.first_node;
     mesh.tets.push_back(tet);
   }
-  link_faces(mesh, range.first_tet);
-  add_stars(mesh, range.first_tet);
+  for (std::array<TetId, 4> links : other.neighbours) {
+    for (TetId& tet : links)
+      if (tet.valid()) tet.value += range.first_tet;
+    mesh.neighbours.push_back(links);
+  }
+  for (std::vector<TetId> star : other.stars) {
+    for (TetId& tet : star) tet.value += range.first_tet;
+    mesh.stars.push_back(std::move(star));
+  }
   return range;
 }
 

@@ -19,8 +19,8 @@ struct AppendedRange {
   TetId first_tet;
 };
 
-/// Adds a soup, prepared as for build_mesh(), to a mesh; nothing links the two.
-AppendedRange append(TetMesh& mesh, const TetSoup& soup);
+/// Adds a mesh to another; nothing links the two.
+AppendedRange append(TetMesh& mesh, const TetMesh& other);
 
 /// The signed volume of a tet [m³], det(b−a, c−a, d−a) / 6.
 double signed_volume(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);

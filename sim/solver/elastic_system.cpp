@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "sim/solver/direct_solve.h"
 #include "sim/mesh/topology.h"
@@ -47,6 +46,7 @@ ElasticSystem::ElasticSystem(const TetMesh& mesh, std::span<const TetId> tets,
                              std::span<const NodeConstraint> constraints, std::span<int> row_of_node) {
   const std::vector<NodeId> body_nodes = nodes_of(mesh, tets);
   for (NodeId node : number_rows(body_nodes, constraints, row_of_node)) rows_.add(mesh, node, row_of_node);
+  rows_.allocate();
   rebuild_support_rows(mesh, body_nodes, constraints, row_of_node);
   preconditioner_ = std::make_unique<RigidModePreconditioner>(rows_.matrix, aggregate_size(rows_.matrix.rows()));
 }
@@ -65,16 +65,12 @@ void ElasticSystem::rebuild_support_rows(const TetMesh& mesh, std::span<const No
   sliding_.clear();
   support_rows_ = {};
   row_of_support_column_.clear();
-  std::vector<int> column_of_node;
   for (NodeId node : body_nodes) {
     if (constraints[node].is_free()) continue;
     if (row_of_node[node] >= 0) sliding_.push_back({row_of_node[node], constraints[node].allowed});
-    if (column_of_node.empty()) {
-      column_of_node.resize(mesh.node_count());
-      std::iota(column_of_node.begin(), column_of_node.end(), 0);
-    }
-    support_rows_.add(mesh, node, column_of_node);
+    support_rows_.add(mesh, node, {});
   }
+  support_rows_.allocate();
   for (int column : support_rows_.matrix.columns) row_of_support_column_.push_back(row_of_node[column]);
   reactions_.assign(supports().size(), Vec3::Zero());
 }

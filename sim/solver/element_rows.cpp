@@ -25,16 +25,16 @@ std::vector<int> find_rows(const std::vector<NodeId>& rows, std::span<const Node
 }  // namespace
 
 void ElementRows::add(const TetMesh& mesh, NodeId node, std::span<const int> column_of_node) {
+  const auto column_of = [&](NodeId corner) { return column_of_node.empty() ? corner.value : column_of_node[corner]; };
   const std::vector<TetId>& star = mesh.stars[node];
   std::vector<int>& columns = matrix.columns;
   const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(columns.size());
   for (TetId tet : star)
     for (NodeId corner : mesh.tets[tet])
-      if (column_of_node[corner] >= 0) columns.push_back(column_of_node[corner]);
+      if (column_of(corner) >= 0) columns.push_back(column_of(corner));
   std::sort(columns.begin() + first, columns.end());
   columns.erase(std::unique(columns.begin() + first, columns.end()), columns.end());
   matrix.row_starts.push_back(static_cast<int>(columns.size()));
-  matrix.blocks.resize(columns.size());
 
   const int row = static_cast<int>(nodes.size());
   nodes.push_back(node);
@@ -43,7 +43,7 @@ void ElementRows::add(const TetMesh& mesh, NodeId node, std::span<const int> col
     for (int i = 0; i < 4; ++i) {
       const NodeId corner = mesh.tets[tet][i];
       if (corner == node) entry.corner = i;
-      entry.slots[i] = column_of_node[corner] < 0 ? -1 : matrix.slot(row, column_of_node[corner]);
+      entry.slots[i] = column_of(corner) < 0 ? -1 : matrix.slot(row, column_of(corner));
     }
     tets.push_back(entry);
   }
@@ -96,7 +96,7 @@ std::vector<int> ElementRows::patch(const TetMesh& mesh, std::span<const NodeId>
       patched.keep(*this, previous[row], column_of_node);
     }
   }
-  patched.matrix.blocks.resize(patched.matrix.columns.size());
+  patched.allocate();
   *this = std::move(patched);
   return previous;
 }

@@ -28,8 +28,11 @@ struct ElementRows {
   std::vector<int> tet_starts = {0};  ///< rows + 1, into `tets`
   std::vector<TetAtNode> tets;
 
-  /// Appends the row of a node. `column_of_node`: per node of the mesh, -1 for none.
+  /// Appends the row of a node. `column_of_node`: per node of the mesh, -1 for none; empty: each node is a column. The
+  /// blocks are left for allocate().
   void add(const TetMesh& mesh, NodeId node, std::span<const int> column_of_node);
+  /// Makes room for the blocks of all rows.
+  void allocate() { matrix.blocks.resize(matrix.columns.size()); }
   /// Fits the rows to a topology in which stars have only lost tets, or got them from one that did: `node_list` are the
   /// nodes now, `column_of_node` their rows. Rows whose star and neighbours stand are moved, all others made anew; the
   /// blocks are left for assemble(). The columns must be the rows' own nodes. Returns the row that each node had, -1

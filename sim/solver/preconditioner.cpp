@@ -67,6 +67,7 @@ void RigidModePreconditioner::update(const BlockSparseMatrix& matrix, const Node
     center /= static_cast<double>(nodes.size());
     for (int node : nodes) arms_.col(node) = positions.col(node) - center;
   }
+  if (coarse_.cols() != 6 * aggregate_count()) allocate_coarse_matrix();
   assemble_coarse_matrix(matrix);
   factor_coarse_matrix();
 }
@@ -92,7 +93,7 @@ void RigidModePreconditioner::build_coarse_pattern(const BlockSparseMatrix& matr
   }
   if (coarse_rows == coarse_rows_) return;
   coarse_rows_ = std::move(coarse_rows);
-  allocate_coarse_matrix();
+  coarse_.resize(0, 0);  // made by the next update: debris never needs one
 }
 
 void RigidModePreconditioner::allocate_coarse_matrix() {

@@ -4,6 +4,7 @@
 
 #include "sim/elasticity/polar_decomposition.h"
 #include "sim/mesh/topology.h"
+#include "sim/parallel.h"
 #include "sim/world/phases.h"
 
 namespace griffith {
@@ -22,21 +23,20 @@ Eigen::VectorXd gather(const std::vector<double>& values, const std::vector<Node
   return gathered;
 }
 
-void place_stand_in(WorldState& world, Body& body) {
-  body.collision_parts = collision_parts(world, body);
-  const RigidMass mass{body.motion.mass, body.motion.inertia};
-  const Mobility mobility = body.supported() ? Mobility::held : Mobility::free;
-  const RigidState state{{body.motion.center, body.orientation}, body.motion.velocity, body.motion.angular_velocity};
-  if (body.stand_in.valid()) {
-    world.contact_world.reshape(body.stand_in, body.collision_parts, mass, mobility, state);
-    return;
-  }
+/// A stand-in for the body as it is.
+ContactWorld::StandIn stand_in_of(const WorldState& world, const Body& body) {
   const Material& material = world.material_of(body);
-  body.stand_in = world.contact_world.add_stand_in(body.collision_parts, mass, mobility, state,
-                                                   {material.friction, material.restitution});
-  if (static_cast<std::size_t>(body.stand_in) >= world.body_of_proxy.size())
-    world.body_of_proxy.resize(body.stand_in + 1);
-  world.body_of_proxy[body.stand_in] = body.id;
+  return {body.collision_parts,
+          {body.motion.mass, body.motion.inertia},
+          body.supported() ? Mobility::held : Mobility::free,
+          {{body.motion.center, body.orientation}, body.motion.velocity, body.motion.angular_velocity},
+          {material.friction, material.restitution}};
+}
+
+void reshape_stand_in(WorldState& world, const Body& body) {
+  const auto [parts, mass, mobility, state, surface] = stand_in_of(world, body);
+  world.contact_world.reshape(body.stand_in, parts, mass, mobility, state);
+  world.contact_world.set_impact_speed(body.stand_in, hurting_speed(world, body));
 }
 
 void clear_stress(WorldState& world, const Body& body) {
@@ -86,10 +86,10 @@ RigidMotion motion_of(const WorldState& world, const Body& body) {
                       gather(world.nodes.masses, body.nodes));
 }
 
-double mean_element_size(const WorldState& world, const Body& body) {
+double mean_element_size(const WorldState& world, std::span<const TetId> tets) {
   double volume = 0;
-  for (TetId tet : body.tets) volume += world.elements.rests[tet].volume;
-  return std::cbrt(6 * volume / static_cast<double>(body.tets.size()));
+  for (TetId tet : tets) volume += world.elements.rests[tet].volume;
+  return std::cbrt(6 * volume / static_cast<double>(tets.size()));
 }
 
 void update_motion(WorldState& world, Body& body) {
@@ -103,14 +103,12 @@ void update_motion(WorldState& world, Body& body) {
   body.orientation = Quat(polar_rotation(correlation / correlation.norm())).normalized();
 }
 
-void rebuild_body(WorldState& world, Body& body) {
+void rebuild_shape(WorldState& world, Body& body) {
   body.nodes = nodes_of(world.mesh, body.tets);
   body.surface.clear();
-  for (TetId tet : body.tets) {
-    world.elements.bodies[tet] = body.id;
+  for (TetId tet : body.tets)
     for (int face = 0; face < 4; ++face)
       if (!world.mesh.neighbours[tet][face].valid()) body.surface.push_back({tet, face});
-  }
   if (body.system) {
     body.system->patch(world.mesh, body.nodes, world.nodes.constraints, world.nodes.rows);
   } else {
@@ -119,7 +117,7 @@ void rebuild_body(WorldState& world, Body& body) {
   body.motion = motion_of(world, body);
   body.reference_arms = gather(world.nodes.positions, body.nodes).colwise() - body.motion.center;
   body.orientation.setIdentity();
-  body.element_size = mean_element_size(world, body);
+  body.element_size = mean_element_size(world, body.tets);
   body.extent = extent_of(world, body);
   body.asleep = false;
   // A single tet cannot break any further: it is debris from the start.
@@ -127,16 +125,32 @@ void rebuild_body(WorldState& world, Body& body) {
   body.calm_steps = 0;
   body.highest_frequency = 0;
   if (body.rigid) clear_stress(world, body);
-  place_stand_in(world, body);
-  world.contact_world.set_impact_speed(body.stand_in, hurting_speed(world, body));
 }
 
-void part_body(WorldState& world, BodyId id) {
-  std::vector<std::vector<TetId>> components = connected_components(world.mesh, world.bodies[id].tets);
-  const std::size_t kept = heir(world, components);
-  world.bodies[id].tets = std::move(components[kept]);
-  rebuild_body(world, world.bodies[id]);
-  for (std::size_t i = 0; i < components.size(); ++i) {
+void add_stand_ins(WorldState& world, std::span<Body> bodies) {
+  std::vector<ContactWorld::StandIn> added;
+  for (const Body& body : bodies) added.push_back(stand_in_of(world, body));
+  const std::vector<ProxyId> ids = world.contact_world.add_stand_ins(added);
+  if (ids.empty()) return;
+  world.body_of_proxy.resize(ids.back() + 1);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    bodies[i].stand_in = ids[i];
+    world.body_of_proxy[ids[i]] = bodies[i].id;
+    world.contact_world.set_impact_speed(ids[i], hurting_speed(world, bodies[i]));
+  }
+}
+
+void rebuild_body(WorldState& world, Body& body) {
+  rebuild_shape(world, body);
+  body.collision_parts = collision_parts(world, body);
+  reshape_stand_in(world, body);
+}
+
+void hand_out_tets(WorldState& world, BodyId id, std::vector<std::vector<TetId>> pieces) {
+  const std::size_t kept = heir(world, pieces);
+  world.bodies[id].tets = std::move(pieces[kept]);
+  for (TetId tet : world.bodies[id].tets) world.elements.bodies[tet] = id;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (i == kept) continue;
     Body piece;
     piece.id = BodyId(static_cast<std::int64_t>(world.bodies.size()));
@@ -145,10 +159,27 @@ void part_body(WorldState& world, BodyId id) {
     piece.last_strike = world.bodies[id].last_strike;
     piece.softened = world.bodies[id].softened;
     piece.softening = world.bodies[id].softening;
-    piece.tets = std::move(components[i]);
+    piece.tets = std::move(pieces[i]);
+    for (TetId tet : piece.tets) world.elements.bodies[tet] = piece.id;
     world.bodies.push_back(std::move(piece));
-    rebuild_body(world, world.bodies.back());
   }
+}
+
+void part_bodies(WorldState& world, std::span<const BodyId> opened) {
+  const std::size_t first_new = world.bodies.size();
+  for (BodyId id : opened) hand_out_tets(world, id, connected_components(world.mesh, world.bodies[id].tets));
+  std::vector<BodyId> changed(opened.begin(), opened.end());
+  const std::span<Body> parted = std::span(world.bodies).subspan(first_new);
+  for (const Body& body : parted) changed.push_back(body.id);
+  parallel_for(static_cast<int>(changed.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      Body& body = world.bodies[changed[i]];
+      rebuild_shape(world, body);
+      body.collision_parts = collision_parts(world, body);
+    }
+  });
+  for (BodyId id : opened) reshape_stand_in(world, world.bodies[id]);
+  add_stand_ins(world, parted);
 }
 
 }  // namespace griffith

@@ -1,13 +1,11 @@
-#include <Eigen/LU>
 #include <algorithm>
 #include <limits>
 
-#include "sim/fracture/slit_tips.h"
-#include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"
+#include "sim/parallel.h"
 #include "sim/scene/body_pose.h"
 #include "sim/world/phases.h"
-#include "sim/world/shapes.h"
+#include "sim/world/shape_mesh.h"
 
 namespace griffith {
 namespace {
@@ -26,39 +24,14 @@ void append_nodes(WorldState& world, const BodyDescription& body) {
   nodes.reactions.resize(placed.size(), Vec3::Zero());
 }
 
-std::string shape_pointer(int scene_body, const char* shape) {
-  return "#/bodies/" + std::to_string(scene_body) + "/shape/" + shape;
-}
-
-/// Makes or reads the body's mesh, telling findings and errors by their place in the scene.
-TetSoup make_body_soup(WorldState& world, int scene_body, const Monitor& monitor) {
-  const Shape& shape = world.scene.bodies[scene_body].shape;
-  std::vector<std::string> list;
-  try {
-    TetSoup soup = make_soup(shape, world.scene.folder, &list, monitor);
-    for (const std::string& finding : list)
-      world.findings.emplace_back(shape_pointer(scene_body, "surface"), finding, "");
-    return soup;
-  } catch (const InputError& error) {
-    if (!std::holds_alternative<SurfaceShape>(shape)) throw;
-    throw InputError(shape_pointer(scene_body, "surface"), error.where() + ": " + error.problem(), error.remedy());
-  }
-}
-
-/// Places the body's mesh in the world's.
-RestBody append_mesh(WorldState& world, int scene_body, const Monitor& monitor) {
-  const BodyDescription& description = world.scene.bodies[scene_body];
-  RestBody body;
-  body.soup = make_body_soup(world, scene_body, monitor);
-  MeshReport report = prepare(body.soup, description.name);
-  body.node_of_point = std::move(report.node_of_point);
-  if (std::holds_alternative<MeshFileShape>(description.shape))
-    for (const std::string& finding : findings(report))
-      world.findings.emplace_back(shape_pointer(scene_body, "mesh"), finding, "");
-  TetSoup placed = body.soup;
-  const Pose pose = pose_of(description);
-  for (Vec3& point : placed.points) point = pose.to_world(point);
-  body.range = append(world.mesh, placed);
+/// Places a copy of the shape's mesh in the world's.
+RestBody append_mesh(WorldState& world, int scene_body, const ShapeMesh& shape) {
+  const RestBody body{shape.soup, shape.node_of_point, shape.mesh, append(world.mesh, shape.mesh)};
+  const Pose pose = pose_of(world.scene.bodies[scene_body]);
+  std::vector<Vec3>& points = world.mesh.rest_positions;
+  for (std::size_t i = body.range.first_node; i < points.size(); ++i) points[i] = pose.to_world(points[i]);
+  for (const std::string& finding : shape.findings)
+    world.findings.emplace_back(shape_pointer(world.scene, scene_body), finding, "");
   return body;
 }
 
@@ -81,7 +54,7 @@ void draw_strengths(WorldState& world, const std::optional<StrengthScatter>& sca
   std::copy(factors.begin(), factors.end(), world.nodes.strength_factors.begin() + first);
 }
 
-void append_elements(WorldState& world, TetId first, BodyId body) {
+void append_elements(WorldState& world, TetId first) {
   ElementArrays& elements = world.elements;
   for (TetId tet = first; tet < world.mesh.tet_count(); ++tet.value) {
     elements.rests.push_back(element_rest(corners_of(world.mesh, tet, world.mesh.rest_positions)));
@@ -92,7 +65,7 @@ void append_elements(WorldState& world, TetId first, BodyId body) {
   elements.states.resize(world.mesh.tets.size());
   elements.plastic_strains.resize(world.mesh.tets.size(), Mat3::Zero());
   elements.stresses.resize(world.mesh.tets.size(), Mat3::Zero());
-  elements.bodies.resize(world.mesh.tets.size(), body);
+  elements.bodies.resize(world.mesh.tets.size());
   constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
   elements.opened.resize(world.mesh.tets.size(), {kNever, kNever, kNever, kNever});
 }
@@ -107,35 +80,83 @@ void set_initial_motion(WorldState& world, Body& body, const BodyDescription& de
   update_motion(world, body);
 }
 
-void add_scene_body(WorldState& world, int scene_body, const Monitor& monitor) {
+/// Where in `world.bodies` the pieces of a scene body are, and of what shape they are.
+struct Pieces {
+  std::size_t first, end;
+  const ShapeMesh& shape;
+};
+
+/// A body for each piece of the shape, parted from the start or not; nothing but its tets is known yet.
+Pieces add_bodies(WorldState& world, int scene_body, TetId first_tet, const ShapeMesh& shape) {
+  const std::size_t first = world.bodies.size();
+  Body& body = world.bodies.emplace_back();
+  body.id = BodyId(static_cast<std::int64_t>(first));
+  body.scene_body = scene_body;
+  std::vector<std::vector<TetId>> pieces = shape.pieces;
+  for (std::vector<TetId>& piece : pieces)
+    for (TetId& tet : piece) tet.value += first_tet;
+  hand_out_tets(world, body.id, std::move(pieces));
+  for (std::size_t i = first; i < world.bodies.size(); ++i) world.bodies[i].parent = BodyId();
+  return {first, world.bodies.size(), shape};
+}
+
+/// Adds all that a scene says of a body, but for what follows from it.
+Pieces add_scene_body(WorldState& world, int scene_body, const ShapeMesh& shape) {
   const BodyDescription& description = world.scene.bodies[scene_body];
-  const RestBody rest = append_mesh(world, scene_body, monitor);
+  const RestBody rest = append_mesh(world, scene_body, shape);
   const auto [first_node, first_tet] = rest.range;
   append_nodes(world, description);
+  append_elements(world, first_tet);
   place_supports(world, scene_body, rest);
   place_loads(world, scene_body, rest);
   place_probes(world, scene_body, rest);
   place_splinters(world, scene_body, rest);
-  update_supports(world, world.time, world.scene.simulation.time_step);
-
-  Body body;
-  body.id = BodyId(static_cast<std::int64_t>(world.bodies.size()));
-  append_elements(world, first_tet, body.id);
-  for (NodeId node : slit_tips(world.mesh, first_tet)) world.nodes.at_crack_front[node] = 1;
+  for (NodeId tip : shape.slit_tips) world.nodes.at_crack_front[first_node + tip] = 1;
   draw_strengths(world, description.strength_scatter, first_node);
-  body.scene_body = scene_body;
-  for (TetId tet = first_tet; tet < world.mesh.tet_count(); ++tet.value) body.tets.push_back(tet);
-  world.bodies.push_back(std::move(body));
-  for (NodeId node = first_node; node < world.mesh.node_count(); ++node.value)
-    world.nodes.masses[node] = node_mass(world, node);
-  const double quarter = mean_element_size(world, world.bodies.back()) / 4;
+  std::vector<TetId> tets;
+  for (TetId tet = first_tet; tet < world.mesh.tet_count(); ++tet.value) tets.push_back(tet);
+  const double quarter = mean_element_size(world, tets) / 4;
   world.least_edges.push_back(description.minimum_element_size > 0 ? description.minimum_element_size : quarter);
-  const std::size_t first_piece = world.bodies.size() - 1;
-  part_body(world, world.bodies.back().id);
-  for (std::size_t i = first_piece; i < world.bodies.size(); ++i) {
-    world.bodies[i].parent = BodyId();
-    set_initial_motion(world, world.bodies[i], description);
+  return add_bodies(world, scene_body, first_tet, shape);
+}
+
+/// As collision_parts(), but known from the shape where it can be.
+std::vector<ConvexPart> first_collision_parts(const WorldState& world, const Body& body, const ShapeMesh& shape) {
+  const BodyDescription& description = world.scene.bodies[body.scene_body];
+  if (description.collision == CollisionShape::splinters || shape.convex_parts.empty())
+    return collision_parts(world, body);
+  const Quat rotation = pose_of(description).rotation;
+  std::vector<ConvexPart> parts = shape.convex_parts;
+  for (ConvexPart& part : parts)
+    for (Vec3& corner : part) corner = rotation * corner;
+  return parts;
+}
+
+/// What follows from the tets of a scene body's pieces, but for their stand-ins; touches nothing of other scene bodies.
+void complete(WorldState& world, const Pieces& pieces) {
+  for (std::size_t i = pieces.first; i < pieces.end; ++i)
+    for (TetId tet : world.bodies[i].tets)
+      for (NodeId node : world.mesh.tets[tet])
+        if (world.mesh.stars[node].front() == tet) world.nodes.masses[node] = node_mass(world, node);
+  for (std::size_t i = pieces.first; i < pieces.end; ++i) {
+    Body& body = world.bodies[i];
+    rebuild_shape(world, body);
+    set_initial_motion(world, body, world.scene.bodies[body.scene_body]);
+    body.collision_parts = first_collision_parts(world, body, pieces.shape);
   }
+}
+
+void add_scene_bodies(WorldState& world, const Monitor& monitor) {
+  ShapeMeshes shapes;
+  std::vector<Pieces> pieces;
+  for (int i = 0; i < static_cast<int>(world.scene.bodies.size()); ++i)
+    pieces.push_back(add_scene_body(world, i, shapes.of(world.scene, i, monitor)));
+  close_splinters(world);
+  update_supports(world, world.time, world.scene.simulation.time_step);
+  parallel_for(static_cast<int>(pieces.size()), 16, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) complete(world, pieces[i]);
+  });
+  add_stand_ins(world, world.bodies);
 }
 
 }  // namespace
@@ -158,7 +179,7 @@ void build_world(WorldState& world, const Monitor& monitor) {
   }
   if (const auto& ground = world.scene.ground)
     world.contact_world.add_ground(ground->height, {ground->friction, ground->restitution});
-  for (std::size_t i = 0; i < world.scene.bodies.size(); ++i) add_scene_body(world, static_cast<int>(i), monitor);
+  add_scene_bodies(world, monitor);
   for (const ProjectileBurst& burst : world.scene.projectiles) queue_burst(world, burst);
   if (world.scene.simulation.static_start && world.scene.analysis == Analysis::dynamic)
     find_equilibrium(world, 0, 0, true);

@@ -1,6 +1,9 @@
+#include "sim/world/collision_shape.h"
+
 #include <algorithm>
 
 #include "sim/contact/convex_pieces.h"
+#include "sim/mesh/topology.h"
 #include "sim/world/phases.h"
 
 namespace griffith {
@@ -11,20 +14,6 @@ constexpr std::size_t kSmallPiece = 20;
 constexpr double kSmallPieceFill = 0.5, kFill = 0.9;
 
 double fill_of(std::size_t pieces) { return pieces <= kSmallPiece ? kSmallPieceFill : kFill; }
-
-std::vector<ConvexPart> tet_parts(const WorldState& world, const Body& body) {
-  std::vector<Vec3> points;
-  for (NodeId node : body.nodes) points.push_back(world.nodes.positions[node] - body.motion.center);
-  std::vector<std::array<int, 4>> tets;
-  for (TetId tet : body.tets) {
-    std::array<int, 4> corners;
-    for (int i = 0; i < 4; ++i)
-      corners[i] = static_cast<int>(std::lower_bound(body.nodes.begin(), body.nodes.end(), world.mesh.tets[tet][i]) -
-                                    body.nodes.begin());
-    tets.push_back(corners);
-  }
-  return convex_parts(points, tets, fill_of(tets.size()));
-}
 
 /// The splinters whose owners are the body's.
 std::vector<SplinterId> owned_splinters(const WorldState& world, const Body& body) {
@@ -65,12 +54,31 @@ std::vector<ConvexPart> splinter_parts(const WorldState& world, const Body& body
 
 }  // namespace
 
+std::vector<ConvexPart> tet_parts(const TetMesh& mesh, std::span<const Vec3> positions, std::span<const TetId> tets,
+                                  const Vec3& center) {
+  const std::vector<NodeId> nodes = nodes_of(mesh, tets);
+  std::vector<Vec3> points;
+  points.reserve(nodes.size());
+  for (NodeId node : nodes) points.push_back(positions[node] - center);
+  std::vector<std::array<int, 4>> corners_of_tets;
+  corners_of_tets.reserve(tets.size());
+  for (TetId tet : tets) {
+    std::array<int, 4>& corners = corners_of_tets.emplace_back();
+    for (int i = 0; i < 4; ++i)
+      corners[i] = static_cast<int>(std::ranges::lower_bound(nodes, mesh.tets[tet][i]) - nodes.begin());
+  }
+  return convex_parts(points, corners_of_tets, fill_of(tets.size()));
+}
+
 std::vector<ConvexPart> collision_parts(const WorldState& world, const Body& body) {
   constexpr std::size_t kMostSplinters = 256;
-  if (world.scene.bodies[body.scene_body].collision != CollisionShape::splinters) return tet_parts(world, body);
+  const auto parts_of_tets = [&] {
+    return tet_parts(world.mesh, world.nodes.positions, body.tets, body.motion.center);
+  };
+  if (world.scene.bodies[body.scene_body].collision != CollisionShape::splinters) return parts_of_tets();
   const std::vector<SplinterId> splinters = owned_splinters(world, body);
   const bool suit = !splinters.empty() && splinters.size() <= kMostSplinters;
-  return suit ? splinter_parts(world, body, splinters) : tet_parts(world, body);
+  return suit ? splinter_parts(world, body, splinters) : parts_of_tets();
 }
 
 }  // namespace griffith

@@ -178,7 +178,7 @@ Opened crack_in_turn(WorldState& world, const std::vector<NodeId>& overloaded, d
 /// wave speed (Freund 1990), some quarter to third of the bar's.
 double crack_transit_time(const WorldState& world, const Body& body) {
   constexpr double kCrackSpeed = 0.3;  // of the wave speed
-  return mean_element_size(world, body) / (kCrackSpeed * bar_wave_speed(world.material_of(body)));
+  return mean_element_size(world, body.tets) / (kCrackSpeed * bar_wave_speed(world.material_of(body)));
 }
 
 /// The bodies to which the elements of a crack belong, when there is more than one.
@@ -199,10 +199,9 @@ void open_cracks(WorldState& world, double substep) {
   const Opened opened = crack_in_turn(world, overloaded, substep);
   restore_angular_momentum(world, opened.motions);
   follow_cracks(world.splinters, world.mesh.neighbours, opened.parted, world.splinter_state);
-  for (BodyId body : opened.bodies) {
+  for (BodyId body : opened.bodies)
     world.crack_transit_time = std::min(world.crack_transit_time, crack_transit_time(world, world.bodies[body]));
-    part_body(world, body);
-  }
+  part_bodies(world, std::vector<BodyId>(opened.bodies.begin(), opened.bodies.end()));
   for (std::size_t i = opened.first_event; i < world.crack_events.size(); ++i)
     world.crack_events[i].children = children_of(world, world.crack_events[i]);
   world.report.cracks_postponed = static_cast<int>(world.postponed.size());

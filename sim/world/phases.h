@@ -15,6 +15,8 @@ void build_world(WorldState& world, const Monitor& monitor = {});
 
 /// Makes a body's splinters, if it has a pattern for them. Throws InputError for one that cannot be made.
 void place_splinters(WorldState& world, int scene_body, const RestBody& body);
+/// After the splinters of all bodies were made: what is known of them together.
+void close_splinters(WorldState& world);
 
 /// Queues the shots of a burst, its start counted from now.
 void queue_burst(WorldState& world, const ProjectileBurst& burst);
@@ -105,10 +107,18 @@ void calm_bodies(WorldState& world);
 /// Rigid bodies that lie still fall asleep; after a step of this length [s].
 void rest_bodies(WorldState& world, double time_step);
 
-/// Gives the tets of a body that may have come apart to one body for each connected piece.
-void part_body(WorldState& world, BodyId id);
-/// Rebuilds what follows from a body's tets: nodes, surface, system, stand-in.
+/// Gives the tets of bodies that may have come apart to one body for each connected piece.
+void part_bodies(WorldState& world, std::span<const BodyId> opened);
+/// The same for pieces that are known: one goes on as the body itself, each other becomes a new body, of which nothing but
+/// the tets is known yet.
+void hand_out_tets(WorldState& world, BodyId id, std::vector<std::vector<TetId>> pieces);
+/// Rebuilds what follows from the tets of a body with a stand-in: all that rebuild_shape() does, collision parts and
+/// stand-in.
 void rebuild_body(WorldState& world, Body& body);
+/// Nodes, surface, system and motion of a body. Writes to what is the body's own alone.
+void rebuild_shape(WorldState& world, Body& body);
+/// Makes the stand-ins of bodies that have none yet out of their collision parts, in the contact world.
+void add_stand_ins(WorldState& world, std::span<Body> bodies);
 /// Convex parts of the body's present shape, relative to its centre of mass: of the splinters that it owns where the scene
 /// asks for that and they are not too many to be told from a whole, else of its tets.
 std::vector<ConvexPart> collision_parts(const WorldState& world, const Body& body);
@@ -122,8 +132,8 @@ inline Corners corners_of(const TetMesh& mesh, TetId tet, std::span<const Vec3> 
   for (int i = 0; i < 4; ++i) corners.col(i) = values[mesh.tets[tet][i]];
   return corners;
 }
-/// Edge length of the cubes that six of the body's tets would fill [m].
-double mean_element_size(const WorldState& world, const Body& body);
+/// Edge length of the cubes that six of these tets would fill [m].
+double mean_element_size(const WorldState& world, std::span<const TetId> tets);
 /// The speed of an impact from which a body could be hurt [m/s]; infinite for a single tet, which cannot break.
 double hurting_speed(const WorldState& world, const Body& body);
 /// Lumped mass of a node from its star [kg].

@@ -22,9 +22,10 @@ inline NodeId node_at(std::span<const std::array<NodeId, 4>> tets, const TetCorn
 
 /// A scene body in its rest space, before anything has broken, for its regions to be looked up in.
 struct RestBody {
-  TetSoup soup;                    ///< prepared
-  std::vector<int> node_of_point;  ///< per point as read: its node in the soup, -1 where it was removed
-  AppendedRange range;             ///< where the soup's nodes and tets are in the world's mesh
+  const TetSoup& soup;                    ///< prepared
+  const std::vector<int>& node_of_point;  ///< per point as read: its node in the soup, -1 where it was removed
+  const TetMesh& mesh;                    ///< of the soup
+  AppendedRange range;                    ///< where its nodes and tets are in the world's mesh
 };
 
 /// Per node of the body: 1 where it lies in the region, borders included. Regions name nodes by their number as read.

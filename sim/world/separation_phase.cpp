@@ -54,16 +54,20 @@ void evaluate_separation(WorldState& world, bool averaged) {
   const std::vector<ElementState> states = softened ? softened_states(world) : std::vector<ElementState>();
   SeparationInput input = separation_input(world);
   if (softened) input.states = states;
-  for (const Body& body : world.bodies) {
-    if (body.rigid) continue;
-    parallel_for(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
-      for (int i = begin; i < end; ++i)
-        world.nodes.separations[body.nodes[i]] =
-            evaluate_node(world, input, body, body.nodes[i], averaged && body.softening == 1 && !body.softened_before);
-    });
+  parallel_for(static_cast<int>(world.bodies.size()), 16, [&](int first, int last) {
+    for (const Body& body : std::span(world.bodies).subspan(first, last - first)) {
+      if (body.rigid) continue;
+      const bool body_averaged = averaged && body.softening == 1 && !body.softened_before;
+      parallel_for(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i)
+          world.nodes.separations[body.nodes[i]] = evaluate_node(world, input, body, body.nodes[i], body_averaged);
+      });
+    }
+  });
+  for (const Body& body : world.bodies)
     for (NodeId node : body.nodes)
-      world.report.peak_margin = std::max(world.report.peak_margin, world.nodes.separations[node].margin);
-  }
+      if (!body.rigid)
+        world.report.peak_margin = std::max(world.report.peak_margin, world.nodes.separations[node].margin);
 }
 
 }  // namespace griffith

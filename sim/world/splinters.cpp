@@ -1,5 +1,6 @@
 #include "sim/splinters/splinters.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "sim/mesh/topology.h"
@@ -26,17 +27,19 @@ void require_covered(const TetMesh& mesh, const SplinterSet& splinters, const st
 void place_splinters(WorldState& world, int scene_body, const RestBody& body) {
   const std::optional<SplinterPattern>& pattern = world.scene.bodies[scene_body].splinters;
   if (!pattern) return;
-  const TetMesh mesh = build_mesh(body.soup);
   Eigen::AlignedBox3d bounds;
-  for (const Vec3& position : mesh.rest_positions) bounds.extend(position);
+  for (const Vec3& position : body.mesh.rest_positions) bounds.extend(position);
   const std::string where = "#/bodies/" + std::to_string(scene_body) + "/splinters";
   const CellPartition cells = make_cells(*pattern, bounds, world.scene.folder, where);
-  const SplinterSet splinters = make_splinters(mesh, cells);
-  require_covered(mesh, splinters, where);
+  const SplinterSet splinters = make_splinters(body.mesh, cells);
+  require_covered(body.mesh, splinters, where);
   append(world.splinters, splinters, body.range.first_tet, scene_body);
+}
+
+void close_splinters(WorldState& world) {
   world.splinter_state = intact_state(world.splinters);
-  if (world.scene.bodies[scene_body].collision == CollisionShape::splinters)
-    world.splinter_hulls = hull_corners(world.splinters);
+  const auto collides = [](const BodyDescription& body) { return body.collision == CollisionShape::splinters; };
+  if (std::ranges::any_of(world.scene.bodies, collides)) world.splinter_hulls = hull_corners(world.splinters);
 }
 
 }  // namespace griffith

@@ -87,6 +87,29 @@ TEST_F(EditorTest, WorkThatLastsShowsADialogThatCancelsIt) {
   EXPECT_FALSE(editor_.state().error);
 }
 
+TEST_F(EditorTest, AnEditedShapeStartsTheSimulationAgainAndTheEditCanBeUndone) {
+  const std::size_t tets = editor_.frame().tets.size();
+  editor_.step();
+  EXPECT_EQ(editor_.frame().step, 1);
+  click("body");
+  click("body/remeshing");
+  EXPECT_EQ(editor_.frame().step, 0);
+  click("body/shape");
+  click("body/shape/kind_of");
+  click("body/shape/kind_of/sphere");
+  EXPECT_NE(editor_.frame().tets.size(), tets);
+  click("command/edit.undo");
+  EXPECT_EQ(editor_.frame().tets.size(), tets);
+  EXPECT_FALSE(editor_.state().error);
+}
+
+TEST_F(EditorTest, MaterialsActOnTheRunningSimulation) {
+  editor_.step();
+  click("material/yields");
+  EXPECT_EQ(editor_.frame().step, 1);
+  EXPECT_TRUE(editor_.frame().materials[0].yield_strength);
+}
+
 constexpr char kTetSurface[] = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
 
 TEST_F(EditorTest, ABodyIsFilledFromASurfaceAndTheEditCanBeUndone) {

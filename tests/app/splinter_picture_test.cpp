@@ -176,6 +176,7 @@ TEST(SkinPicture, TextureCoordinatesAreDrawnAndExported) {
     EXPECT_EQ(drawn.embedded.mesh->corners[i].uv, skins[0].corners[i].uv.cast<float>());
   for (int i = 0; i < 30; ++i) world.step();
   const std::filesystem::path folder = test_folder() / "textured";
+  std::filesystem::remove_all(folder);  // what an earlier run left there
   export_pieces(folder, world.frame(), skins);
   double area = 0;  // of the texture, which each of the six sides shows once
   int pieces = 0;

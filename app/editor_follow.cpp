@@ -1,0 +1,66 @@
+#include <algorithm>
+#include <utility>
+
+#include "app/editor.h"
+
+namespace griffith::app {
+namespace {
+
+/// What a world is built from, materials aside, which it follows while it runs.
+Scene start_of(Scene scene) {
+  scene.name.clear();
+  scene.description.clear();
+  scene.cameras.clear();
+  scene.view = {};
+  for (BodyDescription& body : scene.bodies) body.material = {};
+  return scene;
+}
+
+}  // namespace
+
+void Editor::note_start() {
+  start_ = start_of(history_.scene());
+  seen_revision_ = -1;
+}
+
+void Editor::follow() {
+  constexpr double kPatience = 0.3, kForEver = 1e9;
+  // What is drawn meanwhile needs the bodies that the world has.
+  const bool same_bodies = world_.frame().materials.size() == history_.scene().bodies.size();
+  work_ = Work::follow;
+  loader_.start(history_.scene(), path_);
+  loader_.wait(same_bodies ? kPatience : kForEver);
+  receive_world();
+}
+
+void Editor::take_followed(WorldLoader::Loaded loaded) {
+  if (start_of(loaded.scene) != start_of(history_.scene())) return follow();  // edited since
+  world_ = std::move(loaded.world);
+  restart();
+  log_findings();
+}
+
+void Editor::log_findings() {
+  for (const InputError& finding : world_.findings()) log(ui::LogLevel::warning, finding.what());
+}
+
+void Editor::follow_edits() {
+  if (history_.revision() == seen_revision_) return;
+  follow_materials();
+  if (history_.editing()) return;
+  seen_revision_ = history_.revision();
+  state_.selected_body =
+      std::clamp(state_.selected_body, 0, std::max(0, static_cast<int>(history_.scene().bodies.size()) - 1));
+  if (start_of(history_.scene()) == start_) return;
+  follow();
+}
+
+void Editor::follow_materials() {
+  const std::vector<BodyDescription>& bodies = history_.scene().bodies;
+  const Frame frame = world_.frame();
+  if (frame.materials.size() != bodies.size()) return;  // it comes with the world that is being built
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (frame.materials[i] != bodies[i].material) world_.set_material(static_cast<int>(i), bodies[i].material);
+}
+
+}  // namespace griffith::app

@@ -1,0 +1,248 @@
+// The panels that edit what a scene file says, and the list of bodies.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "sim/scene/scene_fields.h"
+#include "sim/scene/scene_reader.h"
+#include "sim/scene/scene_writer.h"
+#include "tests/random_values.h"
+#include "ui/body_rows.h"
+#include "ui_driver.h"
+
+namespace griffith::ui {
+namespace {
+
+/// Tall enough that no row of an open part is out of sight.
+void open(UiDriver& ui, const std::vector<std::string>& tags) {
+  ImGui::GetIO().DisplaySize = {1500, 4000};
+  for (int i = 0; i < 3; ++i) ui.frame();
+  for (const std::string& tag : tags) ui.click(tag);
+}
+
+/// The archive that lists the fields of a value.
+struct FieldNames {
+  std::vector<std::string> names;
+  template <class T, class Values>
+  void field(std::string_view name, T&, const Values&, std::string_view) {
+    names.emplace_back(name);
+  }
+  void require(bool, std::string_view, const char*, const char*) {}
+};
+
+template <class T>
+std::vector<std::string> fields_of(T value) {
+  FieldNames fields;
+  describe(fields, value);
+  return fields.names;
+}
+
+void expect_valid(const UiDriver& ui) {
+  for (const InputError& problem : check_scene_text(scene_to_json(ui.history.scene()), "scene"))
+    ADD_FAILURE() << problem.what();
+}
+
+TEST(ScenePanels, EveryFieldOfBodyAndSceneHasARow) {
+  UiDriver ui(two_walls());
+  open(ui, {"body", "scene"});
+  for (const std::string& name : fields_of(BodyDescription{})) {
+    const bool shown = find_tag(ui.tags, "body/" + name) || find_tag(ui.tags, "body/" + name + "/0");
+    EXPECT_EQ(shown, name != "material") << name;
+  }
+  for (const std::string& name : fields_of(Scene{})) {
+    const bool shown = find_tag(ui.tags, "scene/" + name) || find_tag(ui.tags, "scene/" + name + "/0");
+    EXPECT_EQ(shown, name != "bodies" && name != "view") << name;
+  }
+  EXPECT_EQ(ui.history.scene(), two_walls()) << "looking changes nothing";
+}
+
+TEST(ScenePanels, ATypedNumberIsOneEdit) {
+  UiDriver ui(two_walls());
+  open(ui, {"body"});
+  ui.click("body/position/1", 1);
+  ui.type("250 cm");  // no unit of ours
+  EXPECT_EQ(ui.history.scene(), two_walls());
+  ui.click("body/position/1", 1);
+  ui.type("2.5 m");
+  EXPECT_EQ(ui.history.scene().bodies[0].position, Vec3(two_walls().bodies[0].position.x(), 2.5, 0));
+  ASSERT_EQ(ui.history.entries().size(), 1u);
+  EXPECT_EQ(ui.history.entries()[0].label, "Set Position of " + two_walls().bodies[0].name);
+  ui.history.undo();
+  EXPECT_EQ(ui.history.scene(), two_walls());
+}
+
+TEST(ScenePanels, ShapesAndRegionsChangeTheirKind) {
+  UiDriver ui(two_walls());
+  open(ui, {"body", "body/shape", "body/shape/kind_of", "body/shape/kind_of/sphere"});
+  EXPECT_TRUE(std::holds_alternative<SphereShape>(ui.history.scene().bodies[0].shape));
+  ui.click("body/supports");
+  ui.click("body/supports/add");
+  ui.click("body/supports/0");
+  ui.click("body/supports/0/region");
+  ui.click("body/supports/0/region/kind_of");
+  ui.click("body/supports/0/region/kind_of/half space");
+  ASSERT_EQ(ui.history.scene().bodies[0].supports.size(), 1u);
+  EXPECT_TRUE(std::holds_alternative<HalfSpaceRegion>(ui.history.scene().bodies[0].supports[0].region));
+  expect_valid(ui);
+  ui.click("body/supports/0/remove");
+  EXPECT_TRUE(ui.history.scene().bodies[0].supports.empty());
+}
+
+TEST(ScenePanels, WhatBelongsToAnotherKindOfLoadGoesWithIt) {
+  UiDriver ui(two_walls());
+  open(ui, {"body", "body/loads", "body/loads/add", "body/loads/0"});
+  ui.click("body/loads/0/force/1", 1);
+  ui.type("-5 kN");
+  EXPECT_EQ(ui.history.scene().bodies[0].loads[0].force, Vec3(0, -5000, 0));
+  EXPECT_EQ(find_tag(ui.tags, "body/loads/0/pressure"), nullptr);
+  ui.click("body/loads/0/kind");
+  ui.click("body/loads/0/kind/pressure");
+  EXPECT_EQ(ui.history.scene().bodies[0].loads[0].kind, LoadKind::pressure);
+  EXPECT_NE(find_tag(ui.tags, "body/loads/0/pressure"), nullptr);
+  EXPECT_TRUE(ui.state.field_problem.empty()) << ui.state.field_problem;
+  expect_valid(ui);
+}
+
+TEST(ScenePanels, WhatBreaksARuleIsNotTakenAndTheRuleIsShown) {
+  UiDriver ui(two_walls());
+  open(ui, {"body", "body/splinters"});
+  EXPECT_TRUE(ui.history.scene().bodies[0].splinters);
+  const Scene before = ui.history.scene();
+  ui.click("body/remeshing");
+  EXPECT_EQ(ui.history.scene(), before);
+  EXPECT_THAT(ui.state.field_problem, ::testing::HasSubstr("Remeshing is asked for beside splinters"));
+  ui.click("body/splinters");
+  ui.click("body/remeshing");
+  EXPECT_TRUE(ui.history.scene().bodies[0].remeshing);
+  EXPECT_TRUE(ui.state.field_problem.empty());
+}
+
+TEST(ScenePanels, ProbesFollowTheNameOfTheirBody) {
+  UiDriver ui(two_walls());
+  open(ui, {"scene", "scene/probes", "scene/probes/add", "scene/probes/add"});
+  ASSERT_EQ(ui.history.scene().probes.size(), 2u);
+  EXPECT_NE(ui.history.scene().probes[0].name, ui.history.scene().probes[1].name);
+  expect_valid(ui);
+  ui.click("body");
+  ui.click("body/name");
+  ui.type("X");
+  EXPECT_NE(ui.history.scene().bodies[0].name, two_walls().bodies[0].name);
+  EXPECT_EQ(ui.history.scene().probes[0].body, ui.history.scene().bodies[0].name);
+  expect_valid(ui);
+}
+
+TEST(ScenePanels, TwoBodiesCannotHaveOneName) {
+  Scene scene = two_walls();
+  scene.bodies[0].name = "wall";
+  scene.bodies[1].name = "wallX";
+  UiDriver ui(scene);
+  open(ui, {"body"});
+  ui.click("body/name");
+  ui.type("X");
+  EXPECT_NE(ui.history.scene().bodies[0].name, "wallX");
+  expect_valid(ui);
+}
+
+TEST(ScenePanels, RandomClicksKeepTheSceneValid) {
+  testing::RandomValues random(7);
+  UiDriver ui(two_walls());
+  open(ui, {"body", "scene", "body/shape", "body/loads", "body/supports", "scene/simulation", "scene/ground"});
+  for (int i = 0; i < 600; ++i) {
+    const WidgetTag tag = ui.tags[static_cast<std::size_t>(random.index(static_cast<int>(ui.tags.size())))];
+    if (!tag.name.starts_with("body") && !tag.name.starts_with("scene")) continue;
+    if (random.index(3) == 0) {
+      ui.drag(tag.name, static_cast<float>(random.index(400) - 200));
+    } else {
+      ui.click(tag.name);
+    }
+    if (i % 20 == 0) expect_valid(ui);
+  }
+  ui.history.finish();
+  EXPECT_GT(ui.history.entries().size(), 20u);
+  expect_valid(ui);
+}
+
+/// Pieces of two bodies in random states.
+std::vector<BodyView> random_pieces(int count) {
+  testing::RandomValues random(3);
+  std::vector<BodyView> pieces(count);
+  for (int i = 0; i < count; ++i) {
+    pieces[i].id = BodyId(i);
+    pieces[i].scene_body = random.index(2);
+    pieces[i].tets = random.index(5);
+    pieces[i].mass = pieces[i].tets * 0.5;
+    pieces[i].rigid = random.index(2) == 0;
+    pieces[i].asleep = pieces[i].rigid && random.index(2) == 0;
+  }
+  return pieces;
+}
+
+TEST(BodyRows, AddUpToWhatThereIs) {
+  const std::vector<BodyView> pieces = random_pieces(200);
+  Frame frame;
+  frame.bodies = pieces;
+  for (const auto& rows : {body_rows(two_walls(), frame), piece_rows(two_walls(), frame)}) {
+    int tets = 0, count = 0, asleep = 0;
+    double mass = 0;
+    for (const BodyRow& row : rows) tets += row.tets, count += row.pieces(), asleep += row.asleep, mass += row.mass;
+    int all_tets = 0, all = 0, all_asleep = 0;
+    for (const BodyView& piece : pieces)
+      all_tets += piece.tets, all += piece.tets > 0, all_asleep += piece.tets > 0 && piece.asleep;
+    EXPECT_EQ(tets, all_tets);
+    EXPECT_EQ(count, all);
+    EXPECT_EQ(asleep, all_asleep);
+    EXPECT_DOUBLE_EQ(mass, 0.5 * all_tets);
+  }
+}
+
+TEST(BodyRows, SortByEachColumnEitherWay) {
+  const std::vector<BodyView> pieces = random_pieces(200);
+  Frame frame;
+  frame.bodies = pieces;
+  std::vector<BodyRow> rows = piece_rows(two_walls(), frame);
+  const std::size_t count = rows.size();
+  sort_rows(rows, BodyColumn::mass, true);
+  EXPECT_TRUE(std::ranges::is_sorted(rows, std::greater<>(), &BodyRow::mass));
+  sort_rows(rows, BodyColumn::tets, false);
+  EXPECT_TRUE(std::ranges::is_sorted(rows, std::less<>(), &BodyRow::tets));
+  sort_rows(rows, BodyColumn::state, false);
+  EXPECT_TRUE(std::ranges::is_sorted(rows, std::less<>(), [](const BodyRow& row) { return row.state(); }));
+  EXPECT_EQ(rows.size(), count);
+  std::vector<BodyRow> named(3);
+  named[0].name = "brick 10", named[1].name = "brick 9", named[2].name = "arch 11";
+  sort_rows(named, BodyColumn::name, false);
+  EXPECT_EQ(named[0].name, "arch 11");
+  EXPECT_EQ(named[1].name, "brick 9");
+}
+
+TEST(BodyRows, FilterByNameAndState) {
+  const std::vector<BodyView> pieces = random_pieces(200);
+  Frame frame;
+  frame.bodies = pieces;
+  std::vector<BodyRow> rows = piece_rows(two_walls(), frame);
+  const auto asleep = std::ranges::count(rows, 1, &BodyRow::asleep);
+  ASSERT_GT(asleep, 0);
+  filter_rows(rows, "ASLEEP");
+  EXPECT_EQ(static_cast<std::ptrdiff_t>(rows.size()), asleep);
+  filter_rows(rows, "no such");
+  EXPECT_TRUE(rows.empty());
+}
+
+TEST(BodyRows, TheListShowsStatesAndSelectsPieces) {
+  Scene scene = two_walls();
+  UiDriver ui(scene);
+  const std::vector<BodyView> pieces = random_pieces(200);
+  ui.input.frame.bodies = pieces;
+  for (int i = 0; i < 3; ++i) ui.frame();
+  EXPECT_EQ(ui.value("bodies/0/state"), "elastic");
+  ui.click("bodies/filter");
+  ui.type("asleep");
+  EXPECT_EQ(find_tag(ui.tags, "bodies/0"), nullptr) << "its liveliest piece is awake";
+  ui.click("bodies/pieces");
+  EXPECT_EQ(ui.value("bodies/0/state"), "asleep");
+}
+
+}  // namespace
+}  // namespace griffith::ui

@@ -1,0 +1,105 @@
+// Scenes of many bodies, whose equal shapes are meshed once and which are completed in parallel.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "sim/parallel.h"
+#include "sim/world/shape_mesh.h"
+#include "sim/world/world.h"
+
+namespace griffith {
+namespace {
+
+/// Blocks and plates of a few kinds in turn, each turned otherwise, the lowest held at their feet.
+Scene heap(int count) {
+  Scene scene;
+  for (int i = 0; i < count; ++i) {
+    BodyDescription& body = scene.bodies.emplace_back();
+    body.name = "block " + std::to_string(i);
+    body.shape = i % 3 == 0 ? Shape(BoxShape{Vec3(0.2, 0.2, 0.4), Vec3::Constant(0.2), BoxPattern::five_tet})
+                            : Shape(NotchedBeamShape{Vec3(0.4, 0.1 * (1 + i % 2), 0.1), 0.05, Vec3::Constant(0.1)});
+    body.position = 0.45 * Vec3(i % 5, i / 25 + 0.5, i / 5 % 5);
+    body.rotation_degrees = Vec3(3 * i, 17 * i, 29 * i);
+    body.angular_velocity = Vec3(0, 0.1 * i, 1);
+    if (i < 5) body.supports = {{HalfSpaceRegion{Vec3::Zero(), -Vec3::UnitY()}}};
+  }
+  return scene;
+}
+
+std::uint64_t hash_after(int steps, int threads) {
+  const ThreadLimit limit(threads);
+  World world(heap(200));
+  for (int i = 0; i < steps; ++i) world.step();
+  return world.state_hash();
+}
+
+TEST(ManyBodies, TheSameBitsForOneTwoAndFourThreads) {
+  for (const int steps : {0, 5}) {
+    const std::uint64_t one = hash_after(steps, 1);
+    EXPECT_EQ(hash_after(steps, 2), one);
+    EXPECT_EQ(hash_after(steps, 4), one);
+  }
+}
+
+TEST(ManyBodies, EachIsAsItIsAlone) {
+  const Scene scene = heap(30);
+  const World all(scene);
+  std::size_t node = 0, tet = 0;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    Scene single = scene;
+    single.bodies = {scene.bodies[i]};
+    const World alone(single);
+    const Frame one = alone.frame(), frame = all.frame();
+    for (std::size_t n = 0; n < one.positions.size(); ++n, ++node) {
+      EXPECT_EQ(frame.positions[node], one.positions[n]);
+      EXPECT_EQ(frame.velocities[node], one.velocities[n]);
+      EXPECT_EQ(frame.node_masses[node], one.node_masses[n]);
+      EXPECT_EQ(frame.node_held[node], one.node_held[n]);
+      EXPECT_EQ(frame.at_crack_front[node], one.at_crack_front[n]);
+    }
+    for (std::size_t t = 0; t < one.tets.size(); ++t, ++tet) {
+      EXPECT_EQ(frame.tet_bodies[tet], BodyId(static_cast<int>(i)));
+      EXPECT_EQ(frame.first_surface[tet], one.first_surface[t]);
+      EXPECT_EQ(frame.stresses[tet], one.stresses[t]);
+    }
+  }
+  EXPECT_EQ(node, all.frame().positions.size());
+  EXPECT_EQ(tet, all.frame().tets.size());
+}
+
+TEST(ManyBodies, TurnedCollisionPartsOfAShapeAreThoseOfTheTurnedBody) {
+  Scene scene = heap(12);
+  for (BodyDescription& body : scene.bodies) body.supports.clear();
+  World world(scene);
+  std::vector<std::vector<std::vector<Vec3>>> first;
+  for (const BodyView& body : world.frame().bodies)
+    first.emplace_back(body.collision_parts.begin(), body.collision_parts.end());
+  // Another material makes all that follows from a body's nodes anew.
+  for (int i = 0; i < 12; ++i) world.set_material(i, scene.bodies[i].material);
+  for (const BodyView& body : world.frame().bodies) {
+    ASSERT_EQ(body.collision_parts.size(), first[body.id].size());
+    for (std::size_t part = 0; part < first[body.id].size(); ++part)
+      for (const Vec3& corner : first[body.id][part]) {
+        double distance = 1;
+        for (const Vec3& other : body.collision_parts[part]) distance = std::min(distance, (corner - other).norm());
+        EXPECT_LT(distance, 1e-12);
+      }
+  }
+}
+
+TEST(ManyBodies, EqualShapesShareAMesh) {
+  const Scene scene = heap(30);
+  ShapeMeshes shapes;
+  std::vector<const ShapeMesh*> meshes;
+  for (int i = 0; i < 30; ++i) meshes.push_back(&shapes.of(scene, i, {}));
+  for (int i = 0; i < 30; ++i)
+    for (int j = 0; j < i; ++j)
+      EXPECT_EQ(meshes[i] == meshes[j], scene.bodies[i].shape == scene.bodies[j].shape) << i << ", " << j;
+  EXPECT_TRUE(meshes[0]->slit_tips.empty());
+  EXPECT_FALSE(meshes[1]->slit_tips.empty());
+}
+
+}  // namespace
+}  // namespace griffith

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/scene/scene.h"
+#include "sim/world/frame.h"
+
+namespace griffith::ui {
+
+/// What the list of bodies shows of a body of the scene with all its pieces, or of one piece.
+struct BodyRow {
+  std::string name;
+  int scene_body = 0;
+  BodyId piece;                            ///< invalid: all pieces of the scene's body
+  int elastic = 0, rigid = 0, asleep = 0;  ///< how many pieces are so
+  int tets = 0;
+  double mass = 0;  ///< [kg]
+
+  int pieces() const { return elastic + rigid + asleep; }
+  /// Of its liveliest piece.
+  std::string_view state() const { return elastic > 0 ? "elastic" : rigid > 0 ? "rigid" : asleep > 0 ? "asleep" : ""; }
+};
+
+/// One row a body of the scene, in its order; those that have no piece in the frame are empty.
+std::vector<BodyRow> body_rows(const Scene& scene, const Frame& frame);
+/// One row a piece that has tets.
+std::vector<BodyRow> piece_rows(const Scene& scene, const Frame& frame);
+
+/// What rows are sorted by.
+enum class BodyColumn { name, state, pieces, tets, mass };
+/// Equal ones keep their order.
+void sort_rows(std::vector<BodyRow>& rows, BodyColumn column, bool descending);
+
+/// Keeps the rows whose name or state holds `text`, in any case.
+void filter_rows(std::vector<BodyRow>& rows, std::string_view text);
+
+}  // namespace griffith::ui

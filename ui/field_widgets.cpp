@@ -1,0 +1,202 @@
+#include "ui/field_widgets.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdio>
+
+#include "ui/number_slider.h"
+#include "ui/style.h"
+
+namespace griffith::ui {
+namespace {
+
+constexpr std::size_t kLongestText = 1024;
+constexpr std::size_t kRoomForUnit = 2;  // bytes, beside the components of a vector
+
+/// As it stands behind a number.
+std::string unit_of(const Numbers& numbers) {
+  if (numbers.unit == "degrees") return "°";
+  return std::string(numbers.unit == "-" ? "" : numbers.unit);
+}
+
+NumberField number_field(const FieldRow& row, const std::string& unit, const Numbers& numbers) {
+  return {.tag = row.tag.c_str(),
+          .label = row.label.c_str(),
+          .unit = unit.c_str(),
+          .minimum = numbers.minimum,
+          .maximum = numbers.maximum,
+          .tooltip = row.description.c_str()};
+}
+
+/// A text box over the rest of the row; `finished` when it was left, or Enter pressed.
+Edit text_box(Panel& panel, const FieldRow& row, std::string& value, ImGuiInputTextFlags flags = 0) {
+  std::array<char, kLongestText> text = {};
+  std::snprintf(text.data(), text.size(), "%s", value.c_str());
+  const bool entered = ImGui::InputText(("##" + row.tag).c_str(), text.data(), text.size(), flags);
+  Edit edit;
+  edit.finished = ImGui::IsItemDeactivatedAfterEdit();
+  tag_last_item(panel.tags, row.tag, value);
+  tooltip(row.description);
+  edit.changed = entered && value != text.data();
+  if (entered) value = text.data();
+  return edit;
+}
+
+std::vector<int> parse_list(const std::string& text, const Numbers& numbers) {
+  std::vector<int> values;
+  const char *at = text.data(), *end = at + text.size();
+  while (at != end) {
+    int value = 0;
+    const auto [next, error] = std::from_chars(at, end, value);
+    if (error == std::errc() && value >= numbers.minimum && value <= numbers.maximum) values.push_back(value);
+    at = next == at ? at + 1 : next;
+  }
+  return values;
+}
+
+std::string list_text(const std::vector<int>& values) {
+  std::string text;
+  for (const int value : values) text += (text.empty() ? "" : ", ") + std::to_string(value);
+  return text;
+}
+
+}  // namespace
+
+Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, double& value) {
+  row_label(panel, row.label.c_str());
+  const std::string unit = unit_of(numbers);
+  return number_drag(panel, number_field(row, unit, numbers), value);
+}
+
+Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, int& value) {
+  const Edit edit = integer_row(panel, row.tag.c_str(), row.label.c_str(), value, static_cast<int>(numbers.minimum),
+                                static_cast<int>(numbers.maximum));
+  tooltip(row.description);
+  return edit;
+}
+
+Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, std::span<double> components) {
+  row_label(panel, row.label.c_str());
+  const std::string unit = unit_of(numbers);
+  const float gap = 3 * ui_scale(panel), count = static_cast<float>(components.size());
+  const float width = (ImGui::GetContentRegionAvail().x - (count - 1) * gap) / count;
+  Edit edit;
+  for (std::size_t i = 0; i < components.size(); ++i) {
+    if (i > 0) ImGui::SameLine(0, gap);
+    ImGui::SetNextItemWidth(width);
+    const std::string meaning = row.description + (unit.empty() ? "" : " [" + unit + "]");
+    const FieldRow part{row.tag + "/" + std::to_string(i), row.label, meaning};
+    NumberField field = number_field(part, unit, numbers);
+    field.hide_unit = unit.size() > kRoomForUnit;
+    const Edit of_part = number_drag(panel, field, components[i]);
+    edit.changed |= of_part.changed;
+    edit.finished |= of_part.finished;
+  }
+  return edit;
+}
+
+Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, std::vector<int>& values) {
+  row_label(panel, row.label.c_str());
+  std::string text = list_text(values);
+  const Edit typed = text_box(panel, row, text, ImGuiInputTextFlags_EnterReturnsTrue);
+  if (!typed.changed) return {};
+  std::vector<int> parsed = parse_list(text, numbers);
+  const bool changed = parsed != values;
+  values = std::move(parsed);
+  return {changed, changed};
+}
+
+Edit draw_field(Panel& panel, const FieldRow& row, Flag, bool& value) {
+  row_label(panel, row.label.c_str());
+  const bool toggled = checkbox(panel, row.tag.c_str(), ("##" + row.tag).c_str(), value);
+  tooltip(row.description);
+  return {toggled, toggled};
+}
+
+Edit draw_field(Panel& panel, const FieldRow& row, const Text& text, std::string& value) {
+  row_label(panel, row.label.c_str());
+  std::string typed = value;
+  Edit edit = text_box(panel, row, typed);
+  if (typed.size() < static_cast<std::size_t>(text.minimum_length)) return {false, edit.finished};
+  value = std::move(typed);
+  return edit;
+}
+
+Edit draw_field(Panel& panel, const FieldRow& row, const std::filesystem::path& folder, std::filesystem::path& value) {
+  row_label(panel, row.label.c_str());
+  std::string text = value.generic_string();
+  if (!text_box(panel, row, text, ImGuiInputTextFlags_EnterReturnsTrue).changed) return {};
+  if (text.empty() || !std::filesystem::exists(folder / text)) {
+    panel.state.field_problem = "There is no file or folder \"" + text + "\".";
+    return {};
+  }
+  value = text;
+  return {true, true};
+}
+
+Edit draw_choice(Panel& panel, const FieldRow& row, const OneOf& one_of, int& value) {
+  std::vector<std::string> names;
+  for (const std::string_view name : one_of.names) names.push_back(words_of(name));
+  const int chosen =
+      combo_row(panel, row.tag.c_str(), row.label.c_str(), names, names[static_cast<std::size_t>(value)]);
+  tooltip(row.description);
+  if (chosen < 0 || chosen == value) return {};
+  value = chosen;
+  return {true, true};
+}
+
+Edit draw_choices(Panel& panel, const FieldRow& row, const OneOf& one_of, std::vector<int>& chosen) {
+  row_label(panel, row.label.c_str());
+  const std::string text = std::to_string(chosen.size()) + " chosen";
+  if (!ImGui::BeginCombo(("##" + row.tag).c_str(), text.c_str(), ImGuiComboFlags_HeightLarge)) {
+    tag_last_item(panel.tags, row.tag, text);
+    tooltip(row.description);
+    return {};
+  }
+  Edit edit;
+  for (int i = 0; i < static_cast<int>(one_of.names.size()); ++i) {
+    bool on = std::ranges::find(chosen, i) != chosen.end();
+    const std::string name(one_of.names[static_cast<std::size_t>(i)]);
+    if (!checkbox(panel, (row.tag + "/" + name).c_str(), words_of(name).c_str(), on)) continue;
+    if (on) chosen.push_back(i);
+    if (!on) std::erase(chosen, i);
+    edit = {true, true};
+  }
+  ImGui::EndCombo();
+  return edit;
+}
+
+Edit draw_presence(Panel& panel, const FieldRow& row, bool& present) {
+  row_label(panel, row.label.c_str());
+  const bool toggled = checkbox(panel, row.tag.c_str(), ("##" + row.tag).c_str(), present);
+  tooltip(row.description);
+  return {toggled, toggled};
+}
+
+bool begin_part(Panel& panel, const FieldRow& row, const std::string& summary) {
+  const bool open = ImGui::TreeNodeEx(row.tag.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth, "%s", row.label.c_str());
+  tag_last_item(panel.tags, row.tag, open ? "open" : "closed");
+  tooltip(row.description);
+  if (!summary.empty()) {
+    ImGui::SameLine();
+    ImGui::TextColored(as_vec4(palette::kTextDim), "%s", summary.c_str());
+  }
+  return open;
+}
+
+void end_part() { ImGui::TreePop(); }
+
+std::string words_of(std::string_view name) {
+  std::string words(name);
+  std::ranges::replace(words, '_', ' ');
+  return words;
+}
+
+std::string label_of(std::string_view name) {
+  std::string label = words_of(name);
+  if (!label.empty() && label.front() >= 'a' && label.front() <= 'z') label.front() -= 'a' - 'A';
+  return label;
+}
+
+}  // namespace griffith::ui

@@ -1,0 +1,70 @@
+#include "ui/field_rows.h"
+#include "ui/panels.h"
+#include "ui/style.h"
+
+namespace griffith::ui {
+namespace {
+
+bool header(const Panel& panel, const char* tag, const std::string& text) {
+  const bool open = ImGui::CollapsingHeader((text + "###" + tag).c_str());
+  tag_last_item(panel.tags, tag, open ? "open" : "closed");
+  return open;
+}
+
+void problem_line(const Panel& panel) {
+  if (panel.state.field_problem.empty()) return;
+  ImGui::PushTextWrapPos(0);
+  ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
+  ImGui::TextUnformatted(panel.state.field_problem.c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopTextWrapPos();
+  tag_last_item(panel.tags, "field_problem", panel.state.field_problem);
+}
+
+/// Another body has the name already, which probes know bodies by.
+bool is_taken(const Scene& scene, const std::string& name, std::size_t by_other_than) {
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    if (i != by_other_than && scene.bodies[i].name == name) return true;
+  return false;
+}
+
+/// Probes follow their body to its new name.
+void put_back(Scene& scene, std::size_t index, const BodyDescription& body) {
+  for (Probe& probe : scene.probes)
+    if (probe.body == scene.bodies[index].name) probe.body = body.name;
+  scene.bodies[index] = body;
+}
+
+}  // namespace
+
+void draw_body_panel(Panel& panel) {
+  const Scene& scene = panel.history.scene();
+  if (scene.bodies.empty()) return;
+  const auto index = static_cast<std::size_t>(panel.state.selected_body);
+  if (!header(panel, "body", "Shape, supports and loads")) return;
+  BodyDescription body = scene.bodies[index];
+  FieldRows rows(panel, "body");
+  rows.show(body);
+  Edit edit = rows.finish();
+  if (edit.changed && is_taken(scene, body.name, index)) {
+    panel.state.field_problem = "Another body has the name \"" + body.name + "\".";
+    edit.changed = false;
+  }
+  const std::string label = "Set " + rows.edited() + " of " + scene.bodies[index].name;
+  if (edit.changed) panel.history.change(label, [&](Scene& edited) { put_back(edited, index, body); });
+  if (edit.finished) panel.history.finish();
+  problem_line(panel);
+}
+
+void draw_scene_panel(Panel& panel) {
+  if (!header(panel, "scene", "Scene")) return;
+  Scene scene = panel.history.scene();
+  FieldRows rows(panel, "scene", {"bodies", "view"});
+  rows.show(scene);
+  const Edit edit = rows.finish();
+  if (edit.changed) panel.history.change("Set " + rows.edited(), [&](Scene& edited) { edited = std::move(scene); });
+  if (edit.finished) panel.history.finish();
+  problem_line(panel);
+}
+
+}  // namespace griffith::ui
