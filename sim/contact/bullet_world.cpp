@@ -135,12 +135,22 @@ ProxyId ContactWorld::add_ground(double height, const SurfaceProperties& surface
 ProxyId ContactWorld::add_sphere(double radius, double mass, const RigidState& state,
                                  const SurfaceProperties& surface) {
   const RigidMass rigid_mass{mass, 0.4 * mass * radius * radius * Mat3::Identity()};
-  return impl_->add({.kind = Kind::sphere,
+  return impl_->add({.kind = Kind::projectile,
                      .mobility = Mobility::free,
                      .shape = sphere_shape(radius),
                      .state = state,
                      .surface = surface},
                     rigid_mass);
+}
+
+ProxyId ContactWorld::add_convex(const ConvexPart& corners, const RigidMass& mass, const RigidState& state,
+                                 const SurfaceProperties& surface) {
+  return impl_->add({.kind = Kind::projectile,
+                     .mobility = Mobility::free,
+                     .shape = hull_shape({&corners, 1}),
+                     .state = state,
+                     .surface = surface},
+                    mass);
 }
 
 ProxyId ContactWorld::add_stand_in(std::span<const ConvexPart> parts, const RigidMass& mass, Mobility mobility,
