@@ -213,6 +213,9 @@ void ContactWorld::advance(double dt) { impl_->advance(dt); }
 ContactWorld::Correction ContactWorld::position_correction(ProxyId stand_in) const {
   return impl_->objects[stand_in].correction;
 }
+Vec3 ContactWorld::swept_center(ProxyId stand_in, double dt) const {
+  return impl_->swept_end(impl_->objects[stand_in], dt);
+}
 bool ContactWorld::impact_expected(double dt, double minimum_speed) const {
   return impl_->impact_expected(dt, minimum_speed);
 }

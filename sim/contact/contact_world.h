@@ -122,6 +122,10 @@ class ContactWorld {
   /// set since.
   void advance(double dt);
 
+  /// Where a stand-in's centre of mass is after `dt` [s] at its velocity [m]: short of that where it would pass through
+  /// something else, as seen after advance().
+  Vec3 swept_center(ProxyId stand_in, double dt) const;
+
   /// The displacement that removes what is left of an overlap, as a rigid motion (translation [m], rotation vector
   /// [rad] about the centre of mass), from the last advance(). Zero for most.
   struct Correction {

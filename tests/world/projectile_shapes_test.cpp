@@ -56,6 +56,32 @@ TEST(ProjectileShapes, FastOnesStayOnTheirSideOfAPlate) {
       }
 }
 
+TEST(ProjectileShapes, FastPiecesStayOnTheirSideOfAPlate) {
+  for (int turned = 0; turned < 6; ++turned) {
+    Scene scene = plate_scene(true);
+    BodyDescription piece;
+    piece.name = "piece";
+    piece.shape = BoxShape{Vec3(0.1, 0.2, 0.15), Vec3::Constant(1), BoxPattern::five_tet};
+    piece.material = scene.bodies[0].material;
+    piece.position = Vec3(0.1, 0.2, 4);
+    piece.rotation_degrees = 25.0 * turned * Vec3(1, 0.4, 0.7);
+    scene.bodies.push_back(piece);
+    World resting(scene);
+    for (int step = 0; step < 30; ++step) resting.step();
+    ASSERT_TRUE(resting.frame().bodies[1].rigid) << "it is debris by now: rigid";
+    scene.bodies[1].velocity = Vec3(0, 0, -100.0 / 10);
+    scene.bodies[1].position.z() = 3.6;  // ten times slower: rigid before it strikes
+    World slow(scene);
+    for (int step = 0; step < 60; ++step) slow.step();
+    EXPECT_GT(slow.frame().bodies[1].center_of_mass.z(), 0) << turned;
+    scene.bodies[1].velocity = Vec3(0, 0, -100);
+    scene.bodies[1].position.z() = 22;
+    World fast(scene);
+    for (int step = 0; step < 40; ++step) fast.step();
+    EXPECT_GT(fast.frame().bodies[1].center_of_mass.z(), 0) << turned;
+  }
+}
+
 TEST(ProjectileShapes, MomentumIsKeptWhateverStrikes) {
   for (const auto& shape : shapes()) {
     Scene scene = plate_scene(false);
