@@ -165,8 +165,37 @@ void mark_node(const ShownMesh& shown, NodeId node, render::DrawScene& picture) 
   picture.labels.push_back({place, "node " + std::to_string(node.value), 1.4f});
 }
 
+/// Makes room for one more triangle that is no part of a body.
+void add_plain_triangle(render::Surface& surface) {
+  const std::size_t triangles = surface.positions.size() / 3;
+  const std::size_t scalars = triangles > 0 ? surface.scalars.size() / triangles : 0;
+  surface.colors.resize(triangles, surface.color);
+  surface.ids.resize(triangles, render::kNoId);
+  surface.flags.resize(triangles, 0);
+  surface.scalars.resize(surface.scalars.size() + scalars, 0);
+  surface.colors.push_back(kProjectileColor);
+  surface.ids.push_back(render::kNoId);
+  surface.flags.push_back(render::kPlain);
+}
+
+void add_hull(const ProjectileView& projectile, render::Surface& surface) {
+  const auto corner = [&](int index) {
+    const Vec3 place = projectile.position + projectile.rotation * projectile.corners[static_cast<std::size_t>(index)];
+    return Eigen::Vector3f(place.cast<float>());
+  };
+  for (const std::vector<int>& face : projectile.faces)
+    for (std::size_t i = 2; i < face.size(); ++i) {
+      add_plain_triangle(surface);
+      for (const int index : {face[0], face[i - 1], face[i]}) surface.positions.push_back(corner(index));
+    }
+}
+
 void add_surroundings(const Frame& frame, const Scene& scene, float grid, render::DrawScene& picture) {
   for (const ProjectileView& projectile : frame.projectiles) {
+    if (!projectile.corners.empty()) {
+      add_hull(projectile, picture.surface);
+      continue;
+    }
     picture.spheres.push_back(
         {projectile.position.cast<float>(), static_cast<float>(projectile.radius), kProjectileColor, render::kNoId});
   }

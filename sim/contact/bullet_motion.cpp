@@ -9,9 +9,10 @@ using namespace contact;
 
 namespace {
 
-/// Swept spheres come to rest overlapping by this share of their radius, so that the next detection sees the contact.
+/// Swept projectiles come to rest overlapping by this share of their radius, so that the next detection sees the
+/// contact.
 constexpr double kTouchShare = 1e-6;
-/// A sphere slides along this many surfaces in one substep at most.
+/// A projectile slides along this many surfaces in one substep at most.
 constexpr int kMaxTouches = 4;
 
 /// A motion of `a` as seen from `b`, which stays in its present place.
@@ -58,11 +59,11 @@ Quat rotated(const Quat& rotation, const Vec3& turn) {
   return (Quat(Eigen::AngleAxisd(angle, turn / angle)) * rotation).normalized();
 }
 
-/// Where an object will be after a share (0..1) of the substep, moving uniformly. How a sphere turns does not matter.
+/// Where an object will be after a share (0..1) of the substep, moving uniformly. Projectiles have turned already.
 Pose pose_after(const Object& object, double share, double dt) {
   Pose pose = object.state.pose;
   pose.translation += share * (dt * object.state.velocity + object.correction.translation);
-  if (object.kind != Kind::sphere)
+  if (object.kind != Kind::projectile)
     pose.rotation = rotated(pose.rotation, share * (dt * object.state.angular_velocity + object.correction.rotation));
   return pose;
 }
@@ -70,59 +71,112 @@ Pose pose_after(const Object& object, double share, double dt) {
 /// Fastest motion of a surface point due to rotation [m/s].
 double turning_speed(const Object& object) { return object.state.angular_velocity.norm() * object.shape.radius; }
 
+/// Turns a projectile; its angular momentum stays.
+void turn(Object& object, const Vec3& angle) {
+  RigidState& state = object.state;
+  const Quat before = state.pose.rotation;
+  state.pose.rotation = rotated(before, angle);
+  const Vec3 own_spin = before.conjugate() * state.angular_velocity;
+  const Quat back = state.pose.rotation.conjugate();
+  const Vec3 momentum = before * (object.inverse_inertia.inverse() * own_spin);
+  state.angular_velocity = state.pose.rotation * (object.inverse_inertia * (back * momentum));
+}
+
 }  // namespace
 
-void ContactWorld::Impl::move_spheres(double dt) {
-  std::vector<std::size_t> spheres;
+/// Each is turned first, then moved as it lies then, so that it comes to touch what it meets.
+void ContactWorld::Impl::move_projectiles(double dt) {
+  std::vector<std::size_t> projectiles;
   for (std::size_t i = 0; i < objects.size(); ++i)
-    if (objects[i].kind == Kind::sphere && objects[i].moves()) spheres.push_back(i);
-  for (std::size_t i : spheres) {
-    objects[i].state.pose.translation += objects[i].correction.translation;
-    objects[i].correction = {};
+    if (objects[i].kind == Kind::projectile && objects[i].moves()) projectiles.push_back(i);
+  for (std::size_t i : projectiles) {
+    Object& object = objects[i];
+    object.state.pose.translation += object.correction.translation;
+    turn_free(object, dt);
+    object.correction = {};
   }
   std::vector<Vec3> ends;
-  for (std::size_t i : spheres) ends.push_back(swept_end(objects[i], dt));
-  for (std::size_t i = 0; i < spheres.size(); ++i) {
-    RigidState& state = objects[spheres[i]].state;
-    state.pose.translation = ends[i];
-    state.pose.rotation = rotated(state.pose.rotation, dt * state.angular_velocity);
-    place(objects[spheres[i]]);
+  for (std::size_t i : projectiles) ends.push_back(swept_end(objects[i], dt));
+  for (std::size_t i = 0; i < projectiles.size(); ++i) {
+    objects[projectiles[i]].state.pose.translation = ends[i];
+    place(objects[projectiles[i]]);
   }
 }
 
-/// Where a sphere is after `dt` among the others in uniform motion. Slow touches let it slide on along the surface;
+/// Turns a projectile as far as nothing is in its way: with the next detection, contacts stop it there.
+void ContactWorld::Impl::turn_free(Object& object, double dt) {
+  constexpr double kLargestTurn = 0.2, kLeastTurn = 1e-3;  // [rad]
+  const auto angle = [&] { return Vec3(dt * object.state.angular_velocity + object.correction.rotation); };
+  if (object.shape.parts.front()->getShapeType() == SPHERE_SHAPE_PROXYTYPE) {
+    turn(object, angle());
+    return place(object);
+  }
+  const double allowed = std::max<double>(deepest_overlap(object), object.shape.parts.front()->getMargin());
+  const double whole = angle().norm();
+  double left = 1, share = std::clamp(kLargestTurn / std::max(whole, kLeastTurn), 0.01, 1.0);
+  while (left > 0 && share * whole >= std::min(left * whole, kLeastTurn)) {
+    const RigidState before = object.state;
+    turn(object, share * angle());
+    place(object);
+    if (deepest_overlap(object) <= allowed) {
+      left -= share;
+      share = std::min(share, left);
+      continue;
+    }
+    object.state = before;
+    place(object);
+    share /= 2;
+  }
+}
+
+/// With anything but the ground, out of which contacts lead whatever the depth [m].
+double ContactWorld::Impl::deepest_overlap(const Object& object) const {
+  double deepest = 0;
+  const Vec3& center = object.state.pose.translation;
+  for (const Object& other : objects) {
+    if (&other == &object || !other.body || other.kind == Kind::ground) continue;
+    if (!may_touch({object, other, center, Vec3::Zero(), 0}, ground_height)) continue;
+    for (std::size_t part = 0; part < other.shape.parts.size(); ++part) {
+      const PlacedShape shape = placed(other, part, other.state.pose.translation, ground_height);
+      deepest = std::max(deepest, -separation(placed(object, 0, center, ground_height), shape).distance);
+    }
+  }
+  return deepest;
+}
+
+/// Where a projectile is after `dt` among the others in uniform motion. Slow touches let it slide on along the surface;
 /// what it strikes takes it along for the rest of `dt`, so that the next detection finds both in touch.
-Vec3 ContactWorld::Impl::swept_end(const Object& sphere, double dt) const {
-  Vec3 center = sphere.state.pose.translation, velocity = sphere.state.velocity;
+Vec3 ContactWorld::Impl::swept_end(const Object& projectile, double dt) const {
+  Vec3 center = projectile.state.pose.translation, velocity = projectile.state.velocity;
   double share = 0;
   for (int touches = 0; touches < kMaxTouches; ++touches) {
-    const NextTouch next = next_touch(sphere, center, velocity, share, dt);
+    const NextTouch next = next_touch(projectile, center, velocity, share, dt);
     center += (next.share - share) * dt * velocity;
     share = next.share;
     if (!next.met) break;
     const RigidState& met = next.met->state;
     const Vec3 arm = center - pose_after(*next.met, share, dt).translation;
     const double approach = -next.normal.dot(velocity - met.velocity - met.angular_velocity.cross(arm));
-    const double came = share * dt * (sphere.state.velocity - met.velocity).norm();
-    const bool just_solved = came < 10 * kTouchShare * sphere.shape.radius;
-    if (approach > kQuietSpeed && !just_solved) return carried_end(sphere, next, center, dt);
+    const double came = share * dt * (projectile.state.velocity - met.velocity).norm();
+    const bool just_solved = came < 10 * kTouchShare * projectile.shape.radius;
+    if (approach > kQuietSpeed && !just_solved) return carried_end(projectile, next, center, dt);
     velocity += std::max(0.0, approach) * next.normal;
   }
   return center;
 }
 
-/// What a sphere in motion meets first after a share of the substep. Each other object is looked at in its own frame,
-/// so that its turning counts.
-ContactWorld::Impl::NextTouch ContactWorld::Impl::next_touch(const Object& sphere, const Vec3& center,
+/// What a projectile in motion meets first after a share of the substep. Each other object is looked at in its own
+/// frame, so that its turning counts.
+ContactWorld::Impl::NextTouch ContactWorld::Impl::next_touch(const Object& projectile, const Vec3& center,
                                                              const Vec3& velocity, double share, double dt) const {
-  const double gap = -kTouchShare * sphere.shape.radius;
+  const double gap = -kTouchShare * projectile.shape.radius;
   NextTouch next{1, nullptr, Vec3::Zero(), Vec3::Zero()};
   for (const Object& other : objects) {
-    if (&other == &sphere || !other.body) continue;
+    if (&other == &projectile || !other.body) continue;
     const Pose& present = other.state.pose;
     const Vec3 start = pose_after(other, share, dt).to_local(center);
     const Vec3 end = pose_after(other, 1, dt).to_local(center + (1 - share) * dt * velocity);
-    const Encounter encounter{sphere, other, present.to_world(start), present.rotation * (end - start), gap};
+    const Encounter encounter{projectile, other, present.to_world(start), present.rotation * (end - start), gap};
     for_each_touch(encounter, ground_height, [&](const Touch& touch) {
       const double touch_share = share + touch.fraction * (1 - share);
       if (next.met && touch_share >= next.share) return;
@@ -134,13 +188,13 @@ ContactWorld::Impl::NextTouch ContactWorld::Impl::next_touch(const Object& spher
   return next;
 }
 
-/// Where a sphere ends up that has struck something at `center`: with it, or with the common velocity of two spheres.
-Vec3 ContactWorld::Impl::carried_end(const Object& sphere, const NextTouch& struck, const Vec3& center,
+/// Where a projectile ends up that has struck something at `center`: with it, or with the common velocity of two.
+Vec3 ContactWorld::Impl::carried_end(const Object& projectile, const NextTouch& struck, const Vec3& center,
                                      double dt) const {
   const Object& met = *struck.met;
-  if (met.kind != Kind::sphere) return pose_after(met, 1, dt).to_world(struck.local_center);
-  const double own = sphere.inverse_mass, other = met.inverse_mass;
-  const Vec3 common = (other * sphere.state.velocity + own * met.state.velocity) / (own + other);
+  if (met.kind != Kind::projectile) return pose_after(met, 1, dt).to_world(struck.local_center);
+  const double own = projectile.inverse_mass, other = met.inverse_mass;
+  const Vec3 common = (other * projectile.state.velocity + own * met.state.velocity) / (own + other);
   return center + (1 - struck.share) * dt * common;
 }
 

@@ -145,12 +145,22 @@ ProxyId ContactWorld::add_ground(double height, const SurfaceProperties& surface
 ProxyId ContactWorld::add_sphere(double radius, double mass, const RigidState& state,
                                  const SurfaceProperties& surface) {
   const RigidMass rigid_mass{mass, 0.4 * mass * radius * radius * Mat3::Identity()};
-  return impl_->add({.kind = Kind::sphere,
+  return impl_->add({.kind = Kind::projectile,
                      .mobility = Mobility::free,
                      .shape = sphere_shape(radius),
                      .state = state,
                      .surface = surface},
                     rigid_mass);
+}
+
+ProxyId ContactWorld::add_convex(const ConvexPart& corners, const RigidMass& mass, const RigidState& state,
+                                 const SurfaceProperties& surface) {
+  return impl_->add({.kind = Kind::projectile,
+                     .mobility = Mobility::free,
+                     .shape = hull_shape({&corners, 1}),
+                     .state = state,
+                     .surface = surface},
+                    mass);
 }
 
 ProxyId ContactWorld::add_stand_in(std::span<const ConvexPart> parts, const RigidMass& mass, Mobility mobility,
@@ -231,6 +241,9 @@ std::vector<double> ContactWorld::limit_energy(double dt, std::span<const Elasti
 void ContactWorld::advance(double dt) { impl_->advance(dt); }
 ContactWorld::Correction ContactWorld::position_correction(ProxyId stand_in) const {
   return impl_->objects[stand_in].correction;
+}
+Vec3 ContactWorld::swept_center(ProxyId stand_in, double dt) const {
+  return impl_->swept_end(impl_->objects[stand_in], dt);
 }
 bool ContactWorld::impact_expected(double dt, double minimum_speed) const {
   return impl_->impact_expected(dt, minimum_speed);

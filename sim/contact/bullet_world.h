@@ -24,7 +24,7 @@ inline constexpr double kQuietSpeed = 0.2;
 /// Distance less the overlap that is allowed; a gap stays a gap.
 double distance_beyond(double distance, double allowed_overlap);
 
-enum class Kind { ground, sphere, stand_in };
+enum class Kind { ground, projectile, stand_in };
 
 struct Object {
   Kind kind;
@@ -133,17 +133,19 @@ struct ContactWorld::Impl {
   void wake_neighbours(ProxyId id);
 
   // Motion.
-  void move_spheres(double dt);
+  void move_projectiles(double dt);
+  void turn_free(contact::Object& object, double dt);
+  double deepest_overlap(const contact::Object& object) const;
   struct NextTouch {
     double share;                ///< of the substep, 1 for nothing
     const contact::Object* met;  ///< null for nothing
-    Vec3 normal;                 ///< unit, towards the sphere
-    Vec3 local_center;           ///< of the sphere, in the frame of what it met [m]
+    Vec3 normal;                 ///< unit, towards the projectile
+    Vec3 local_center;           ///< of the projectile, in the frame of what it met [m]
   };
-  Vec3 swept_end(const contact::Object& sphere, double dt) const;
-  NextTouch next_touch(const contact::Object& sphere, const Vec3& center, const Vec3& velocity, double share,
+  Vec3 swept_end(const contact::Object& projectile, double dt) const;
+  NextTouch next_touch(const contact::Object& projectile, const Vec3& center, const Vec3& velocity, double share,
                        double dt) const;
-  Vec3 carried_end(const contact::Object& sphere, const NextTouch& struck, const Vec3& center, double dt) const;
+  Vec3 carried_end(const contact::Object& projectile, const NextTouch& struck, const Vec3& center, double dt) const;
   bool would_strike(std::size_t a, std::size_t b, double dt, double minimum_speed) const;
   bool impact_expected(double dt, double minimum_speed) const;
 

@@ -55,7 +55,7 @@ std::vector<Responder> ContactWorld::Impl::rigid_responders(double dt) const {
     made.push_back(rigid_responder(object));
     made.back().velocity = object.state.velocity;
     made.back().angular_velocity = object.state.angular_velocity;
-    if (object.kind == Kind::sphere && object.moves()) made.back().velocity += dt * gravity;
+    if (object.kind == Kind::projectile && object.moves()) made.back().velocity += dt * gravity;
   }
   return made;
 }
@@ -173,7 +173,7 @@ void ContactWorld::Impl::advance(double dt) {
   take_impulses(dt);
   resist_rolling(dt);
   correct_positions(solved);
-  move_spheres(dt);
+  move_projectiles(dt);
 }
 
 std::vector<ContactWorld::Impl::Momentum> ContactWorld::Impl::impulse_sums() const {
@@ -195,7 +195,7 @@ void ContactWorld::Impl::take_impulses(double dt) {
     Object& object = objects[i];
     if (!object.moves() || object.elastic) continue;
     const Responder responder = rigid_responder(object);
-    if (object.kind == Kind::sphere) object.state.velocity += dt * gravity;
+    if (object.kind == Kind::projectile) object.state.velocity += dt * gravity;
     object.state.velocity += responder.inverse_mass * sums[i].linear;
     object.state.angular_velocity += responder.inverse_inertia * sums[i].angular;
   }

@@ -65,7 +65,7 @@ struct ElasticResponse {
 /// Finds and solves the contacts of everything. Bullet, in double precision, finds them.
 ///
 /// A substep is: add, reshape() and remove(), set_state() of all stand-ins, detect(), solve(), advance(), impulses out
-/// of contacts(). Spheres are moved by advance(), and gravity acts on them there; stand-ins are not: their owner sets
+/// of contacts(). Spheres and convex projectiles are moved by advance(), and gravity acts on them there; stand-ins are not: their owner sets
 /// velocities that hold all external forces already, and places them with the next set_state(), after adding
 /// position_correction().
 ///
@@ -88,6 +88,9 @@ class ContactWorld {
   ProxyId add_ground(double height, const SurfaceProperties& surface);
   /// A rigid sphere that the contact world itself moves. Radius [m] > 0, mass [kg] > 0.
   ProxyId add_sphere(double radius, double mass, const RigidState& state, const SurfaceProperties& surface);
+  /// The same for a convex body: its corners in its own frame (origin at the centre of mass), not all in a plane.
+  ProxyId add_convex(const ConvexPart& corners, const RigidMass& mass, const RigidState& state,
+                     const SurfaceProperties& surface);
   /// The stand-in of an elastic body: at least one part. When held, its mass is not used.
   ProxyId add_stand_in(std::span<const ConvexPart> parts, const RigidMass& mass, Mobility mobility,
                        const RigidState& state, const SurfaceProperties& surface);
@@ -112,7 +115,7 @@ class ContactWorld {
   void set_state(ProxyId object, const RigidState& state);
   void set_surface(ProxyId object, const SurfaceProperties& surface);
   void set_velocity(ProxyId object, const Vec3& velocity, const Vec3& angular_velocity);
-  /// As set last; after advance() with the solved velocities and, for a sphere, in its new place.
+  /// As set last; after advance() with the solved velocities and, for a projectile, in its new place.
   RigidState state(ProxyId object) const;
 
   /// Contacts at the present poses. Invalidates spans handed out before.
@@ -130,10 +133,14 @@ class ContactWorld {
   /// Scales the impulses down in each group of objects that touch where they would add energy: where `velocities`, now
   /// exact under these impulses, show that `compliance` was too small. Returns the factor of each response, mostly 1.
   std::vector<double> limit_energy(double dt, std::span<const ElasticResponse> elastic);
-  /// Gives the rigid objects the velocities that follow from the impulses in contacts() and moves the spheres (swept,
+  /// Gives the rigid objects the velocities that follow from the impulses in contacts() and moves the projectiles (swept,
   /// so that none passes through a thin body). Elastic objects of the last solve() keep the velocity that their owner
   /// set since.
   void advance(double dt);
+
+  /// Where a stand-in's centre of mass is after `dt` [s] at its velocity [m]: short of that where it would pass through
+  /// something else, as seen after advance().
+  Vec3 swept_center(ProxyId stand_in, double dt) const;
 
   /// The displacement that removes what is left of an overlap, as a rigid motion (translation [m], rotation vector
   /// [rad] about the centre of mass), from the last advance(). Zero for most.

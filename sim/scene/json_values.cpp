@@ -29,6 +29,12 @@ Json value_json(const Vec3& vector, const Numbers& numbers) {
 
 Json value_json(const std::vector<int>& values, const Numbers&) { return values; }
 
+Json value_json(const std::vector<Vec3>& values, const Numbers& numbers) {
+  Json array = Json::array();
+  for (const Vec3& value : values) array.push_back(value_json(value, numbers));
+  return array;
+}
+
 Json value_json(const std::string& value, const Text&) { return value; }
 
 Json value_json(const std::string& value, const OneOf&) { return value; }

@@ -19,6 +19,7 @@ Json value_json(double value, const Numbers& numbers);
 Json value_json(const Vec2& vector, const Numbers& numbers);
 Json value_json(const Vec3& vector, const Numbers& numbers);
 Json value_json(const std::vector<int>& values, const Numbers& numbers);
+Json value_json(const std::vector<Vec3>& values, const Numbers& numbers);
 Json value_json(const std::string& value, const Text& text);
 Json value_json(const std::string& value, const OneOf& one_of);
 Json value_json(const std::filesystem::path& path, MeshPath);

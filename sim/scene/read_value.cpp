@@ -92,6 +92,14 @@ void read(const Place& place, std::vector<int>& values, const Numbers& numbers) 
   }
 }
 
+void read(const Place& place, std::vector<Vec3>& values, const Numbers& numbers) {
+  if (!place.json.is_array())
+    return place.reject("an array of points [x, y, z], each component " + range_text(numbers));
+  values.assign(place.json.size(), Vec3::Zero());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    read(place.child(std::to_string(i), place.json[i]), values[i], numbers);
+}
+
 void read(const Place& place, std::string& value, const Text& text) {
   const bool fits =
       place.json.is_string() && std::ssize(place.json.get_ref<const std::string&>()) >= text.minimum_length;
@@ -131,8 +139,9 @@ void read(const Place& place, std::filesystem::path& value, MeshPath kind) {
   for (const auto& tried : files_of_mesh((place.document.folder / value).lexically_normal())) {
     std::error_code ignored;
     if (std::filesystem::exists(tried, ignored)) continue;
-    place.report("names the " + std::string(kind.what) + " \"" + text + "\", but there is no \"" + tried.generic_string() + "\"",
-                 "put it there or correct the path, which starts at the scene file's folder");
+    place.report(
+        "names the " + std::string(kind.what) + " \"" + text + "\", but there is no \"" + tried.generic_string() + "\"",
+        "put it there or correct the path, which starts at the scene file's folder");
     return;
   }
 }

@@ -48,6 +48,7 @@ void read(const Place& place, int& value, const Numbers& numbers);
 void read(const Place& place, Vec2& value, const Numbers& numbers);
 void read(const Place& place, Vec3& value, const Numbers& numbers);
 void read(const Place& place, std::vector<int>& values, const Numbers& numbers);
+void read(const Place& place, std::vector<Vec3>& values, const Numbers& numbers);
 void read(const Place& place, std::string& value, const Text& text);
 void read(const Place& place, std::string& value, const OneOf& one_of);
 void read(const Place& place, std::filesystem::path& value, MeshPath);

@@ -10,6 +10,7 @@
 #include "sim/linear_algebra.h"
 #include "sim/scene/boundary_condition.h"
 #include "sim/scene/probe.h"
+#include "sim/scene/projectile_shape.h"
 #include "sim/scene/shape.h"
 #include "sim/splinters/splinter_pattern.h"
 
@@ -35,21 +36,25 @@ struct BodyDescription {
   std::optional<StrengthScatter> strength_scatter;
   std::vector<Support> supports;
   std::vector<Load> loads;
-  std::optional<SplinterPattern> splinters;  ///< what is seen of it when it breaks; none: its tets
+  std::optional<SplinterPattern> splinters;             ///< what is seen of it when it breaks; none: its tets
   CollisionShape collision = CollisionShape::elements;  ///< `splinters` only where it has some
   bool operator==(const BodyDescription&) const = default;
 };
 
-/// `count` spheres, `interval` apart, the first at `start`.
+/// `count` equal projectiles, `interval` apart, the first at `start`.
 struct ProjectileBurst {
-  int count = 1;                    ///< 1..10000
-  double interval = 0.25;           ///< [s], >= 0
-  double start = 0;                 ///< [s], >= 0
-  Vec3 position = Vec3(0, 1, 5);    ///< of the sphere's centre [m]
-  Vec3 direction = Vec3(0, 0, -1);  ///< of flight; any length but 0
-  double speed = 40;                ///< [m/s], >= 0
-  double mass = 25;                 ///< [kg], > 0
-  double radius = 0.2;              ///< [m], > 0
+  int count = 1;                         ///< 1..10000
+  double interval = 0.25;                ///< [s], >= 0
+  double start = 0;                      ///< [s], >= 0
+  Vec3 position = Vec3(0, 1, 5);         ///< of the centre of mass [m]
+  Vec3 direction = Vec3(0, 0, -1);       ///< of flight; any length but 0
+  double speed = 40;                     ///< [m/s], >= 0
+  double mass = 25;                      ///< [kg], > 0
+  double radius = 0.2;                   ///< of a sphere [m], > 0
+  std::optional<double> density;         ///< [kg/m³], > 0; says the mass in place of `mass`
+  std::optional<ProjectileShape> shape;  ///< none: a sphere
+  Vec3 rotation_degrees = Vec3::Zero();  ///< at launch, about the fixed x, then y, then z axis [degrees]
+  Vec3 angular_velocity = Vec3::Zero();  ///< at launch [rad/s]
   bool operator==(const ProjectileBurst&) const = default;
 };
 
@@ -69,13 +74,13 @@ enum class Analysis {
 
 /// How a body moves through a step.
 enum class Integrator {
-  implicit_euler,      ///< a linear system a step: stable at any length
-  symplectic_euler,    ///< no system, but as many substeps as stability asks for
+  implicit_euler,    ///< a linear system a step: stable at any length
+  symplectic_euler,  ///< no system, but as many substeps as stability asks for
 };
 
 /// How the step is carried out. Budgets count work, never time, so results do not depend on the machine.
 struct SimulationSettings {
-  double time_step = 1.0 / 120;     ///< [s], 1e-5..0.1
+  double time_step = 1.0 / 120;  ///< [s], 1e-5..0.1
   Integrator integrator = Integrator::implicit_euler;
   bool static_start = true;         ///< supported bodies start at rest under gravity and their loads at time 0
   int impact_substeps = 32;         ///< most substeps of a step in which something strikes or cracks, 1..256

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "sim/contact/solid.h"
 #include "sim/scene/field.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/shape_fields.h"
@@ -165,7 +166,8 @@ void describe(Archive& archive, BodyDescription& body) {
                 "Angular velocity at the start, about the centre of mass");
   archive.field("material", body.material, MaterialChoice{},
                 "Name of a preset or of one of the scene's materials, or an object with its properties");
-  archive.field("remeshing", body.remeshing, Flag{}, "Cracks cut tetrahedra along their plane; false: they follow faces");
+  archive.field("remeshing", body.remeshing, Flag{},
+                "Cracks cut tetrahedra along their plane; false: they follow faces");
   archive.field("minimum_element_size", body.minimum_element_size, between(0, 1e6, "m"),
                 "Shortest edge that remeshing makes; 0: a quarter of the size of the first elements");
   archive.field("weakness", body.weakness, Parts{}, "A direction in which it is weaker; null: none");
@@ -184,15 +186,49 @@ void describe(Archive& archive, BodyDescription& body) {
 }
 
 template <class Archive>
+void describe(Archive& archive, BoxProjectile& box) {
+  archive.field("size", box.size, between(1e-4, 1e4, "m"), "Edge lengths along x, y, z");
+}
+
+template <class Archive>
+void describe(Archive& archive, SurfaceProjectile& surface) {
+  archive.field("path", surface.path, MeshPath{"surface"},
+                "Surface: .obj, .stl, .ply, .off, .gltf or .glb; relative to the scene file's folder");
+  archive.field("scale", surface.scale, between(1e-9, 1e6), "Metres per unit of the file");
+}
+
+template <class Archive>
+void describe(Archive& archive, ProjectileShape& shape) {
+  archive.template alternative<BoxProjectile>("box", shape, Parts{}, "A box");
+  archive.template alternative<PointsProjectile>("points", shape, between(-1e4, 1e4, "m"),
+                                                 "The convex hull of at least four points, not all in a plane",
+                                                 &PointsProjectile::points);
+  archive.template alternative<SurfaceProjectile>("surface", shape, Parts{}, "The convex hull of a surface's points");
+  const auto* hull = std::get_if<PointsProjectile>(&shape);
+  archive.require(!hull || is_solid(convex_hull(hull->points)), "points", "span no volume",
+                  "give at least four points that do not lie in one plane");
+}
+
+template <class Archive>
 void describe(Archive& archive, ProjectileBurst& burst) {
-  archive.field("count", burst.count, between(1, 10000), "Number of spheres");
-  archive.field("interval", burst.interval, between(0, 1e4, "s"), "Time between two spheres");
-  archive.field("start", burst.start, between(0, 1e6, "s"), "When the first sphere is launched");
-  archive.field("position", burst.position, kPlace, "Where a sphere's centre starts");
+  archive.field("count", burst.count, between(1, 10000), "Number of projectiles");
+  archive.field("interval", burst.interval, between(0, 1e4, "s"), "Time between two of them");
+  archive.field("start", burst.start, between(0, 1e6, "s"), "When the first one is launched");
+  archive.field("position", burst.position, kPlace, "Where the centre of mass starts");
   archive.field("direction", burst.direction, kDirection, "Direction of flight; any length but 0");
   archive.field("speed", burst.speed, between(0, 1e5, "m/s"), "Speed at launch");
-  archive.field("mass", burst.mass, between(1e-6, 1e9, "kg"), "Mass of a sphere");
+  archive.field("mass", burst.mass, between(1e-6, 1e9, "kg"), "Mass");
   archive.field("radius", burst.radius, between(1e-4, 1e4, "m"), "Radius of a sphere");
+  archive.field("density", burst.density, between(0.01, 1e6, "kg/m³"),
+                "Says the mass in place of \"mass\"; null: it does not");
+  archive.field("shape", burst.shape, Parts{}, "Another shape than a sphere; null: a sphere");
+  archive.field("rotation_degrees", burst.rotation_degrees, between(-1e6, 1e6, "degrees"),
+                "Rotation at launch about the fixed x, then y, then z axis");
+  archive.field("angular_velocity", burst.angular_velocity, between(-1e4, 1e4, "rad/s"), "Spin at launch");
+  archive.require(!burst.density || burst.mass == ProjectileBurst{}.mass, "density", "stands beside a mass",
+                  "take one of them out");
+  archive.require(!burst.shape || burst.radius == ProjectileBurst{}.radius, "radius", "stands beside another shape",
+                  "take one of them out: spheres alone have a radius");
 }
 
 template <class Archive>
@@ -278,7 +314,8 @@ void describe(Archive& archive, ViewSettings& view) {
   archive.field("edges", view.edges, Flag{}, "Whether element edges are drawn");
   archive.field("edge_width", view.edge_width, between(0.25, 10),
                 "Width of element edges, in pixels of a picture 720 pixels high");
-  archive.field("splinters", view.splinters, Flag{}, "Whether splinters and surfaces are drawn in place of the tetrahedra");
+  archive.field("splinters", view.splinters, Flag{},
+                "Whether splinters and surfaces are drawn in place of the tetrahedra");
   archive.field("elements", view.elements, OneOf{{"surface", "wireframe", "shrunken"}},
                 "How tetrahedra are drawn: the surface, all edges, or each one by itself and smaller");
   archive.field("explode", view.explode, between(0, 20, "-"),

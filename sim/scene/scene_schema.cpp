@@ -36,6 +36,10 @@ Json schema_of(const Eigen::Matrix<double, N, 1>&, const Numbers& numbers) {
   return schema;
 }
 
+Json schema_of(const std::vector<Vec3>&, const Numbers& numbers) {
+  return {{"type", "array"}, {"items", schema_of(Vec3(Vec3::Zero()), numbers)}};
+}
+
 Json text_schema(int minimum_length) {
   Json schema = {{"type", "string"}};
   if (minimum_length > 0) schema["minLength"] = minimum_length;

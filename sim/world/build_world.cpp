@@ -180,7 +180,8 @@ void build_world(WorldState& world, const Monitor& monitor) {
   if (const auto& ground = world.scene.ground)
     world.contact_world.add_ground(ground->height, {ground->friction, ground->restitution});
   add_scene_bodies(world, monitor);
-  for (const ProjectileBurst& burst : world.scene.projectiles) queue_burst(world, burst);
+  for (std::size_t i = 0; i < world.scene.projectiles.size(); ++i)
+    queue_burst(world, world.scene.projectiles[i], "#/projectiles/" + std::to_string(i));
   if (world.scene.simulation.static_start && world.scene.analysis == Analysis::dynamic)
     find_equilibrium(world, 0, 0, true);
   place_stand_ins(world);

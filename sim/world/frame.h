@@ -46,7 +46,9 @@ struct ContactView {
 struct ProjectileView {
   Vec3 position, velocity;
   Quat rotation;
-  double radius = 0, mass = 0;
+  double radius = 0, mass = 0;  ///< radius of a sphere, or of the one round it [m], [kg]
+  std::span<const Vec3> corners;              ///< of a convex one, in its own frame [m]; none for a sphere
+  std::span<const std::vector<int>> faces;    ///< convex polygons of corners, counter-clockwise from outside
 };
 
 /// Milliseconds of the phases of one step; for display and statistics, never for decisions.

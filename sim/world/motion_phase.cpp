@@ -27,13 +27,22 @@ void move_free(WorldState& world, const Body& body, double dt) {
     world.nodes.velocities[node] += before.velocity + spin.cross(world.nodes.positions[node] - center);
 }
 
+/// How far a rigid body gets [m]. What is fast stops at what it meets, or it would pass through thin bodies.
+Vec3 way_of(const WorldState& world, const Body& body, double dt) {
+  constexpr double kSlowShare = 0.25;  // of its size: so much overlap would still be found
+  const Vec3 way = dt * body.motion.velocity;
+  if (way.norm() < kSlowShare * body.extent) return way;
+  return world.contact_world.swept_center(body.stand_in, dt) -
+         world.contact_world.state(body.stand_in).pose.translation;
+}
+
 /// The same for a body that does not deform: its motion leads, its nodes follow.
 void move_rigid(WorldState& world, Body& body, double dt) {
   if (body.supported()) return;  // frozen: its supports hold it
   RigidMotion& motion = body.motion;
   const Mat3 turn = turn_step(motion, dt);
   const Vec3 angular_momentum = motion.inertia * motion.angular_velocity;
-  motion.center += dt * motion.velocity;
+  motion.center += way_of(world, body, dt);
   motion.inertia = turn * motion.inertia * turn.transpose();
   motion.angular_velocity = motion.inertia.inverse() * angular_momentum;
   body.orientation = (Quat(turn) * body.orientation).normalized();

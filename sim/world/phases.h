@@ -18,8 +18,9 @@ void place_splinters(WorldState& world, int scene_body, const RestBody& body);
 /// After the splinters of all bodies were made: what is known of them together.
 void close_splinters(WorldState& world);
 
-/// Queues the shots of a burst, its start counted from now.
-void queue_burst(WorldState& world, const ProjectileBurst& burst);
+/// Queues the shots of a burst, its start counted from now. Throws InputError, about the field `where` of the scene, for
+/// a surface file that cannot be read or has no volume.
+void queue_burst(WorldState& world, const ProjectileBurst& burst, const std::string& where);
 /// Puts the shots whose time has come into the contact world.
 void launch_projectiles(WorldState& world);
 

@@ -62,14 +62,23 @@ void add_nodes(const WorldState& world, Totals& totals) {
   }
 }
 
-void add_projectile(const ProjectileView& projectile, const RigidState& state, Totals& totals) {
-  const double inertia = 0.4 * projectile.mass * projectile.radius * projectile.radius;
+void add_projectile(const Projectile& projectile, const RigidState& state, Totals& totals) {
+  const Quat& rotation = state.pose.rotation;
+  const Vec3 spin = rotation * (projectile.inertia * (rotation.conjugate() * state.angular_velocity));
   totals.mass += projectile.mass;
   totals.momentum += projectile.mass * state.velocity;
-  totals.angular_momentum +=
-      projectile.mass * projectile.position.cross(state.velocity) + inertia * state.angular_velocity;
+  totals.angular_momentum += projectile.mass * state.pose.translation.cross(state.velocity) + spin;
   totals.kinetic_energy +=
-      0.5 * projectile.mass * state.velocity.squaredNorm() + 0.5 * inertia * state.angular_velocity.squaredNorm();
+      0.5 * projectile.mass * state.velocity.squaredNorm() + 0.5 * spin.dot(state.angular_velocity);
+}
+
+ProjectileView view_of(const Projectile& projectile, const RigidState& state) {
+  ProjectileView view{state.pose.translation, state.velocity, state.pose.rotation, projectile.radius, projectile.mass, {}, {}};
+  if (projectile.hull) {
+    view.corners = projectile.hull->corners;
+    view.faces = projectile.hull->faces;
+  }
+  return view;
 }
 
 }  // namespace
@@ -92,9 +101,8 @@ void publish(WorldState& world) {
     world.totals.elastic_energy += world.elements.rests[i].volume * world.elements.states[i].energy_density;
   for (const Projectile& projectile : world.projectiles) {
     const RigidState state = world.contact_world.state(projectile.object);
-    world.projectile_views.push_back(
-        {state.pose.translation, state.velocity, state.pose.rotation, projectile.radius, projectile.mass});
-    add_projectile(world.projectile_views.back(), state, world.totals);
+    world.projectile_views.push_back(view_of(projectile, state));
+    add_projectile(projectile, state, world.totals);
   }
   merge_contacts(world);
   world.load_forces.assign(world.loads.empty() ? 0 : world.nodes.positions.size(), Vec3::Zero());

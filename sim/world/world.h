@@ -29,7 +29,7 @@ class World {
   /// mesh files. `where` is a JSON pointer, "#/bodies/0/loads/1/region".
   const std::vector<InputError>& findings() const;
 
-  /// Launches `burst`, its start counted from now.
+  /// Launches `burst`, its start counted from now. Throws InputError for a shape whose file cannot be used.
   void fire(const ProjectileBurst& burst);
   /// Gives the pieces of Scene::bodies[scene_body] other elastic and fracture properties while running. Density takes
   /// effect as well: velocities stay, momentum changes with the mass.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/contact/contact_world.h"
+#include "sim/contact/convex_hull.h"
 #include "sim/elasticity/element.h"
 #include "sim/error.h"
 #include "sim/mesh/topology.h"
@@ -77,13 +78,16 @@ struct Body {
 
 struct Projectile {
   ProxyId object;
-  double radius = 0, mass = 0;
+  double radius = 0, mass = 0;      ///< radius of the sphere round it [m], [kg]
+  std::shared_ptr<const ConvexHull> hull;  ///< in its own frame, for all of a burst; null for a sphere
+  Mat3 inertia = Mat3::Zero();      ///< in its own frame [kg·m²]
 };
 
 /// A shot that has not left yet.
 struct PendingShot {
   double time = 0;  ///< [s]
   ProjectileBurst burst;
+  Projectile projectile;  ///< without an object yet
 };
 
 /// An overloaded node that the budget left whole, as it was then.

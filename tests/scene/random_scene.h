@@ -74,6 +74,10 @@ class Randomizer {
     values.resize(std::uniform_int_distribution(0, 5)(random_));
     for (int& value : values) fill(value, numbers);
   }
+  void fill(std::vector<Vec3>& values, const Numbers& numbers) {
+    values.resize(std::uniform_int_distribution(4, 9)(random_));
+    for (Vec3& value : values) fill(value, numbers);
+  }
   void fill(std::string& value, const Text& text) {
     static const std::vector<std::string> kPieces = {"wall", " ",  "\"", "\\",   "/",    "~",
                                                      "ä",    "力", "\n", "\x01", "brick"};

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "sim/contact/contact_world.h"
+#include "sim/contact/convex_hull.h"
+
+namespace griffith {
+
+/// A homogeneous convex solid.
+struct Solid {
+  Vec3 center = Vec3::Zero();   ///< of mass [m]
+  double volume = 0;            ///< [m³]
+  Mat3 inertia = Mat3::Zero();  ///< about the centre, of a solid of 1 kg/m³ [kg·m²]
+};
+
+/// The integrals over a hull.
+Solid solid_of(const ConvexHull& hull);
+
+/// Whether a hull has room inside, however small: its points do not lie in a plane.
+bool is_solid(const ConvexHull& hull);
+
+}  // namespace griffith
