@@ -104,6 +104,12 @@ void RunStatistics::add(const Frame& frame) {
   largest_.solver_iterations = std::max(largest_.solver_iterations, report.solver_iterations);
   largest_.inverted_tets = std::max(largest_.inverted_tets, report.inverted_tets);
   largest_.non_finite_values = std::max(largest_.non_finite_values, report.non_finite_values);
+  for (const BodyView& body : frame.bodies) {
+    if (!body.softened) continue;
+    SoftenedBody& softened = softened_[body.scene_body];
+    ++softened.impacts;
+    if (body.softened->factor < softened.softest.factor) softened = {frame.step, softened.impacts, *body.softened};
+  }
   const std::array<double, 5> times = phase_times(report.milliseconds);
   for (std::size_t i = 0; i < times.size(); ++i) milliseconds_[i].push_back(times[i]);
 }
@@ -121,6 +127,15 @@ std::string RunStatistics::json(const Frame& frame, std::uint64_t state_hash) co
   json["initial_mass"] = initial_mass_;
   add_totals(json, frame.totals);
   add_counters(json, sums_, largest_);
+  json["softened_impacts"] = Json::array();
+  for (const auto& [scene_body, softened] : softened_)
+    json["softened_impacts"].push_back({{"scene_body", scene_body},
+                                        {"impacts", softened.impacts},
+                                        {"step", softened.step},
+                                        {"factor", softened.softest.factor},
+                                        {"young_modulus", softened.softest.young_modulus},
+                                        {"tensile_strength", softened.softest.tensile_strength},
+                                        {"reason", reason(softened.softest)}});
   json["state_hash"] = hash_text(state_hash);
   json["threads"] = threads_;
   json["peak_memory_bytes"] = peak_memory_bytes();
@@ -135,17 +150,27 @@ std::string RunStatistics::summary(const Frame& frame, std::uint64_t state_hash)
   const TimeSummary times = summarize(milliseconds_[0]);
   const StepReport& l = largest_;
   char text[1024];
-  std::snprintf(text, sizeof text,
-                "%lld steps of %.4g ms: %zu tetrahedra, %zu nodes, %zu pieces (%d fragments), %zu crack events\n"
-                "step time: median %.2f ms, 99 %% below %.2f ms, longest %.2f ms\n"
-                "solver: at most %d iterations, relative residual at most %.1e, %d unconverged\n"
-                "trouble: %d cracks postponed, %d suppressed, %d coarse substeps, %d inverted tetrahedra, %d values not finite\n"
-                "state hash %s\n",
-                static_cast<long long>(frame.step), 1e3 * time_step_, frame.tets.size(), frame.positions.size(),
-                frame.bodies.size(), frame.fragments, frame.crack_events.size(), times.median, times.p99, times.max,
-                l.solver_iterations, l.max_relative_residual, sums_.unconverged_solves, sums_.cracks_postponed,
-                sums_.cracks_suppressed, sums_.coarse_substeps, l.inverted_tets, l.non_finite_values, hash_text(state_hash).c_str());
-  return text;
+  std::snprintf(
+      text, sizeof text,
+      "%lld steps of %.4g ms: %zu tetrahedra, %zu nodes, %zu pieces (%d fragments), %zu crack events\n"
+      "step time: median %.2f ms, 99 %% below %.2f ms, longest %.2f ms\n"
+      "solver: at most %d iterations, relative residual at most %.1e, %d unconverged\n"
+      "trouble: %d cracks postponed, %d suppressed, %d coarse substeps, %d inverted tetrahedra, %d values not finite\n"
+      "state hash %s\n",
+      static_cast<long long>(frame.step), 1e3 * time_step_, frame.tets.size(), frame.positions.size(),
+      frame.bodies.size(), frame.fragments, frame.crack_events.size(), times.median, times.p99, times.max,
+      l.solver_iterations, l.max_relative_residual, sums_.unconverged_solves, sums_.cracks_postponed,
+      sums_.cracks_suppressed, sums_.coarse_substeps, l.inverted_tets, l.non_finite_values,
+      hash_text(state_hash).c_str());
+  std::string lines = text;
+  for (const auto& [scene_body, softened] : softened_) {
+    const SoftenedImpact& softest = softened.softest;
+    std::snprintf(text, sizeof text, "softened: body %d in %d impacts, down to %.3g Pa and a strength of %.3g Pa: %s\n",
+                  scene_body, softened.impacts, softest.young_modulus, softest.tensile_strength,
+                  reason(softest).c_str());
+    lines += text;
+  }
+  return lines;
 }
 
 }  // namespace griffith::app

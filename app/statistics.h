@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,9 @@ class RunStatistics {
 
   /// One JSON object. SI units, times in milliseconds. Totals describe `frame`, the last one; `max_penetration`,
   /// `max_relative_residual`, `solver_iterations`, `inverted_tets` and `non_finite_values` are the largest of any step,
-  /// `substeps`, `contacts`, `cracks_postponed`, `cracks_suppressed`, `remeshing_refused`, `supports_torn`, `coarse_substeps` and
-  /// `unconverged_solves` sums over all steps.
+  /// `substeps`, `contacts`, `cracks_postponed`, `cracks_suppressed`, `remeshing_refused`, `supports_torn`,
+  /// `coarse_substeps` and `unconverged_solves` sums over all steps. `softened_impacts` lists for each scene body that
+  /// an impact found softened (SoftenedImpact) the softest, with the effective material and the reason.
   std::string json(const Frame& frame, std::uint64_t state_hash) const;
 
   /// The same for a person, a few lines.
@@ -33,8 +35,13 @@ class RunStatistics {
   int threads_;
   double initial_mass_;
   StepReport sums_, largest_;
+  struct SoftenedBody {
+    std::int64_t step = 0;  ///< of the softest
+    int impacts = 0;        ///< steps in which it or a piece of it was softened
+    SoftenedImpact softest;
+  };
+  std::map<int, SoftenedBody> softened_;             ///< by scene body
   std::array<std::vector<double>, 5> milliseconds_;  ///< of step, contact, elasticity, separation, fracture
 };
-
 
 }  // namespace griffith::app

@@ -11,6 +11,7 @@
 #include "app/command_options.h"
 #include "app/editor.h"
 #include "app/interface.h"
+#include "app/key_latch.h"
 #include "app/scene_files.h"
 #include "app/starting_scene.h"
 #include "renderer/error.h"
@@ -73,13 +74,40 @@ class Window {
   GLFWwindow* window_ = nullptr;
 };
 
-/// ImGui's ear for the window.
+/// The window's events on their way to ImGui and, for dropped files, to the editor.
 class WindowInput {
  public:
-  explicit WindowInput(const Window& window) { ImGui_ImplGlfw_InitForOpenGL(window.handle(), true); }
+  WindowInput(const Window& window, Editor& editor) : window_(window.handle()), editor_(editor) {
+    ImGui_ImplGlfw_InitForOpenGL(window_, true);
+    glfwSetWindowUserPointer(window_, this);
+    glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int scancode, int action, int mods) {
+      of(handle).tell_key(key, scancode, action, mods);
+    });
+    glfwSetDropCallback(window_, [](GLFWwindow* handle, int count, const char** paths) {
+      if (count > 0) of(handle).editor_.open(paths[0]);
+    });
+  }
   ~WindowInput() { ImGui_ImplGlfw_Shutdown(); }
   WindowInput(const WindowInput&) = delete;
   WindowInput& operator=(const WindowInput&) = delete;
+
+  /// To be called once a frame, after ImGui has read the keys.
+  void end_frame() {
+    for (const int key : keys_.end_frame()) ImGui_ImplGlfw_KeyCallback(window_, key, 0, GLFW_RELEASE, 0);
+  }
+
+ private:
+  static WindowInput& of(GLFWwindow* handle) { return *static_cast<WindowInput*>(glfwGetWindowUserPointer(handle)); }
+
+  void tell_key(int key, int scancode, int action, int mods) {
+    if (action == GLFW_PRESS) keys_.press(key);
+    if (action == GLFW_RELEASE && !keys_.release(key)) return;
+    ImGui_ImplGlfw_KeyCallback(window_, key, scancode, action, mods);
+  }
+
+  GLFWwindow* window_;
+  Editor& editor_;
+  KeyLatch keys_;
 };
 
 /// What is in the window now.
@@ -109,10 +137,11 @@ void save_screenshot(Editor& editor, const Window& window) {
   }
 }
 
-void draw_frame(Editor& editor, Interface& interface, const Window& window) {
+void draw_frame(Editor& editor, Interface& interface, const Window& window, WindowInput& input) {
   editor.draw_picture(kSamples);
   ImGui_ImplGlfw_NewFrame();
   interface.begin_frame();
+  input.end_frame();
   editor.draw_panels(interface.fonts());
   int width = 0, height = 0;
   glfwGetFramebufferSize(window.handle(), &width, &height);
@@ -122,14 +151,14 @@ void draw_frame(Editor& editor, Interface& interface, const Window& window) {
   interface.end_frame();
 }
 
-void loop(Editor& editor, Interface& interface, const Window& window, int exit_after) {
+void loop(Editor& editor, Interface& interface, const Window& window, WindowInput& input, int exit_after) {
   double last = glfwGetTime();
   for (int drawn = 1; !glfwWindowShouldClose(window.handle()) && !editor.wants_to_quit(); ++drawn) {
     glfwPollEvents();
     const double now = glfwGetTime();
     editor.advance(std::min(now - last, kLongestFrame));
     last = now;
-    draw_frame(editor, interface, window);
+    draw_frame(editor, interface, window, input);
     if (editor.take_screenshot_request()) save_screenshot(editor, window);
     if (drawn == exit_after) return;
     glfwSetWindowTitle(window.handle(), editor.title().c_str());
@@ -144,13 +173,9 @@ void run_editor(const EditorOptions& options) {
   Scene scene = named ? read_scene(options.scene) : starting_scene();
   const Window window;
   Editor editor(std::move(scene), options.scene);
-  glfwSetWindowUserPointer(window.handle(), &editor);
-  glfwSetDropCallback(window.handle(), [](GLFWwindow* handle, int count, const char** paths) {
-    if (count > 0) static_cast<Editor*>(glfwGetWindowUserPointer(handle))->open(paths[0]);
-  });
   Interface interface(window.scale());
-  const WindowInput input(window);
-  loop(editor, interface, window, options.exit_after);
+  WindowInput input(window, editor);
+  loop(editor, interface, window, input, options.exit_after);
   if (!options.screenshot.empty()) save_png(options.screenshot, window_image(window));
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 #include "sim/contact/bullet_world.h"
@@ -34,9 +33,8 @@ bool pair_less(const Allowance& left, const Allowance& right) {
 }  // namespace
 
 bool ContactWorld::Impl::all_at_rest() const {
-  return std::none_of(objects.begin(), objects.end(), [](const Object& object) {
-    return object.body && (object.fresh || object.body->isActive());
-  });
+  return std::none_of(objects.begin(), objects.end(),
+                      [](const Object& object) { return object.body && (object.fresh || object.body->isActive()); });
 }
 
 void ContactWorld::Impl::detect() {
@@ -103,13 +101,13 @@ void ContactWorld::Impl::list_contacts() {
 
 /// Sweeps down through a pile carry its load at once.
 void ContactWorld::Impl::sort_by_height() {
-  std::vector<int> order(contacts.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int i, int j) { return gravity.dot(contacts[i].position) < gravity.dot(contacts[j].position); });
+  std::vector<std::pair<double, int>> order;
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    order.emplace_back(gravity.dot(contacts[i].position), static_cast<int>(i));
+  std::sort(order.begin(), order.end());
   std::vector<Contact> sorted_contacts;
   std::vector<btManifoldPoint*> sorted_points;
-  for (int i : order) {
+  for (const auto& [depth, i] : order) {
     sorted_contacts.push_back(contacts[i]);
     sorted_points.push_back(points[i]);
   }

@@ -26,6 +26,10 @@ btScalar extent_along(const PlacedHull& hull, const btVector3& direction) {
 
 }  // namespace
 
+PlacedHull placed_hull(const btCollisionObjectWrapper& wrapper) {
+  return {*static_cast<const HullShape*>(wrapper.getCollisionShape()), wrapper.getWorldTransform()};
+}
+
 HullHullAlgorithm::HullHullAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
                                      const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second)
     : btCollisionAlgorithm(info),
@@ -40,27 +44,64 @@ void HullHullAlgorithm::release_manifold() {
 
 void HullHullAlgorithm::processCollision(const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second,
                                          const btDispatcherInfo&, btManifoldResult* result) {
-  const PlacedHull a{*static_cast<const HullShape*>(first->getCollisionShape()), first->getWorldTransform()};
-  const PlacedHull b{*static_cast<const HullShape*>(second->getCollisionShape()), second->getWorldTransform()};
+  const PlacedHull b = placed_hull(*second);
+  find(placed_hull(*first), b);
+  note(b, *result);
+}
+
+void HullHullAlgorithm::find(const PlacedHull& a, const PlacedHull& b) {
   const btVector3 direction = to_bullet(parting_direction_);
-  if (!parting_direction_.isZero(0) && -extent_along(a, -direction) - extent_along(b, direction) > reach_)
-    return release_manifold();
-  if (!manifold_) manifold_ = m_dispatcher->getNewManifold(first->getCollisionObject(), second->getCollisionObject());
-  result->setPersistentManifold(manifold_);
-  add_contacts(a, b, *result);
-  result->refreshContactPoints();
+  const bool parted =
+      !parting_direction_.isZero(0) && -extent_along(a, -direction) - extent_along(b, direction) > reach_;
+  if (parted) {
+    found_ = Found::nothing;
+  } else if (manifold_ && hardly_moved(a, b)) {
+    found_ = Found::the_same;
+  } else {
+    find_anew(a, b);
+  }
+}
+
+void HullHullAlgorithm::note(const PlacedHull& b, btManifoldResult& result) {
+  if (found_ == Found::nothing) return release_manifold();
+  if (!manifold_) manifold_ = m_dispatcher->getNewManifold(result.getBody0Internal(), result.getBody1Internal());
+  result.setPersistentManifold(manifold_);
+  if (found_ == Found::the_same) carry_contacts(b);
+  if (found_ == Found::anew)
+    for (const PatchPoint& point : points_) result.addContactPoint(normal_, to_bullet(point.on_b), point.distance);
+  result.refreshContactPoints();
   if (manifold_->getNumContacts() == 0) release_manifold();
 }
 
-void HullHullAlgorithm::add_contacts(const PlacedHull& a, const PlacedHull& b, btManifoldResult& result) {
+/// Whether the contacts that were found are still those that would be: any that are new lie near the end of the reach.
+bool HullHullAlgorithm::hardly_moved(const PlacedHull& a, const PlacedHull& b) const {
+  constexpr btScalar kShareOfReach = 0.1;
+  const btTransform now = b.transform.inverse() * a.transform;
+  const btScalar radius = a.shape.getContactBreakingThreshold(0) / kContactReach;  // of a about its centre
+  btVector3 turned(0, 0, 0);
+  for (int i = 0; i < 3; ++i) turned[i] = (now.getBasis().getColumn(i) - seen_from_b_.getBasis().getColumn(i)).length();
+  const btScalar moved = (now.getOrigin() - seen_from_b_.getOrigin()).length() + radius * turned.length();
+  return moved < kShareOfReach * reach_;
+}
+
+/// Turns the normals with the pair; Bullet's refresh moves the points and takes their distances along them.
+void HullHullAlgorithm::carry_contacts(const PlacedHull& b) {
+  for (int i = 0; i < manifold_->getNumContacts(); ++i)
+    manifold_->getContactPoint(i).m_normalWorldOnB = b.transform.getBasis() * normal_in_b_;
+}
+
+void HullHullAlgorithm::find_anew(const PlacedHull& a, const PlacedHull& b) {
   const Separation apart = separation({&a.shape, a.transform}, {&b.shape, b.transform});
   parting_direction_ = apart.normal;
+  found_ = Found::nothing;
   if (apart.distance >= reach_) return;
-  const btVector3 normal = to_bullet(apart.normal);
-  const auto patch = contact_patch(world_corners(a), world_corners(b), apart.normal, reach_);
-  for (const PatchPoint& point : patch)
-    if (point.distance < reach_) result.addContactPoint(normal, to_bullet(point.on_b), point.distance);
-  if (patch.empty()) result.addContactPoint(normal, to_bullet(apart.point_on_b), apart.distance);
+  found_ = Found::anew;
+  points_ = contact_patch(world_corners(a), world_corners(b), apart.normal, reach_);
+  if (points_.empty()) points_.push_back({apart.point_on_b, apart.distance});
+  std::erase_if(points_, [&](const PatchPoint& point) { return point.distance >= reach_; });
+  normal_ = to_bullet(apart.normal);
+  normal_in_b_ = normal_ * b.transform.getBasis();
+  seen_from_b_ = b.transform.inverse() * a.transform;
 }
 
 btCollisionAlgorithm* HullHullAlgorithm::Factory::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,

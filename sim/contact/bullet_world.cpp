@@ -25,6 +25,13 @@ bool is_retired(const btBroadphaseProxy* proxy) {
   return static_cast<const btCollisionObject*>(proxy->m_clientObject)->getUserIndex() == kRetired;
 }
 
+/// Bullet takes the memory for its algorithms from a pool of pieces of one size.
+btDefaultCollisionConstructionInfo with_room_for_ours() {
+  btDefaultCollisionConstructionInfo info;
+  info.m_customCollisionAlgorithmMaxElementSize = sizeof(HullHullAlgorithm);
+  return info;
+}
+
 struct DeletePairs final : btOverlapCallback {
   bool all = false;
   bool processOverlap(btBroadphasePair& pair) override {
@@ -57,6 +64,7 @@ void CollisionWorld::updateAabbs() {
 
 ContactWorld::Impl::Impl(const Vec3& world_gravity)
     : gravity(world_gravity),
+      configuration(with_room_for_ours()),
       dispatcher(&configuration),
       broadphase(&pairs),
       world(&dispatcher, &broadphase, &configuration) {
@@ -213,6 +221,9 @@ RigidState ContactWorld::state(ProxyId object) const { return impl_->objects[obj
 void ContactWorld::detect() { impl_->detect(); }
 std::span<Contact> ContactWorld::contacts() { return impl_->contacts; }
 std::span<const Contact> ContactWorld::contacts() const { return impl_->contacts; }
+std::vector<int> ContactWorld::drop_near_misses(double dt, std::span<const double> approach) {
+  return impl_->drop_near_misses(dt, approach);
+}
 void ContactWorld::solve(double dt, std::span<const ElasticResponse> elastic) { impl_->solve(dt, elastic); }
 std::vector<double> ContactWorld::limit_energy(double dt, std::span<const ElasticResponse> elastic) {
   return impl_->limit_energy(dt, elastic);

@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "sim/contact/bullet_dispatcher.h"
 #include "sim/contact/bullet_ground_contact.h"
 #include "sim/contact/bullet_hull_contact.h"
 #include "sim/contact/bullet_shapes.h"
@@ -108,11 +109,12 @@ struct ContactWorld::Impl {
   void list_pair(std::span<btPersistentManifold* const> of_pair);
 
   // Solving.
+  std::vector<int> drop_near_misses(double dt, std::span<const double> approach);
   void solve(double dt, std::span<const ElasticResponse> elastic);
   std::vector<contact::Responder> rigid_responders(double dt) const;
   std::vector<contact::ContactRow> rows(double dt) const;
-  double least_speed(const Contact& contact, const Vec3& velocity, double dt) const;
-  bool strikes(const Contact& contact, double approach, double dt) const;
+  double least_speed(const Contact& contact, double dt) const;
+  bool strikes(const Contact& contact, double dt) const;
   std::vector<double> limit_energy(double dt, std::span<const ElasticResponse> elastic);
   void advance(double dt);
   void remember_impulses(double dt);
@@ -150,7 +152,7 @@ struct ContactWorld::Impl {
   std::vector<contact::Object> objects;  ///< by ProxyId
 
   btDefaultCollisionConfiguration configuration;
-  btCollisionDispatcher dispatcher;
+  contact::Dispatcher dispatcher;
   contact::HullGroundAlgorithm::Factory hull_ground, ground_hull;
   contact::HullHullAlgorithm::Factory hull_hull;
   contact::PairCache pairs;

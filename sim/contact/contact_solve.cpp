@@ -3,6 +3,7 @@
 
 #include "sim/contact/bullet_world.h"
 #include "sim/contact/connected_groups.h"
+#include "sim/parallel.h"
 
 namespace griffith {
 
@@ -37,8 +38,7 @@ double smaller_radius(const Object& a, const Object& b) {
   return b.kind == Kind::ground ? a.shape.radius : std::min(a.shape.radius, b.shape.radius);
 }
 
-Vec3 velocity_of(const Responder& responder, const ContactEnd& end) {
-  if (responder.compliance) return responder.point_velocities.col(end.point);
+Vec3 rigid_velocity(const Responder& responder, const ContactEnd& end) {
   return responder.velocity + responder.angular_velocity.cross(end.arm);
 }
 
@@ -79,16 +79,15 @@ std::vector<ContactRow> ContactWorld::Impl::rows(double dt) const {
 }
 
 /// A gap that closes in this substep is struck now, at full speed, rather than half now and half in the next one.
-bool ContactWorld::Impl::strikes(const Contact& contact, double approach, double dt) const {
-  return approach > kQuietSpeed && approach * dt > contact.distance;
+bool ContactWorld::Impl::strikes(const Contact& contact, double dt) const {
+  return contact.approach > kQuietSpeed && contact.approach * dt > contact.distance;
 }
 
-double ContactWorld::Impl::least_speed(const Contact& contact, const Vec3& velocity, double dt) const {
-  const double approach = -contact.normal.dot(velocity);
-  if (!strikes(contact, approach, dt)) return -std::max(0.0, contact.distance) / dt;
+double ContactWorld::Impl::least_speed(const Contact& contact, double dt) const {
+  if (!strikes(contact, dt)) return -std::max(0.0, contact.distance) / dt;
   const Object &a = objects[contact.a], &b = objects[contact.b];
   if (a.elastic || b.elastic || allowance(contact.a, contact.b) > 0) return 0;
-  return std::min(a.surface.restitution, b.surface.restitution) * approach;
+  return std::min(a.surface.restitution, b.surface.restitution) * contact.approach;
 }
 
 void ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elastic) {
@@ -96,25 +95,33 @@ void ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elast
   std::vector<Responder> answering = rigid_responders(dt);
   solved = rows(dt);
   for (Object& object : objects) object.elastic = false;
+  std::vector<const ElasticResponse*> response_of(objects.size(), nullptr);
   for (const ElasticResponse& response : elastic) {
     objects[response.object].elastic = true;
-    answering[response.object].compliance = &response.compliance;
-    answering[response.object].point_velocities = response.free_velocities;
+    response_of[response.object] = &response;
     for (std::size_t point = 0; point < response.contacts.size(); ++point) {
       ContactRow& row = solved[response.contacts[point]];
       (row.a.responder == response.object.value ? row.a : row.b).point = static_cast<int>(point);
     }
   }
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    solved[i].least_speed = least_speed(contacts[i],
-                                        velocity_of(answering[solved[i].a.responder], solved[i].a) -
-                                            velocity_of(answering[solved[i].b.responder], solved[i].b),
-                                        dt);
-  for (const ElasticResponse& response : elastic) {
-    Eigen::Matrix3Xd& velocities = answering[response.object].point_velocities;
-    velocities = response.velocities;
-    velocities.reshaped() -= response.compliance * response.impulses.reshaped();
+  const auto free_velocity = [&](const ContactEnd& end) {
+    if (const ElasticResponse* response = response_of[end.responder])
+      return Vec3(response->free_velocities.col(end.point));
+    return rigid_velocity(answering[end.responder], end);
+  };
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    contacts[i].approach = -contacts[i].normal.dot(free_velocity(solved[i].a) - free_velocity(solved[i].b));
+    solved[i].least_speed = least_speed(contacts[i], dt);
   }
+  parallel_for(static_cast<int>(elastic.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const ElasticResponse& response = elastic[i];
+      Responder& responder = answering[response.object];
+      responder.compliance = &response.compliance;
+      responder.elastic.emplace(response.compliance,
+                                response.velocities - respond(response.compliance, response.impulses));
+    }
+  });
   solve_impulses(solved, answering);
   for (std::size_t i = 0; i < contacts.size(); ++i) contacts[i].impulse = solved[i].axes * solved[i].impulse;
   remember_impulses(dt);

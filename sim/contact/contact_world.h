@@ -7,6 +7,7 @@
 
 #include "sim/ids.h"
 #include "sim/linear_algebra.h"
+#include "sim/point_compliance.h"
 
 namespace griffith {
 
@@ -46,6 +47,7 @@ struct Contact {
   Vec3 position;                ///< half-way between their surfaces, where the impulse acts on both [m]
   Vec3 normal;                  ///< unit, points from b to a
   double distance = 0;          ///< gap along the normal, negative when overlapping, allowed or not [m]
+  double approach = 0;          ///< speed at which the gap would close without impulses, from solve() [m/s]
   Vec3 impulse = Vec3::Zero();  ///< on a, in the substep just solved; b gets the opposite [N·s]
 };
 
@@ -57,7 +59,7 @@ struct ElasticResponse {
   Eigen::Matrix3Xd free_velocities;  ///< without impulses [m/s]
   Eigen::Matrix3Xd velocities;       ///< under `impulses` [m/s]
   Eigen::Matrix3Xd impulses;         ///< on the object [N·s]
-  Eigen::MatrixXd compliance;        ///< symmetric, 3×3 blocks [1/kg]
+  PointCompliance compliance;
 };
 
 /// Finds and solves the contacts of everything. Bullet, in double precision, finds them.
@@ -117,6 +119,11 @@ class ContactWorld {
   void detect();
   std::span<Contact> contacts();
   std::span<const Contact> contacts() const;
+  /// Leaves out of contacts() the near misses, most of a heap's: gaps that stay open for `dt` [s] > 0 even where both
+  /// sides come together a quarter faster than `approach` says (per contact [m/s], negative where they part), or with
+  /// half the speed of what strikes either of them, and that did not push in the last substep. Returns the new index of
+  /// each contact, or -1. To be called between detect() and solve(), if at all.
+  std::vector<int> drop_near_misses(double dt, std::span<const double> approach);
   /// Writes the impulses of a substep of `dt` [s] > 0 into contacts(); to be called again when more is known about the
   /// responses of what is elastic.
   void solve(double dt, std::span<const ElasticResponse> elastic = {});

@@ -9,21 +9,25 @@
 namespace griffith::contact {
 namespace {
 
+/// After so many sweeps over the rows that push, all are looked at again.
+constexpr int kSweepsBetweenLooks = 5;
+
 /// What a sweep needs of a row again and again.
 struct PreparedRow {
+  bool ready = false;                  ///< most rows of a heap never push and need nothing of this
   Mat3 compliance;                     ///< of both ends along the axes [1/kg]
   Eigen::Matrix2d inverse_tangential;  ///< of its tangential block
   double largest_tangential;           ///< eigenvalue of that block
 };
 
 Vec3 velocity_at(const Responder& responder, const ContactEnd& end) {
-  if (responder.compliance) return responder.point_velocities.col(end.point);
+  if (responder.elastic) return responder.elastic->velocity(end.point);
   return responder.velocity + responder.angular_velocity.cross(end.arm);
 }
 
 void push(Responder& responder, const ContactEnd& end, const Vec3& impulse) {
-  if (responder.compliance) {
-    responder.point_velocities.reshaped().noalias() += responder.compliance->middleCols<3>(3 * end.point) * impulse;
+  if (responder.elastic) {
+    responder.elastic->push(end.point, impulse);
   } else if (responder.inverse_mass > 0) {
     responder.velocity += responder.inverse_mass * impulse;
     responder.angular_velocity += responder.inverse_inertia * end.arm.cross(impulse);
@@ -37,13 +41,14 @@ Mat3 cross_matrix(const Vec3& v) {
 }
 
 Mat3 compliance_of(const Responder& responder, const ContactEnd& end) {
-  if (responder.compliance) return responder.compliance->block<3, 3>(3 * end.point, 3 * end.point);
+  if (responder.compliance) return responder.compliance->block(end.point);
   const Mat3 arm = cross_matrix(end.arm);
   return responder.inverse_mass * Mat3::Identity() - arm * responder.inverse_inertia * arm;
 }
 
 PreparedRow prepare(const ContactRow& row, std::span<const Responder> responders) {
   PreparedRow prepared;
+  prepared.ready = true;
   const Mat3 compliance =
       compliance_of(responders[row.a.responder], row.a) + compliance_of(responders[row.b.responder], row.b);
   prepared.compliance = row.axes.transpose() * compliance * row.axes;
@@ -70,16 +75,20 @@ Vec2 friction_impulse(const Vec2& impulse, const Vec2& sliding, double limit, co
   return length > limit ? Vec2(limit / length * opposing) : opposing;
 }
 
-/// Solves one row among the others' present impulses; returns the change of velocity that this made.
-double relax(ContactRow& row, const PreparedRow& prepared, std::span<Responder> responders) {
+Vec3 relative_velocity(const ContactRow& row, std::span<const Responder> responders) {
+  return velocity_at(responders[row.a.responder], row.a) - velocity_at(responders[row.b.responder], row.b);
+}
+
+/// Solves one row among the others' present impulses, with which its ends have this relative `velocity` (world axes);
+/// returns the change of velocity that this made.
+double relax(ContactRow& row, const Vec3& velocity, const PreparedRow& prepared, std::span<Responder> responders) {
   const double stiffness = prepared.compliance(0, 0);
   if (!(stiffness > 0)) return 0;
-  const Vec3 velocity = row.axes.transpose() * (velocity_at(responders[row.a.responder], row.a) -
-                                                velocity_at(responders[row.b.responder], row.b));
+  const Vec3 along_axes = row.axes.transpose() * velocity;
   Vec3 next = row.impulse;
-  next[0] = std::max(0.0, row.impulse[0] - (velocity[0] - row.least_speed) / stiffness);
+  next[0] = std::max(0.0, row.impulse[0] - (along_axes[0] - row.least_speed) / stiffness);
   if (row.friction > 0) {
-    const Vec2 sliding = velocity.tail<2>() + (next[0] - row.impulse[0]) * prepared.compliance.block<2, 1>(1, 0);
+    const Vec2 sliding = along_axes.tail<2>() + (next[0] - row.impulse[0]) * prepared.compliance.block<2, 1>(1, 0);
     next.tail<2>() = friction_impulse(row.impulse.tail<2>(), sliding, row.friction * next[0], prepared);
   }
   const Vec3 change = next - row.impulse;
@@ -112,19 +121,18 @@ std::vector<std::vector<int>> groups_of_rows(std::span<const ContactRow> rows, s
   return groups;
 }
 
-/// One group's sweeps.
+/// One group's sweeps. In a heap most rows are near misses: what pushes is swept every time, the rest now and then.
 class GroupSolver {
  public:
   GroupSolver(std::span<ContactRow> rows, const std::vector<int>& members, std::span<Responder> responders)
       : responders_(responders) {
     for (int member : members) {
-      rows_.push_back(&rows[member]);
-      prepared_.push_back(prepare(rows[member], responders));
-      speed_ =
-          std::max(speed_, rows[member].least_speed - rows[member].axes.col(0).dot(relative_velocity(rows[member])));
+      const ContactRow& row = *rows_.emplace_back(&rows[member]);
+      speed_ = std::max(speed_, row.least_speed - row.axes.col(0).dot(relative_velocity(row, responders)));
     }
     for (const ContactRow* row : rows_)
       if (!row->impulse.isZero(0)) apply(*row, row->impulse, responders_);
+    prepared_.resize(rows_.size());
     before_.resize(rows_.size());
     direction_.assign(rows_.size(), Vec3::Zero());
   }
@@ -132,20 +140,42 @@ class GroupSolver {
   void solve(const SolverLimits& limits) {
     const int sweeps =
         std::clamp(limits.work / static_cast<int>(rows_.size()), limits.least_sweeps, limits.most_sweeps);
-    for (int i = 1; sweep() > limits.tolerance * speed_ && i < sweeps; ++i) extrapolate();
+    bool of_all = true;
+    for (int i = 1;; ++i) {
+      const bool settled = (of_all ? sweep_all() : sweep_busy()) <= limits.tolerance * speed_;
+      if ((settled && of_all) || i >= sweeps) return;
+      extrapolate();
+      of_all = settled || i % kSweepsBetweenLooks == 0;
+    }
   }
 
  private:
-  Vec3 relative_velocity(const ContactRow& row) const {
-    return velocity_at(responders_[row.a.responder], row.a) - velocity_at(responders_[row.b.responder], row.b);
+  /// Returns the change of velocity.
+  double relax_row(int i, const Vec3& velocity) {
+    if (!prepared_[i].ready) prepared_[i] = prepare(*rows_[i], responders_);
+    before_[i] = rows_[i]->impulse;
+    return relax(*rows_[i], velocity, prepared_[i], responders_);
   }
 
-  /// Returns the largest change of velocity.
-  double sweep() {
+  /// Both return the largest change of velocity.
+  double sweep_busy() {
     double change = 0;
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      before_[i] = rows_[i]->impulse;
-      change = std::max(change, relax(*rows_[i], prepared_[i], responders_));
+    for (int i : busy_) change = std::max(change, relax_row(i, relative_velocity(*rows_[i], responders_)));
+    return change;
+  }
+
+  double sweep_all() {
+    double change = 0;
+    busy_.clear();
+    for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
+      const Vec3 velocity = relative_velocity(*rows_[i], responders_);
+      const bool idle = rows_[i]->impulse.isZero(0) && rows_[i]->axes.col(0).dot(velocity) >= rows_[i]->least_speed;
+      if (idle) {
+        direction_[i].setZero();
+        continue;
+      }
+      busy_.push_back(i);
+      change = std::max(change, relax_row(i, velocity));
     }
     return change;
   }
@@ -153,12 +183,12 @@ class GroupSolver {
   /// Goes on from a sweep along the conjugate direction, unless the sweeps do not converge.
   void extrapolate() {
     double size = 0;
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
+    for (int i : busy_) {
       const Vec3 step = rows_[i]->impulse - before_[i];
       size += step.dot(prepared_[i].compliance * step);
     }
     const double share = size < last_size_ ? size / last_size_ : 0;
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
+    for (int i : busy_) {
       const Vec3 step = rows_[i]->impulse - before_[i], more = share * direction_[i];
       direction_[i] = step + more;
       if (more.isZero(0)) continue;
@@ -171,6 +201,7 @@ class GroupSolver {
   std::span<Responder> responders_;
   std::vector<ContactRow*> rows_;
   std::vector<PreparedRow> prepared_;
+  std::vector<int> busy_;                 // rows that the last look at all found pushing
   std::vector<Vec3> before_, direction_;  // impulses before the sweep; the last change of impulses
   double speed_ = 0, last_size_ = 0;
 };

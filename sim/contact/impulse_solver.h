@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "sim/linear_algebra.h"
+#include "sim/point_compliance.h"
 
 namespace griffith::contact {
 
@@ -14,8 +16,8 @@ struct Responder {
   Mat3 inverse_inertia = Mat3::Zero();          ///< world frame [1/(kg·m²)]
   Vec3 velocity = Vec3::Zero();                 ///< [m/s]
   Vec3 angular_velocity = Vec3::Zero();         ///< [rad/s]
-  const Eigen::MatrixXd* compliance = nullptr;  ///< elastic: 3×3 blocks between its contact points [1/kg]
-  Eigen::Matrix3Xd point_velocities = {};       ///< elastic: of its contact points [m/s]
+  const PointCompliance* compliance = nullptr;  ///< elastic: between its contact points
+  std::optional<PointMotion> elastic = {};      ///< elastic: of its contact points
 };
 
 /// One end of a contact.
@@ -34,10 +36,10 @@ struct ContactRow {
 };
 
 struct SolverLimits {
-  int work = 12'000;                        ///< rows times sweeps, in each group of objects that touch
+  int work = 12'000;                         ///< rows times sweeps, in each group of objects that touch
   int least_sweeps = 20, most_sweeps = 200;  ///< whatever the work
   /// The largest change of velocity in a sweep, as a share of the group's largest speed to correct.
-  double tolerance = 1e-7;
+  double tolerance = 1e-5;
 };
 
 /// The Signorini–Coulomb problem by projected Gauss–Seidel (Jean & Moreau 1992), each group of objects that touch on

@@ -82,8 +82,8 @@ class ElasticSystem {
   SolveReport respond(const ImplicitStep& step, std::span<const Vec3> positions, std::span<const Vec3> impulses,
                       std::span<const double> masses, std::span<const NodeConstraint> constraints, NodeVectors& change);
   /// About J A⁻¹ Jᵀ for these points: by the preconditioner, which is close for what is smooth and within a small factor
-  /// for what is not. Weights hold what sliding leaves free. 3×3 blocks [1/kg]; after assemble().
-  Eigen::MatrixXd compliance(std::span<const WeightedRows> points) const { return preconditioner_->compliance(points); }
+  /// for what is not. Weights hold what sliding leaves free; after assemble().
+  PointCompliance compliance(std::span<const WeightedRows> points) const { return preconditioner_->compliance(points); }
   const BlockSparseMatrix& matrix() const { return rows_.matrix; }
 
  private:

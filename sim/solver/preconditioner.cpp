@@ -20,6 +20,14 @@ ModeBlock rigid_modes(const Vec3& arm) {
   return modes;
 }
 
+/// A matrix with the same product MᵀM and no more rows than columns.
+Eigen::MatrixXf with_few_rows(Eigen::MatrixXf modes) {
+  const Eigen::Index columns = modes.cols();
+  if (modes.rows() <= columns) return modes;
+  const Eigen::HouseholderQR<Eigen::MatrixXf> decomposition(modes);
+  return decomposition.matrixQR().topRows(columns).triangularView<Eigen::Upper>();
+}
+
 }  // namespace
 
 RigidModePreconditioner::RigidModePreconditioner(const BlockSparseMatrix& matrix, int aggregate_size)
@@ -169,25 +177,19 @@ void RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) const 
   });
 }
 
-Eigen::MatrixXd RigidModePreconditioner::compliance(std::span<const WeightedRows> points) const {
-  const Eigen::Index count = static_cast<Eigen::Index>(points.size());
-  Eigen::MatrixXd modes = Eigen::MatrixXd::Zero(6 * aggregate_count(), 3 * count);  // Rᵀ Jᵀ
-  for (Eigen::Index i = 0; i < count; ++i)
+PointCompliance RigidModePreconditioner::compliance(std::span<const WeightedRows> points) const {
+  const Eigen::Index components = 3 * static_cast<Eigen::Index>(points.size());
+  Eigen::MatrixXd modes = Eigen::MatrixXd::Zero(6 * aggregate_count(), components);  // Rᵀ Jᵀ
+  for (std::size_t i = 0; i < points.size(); ++i)
     for (int k = 0; k < 3; ++k)
       if (const int row = points[i].rows[k]; row >= 0)
-        modes.block<6, 3>(6 * aggregates_[row], 3 * i) +=
+        modes.block<6, 3>(6 * aggregates_[row], 3 * static_cast<Eigen::Index>(i)) +=
             rigid_modes(arms_.col(row)).transpose() * points[i].weights[k].transpose();
   Eigen::MatrixXf half = (coarse_factors_.permutationP() * modes).cast<float>();
   lower_.triangularView<Eigen::Lower>().solveInPlace(half);
-  Eigen::MatrixXd sum = (half.transpose() * half).cast<double>();
-  for (Eigen::Index i = 0; i < count; ++i)
-    for (Eigen::Index j = 0; j < count; ++j)
-      for (int k = 0; k < 3; ++k)
-        for (int l = 0; l < 3; ++l)
-          if (const int row = points[i].rows[k]; row >= 0 && row == points[j].rows[l])
-            sum.block<3, 3>(3 * i, 3 * j) +=
-                points[i].weights[k] * inverse_diagonal_[row] * points[j].weights[l].transpose();
-  return sum;
+  PointCompliance compliance = node_compliance(points, inverse_diagonal_);
+  compliance.modes = with_few_rows(std::move(half)).cast<double>();
+  return compliance;
 }
 
 }  // namespace griffith

@@ -1,19 +1,13 @@
 #pragma once
 
 #include <Eigen/SparseCholesky>
-#include <array>
 #include <span>
 #include <vector>
 
+#include "sim/point_compliance.h"
 #include "sim/solver/block_sparse_matrix.h"
 
 namespace griffith {
-
-/// A point that moves with a few nodes: its velocity is the sum of weights_i · v(rows_i).
-struct WeightedRows {
-  std::array<int, 3> rows;  ///< -1 for a node that is held
-  std::array<Mat3, 3> weights;
-};
 
 /// z = D⁻¹ r + R (Rᵀ A R)⁻¹ Rᵀ r: block Jacobi and a coarse space of the six rigid-body modes of each aggregate of
 /// nodes (additive Schwarz). With it the iteration count depends neither on stiffness nor on cracks.
@@ -31,7 +25,7 @@ class RigidModePreconditioner {
   void update(const BlockSparseMatrix& matrix, const NodeVectors& positions);
   void apply(const NodeVectors& r, NodeVectors& z) const;
   /// J P Jᵀ, P what apply() applies, J one row of 3×3 blocks a point [1/kg].
-  Eigen::MatrixXd compliance(std::span<const WeightedRows> points) const;
+  PointCompliance compliance(std::span<const WeightedRows> points) const;
   /// How often update() found the coarse matrix changed enough to factor it anew.
   int factorization_count() const { return factorizations_; }
   int aggregate_count() const { return static_cast<int>(members_.size()); }
@@ -51,8 +45,8 @@ class RigidModePreconditioner {
   std::vector<int> coarse_slots_;              // per block of the matrix: index into the column's coarse_rows_, or -1
   Eigen::SparseMatrix<double> coarse_;         // Rᵀ A R: the lower triangle, by 6×6 blocks
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> coarse_factors_;
-  Eigen::SparseMatrix<float> lower_;           // their triangle, for apply(): a preconditioner need not be more exact
-  Eigen::ArrayXd factored_;  // values of the coarse matrix when it was factored
+  Eigen::SparseMatrix<float> lower_;  // their triangle, for apply(): a preconditioner need not be more exact
+  Eigen::ArrayXd factored_;           // values of the coarse matrix when it was factored
   int factorizations_ = 0;
 };
 

@@ -42,6 +42,13 @@ void clear_stress(WorldState& world, const Body& body) {
   for (NodeId node : body.nodes) world.nodes.separations[node] = {};
 }
 
+/// Longest edge of the box round the body at rest [m].
+double extent_of(const WorldState& world, const Body& body) {
+  Eigen::AlignedBox3d box;
+  for (NodeId node : body.nodes) box.extend(world.mesh.rest_positions[node]);
+  return box.sizes().maxCoeff();
+}
+
 /// The component that goes on as the body itself: a supported one before a free one, then the largest.
 std::size_t heir(const WorldState& world, const std::vector<std::vector<TetId>>& components) {
   const auto rank = [&](const std::vector<TetId>& tets) {
@@ -104,6 +111,7 @@ void rebuild_shape(WorldState& world, Body& body) {
   body.reference_arms = gather(world.nodes.positions, body.nodes).colwise() - body.motion.center;
   body.orientation.setIdentity();
   body.element_size = mean_element_size(world, body.tets);
+  body.extent = extent_of(world, body);
   body.asleep = false;
   // A single tet cannot break any further: it is debris from the start.
   body.rigid = body.tets.size() == 1 && !body.supported();
@@ -143,6 +151,9 @@ void hand_out_tets(WorldState& world, BodyId id, std::vector<std::vector<TetId>>
     piece.id = BodyId(static_cast<std::int64_t>(world.bodies.size()));
     piece.parent = id;
     piece.scene_body = world.bodies[id].scene_body;
+    piece.last_strike = world.bodies[id].last_strike;
+    piece.softened = world.bodies[id].softened;
+    piece.softening = world.bodies[id].softening;
     piece.tets = std::move(pieces[i]);
     for (TetId tet : piece.tets) world.elements.bodies[tet] = piece.id;
     world.bodies.push_back(std::move(piece));

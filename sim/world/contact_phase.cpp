@@ -21,6 +21,13 @@ bool could_hurt(const WorldState& world, const Body& body, double force) {
   return load > kWakingShare * limit;
 }
 
+/// Of a contact on a body in a substep of `dt` [N].
+double peak_force(const WorldState& world, const Body& body, const Contact& contact, double dt) {
+  const double mean = contact.impulse.norm() / dt;
+  const bool smoothed = world.coarse_impact && strikes(world, contact, body);
+  return smoothed ? mean / softening_factor(world, body, dt) : mean;
+}
+
 /// Makes rigid bodies elastic where the impulses found could hurt them; whether there were any.
 bool wake_struck_bodies(WorldState& world, double dt) {
   bool any = false;
@@ -28,7 +35,7 @@ bool wake_struck_bodies(WorldState& world, double dt) {
     for (ProxyId side : {contact.a, contact.b}) {
       const BodyId id = world.body_of(side);
       if (!id.valid() || !world.bodies[id].rigid || world.bodies[id].supported()) continue;
-      if (!could_hurt(world, world.bodies[id], contact.impulse.norm() / dt)) continue;
+      if (!could_hurt(world, world.bodies[id], peak_force(world, world.bodies[id], contact, dt))) continue;
       place_rigid_nodes(world, world.bodies[id]);
       wake(world, world.bodies[id]);
       world.bodies[id].energy = mechanical_energy(world, world.bodies[id]);
@@ -104,14 +111,13 @@ Answer answer(WorldState& world, TouchedBody& touched, ElasticResponse& response
   touched.change = touched.change.size() == 0 ? change : NodeVectors(touched.change + change);
 
   const Eigen::Matrix3Xd velocities = point_velocities(world, touched), moved = velocities - response.velocities;
-  Eigen::Matrix3Xd expected = added;
-  expected.reshaped() = response.compliance * added.reshaped();
+  const Eigen::Matrix3Xd expected = griffith::respond(response.compliance, added);
   const double negligible = kNegligible * dt * world.scene.gravity.norm() * std::sqrt(added.cols());
   answer.foreseen = (moved - expected).norm() <= kForeseen * expected.norm() + negligible;
   const double ratio = moved.cwiseProduct(added).sum() / expected.cwiseProduct(added).sum();
   if (ratio > 0 && !world.integrates_explicitly()) {
     const double factor = std::clamp(ratio * body.compliance_factor, 0.1, 100.0);
-    response.compliance *= factor / body.compliance_factor;
+    response.compliance.scale(factor / body.compliance_factor);
     body.compliance_factor = factor;
   }
   response.impulses = impulses;
@@ -184,6 +190,7 @@ TouchedBodies solve_contacts(WorldState& world, double dt) {
   constexpr int kMostRounds = 3;
   TouchedBodies touched = touched_bodies(world);
   correct_distances(world, touched);
+  drop_near_misses(world, touched, dt);
   for (bool woken = true; woken;) {
     parallel_for(static_cast<int>(touched.bodies.size()), 1, [&](int begin, int end) {
       for (int i = begin; i < end; ++i) prepare_response(world, touched.bodies[i], dt, touched.responses[i]);

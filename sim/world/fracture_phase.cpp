@@ -13,9 +13,9 @@ namespace {
 /// What open_cracks() did, until the pieces are known.
 struct Opened {
   std::set<BodyId> bodies;
-  MotionsBefore motions;          ///< of free bodies that were remeshed
-  std::set<NodeId> waiting;       ///< a split relieves its neighbourhood: these wait until their stress is known again
-  std::vector<TetId> parted;      ///< tets that lost a neighbour
+  MotionsBefore motions;      ///< of free bodies that were remeshed
+  std::set<NodeId> waiting;   ///< a split relieves its neighbourhood: these wait until their stress is known again
+  std::vector<TetId> parted;  ///< tets that lost a neighbour
   std::size_t first_event = 0;
 };
 
@@ -121,7 +121,8 @@ bool crack(WorldState& world, NodeId node, Opened& opened) {
   for (const NodeCopy& copy : result.copies) append_copy(world, copy);
   for (NodeId front : result.front) world.nodes.at_crack_front[front] = 1;
   event.nodes_made = static_cast<int>(result.copies.size());
-  event.torn_off = result.changed_tets.empty() ? tear_off(world, node, event.normal) : share_support(world, result.copies);
+  event.torn_off =
+      result.changed_tets.empty() ? tear_off(world, node, event.normal) : share_support(world, result.copies);
   if (result.changed_tets.empty() && !event.torn_off) return false;
   date_open_faces(world, result.changed_tets);
   opened.parted.insert(opened.parted.end(), result.changed_tets.begin(), result.changed_tets.end());
@@ -130,15 +131,25 @@ bool crack(WorldState& world, NodeId node, Opened& opened) {
   return true;
 }
 
+/// How far a wave from a crack gets in the substep before a node of this margin would crack by itself [m]. In a
+/// softened one the load takes the time that a wave needs to cross the body, and the node cracks when it passes the
+/// resistance.
+double relief_reach(const WorldState& world, const Body& body, double margin, const CrackEvent& event, double substep) {
+  const double whole = bar_wave_speed(world.material_of(body)) * substep;
+  if (body.softening == 1) return whole;
+  return std::min(whole, body.extent) * (1 / margin - event.resistance / event.load);
+}
+
 /// Whether a wave from a crack that opened in this very substep relieves the node within it (Mott 1947). A crack that
 /// runs already outruns such waves.
 bool is_relieved(const WorldState& world, NodeId node, std::size_t first_event, double substep) {
   if (world.nodes.at_crack_front[node]) return false;
   const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
-  const double reach = bar_wave_speed(world.material_of(body)) * substep;
+  const double margin = world.nodes.separations[node].margin;
   return std::any_of(world.crack_events.begin() + static_cast<std::ptrdiff_t>(first_event), world.crack_events.end(),
                      [&](const CrackEvent& event) {
-                       return event.body == body.id && (event.position - world.nodes.positions[node]).norm() < reach;
+                       return event.body == body.id && (event.position - world.nodes.positions[node]).norm() <
+                                                           relief_reach(world, body, margin, event, substep);
                      });
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "sim/solver/node_constraint.h"
 #include "sim/splinters/splinters.h"
 #include "sim/world/probes.h"
+#include "sim/world/softened_impact.h"
 
 namespace griffith {
 
@@ -30,6 +32,7 @@ struct BodyView {
   bool supported = false;        ///< has nodes held in place
   bool rigid = false;            ///< moves as a whole: its stress is not computed until something strikes it
   bool asleep = false;           ///< lies still until something strikes it
+  std::optional<SoftenedImpact> softened;  ///< when an impact in the last step had longer substeps than it asks for
 };
 
 /// What two things did to each other in the last step, near one place.

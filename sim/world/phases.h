@@ -31,10 +31,28 @@ void find_equilibrium(WorldState& world, double time, double displacement_time, 
 
 /// What a substep costs as things are, as a share of what a step may cost; counted in work, not in time. > 0.
 double substep_cost(const WorldState& world);
+/// The same for opening cracks.
+double cracks_cost(int cracks);
 /// The length of the next substep in ticks: all that is left while nothing strikes; up to an impact in one go, through it
 /// in substeps in which a wave crosses a quarter of an element, then ever longer ones; while a crack runs, no longer than it
 /// takes to cross an element. `substeps_left` is kept.
 int next_substep(WorldState& world, int ticks_left, int substeps_left);
+
+/// How fine time must be to see the stress of an impact on the body [s].
+double impact_substep(const WorldState& world, const Body& body);
+/// No slower approach is an impact [m/s].
+double least_impact_speed(const WorldState& world);
+
+/// Whether a contact strikes hard enough to hurt the body.
+bool strikes(const WorldState& world, const Contact& contact, const Body& body);
+/// The share of an impact's stress that a substep of this length [s] shows on the body, 0..1.
+double softening_factor(const WorldState& world, const Body& body, double substep);
+/// Where the substep is too long for its impact, the bodies that are struck are softened for it. An impact that goes on
+/// from an earlier substep is not read again: its stress may have come and gone. Between resolve_contacts() and
+/// move_bodies(), which ends the stress that was there before.
+void soften_struck_bodies(WorldState& world, double substep);
+/// The elements' states, those of softened bodies as a resolved impact would stress them: σ_before + (σ − σ_before)/f.
+std::vector<ElementState> softened_states(const WorldState& world);
 
 /// Elastic state of a body's tets, or of all of bodies that are not rigid.
 void update_elements(WorldState& world, const Body& body);

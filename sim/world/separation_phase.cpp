@@ -23,8 +23,8 @@ DirectionalStrength strength_at(const WorldState& world, const Weakness& weaknes
   return directional_strength(weakness, axis.normalized());
 }
 
-NodeSeparation evaluate_node(const WorldState& world, const Body& body, NodeId node, bool averaged) {
-  const SeparationInput input = separation_input(world);
+NodeSeparation evaluate_node(const WorldState& world, const SeparationInput& input, const Body& body, NodeId node,
+                             bool averaged) {
   const Material& material = world.material_of(body);
   const std::optional<Weakness>& weakness = world.weaknesses[body.scene_body];
   const DirectionalStrength strength = weakness ? strength_at(world, *weakness, node) : DirectionalStrength();
@@ -50,12 +50,17 @@ SeparationInput separation_input(const WorldState& world) {
 }
 
 void evaluate_separation(WorldState& world, bool averaged) {
+  const bool softened = std::ranges::any_of(world.bodies, [](const Body& body) { return body.softening < 1; });
+  const std::vector<ElementState> states = softened ? softened_states(world) : std::vector<ElementState>();
+  SeparationInput input = separation_input(world);
+  if (softened) input.states = states;
   parallel_for(static_cast<int>(world.bodies.size()), 16, [&](int first, int last) {
     for (const Body& body : std::span(world.bodies).subspan(first, last - first)) {
       if (body.rigid) continue;
       parallel_for(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
         for (int i = begin; i < end; ++i)
-          world.nodes.separations[body.nodes[i]] = evaluate_node(world, body, body.nodes[i], averaged);
+          world.nodes.separations[body.nodes[i]] = evaluate_node(
+              world, input, body, body.nodes[i], averaged && body.softening == 1 && !body.softened_before);
       });
     }
   });

@@ -45,6 +45,7 @@ void substep(WorldState& world, double dt) {
   {
     PhaseTimer timer(timings.contact);
     resolve_contacts(world, dt);
+    soften_struck_bodies(world, dt);
   }
   {
     PhaseTimer timer(timings.elasticity);
@@ -75,8 +76,9 @@ void step_implicitly(WorldState& world, double time_step) {
   for (int ticks_left = kTicksPerStep; ticks_left > 0; ++substeps) {
     const double cost = substep_cost(world);
     const int ticks = next_substep(world, ticks_left, substeps_left(world, budget, cost, substeps));
-    budget -= cost;
+    const int cracks = world.report.cracks;
     substep(world, time_step * ticks / kTicksPerStep);
+    budget -= cost + cracks_cost(world.report.cracks - cracks);
     ticks_left -= ticks;
   }
   world.report.substeps = substeps;
@@ -114,6 +116,7 @@ void World::step() { advance(impl_->state); }
 void advance(WorldState& world) {
   world.report = {};
   world.contact_views.clear();
+  for (Body& body : world.bodies) body.softened.reset();
   {
     PhaseTimer timer(world.report.milliseconds.step);
     const double time_step = world.scene.simulation.time_step;

@@ -6,25 +6,19 @@
 namespace griffith {
 namespace {
 
+/// What a step may cost, in elements times substeps; some 12 ms on one core.
+constexpr double kWorkPerStep = 10'000;
 /// Substeps lengthen by this factor once nothing strikes any more.
 constexpr double kGrowth = 1.3;
 /// A wave crosses an element in this many substeps of the finest kind (stress of an impact within some percent).
 constexpr double kSubstepsPerElement = 4;
 
 /// How fine time must be to see the stress of an impact on any body that can break [s].
-double impact_substep(const WorldState& world) {
+double finest_impact_substep(const WorldState& world) {
   double length = 1;
-  for (const Body& body : world.bodies) {
-    if (body.tets.size() == 1) continue;
-    const double wave_speed = bar_wave_speed(world.material_of(body));
-    length = std::min(length, body.element_size / (kSubstepsPerElement * wave_speed));
-  }
+  for (const Body& body : world.bodies)
+    if (body.tets.size() > 1) length = std::min(length, impact_substep(world, body));
   return length;
-}
-
-/// No slower approach is an impact [m/s]: what rests falls by g·dt in every step, and is caught again.
-double least_impact_speed(const WorldState& world) {
-  return std::max(0.1, 2 * world.scene.gravity.norm() * world.scene.simulation.time_step);
 }
 
 /// The shortest first one of so many substeps, each longer than the one before, that cover the time; in ticks. An
@@ -51,19 +45,32 @@ int ticks_before_impact(const WorldState& world, double tick, double speed, int 
 
 }  // namespace
 
+// What rests falls by g·dt in every step, and is caught again.
+double least_impact_speed(const WorldState& world) {
+  return std::max(0.1, 2 * world.scene.gravity.norm() * world.scene.simulation.time_step);
+}
+
+double impact_substep(const WorldState& world, const Body& body) {
+  return body.element_size / (kSubstepsPerElement * bar_wave_speed(world.material_of(body)));
+}
+
 double substep_cost(const WorldState& world) {
-  constexpr double kWorkPerStep = 13'000;                    // elements times substeps
-  constexpr double kWorkPerBody = 20, kWorkPerContact = 10;  // in elements
+  constexpr double kWorkPerBody = 10, kWorkPerContact = 16;
   double work = 1 + kWorkPerContact * world.contacts_before;
   for (const Body& body : world.bodies)
     work += kWorkPerBody + (body.rigid ? 0.0 : static_cast<double>(body.tets.size()));
   return work / kWorkPerStep;
 }
 
+double cracks_cost(int cracks) {
+  constexpr double kWorkPerCrack = 120;
+  return kWorkPerCrack * cracks / kWorkPerStep;
+}
+
 int next_substep(WorldState& world, int ticks_left, int substeps_left) {
   const double tick = world.scene.simulation.time_step / kTicksPerStep;
   const int least = least_substep(ticks_left, substeps_left);
-  const int impact_ticks = whole_ticks(impact_substep(world), tick),
+  const int impact_ticks = whole_ticks(finest_impact_substep(world), tick),
             crack_ticks = whole_ticks(world.crack_transit_time, tick);
   const int finest = std::max(least, impact_ticks);
   const int grown = std::clamp(static_cast<int>(std::ceil(kGrowth * world.substep_ticks)), finest, kTicksPerStep);
@@ -74,7 +81,11 @@ int next_substep(WorldState& world, int ticks_left, int substeps_left) {
   world.report.coarse_substeps += least > crack_ticks || (struck && least > impact_ticks);
   // A pause before a strike is no reason to lengthen what follows it.
   world.substep_ticks = struck ? finest : wanted;
-  return std::min(ticks_left, std::max(calm, finest));
+  const int ticks = std::min(ticks_left, std::max(calm, finest));
+  world.coarse_impact.reset();
+  if (struck && calm < finest && ticks > impact_ticks)
+    world.coarse_impact = CoarseImpact{ticks * tick, std::min(substeps_left, ticks_left / ticks)};
+  return ticks;
 }
 
 }  // namespace griffith

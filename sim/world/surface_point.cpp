@@ -17,6 +17,14 @@ Vec3 closest_on_edge(const Vec3& p, const Vec3& a, const Vec3& b, int i, int j) 
   return weights;
 }
 
+std::array<NodeId, 3> nodes_of(const WorldState& world, const SurfaceFace& face) {
+  return face_nodes(world.mesh, face.tet, face.face);
+}
+
+std::array<Vec3, 3> corners_of(const WorldState& world, const std::array<NodeId, 3>& nodes) {
+  return {world.nodes.positions[nodes[0]], world.nodes.positions[nodes[1]], world.nodes.positions[nodes[2]]};
+}
+
 }  // namespace
 
 Vec3 closest_on_triangle(const Vec3& p, const std::array<Vec3, 3>& corners) {
@@ -40,21 +48,31 @@ Vec3 closest_on_triangle(const Vec3& p, const std::array<Vec3, 3>& corners) {
   return best;
 }
 
-SurfacePoint closest_surface_point(const WorldState& world, const Body& body, const Vec3& position) {
-  SurfacePoint best;
+SurfaceSearch::SurfaceSearch(const WorldState& world, const Body& body)
+    : world_(world), body_(body), centers_(3, body.surface.size()), radii_(body.surface.size()) {
+  for (Eigen::Index i = 0; i < radii_.size(); ++i) {
+    const std::array<Vec3, 3> corners = corners_of(world, nodes_of(world, body.surface[i]));
+    centers_.col(i) = (corners[0] + corners[1] + corners[2]) / 3;
+    radii_[i] = 0;
+    for (const Vec3& corner : corners) radii_[i] = std::max(radii_[i], (corner - centers_.col(i)).norm());
+  }
+}
+
+SurfacePoint SurfaceSearch::closest(const Vec3& position) const {
+  const Eigen::VectorXd distances = (centers_.colwise() - position).colwise().norm();
+  double bound = distances.minCoeff();  // a face's centre is one of its points
   double best_distance = std::numeric_limits<double>::infinity();
-  for (const SurfaceFace& face : body.surface) {
-    const std::array<NodeId, 3> nodes = face_nodes(world.mesh, face.tet, face.face);
-    const std::array<Vec3, 3> corners = {world.nodes.positions[nodes[0]], world.nodes.positions[nodes[1]],
-                                         world.nodes.positions[nodes[2]]};
-    // No point of the triangle is closer than its first corner less its longest edge from there.
-    const double reach = std::sqrt(std::max((corners[1] - corners[0]).squaredNorm(), (corners[2] - corners[0]).squaredNorm()));
-    if ((position - corners[0]).norm() - reach > best_distance) continue;
+  SurfacePoint best;
+  for (Eigen::Index i = 0; i < radii_.size(); ++i) {
+    if (distances[i] - radii_[i] > bound) continue;
+    const std::array<NodeId, 3> nodes = nodes_of(world_, body_.surface[i]);
+    const std::array<Vec3, 3> corners = corners_of(world_, nodes);
     const Vec3 weights = closest_on_triangle(position, corners);
     const double distance =
         (weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2] - position).norm();
     if (distance >= best_distance) continue;
     best_distance = distance;
+    bound = std::min(bound, distance);
     best = {nodes, weights};
   }
   return best;

@@ -15,7 +15,18 @@ struct SurfacePoint {
 /// Barycentric weights of the point of triangle abc closest to p.
 Vec3 closest_on_triangle(const Vec3& p, const std::array<Vec3, 3>& corners);
 
-/// The point of the body's present surface closest to `position` (world space).
-SurfacePoint closest_surface_point(const WorldState& world, const Body& body, const Vec3& position);
+/// Finds points of a body's present surface (world space); void when its nodes move.
+class SurfaceSearch {
+ public:
+  SurfaceSearch(const WorldState& world, const Body& body);
+  /// The point of the surface closest to `position` [m], of several the one on the first face.
+  SurfacePoint closest(const Vec3& position) const;
+
+ private:
+  const WorldState& world_;
+  const Body& body_;
+  NodeVectors centers_;    // of the faces
+  Eigen::VectorXd radii_;  // of spheres about the centres that hold their faces
+};
 
 }  // namespace griffith

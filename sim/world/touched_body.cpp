@@ -33,43 +33,62 @@ Mat3 cross_matrix(const Vec3& v) {
 
 /// The compliance of the touched surface points: of the implicit step's system, or of single nodes, which explicit
 /// integration moves before their neighbours answer.
-Eigen::MatrixXd surface_compliance(const WorldState& world, const Body& body, std::span<const TouchedPoint> points) {
+PointCompliance surface_compliance(const WorldState& world, const Body& body, std::span<const TouchedPoint> points) {
+  const bool of_nodes = world.integrates_explicitly();
   std::vector<WeightedRows> rows(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     for (int k = 0; k < 3; ++k) {
       const NodeId node = points[i].surface.nodes[k];
-      rows[i].rows[k] = world.nodes.rows[node];
+      rows[i].rows[k] = of_nodes ? static_cast<int>(node) : world.nodes.rows[node];
       rows[i].weights[k] = points[i].surface.weights[k] * world.nodes.constraints[node].allowed;
     }
-  if (!world.integrates_explicitly()) return body.compliance_factor * body.system->compliance(rows);
-  const Eigen::Index count = 3 * static_cast<Eigen::Index>(points.size());
-  Eigen::MatrixXd compliance = Eigen::MatrixXd::Zero(count, count);
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (std::size_t j = 0; j < points.size(); ++j)
-      for (int k = 0; k < 9; ++k)
-        if (const NodeId node = points[i].surface.nodes[k / 3]; node == points[j].surface.nodes[k % 3])
-          compliance.block<3, 3>(3 * i, 3 * j) +=
-              rows[i].weights[k / 3] * rows[j].weights[k % 3] / world.nodes.masses[node];
-  return compliance;
+  if (!of_nodes) return body.system->compliance(rows);
+  std::vector<Mat3> nodes(world.nodes.masses.size());
+  for (NodeId node : body.nodes) nodes[node] = Mat3::Identity() / world.nodes.masses[node];
+  return node_compliance(rows, nodes);
 }
 
-/// What the offsets of the contacts from the surface add: the rigid answer at the contacts for that at the surface. It
-/// has the factor of the rest, which holds the latter: the sum then stays positive semidefinite.
+/// What the offsets of the contacts from the surface add: the rigid answer at the contacts for that at the surface. The
+/// rest holds the latter: the sum stays positive semidefinite.
 void add_offset_compliance(const WorldState& world, const TouchedBody& touched, double dt,
-                           Eigen::MatrixXd& compliance) {
+                           PointCompliance& compliance) {
   const Body& body = world.bodies[touched.body];
   if (body.supported()) return;
-  const double factor = world.integrates_explicitly() ? 1 : body.compliance_factor;
-  const Mat3 inverse_inertia = factor / (1 + dt * world.material_of(body).mass_damping) * body.motion.inertia.inverse();
+  const Mat3 inverse_inertia = body.motion.inertia.inverse() / (1 + dt * world.material_of(body).mass_damping);
   std::vector<Mat3> contact_arms, surface_arms;
   for (const TouchedPoint& point : touched.points) {
     contact_arms.push_back(cross_matrix(point.contact - body.motion.center));
     surface_arms.push_back(cross_matrix(point.position - body.motion.center));
   }
-  for (std::size_t i = 0; i < touched.points.size(); ++i)
-    for (std::size_t j = 0; j < touched.points.size(); ++j)
-      compliance.block<3, 3>(3 * i, 3 * j) +=
-          surface_arms[i] * inverse_inertia * surface_arms[j] - contact_arms[i] * inverse_inertia * contact_arms[j];
+  compliance.add_modes(inverse_inertia, contact_arms, false);
+  compliance.add_modes(inverse_inertia, surface_arms, true);
+}
+
+bool is_elastic(const WorldState& world, ProxyId object) {
+  const BodyId id = world.body_of(object);
+  return id.valid() && !world.bodies[id].rigid;
+}
+
+/// How fast the sides of each contact come together as if it did not push [m/s].
+std::vector<double> approach_speeds(const WorldState& world, const TouchedBodies& touched) {
+  const std::span<const Contact> contacts = world.contact_world.contacts();
+  std::vector<double> speeds(contacts.size(), 0.0);
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    for (const auto& [object, side] : {std::pair(contacts[i].a, 1.0), std::pair(contacts[i].b, -1.0)}) {
+      if (is_elastic(world, object)) continue;
+      const RigidState state = world.contact_world.state(object);
+      const Vec3 arm = contacts[i].position - state.pose.translation;
+      speeds[i] -= side * contacts[i].normal.dot(state.velocity + state.angular_velocity.cross(arm));
+    }
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
+    const Eigen::Matrix3Xd velocities = point_velocities(world, touched.bodies[i]);
+    for (Eigen::Index k = 0; k < velocities.cols(); ++k) {
+      const int index = touched.responses[i].contacts[k];
+      const double side = contacts[index].a == touched.responses[i].object ? 1 : -1;
+      speeds[index] -= side * contacts[index].normal.dot(velocities.col(k));
+    }
+  }
+  return speeds;
 }
 
 void list_contacts(const WorldState& world, TouchedBodies& touched) {
@@ -77,12 +96,13 @@ void list_contacts(const WorldState& world, TouchedBodies& touched) {
   const std::span<const Contact> contacts = world.contact_world.contacts();
   for (std::size_t i = 0; i < contacts.size(); ++i)
     for (bool is_a : {true, false}) {
-      const BodyId id = world.body_of(is_a ? contacts[i].a : contacts[i].b);
-      if (!id.valid() || world.bodies[id].rigid) continue;
+      const ProxyId object = is_a ? contacts[i].a : contacts[i].b;
+      if (!is_elastic(world, object)) continue;
+      const BodyId id = world.body_of(object);
       if (index_of_body[id] < 0) {
         index_of_body[id] = static_cast<int>(touched.bodies.size());
         touched.bodies.emplace_back().body = id;
-        touched.responses.emplace_back().object = world.bodies[id].stand_in;
+        touched.responses.emplace_back().object = object;
       }
       TouchedPoint& point = touched.bodies[index_of_body[id]].points.emplace_back();
       point.contact = contacts[i].position;
@@ -96,11 +116,13 @@ TouchedBodies touched_bodies(const WorldState& world) {
   TouchedBodies touched;
   list_contacts(world, touched);
   parallel_for(static_cast<int>(touched.bodies.size()), 1, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i)
+    for (int i = begin; i < end; ++i) {
+      const SurfaceSearch surface(world, world.bodies[touched.bodies[i].body]);
       for (TouchedPoint& point : touched.bodies[i].points) {
-        point.surface = closest_surface_point(world, world.bodies[touched.bodies[i].body], point.contact);
+        point.surface = surface.closest(point.contact);
         point.position = surface_position(world, point.surface);
       }
+    }
   });
   return touched;
 }
@@ -118,11 +140,28 @@ void correct_distances(WorldState& world, const TouchedBodies& touched) {
   }
 }
 
+void drop_near_misses(WorldState& world, TouchedBodies& touched, double dt) {
+  const std::vector<int> index = world.contact_world.drop_near_misses(dt, approach_speeds(world, touched));
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
+    std::vector<TouchedPoint> points;
+    std::vector<int> contacts;
+    for (std::size_t k = 0; k < touched.bodies[i].points.size(); ++k) {
+      const int kept = index[touched.responses[i].contacts[k]];
+      if (kept < 0) continue;
+      points.push_back(touched.bodies[i].points[k]);
+      contacts.push_back(kept);
+    }
+    touched.bodies[i].points = std::move(points);
+    touched.responses[i].contacts = std::move(contacts);
+  }
+}
+
 void prepare_response(const WorldState& world, const TouchedBody& touched, double dt, ElasticResponse& response) {
   response.free_velocities = response.velocities = point_velocities(world, touched);
   response.impulses = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(touched.points.size()));
   response.compliance = surface_compliance(world, world.bodies[touched.body], touched.points);
   add_offset_compliance(world, touched, dt, response.compliance);
+  if (!world.integrates_explicitly()) response.compliance.scale(world.bodies[touched.body].compliance_factor);
 }
 
 Eigen::Matrix3Xd point_velocities(const WorldState& world, const TouchedBody& touched) {

@@ -33,6 +33,8 @@ struct TouchedBodies {
 TouchedBodies touched_bodies(const WorldState& world);
 /// Changes the contacts' distances from those of the stand-ins, which do not deform, to those of the elastic surfaces.
 void correct_distances(WorldState& world, const TouchedBodies& touched);
+/// Leaves out the contacts that will not push in a substep of `dt` [s]: here and in the contact world.
+void drop_near_misses(WorldState& world, TouchedBodies& touched, double dt);
 /// Fills a response with the velocities of a body that knows nothing of its contacts yet.
 void prepare_response(const WorldState& world, const TouchedBody& touched, double dt, ElasticResponse& response);
 /// Velocities of the contact points as the body's nodes move now: J v.

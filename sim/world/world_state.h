@@ -63,6 +63,11 @@ struct Body {
   int calm_steps = 0;                    ///< steps in a row with next to no stress
   bool asleep = false;                   ///< rigid, and lies still until something strikes it
   double element_size = 0;               ///< edge length of the cubes that six of its tets would fill, mean [m]
+  double extent = 0;                     ///< longest edge of the box round it at rest [m]
+  std::optional<SoftenedImpact> softened;  ///< of the last step, if any
+  double softening = 1;                    ///< f in the present substep
+  bool softened_before = false;            ///< f was less than 1 in the last substep
+  std::int64_t last_strike = -2;           ///< the last step in which something struck it hard enough to hurt
   double energy = 0;                     ///< kinetic and elastic, when the substep began [J]
   double contact_work = 0;               ///< of the contacts in the substep, at the velocities after it [J]
   double compliance_factor = 1;          ///< true compliance at contacts over the estimated one, as seen last
@@ -85,6 +90,12 @@ struct PendingShot {
 struct PostponedCrack {
   NodeId node;
   NodeSeparation separation;
+};
+
+/// An impact in the coming substep that asks for a shorter one than the budget leaves.
+struct CoarseImpact {
+  double substep = 0;  ///< [s]
+  int substeps_left = 1;
 };
 
 /// Everything behind a World: constant set-up (scene, rest data) and mutable state.
@@ -113,6 +124,8 @@ struct WorldState {
   int substep_ticks = 0;     ///< length that the last substep had or could have had
   double crack_transit_time = std::numeric_limits<double>::infinity();  ///< shortest to cross an element that cracked [s]
   int contacts_before = 0;   ///< of the last substep
+  std::optional<CoarseImpact> coarse_impact;  ///< in the present substep
+  std::vector<Mat3> stresses_before;          ///< per tet of softened bodies: before the impact, in rest space [Pa]
 
   std::int64_t step = 0;
   double time = 0;  ///< [s]

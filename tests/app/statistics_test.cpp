@@ -54,6 +54,7 @@ TEST(Statistics, EveryFieldIsThereAndMakesSense) {
     EXPECT_TRUE(stats[name].is_number()) << name;
     EXPECT_GE(stats[name].get<double>(), 0) << name;
   }
+  EXPECT_TRUE(stats["softened_impacts"].is_array());
   EXPECT_EQ(stats["frames"], 25);
   EXPECT_EQ(stats["threads"], 1);
   EXPECT_GE(stats["substeps"].get<int>(), 25);

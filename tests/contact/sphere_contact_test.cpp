@@ -107,7 +107,9 @@ TEST(SphereContact, ComplianceSoftensTheImpulse) {
     ASSERT_EQ(world.contacts().size(), 1u);
     ElasticResponse response{plate, {0}, Eigen::Matrix3Xd::Zero(3, 1), {}, {}, {}};
     response.velocities = response.impulses = response.free_velocities;
-    response.compliance = (1.0 / 40 + compliance) * Mat3::Identity();
+    const WeightedRows on_a_node = {{0, -1, -1}, {Mat3::Identity(), Mat3::Zero(), Mat3::Zero()}};
+    const Mat3 of_node = (1.0 / 40 + compliance) * Mat3::Identity();
+    response.compliance = node_compliance({&on_a_node, 1}, {&of_node, 1});
     world.solve(kDt, {&response, 1});
     const double expected = 7 / (1.0 / 40 + 1.0 / 10 + compliance);
     EXPECT_NEAR(world.contacts()[0].impulse.norm(), expected, 1e-6 * expected) << compliance;

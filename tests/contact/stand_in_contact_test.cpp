@@ -145,9 +145,10 @@ TEST(StandInContact, AFaceThatStrikesAFaceDoesNotTurnIt) {
   }
   solve(world, kDt);
   EXPECT_EQ(world.contacts().size(), 4u);
+  constexpr double kTolerance = 1e-5 * 8;  // the solver's, of the speed of the blow
   for (int i = 0; i < 2; ++i) {
-    EXPECT_LT((world.state(boxes[i]).velocity - turn * Vec3(0, i == 0 ? -2 : 2, 0)).norm(), 1e-6);
-    EXPECT_LT(world.state(boxes[i]).angular_velocity.norm(), 1e-6);
+    EXPECT_LT((world.state(boxes[i]).velocity - turn * Vec3(0, i == 0 ? -2 : 2, 0)).norm(), kTolerance);
+    EXPECT_LT(world.state(boxes[i]).angular_velocity.norm(), kTolerance);
   }
 }
 

@@ -1,0 +1,38 @@
+#include <algorithm>
+#include <cassert>
+
+#include "sim/contact/bullet_world.h"
+
+namespace griffith {
+
+using namespace contact;
+
+std::vector<int> ContactWorld::Impl::drop_near_misses(double dt, std::span<const double> approach) {
+  assert(approach.size() == contacts.size());
+  constexpr double kSafety = 1.25, kPassedOn = 0.5;
+  // What one blow may set in motion towards the next neighbour.
+  std::vector<double> struck(objects.size(), 0.0);
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (approach[i] * dt > contacts[i].distance)
+      for (ProxyId side : {contacts[i].a, contacts[i].b})
+        if (objects[side].is_free()) struck[side] = std::max(struck[side], approach[i]);
+  const auto may_push = [&](std::size_t i) {
+    const Contact& contact = contacts[i];
+    const double speed =
+        std::max({approach[i], kPassedOn * struck[contact.a], kPassedOn * struck[contact.b]}) + gravity.norm() * dt;
+    return contact.distance <= kSafety * speed * dt || points[i]->m_appliedImpulse > 0;
+  };
+  std::vector<int> index(contacts.size(), -1);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (!may_push(i)) continue;
+    index[i] = static_cast<int>(kept);
+    contacts[kept] = contacts[i];
+    points[kept++] = points[i];
+  }
+  contacts.resize(kept);
+  points.resize(kept);
+  return index;
+}
+
+}  // namespace griffith
