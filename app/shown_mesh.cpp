@@ -47,12 +47,14 @@ Vec3 ShownMesh::centroid(TetId tet) const {
 }
 
 ShownMesh shown_mesh(const Frame& frame, const ViewSettings& view, const ui::Selection& selection) {
-  ShownMesh shown{frame, view, exploded_offsets(frame, view.explode), {}, mean_element_size(frame), selection.node};
+  ShownMesh shown{frame, view, exploded_offsets(frame, view.explode), {}, 1, selection.node};
   shown.positions.assign(frame.positions.begin(), frame.positions.end());
   if (view.explode != 0) {
     for (std::size_t i = 0; i < shown.positions.size(); ++i)
       shown.positions[i] += shown.offsets[shown.body_of(NodeId(static_cast<std::int64_t>(i)))];
   }
+  if (view.layers.empty()) return shown;
+  shown.element_size = mean_element_size(frame);
   if (!shown.chosen.valid()) shown.chosen = most_loaded_node(frame);
   return shown;
 }

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/elasticity/element.h"
+#include "sim/mesh/topology.h"
+
+namespace griffith::testing {
+
+/// Tets of one material whose nodes have positions and velocities, at rest at first.
+struct ElasticMesh {
+  TetMesh mesh;
+  Material material;
+  std::vector<ElementRest> rests;
+  std::vector<Vec3> positions, velocities;
+
+  ElasticMesh(const TetSoup& soup, const Material& of) : mesh(build_mesh(soup)), material(of) {
+    positions = mesh.rest_positions;
+    velocities.assign(positions.size(), Vec3::Zero());
+    for (TetId tet(0); tet < mesh.tet_count(); ++tet.value) rests.push_back(element_rest(corners(tet, positions)));
+  }
+
+  ElasticLaw law() const { return elastic_law(material); }
+  Corners corners(TetId tet, std::span<const Vec3> nodes) const {
+    Corners c;
+    for (int i = 0; i < 4; ++i) c.col(i) = nodes[mesh.tets[tet][i]];
+    return c;
+  }
+  ElementDeformation deformation(TetId tet, std::span<const Vec3> nodes) const {
+    return element_deformation(material.element_model, rests[tet], corners(tet, nodes));
+  }
+  void add_elastic_forces(TetId tet, const ElementState& state, std::vector<Vec3>& forces) const {
+    const Corners f = nodal_forces(rests[tet], state.frame, state.stress);
+    for (int i = 0; i < 4; ++i) forces[mesh.tets[tet][i]] += f.col(i);
+  }
+};
+
+}  // namespace griffith::testing
