@@ -105,6 +105,17 @@ class FieldRows {
   void draw(const FieldRow& row, std::vector<int>& values, const Numbers& numbers) {
     note(row, draw_field(panel_, row, numbers, values));
   }
+  void draw(const FieldRow& row, std::vector<Vec3>& points, const Numbers& numbers) {
+    if (!begin_part(panel_, row, std::to_string(points.size()))) return;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      draw({row.tag + "/" + std::to_string(i), "Number " + std::to_string(i + 1), ""}, points[i], numbers);
+    const bool removed = text_button(panel_, (row.tag + "/remove").c_str(), ("Remove the last##" + row.tag).c_str());
+    const bool added = text_button(panel_, (row.tag + "/add").c_str(), ("Add##" + row.tag).c_str());
+    if (removed && !points.empty()) points.pop_back();
+    if (added) points.push_back(points.empty() ? Vec3(Vec3::Zero()) : Vec3(points.back()));
+    if (removed || added) note(row, {true, true});
+    end_part();
+  }
   template <int N>
   void draw(const FieldRow& row, Eigen::Matrix<double, N, 1>& vector, const Numbers& numbers) {
     Eigen::Matrix<double, N, 1> wanted = vector;
@@ -208,6 +219,7 @@ class FieldRows {
       names.push_back(name);
       hold.push_back([&variant] { variant = T{}; });
     }
+    void require(bool, std::string_view, const char*, const char*) {}
   };
 
   template <class Variant>

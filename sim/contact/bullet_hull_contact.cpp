@@ -33,6 +33,8 @@ PlacedHull placed_hull(const btCollisionObjectWrapper& wrapper) {
 HullHullAlgorithm::HullHullAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
                                      const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second)
     : btCollisionAlgorithm(info),
+      first_(first->getCollisionObject()),
+      second_(second->getCollisionObject()),
       reach_(std::min(contact_reach(*first->getCollisionObject()), contact_reach(*second->getCollisionObject()))) {}
 
 HullHullAlgorithm::~HullHullAlgorithm() { release_manifold(); }
@@ -64,7 +66,7 @@ void HullHullAlgorithm::find(const PlacedHull& a, const PlacedHull& b) {
 
 void HullHullAlgorithm::note(const PlacedHull& b, btManifoldResult& result) {
   if (found_ == Found::nothing) return release_manifold();
-  if (!manifold_) manifold_ = m_dispatcher->getNewManifold(result.getBody0Internal(), result.getBody1Internal());
+  if (!manifold_) manifold_ = m_dispatcher->getNewManifold(first_, second_);
   result.setPersistentManifold(manifold_);
   if (found_ == Found::the_same) carry_contacts(b);
   if (found_ == Found::anew)

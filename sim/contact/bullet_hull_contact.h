@@ -54,6 +54,7 @@ class HullHullAlgorithm final : public btCollisionAlgorithm {
   void carry_contacts(const PlacedHull& b);
   void release_manifold();
 
+  const btCollisionObject *first_, *second_;  // in an order that may differ from that of a compound's pair
   btScalar reach_;                            // gap at which contacts begin [m]
   Vec3 parting_direction_ = Vec3::Zero();     // unit, from the second to the first; zero while unknown
   btPersistentManifold* manifold_ = nullptr;  // while they touch

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -17,7 +18,8 @@ struct BoxProjectile {
 
 /// The convex hull of some points.
 struct PointsProjectile {
-  std::vector<Vec3> points;  ///< at least four, not all in a plane
+  /// At least four, not all in a plane [m].
+  std::vector<Vec3> points = {{-0.1, -0.1, -0.1}, {0.2, 0, 0}, {0, 0.2, 0}, {0, 0, 0.2}};
   bool operator==(const PointsProjectile&) const = default;
 };
 
@@ -27,6 +29,9 @@ struct SurfaceProjectile {
   double scale = 1;            ///< metres per unit of the file, > 0
   bool operator==(const SurfaceProjectile&) const = default;
 };
+
+/// Whether points do not lie in a plane: their least spread along any direction is a visible share of the largest.
+bool span_volume(std::span<const Vec3> points);
 
 using ProjectileShape = std::variant<BoxProjectile, PointsProjectile, SurfaceProjectile>;
 

@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "sim/contact/solid.h"
 #include "sim/scene/field.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/shape_fields.h"
@@ -205,7 +204,7 @@ void describe(Archive& archive, ProjectileShape& shape) {
                                                  &PointsProjectile::points);
   archive.template alternative<SurfaceProjectile>("surface", shape, Parts{}, "The convex hull of a surface's points");
   const auto* hull = std::get_if<PointsProjectile>(&shape);
-  archive.require(!hull || is_solid(convex_hull(hull->points)), "points", "span no volume",
+  archive.require(!hull || span_volume(hull->points), "points", "span no volume",
                   "give at least four points that do not lie in one plane");
 }
 

@@ -152,6 +152,31 @@ TEST(StandInContact, AFaceThatStrikesAFaceDoesNotTurnIt) {
   }
 }
 
+TEST(StandInContact, NormalsPointFromBToAWhicheverIsMadeOfParts) {
+  // A body of two parts and a box above it, in both orders.
+  const Vec3 size(1, 1, 1);
+  std::vector<ConvexPart> parts = {box_part(size), box_part(size)};
+  for (Vec3& corner : parts[1]) corner.x() += 1.5;
+  for (bool parts_first : {true, false}) {
+    ContactWorld world(Vec3::Zero());
+    const auto add = [&](bool of_parts) {
+      return world.add_stand_in(of_parts ? parts : box_parts(size), box_mass(size, 5), Mobility::free,
+                                at(of_parts ? Vec3(0, 0, 0) : Vec3(0.2, 0.999, 0.1)), {0.5, 0});
+    };
+    const ProxyId first = add(parts_first);
+    add(!parts_first);
+    for (int again = 0; again < 2; ++again) {
+      world.detect();
+      ASSERT_EQ(world.contacts().size(), 4u);
+      for (const Contact& contact : world.contacts()) {
+        const double up = (contact.a == first) == parts_first ? -1 : 1;
+        EXPECT_LT((contact.normal - Vec3(0, up, 0)).norm(), 1e-9) << parts_first;
+        EXPECT_NEAR(contact.distance, -0.001, 1e-9);
+      }
+    }
+  }
+}
+
 TEST(StandInContact, ImpulsesAreTheChangesOfMomentumInAHeap) {
   const Vec3 gravity(1, -9.81, 0);
   ContactWorld world(gravity);

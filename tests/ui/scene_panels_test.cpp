@@ -149,7 +149,7 @@ TEST(ScenePanels, RandomClicksKeepTheSceneValid) {
   testing::RandomValues random(7);
   UiDriver ui(two_walls());
   open(ui, {"body", "scene", "body/shape", "body/loads", "body/supports", "scene/simulation", "scene/ground"});
-  for (int i = 0; i < 600; ++i) {
+  for (int i = 0; i < 900; ++i) {
     const WidgetTag tag = ui.tags[static_cast<std::size_t>(random.index(static_cast<int>(ui.tags.size())))];
     if (!tag.name.starts_with("body") && !tag.name.starts_with("scene")) continue;
     if (random.index(3) == 0) {

@@ -134,9 +134,10 @@ TEST(SoftenedImpact, WhatStrainedABodyBeforeIsHeldAgainstItsFullStrength) {
 TEST(SoftenedImpact, NothingIsSoftenedWhereTheBudgetSuffices) {
   Scene scene = struck(Vec3(1, 0.1, 0.1), 0.1, 1, 20);
   scene.simulation.impact_substeps = 256;
+  scene.bodies[0].material.tensile_strength *= 100;  // cracks would take their share of the budget
   World resolved(scene);
   EXPECT_EQ(least_factor(resolved, 20), 1);
-  EXPECT_FALSE(resolved.frame().crack_events.empty());
+  EXPECT_GT(resolved.frame().report.peak_margin, 0);
 }
 
 TEST(SoftenedImpact, TheEffectiveMaterialKeepsTheBreakingSpeed) {
