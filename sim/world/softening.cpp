@@ -8,6 +8,10 @@
 namespace griffith {
 namespace {
 
+/// Fewer tets are debris, whose mesh has no room for waves: knocks at its corners, spread over it, would be read several
+/// times too hard.
+constexpr std::size_t kFewestTets = 20;
+
 /// Ascending.
 std::set<BodyId> struck_bodies(const WorldState& world) {
   std::set<BodyId> struck;
@@ -49,6 +53,7 @@ void take_substep(const WorldState& world, Body& body, double substep) {
 }  // namespace
 
 double softening_factor(const WorldState& world, const Body& body, double substep) {
+  if (body.tets.size() < kFewestTets) return 1;
   const double wave_speed = bar_wave_speed(world.material_of(body));
   return softening_factor(wave_speed, body.extent, substep, impact_substep(world, body));
 }
@@ -64,7 +69,7 @@ void soften_struck_bodies(WorldState& world, double substep) {
     const bool goes_on = body.last_strike >= world.step - 1;
     body.last_strike = world.step;
     const bool too_long = world.coarse_impact && world.coarse_impact->substep > impact_substep(world, body);
-    if (too_long && !goes_on) soften(world, body);
+    if (too_long && !goes_on && body.tets.size() >= kFewestTets) soften(world, body);
   }
   for (Body& body : world.bodies) {
     body.softened_before = body.softening < 1;
