@@ -14,6 +14,8 @@ namespace {
 /// The share of an overlap that goes in a substep, and the overlap, as a share of the smaller radius, that stays, so
 /// that all contacts of what rests go on touching.
 constexpr double kCorrectionShare = 0.1, kRestingShare = 3e-4;
+/// Of what goes, the next substeps take what this one leaves.
+constexpr SolverLimits kRoughly{.work = 6'000, .least_sweeps = 8, .most_sweeps = 50, .tolerance = 1e-3};
 
 Mat3 contact_axes(const Vec3& normal) {
   Mat3 axes;
@@ -218,7 +220,7 @@ void ContactWorld::Impl::correct_positions(const std::vector<ContactRow>& rows) 
   if (!any) return;
   std::vector<Responder> moving;
   for (const Object& object : objects) moving.push_back(rigid_responder(object));
-  solve_impulses(overlaps, moving);
+  solve_impulses(overlaps, moving, kRoughly);
   for (std::size_t i = 0; i < objects.size(); ++i)
     objects[i].correction = {moving[i].velocity, moving[i].angular_velocity};
 }

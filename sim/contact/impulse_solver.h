@@ -37,7 +37,7 @@ struct ContactRow {
 
 struct SolverLimits {
   int work = 12'000;                         ///< rows times sweeps, in each group of objects that touch
-  int least_sweeps = 20, most_sweeps = 200;  ///< whatever the work
+  int least_sweeps = 14, most_sweeps = 200;  ///< whatever the work
   /// The largest change of velocity in a sweep, as a share of the group's largest speed to correct.
   double tolerance = 1e-5;
 };
