@@ -15,13 +15,15 @@ Vec3 surface_position(const WorldState& world, const SurfacePoint& point) {
   return position;
 }
 
+/// The index of one of a body's nodes.
+int place_of(const Body& body, NodeId node) {
+  return static_cast<int>(std::lower_bound(body.nodes.begin(), body.nodes.end(), node) - body.nodes.begin());
+}
+
 /// Where the stand-in, which does not deform, has this point of the surface.
 Vec3 stand_in_position(const Body& body, const SurfacePoint& point) {
   Vec3 arm = Vec3::Zero();
-  for (int i = 0; i < 3; ++i) {
-    const auto node = std::lower_bound(body.nodes.begin(), body.nodes.end(), point.nodes[i]);
-    arm += point.weights[i] * body.reference_arms.col(node - body.nodes.begin());
-  }
+  for (int i = 0; i < 3; ++i) arm += point.weights[i] * body.reference_arms.col(place_of(body, point.nodes[i]));
   return body.motion.center + body.orientation * arm;
 }
 
@@ -39,12 +41,12 @@ PointCompliance surface_compliance(const WorldState& world, const Body& body, st
   for (std::size_t i = 0; i < points.size(); ++i)
     for (int k = 0; k < 3; ++k) {
       const NodeId node = points[i].surface.nodes[k];
-      rows[i].rows[k] = of_nodes ? static_cast<int>(node) : world.nodes.rows[node];
+      rows[i].rows[k] = of_nodes ? place_of(body, node) : world.nodes.rows[node];
       rows[i].weights[k] = points[i].surface.weights[k] * world.nodes.constraints[node].allowed;
     }
   if (!of_nodes) return body.system->compliance(rows);
-  std::vector<Mat3> nodes(world.nodes.masses.size());
-  for (NodeId node : body.nodes) nodes[node] = Mat3::Identity() / world.nodes.masses[node];
+  std::vector<Mat3> nodes;
+  for (NodeId node : body.nodes) nodes.push_back(Mat3::Identity() / world.nodes.masses[node]);
   return node_compliance(rows, nodes);
 }
 
