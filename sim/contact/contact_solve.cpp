@@ -14,6 +14,8 @@ namespace {
 /// The share of an overlap that goes in a substep, and the overlap, as a share of the smaller radius, that stays, so
 /// that all contacts of what rests go on touching.
 constexpr double kCorrectionShare = 0.1, kRestingShare = 3e-4;
+/// Elastic objects have answered: impulses are near their places.
+constexpr SolverLimits kAgain{.work = 6'000, .least_sweeps = 8, .most_sweeps = 100};
 /// Of what goes, the next substeps take what this one leaves.
 constexpr SolverLimits kRoughly{.work = 6'000, .least_sweeps = 8, .most_sweeps = 50, .tolerance = 1e-3};
 
@@ -92,7 +94,7 @@ double ContactWorld::Impl::least_speed(const Contact& contact, double dt) const 
   return std::min(a.surface.restitution, b.surface.restitution) * contact.approach;
 }
 
-void ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elastic) {
+int ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elastic) {
   assert(dt > 0);
   std::vector<Responder> answering = rigid_responders(dt);
   solved = rows(dt);
@@ -124,9 +126,12 @@ void ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elast
                                 response.velocities - respond(response.compliance, response.impulses));
     }
   });
-  solve_impulses(solved, answering);
+  const bool again =
+      std::any_of(elastic.begin(), elastic.end(), [](const auto& response) { return !response.impulses.isZero(0); });
+  const int relaxations = solve_impulses(solved, answering, again ? kAgain : SolverLimits());
   for (std::size_t i = 0; i < contacts.size(); ++i) contacts[i].impulse = solved[i].axes * solved[i].impulse;
   remember_impulses(dt);
+  return relaxations;
 }
 
 std::vector<double> ContactWorld::Impl::limit_energy(double dt, std::span<const ElasticResponse> elastic) {

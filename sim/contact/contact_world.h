@@ -128,8 +128,8 @@ class ContactWorld {
   /// each contact, or -1. To be called between detect() and solve(), if at all.
   std::vector<int> drop_near_misses(double dt, std::span<const double> approach);
   /// Writes the impulses of a substep of `dt` [s] > 0 into contacts(); to be called again when more is known about the
-  /// responses of what is elastic.
-  void solve(double dt, std::span<const ElasticResponse> elastic = {});
+  /// responses of what is elastic. Returns how many times a contact was solved, for those who count work.
+  int solve(double dt, std::span<const ElasticResponse> elastic = {});
   /// Scales the impulses down in each group of objects that touch where they would add energy: where `velocities`, now
   /// exact under these impulses, show that `compliance` was too small. Returns the factor of each response, mostly 1.
   std::vector<double> limit_energy(double dt, std::span<const ElasticResponse> elastic);
@@ -174,9 +174,9 @@ class ContactWorld {
 };
 
 /// Splits a body into few, nearly convex parts for collision. `points` and `tets` are the body's own; every tet goes to
-/// one part; a part is accepted when its tets fill at least `fill` of its convex hull (0..1], when it is a single tet
-/// or holds less than 1/32 of the body; else it is halved across its longest axis. A part has at most 42 corners,
-/// extreme ones of its hull. Low `fill` makes fewer parts: contact time grows with their number, so give small pieces
+/// one part, the convex hull of its at most 42 most extreme corners. A part is accepted when its tets have at least
+/// `fill` (0..1] of that hull's volume, when it is a single tet or holds less than 1/32 of the body; else it is halved
+/// across its longest axis. Low `fill` makes fewer parts: contact time grows with their number, so give small pieces
 /// 0.5.
 std::vector<ConvexPart> convex_parts(std::span<const Vec3> points, std::span<const std::array<int, 4>> tets,
                                      double fill = 0.9);

@@ -2,12 +2,14 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <numeric>
 
 #include "sim/contact/contact_world.h"
 #include "sim/contact/convex_hull.h"
 #include "sim/contact/convex_pieces.h"
+#include "sim/parallel.h"
 
 namespace griffith {
 namespace {
@@ -51,31 +53,31 @@ std::vector<Vec3> used_points(const Body& body, std::span<const int> pieces) {
   return points;
 }
 
-/// Keeps the corners that are extreme in `kMaxCorners` directions, spread evenly over the sphere and stretched with
+/// Keeps the points that are extreme in `kMaxCorners` directions, spread evenly over the sphere and stretched with
 /// the part so that thin parts keep their edges.
-ConvexPart simplified(const std::vector<Vec3>& corners) {
-  if (corners.size() <= kMaxCorners) return corners;
-  Vec3 minimum = corners[0], maximum = corners[0];
-  for (const Vec3& corner : corners) {
-    minimum = minimum.cwiseMin(corner);
-    maximum = maximum.cwiseMax(corner);
+std::vector<Vec3> extreme_points(const std::vector<Vec3>& points) {
+  if (points.size() <= kMaxCorners) return points;
+  Vec3 minimum = points[0], maximum = points[0];
+  for (const Vec3& point : points) {
+    minimum = minimum.cwiseMin(point);
+    maximum = maximum.cwiseMax(point);
   }
   const Vec3 scale = (maximum - minimum).cwiseMax(1e-9).cwiseInverse();
-  std::vector<bool> kept(corners.size(), false);
+  std::vector<bool> kept(points.size(), false);
   for (int i = 0; i < kMaxCorners; ++i) {
     const double z = 1 - (2 * i + 1.0) / kMaxCorners;
     const double angle = i * std::numbers::pi * (3 - std::sqrt(5.0));
     const Vec3 direction =
         Vec3(std::sqrt(1 - z * z) * std::cos(angle), std::sqrt(1 - z * z) * std::sin(angle), z).cwiseProduct(scale);
     std::size_t best = 0;
-    for (std::size_t j = 1; j < corners.size(); ++j)
-      if (corners[j].dot(direction) > corners[best].dot(direction)) best = j;
+    for (std::size_t j = 1; j < points.size(); ++j)
+      if (points[j].dot(direction) > points[best].dot(direction)) best = j;
     kept[best] = true;
   }
-  ConvexPart part;
-  for (std::size_t j = 0; j < corners.size(); ++j)
-    if (kept[j]) part.push_back(corners[j]);
-  return part;
+  std::vector<Vec3> extreme;
+  for (std::size_t j = 0; j < points.size(); ++j)
+    if (kept[j]) extreme.push_back(points[j]);
+  return extreme;
 }
 
 /// Sorts the pieces into the two halves of their extent's longest axis and returns where the second half starts.
@@ -94,32 +96,30 @@ std::size_t halve(const Body& body, std::span<int> pieces, const std::vector<Vec
   return half == 0 || half == pieces.size() ? pieces.size() / 2 : half;
 }
 
-void split(const Body& body, std::span<int> pieces, std::vector<ConvexPart>& parts) {
-  constexpr std::size_t kTetCorners = 4;
+/// The parts of some pieces, whose order it changes.
+std::vector<ConvexPart> parts_of(const Body& body, std::span<int> pieces) {
+  constexpr std::size_t kTetCorners = 4, kWorthAThread = 32;
   const std::vector<Vec3> points = used_points(body, pieces);
-  if (points.size() <= kTetCorners) {
-    parts.push_back(points);
-    return;
-  }
-  const ConvexHull hull = convex_hull(points);
+  if (points.size() <= kTetCorners) return {points};
+  ConvexHull hull = convex_hull(extreme_points(points));
   double volume = 0;
   for (int piece : pieces) volume += body.volumes[piece];
   const bool filled = volume >= (body.fill - 1e-9) * hull.volume;
-  if (pieces.size() == 1 || filled || volume < kSmallestShare * body.volume) {
-    parts.push_back(simplified(hull.corners));
-    return;
-  }
+  if (pieces.size() == 1 || filled || volume < kSmallestShare * body.volume) return {std::move(hull.corners)};
+
   const std::size_t half = halve(body, pieces, points);
-  split(body, pieces.first(half), parts);
-  split(body, pieces.subspan(half), parts);
+  std::array<std::vector<ConvexPart>, 2> parts;
+  parallel_for(2, pieces.size() < kWorthAThread ? 2 : 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) parts[i] = parts_of(body, i == 0 ? pieces.first(half) : pieces.subspan(half));
+  });
+  std::move(parts[1].begin(), parts[1].end(), std::back_inserter(parts[0]));
+  return std::move(parts[0]);
 }
 
 std::vector<ConvexPart> parts_of(const Body& body) {
   std::vector<int> all(body.volumes.size());
   std::iota(all.begin(), all.end(), 0);
-  std::vector<ConvexPart> parts;
-  if (!all.empty()) split(body, all, parts);
-  return parts;
+  return all.empty() ? std::vector<ConvexPart>() : parts_of(body, all);
 }
 
 double tet_volume(std::span<const Vec3> points, const std::array<int, 4>& tet) {

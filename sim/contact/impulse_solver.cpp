@@ -137,13 +137,14 @@ class GroupSolver {
     direction_.assign(rows_.size(), Vec3::Zero());
   }
 
-  void solve(const SolverLimits& limits) {
+  /// Returns how many times a row was solved.
+  int solve(const SolverLimits& limits) {
     const int sweeps =
         std::clamp(limits.work / static_cast<int>(rows_.size()), limits.least_sweeps, limits.most_sweeps);
     bool of_all = true;
     for (int i = 1;; ++i) {
       const bool settled = (of_all ? sweep_all() : sweep_busy()) <= limits.tolerance * speed_;
-      if ((settled && of_all) || i >= sweeps) return;
+      if ((settled && of_all) || i >= sweeps) return relaxations_;
       extrapolate();
       of_all = settled || i % kSweepsBetweenLooks == 0;
     }
@@ -154,6 +155,7 @@ class GroupSolver {
   double relax_row(int i, const Vec3& velocity) {
     if (!prepared_[i].ready) prepared_[i] = prepare(*rows_[i], responders_);
     before_[i] = rows_[i]->impulse;
+    ++relaxations_;
     return relax(*rows_[i], velocity, prepared_[i], responders_);
   }
 
@@ -204,13 +206,16 @@ class GroupSolver {
   std::vector<int> busy_;                 // rows that the last look at all found pushing
   std::vector<Vec3> before_, direction_;  // impulses before the sweep; the last change of impulses
   double speed_ = 0, last_size_ = 0;
+  int relaxations_ = 0;
 };
 
 }  // namespace
 
-void solve_impulses(std::span<ContactRow> rows, std::span<Responder> responders, const SolverLimits& limits) {
+int solve_impulses(std::span<ContactRow> rows, std::span<Responder> responders, const SolverLimits& limits) {
+  int relaxations = 0;
   for (const std::vector<int>& members : groups_of_rows(rows, responders))
-    GroupSolver(rows, members, responders).solve(limits);
+    relaxations += GroupSolver(rows, members, responders).solve(limits);
+  return relaxations;
 }
 
 }  // namespace griffith::contact

@@ -46,7 +46,7 @@ struct SolverLimits {
 /// its own, quickened by nonlinear conjugate gradients (Silcowitz, Niebe & Erleben 2010): the normal impulse of a row
 /// pushes only and keeps its parting speed at or above `least_speed`; the tangential one stops the sliding within
 /// friction's disc. Velocities of the responders hold everything but the rows' impulses before, those too after.
-/// Impulses are within their limits however early the sweeps end.
-void solve_impulses(std::span<ContactRow> rows, std::span<Responder> responders, const SolverLimits& limits = {});
+/// Impulses are within their limits however early the sweeps end. Returns how many times a row was solved.
+int solve_impulses(std::span<ContactRow> rows, std::span<Responder> responders, const SolverLimits& limits = {});
 
 }  // namespace griffith::contact

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/solver/direct_solve.h"
 #include "sim/mesh/topology.h"
+#include "sim/solver/direct_solve.h"
 #include "sim/solver/rigid_motion.h"
 
 namespace griffith {
@@ -134,7 +134,7 @@ SolveReport ElasticSystem::solve(const ImplicitStep& step, std::span<const Vec3>
 SolveReport ElasticSystem::respond(const ImplicitStep& step, std::span<const Vec3> positions,
                                    std::span<const Vec3> impulses, std::span<const double> masses,
                                    std::span<const NodeConstraint> constraints, NodeVectors& change) {
-  change = NodeVectors::Zero(3, nodes().size());
+  if (change.size() == 0) change = NodeVectors::Zero(3, nodes().size());
   NodeVectors b = gather(impulses);
   if (is_free()) return solve_free(step, gather(positions), gather_masses(masses), b, false, change);
   project(b);
@@ -145,7 +145,8 @@ SolveReport ElasticSystem::respond(const ImplicitStep& step, std::span<const Vec
     Vec3 impulse = -impulses[supports()[support]];
     for (int k = a.row_starts[support]; k < a.row_starts[support + 1]; ++k)
       if (const int row = row_of_support_column_[k]; row >= 0) impulse += a.blocks[k] * change.col(row);
-    reactions_[support] += (impulse - constraints[supports()[support]].allowed * impulse) / step.dt;
+    reactions_[support] =
+        solved_reactions_[support] + (impulse - constraints[supports()[support]].allowed * impulse) / step.dt;
   }
   return report;
 }
@@ -195,7 +196,9 @@ void ElasticSystem::balance_supports(double dt, std::span<const NodeConstraint> 
       impulse += a.blocks[k] * velocities[a.columns[k]];
     reactions_[support] = (impulse - constraints[supports()[support]].allowed * impulse) / dt;
   }
+  solved_reactions_ = reactions_;
 }
+
 SolveReport ElasticSystem::solve_free(const ImplicitStep& step, const NodeVectors& positions,
                                       const Eigen::VectorXd& masses, const NodeVectors& b, bool turning,
                                       NodeVectors& x) const {

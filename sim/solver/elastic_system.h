@@ -73,12 +73,13 @@ class ElasticSystem {
   /// The values of nodes() out of values per node of the mesh, one column a row.
   NodeVectors gather(std::span<const Vec3> values) const;
 
-  /// What the supports did in the last solve(), per node of supports(): the force on the node in its blocked directions
+  /// What the supports did in the last solve() or respond(), per node of supports(): the force on the node in its blocked directions
   /// [N], from the balance of its momentum.
   std::span<const Vec3> reaction_forces() const { return reactions_; }
 
   /// The change of velocity of nodes() by `impulses` (per node of the mesh [N·s]) in the step of the last solve(): what
-  /// it would have given on top of its forces. The momentum of a free body is exact as there; supports react.
+  /// they would have given on top of its forces. The momentum of a free body is exact as there; supports react.
+  /// `change` holds a guess, such as the answer to other impulses of the same step, or nothing.
   SolveReport respond(const ImplicitStep& step, std::span<const Vec3> positions, std::span<const Vec3> impulses,
                       std::span<const double> masses, std::span<const NodeConstraint> constraints, NodeVectors& change);
   /// About J A⁻¹ Jᵀ for these points: by the preconditioner, which is close for what is smooth and within a small factor
@@ -107,7 +108,7 @@ class ElasticSystem {
   ElementRows support_rows_;  // A, one row a constrained node; columns are nodes of the mesh
   std::vector<SlidingRow> sliding_;
   std::vector<int> row_of_support_column_;  // per block of support_rows_, -1 for held nodes
-  std::vector<Vec3> reactions_;
+  std::vector<Vec3> solved_reactions_, reactions_;  // of the last solve(); with the last respond()
   std::unique_ptr<RigidModePreconditioner> preconditioner_;
 };
 

@@ -62,26 +62,56 @@ void take_rigid_velocities(WorldState& world) {
   }
 }
 
-/// The change of the velocities of an elastic body's nodes under impulses, which it also adds to them.
-SolveReport respond(WorldState& world, const Body& body, double dt, const std::vector<Vec3>& impulses,
-                    NodeVectors& change) {
+/// Nodal impulses for impulses at a body's contact points. `nodal`: per node of the mesh; only the body's are written.
+void set_nodal_impulses(const WorldState& world, const TouchedBody& touched, const Eigen::Matrix3Xd& impulses,
+                        std::vector<Vec3>& nodal) {
+  for (NodeId node : world.bodies[touched.body].nodes) nodal[node].setZero();
+  add_nodal_impulses(world, touched, impulses, nodal);
+}
+
+/// Adds to `change` what further nodal impulses change in the velocities of an elastic body's nodes.
+void respond_explicitly(WorldState& world, const Body& body, double dt, const std::vector<Vec3>& impulses,
+                        NodeVectors& change) {
   NodeArrays& nodes = world.nodes;
+  NodeVectors added = body.system->gather(impulses);
+  for (Eigen::Index row = 0; row < added.cols(); ++row) {
+    const NodeId node = body.system->nodes()[row];
+    added.col(row) = (nodes.constraints[node].allowed * added.col(row) / nodes.masses[node]).eval();
+  }
+  for (NodeId node : body.system->supports())
+    nodes.reactions[node] -= (impulses[node] - nodes.constraints[node].allowed * impulses[node]) / dt;
+  change += added;
+}
+
+/// What all nodal impulses of the substep change in the velocities of an elastic body's nodes. `change`: by the
+/// impulses that were there before.
+SolveReport respond_implicitly(WorldState& world, const Body& body, double dt, const std::vector<Vec3>& impulses,
+                               NodeVectors& change) {
+  NodeArrays& nodes = world.nodes;
+  const SolveReport report = body.system->respond(implicit_step(world, body, dt), nodes.positions, impulses,
+                                                  nodes.masses, nodes.constraints, change);
+  for (std::size_t i = 0; i < body.system->supports().size(); ++i)
+    nodes.reactions[body.system->supports()[i]] = body.system->reaction_forces()[i];
+  return report;
+}
+
+/// Lets the body's nodes move as the impulses at its contacts want it. `added`: to those that it knows.
+SolveReport respond(WorldState& world, TouchedBody& touched, double dt, const Eigen::Matrix3Xd& impulses,
+                    const Eigen::Matrix3Xd& added, std::vector<Vec3>& nodal) {
+  const Body& body = world.bodies[touched.body];
+  const std::span<const NodeId> nodes = body.system->nodes();
+  if (touched.change.size() == 0) touched.change = NodeVectors::Zero(3, static_cast<Eigen::Index>(nodes.size()));
+  const NodeVectors before = touched.change;
   SolveReport report;
   if (world.integrates_explicitly()) {
-    change = body.system->gather(impulses);
-    for (Eigen::Index row = 0; row < change.cols(); ++row) {
-      const NodeId node = body.system->nodes()[row];
-      change.col(row) = (nodes.constraints[node].allowed * change.col(row) / nodes.masses[node]).eval();
-    }
-    for (NodeId node : body.system->supports())
-      nodes.reactions[node] -= (impulses[node] - nodes.constraints[node].allowed * impulses[node]) / dt;
+    set_nodal_impulses(world, touched, added, nodal);
+    respond_explicitly(world, body, dt, nodal, touched.change);
   } else {
-    report = body.system->respond(implicit_step(world, body, dt), nodes.positions, impulses, nodes.masses,
-                                  nodes.constraints, change);
-    for (std::size_t i = 0; i < body.system->supports().size(); ++i)
-      nodes.reactions[body.system->supports()[i]] = body.system->reaction_forces()[i];
+    set_nodal_impulses(world, touched, impulses, nodal);
+    report = respond_implicitly(world, body, dt, nodal, touched.change);
   }
-  for (Eigen::Index row = 0; row < change.cols(); ++row) nodes.velocities[body.system->nodes()[row]] += change.col(row);
+  for (std::size_t row = 0; row < nodes.size(); ++row)
+    world.nodes.velocities[nodes[row]] += touched.change.col(row) - before.col(row);
   return report;
 }
 
@@ -104,12 +134,7 @@ Answer answer(WorldState& world, TouchedBody& touched, ElasticResponse& response
   }
   const Eigen::Matrix3Xd added = impulses - response.impulses;
   if (added.isZero(0)) return {};
-  for (NodeId node : body.nodes) nodal[node].setZero();
-  add_nodal_impulses(world, touched, added, nodal);
-  NodeVectors change;
-  Answer answer{respond(world, body, dt, nodal, change), true};
-  touched.change = touched.change.size() == 0 ? change : NodeVectors(touched.change + change);
-
+  Answer answer{respond(world, touched, dt, impulses, added, nodal), true};
   const Eigen::Matrix3Xd velocities = point_velocities(world, touched), moved = velocities - response.velocities;
   const Eigen::Matrix3Xd expected = griffith::respond(response.compliance, added);
   const double negligible = kNegligible * dt * world.scene.gravity.norm() * std::sqrt(added.cols());
@@ -133,9 +158,9 @@ bool answer_all(WorldState& world, TouchedBodies& touched, double dt) {
     for (int i = begin; i < end; ++i) answers[i] = answer(world, touched.bodies[i], touched.responses[i], dt, nodal);
   });
   bool foreseen = true;
-  for (const Answer& answer : answers) {
-    count_solve(world, answer.solve);
-    foreseen &= answer.foreseen;
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    count_solve(world, world.bodies[touched.bodies[i].body], answers[i].solve);
+    foreseen &= answers[i].foreseen;
   }
   return foreseen;
 }
@@ -184,6 +209,10 @@ void take_sleep(WorldState& world) {
   for (Body& body : world.bodies) body.asleep = body.rigid && world.contact_world.asleep(body.stand_in);
 }
 
+void solve_impulses(WorldState& world, const TouchedBodies& touched, double dt) {
+  world.work.contacts += Work::kPerRelaxation * world.contact_world.solve(dt, touched.responses);
+}
+
 /// Impulses that the rigid and the elastic agree on: what is elastic is known by an estimate first, then by its
 /// answers.
 TouchedBodies solve_contacts(WorldState& world, double dt) {
@@ -195,12 +224,12 @@ TouchedBodies solve_contacts(WorldState& world, double dt) {
     parallel_for(static_cast<int>(touched.bodies.size()), 1, [&](int begin, int end) {
       for (int i = begin; i < end; ++i) prepare_response(world, touched.bodies[i], dt, touched.responses[i]);
     });
-    world.contact_world.solve(dt, touched.responses);
+    solve_impulses(world, touched, dt);
     woken = wake_struck_bodies(world, dt);
     if (woken) touched = touched_bodies(world);
   }
   for (int round = 1; !answer_all(world, touched, dt) && round < kMostRounds; ++round)
-    world.contact_world.solve(dt, touched.responses);
+    solve_impulses(world, touched, dt);
   return touched;
 }
 
@@ -240,6 +269,8 @@ void resolve_contacts(WorldState& world, double dt) {
   take_sleep(world);
   tell_rigid_velocities(world);
   TouchedBodies touched = solve_contacts(world, dt);
+  for (const TouchedBody& body : touched.bodies)
+    world.work.contacts += Work::kPerTouchedPoint * static_cast<double>(body.points.size());
   limit_energy(world, touched, dt);
   tell_rigid_velocities(world);
   world.contact_world.advance(dt);
@@ -247,7 +278,7 @@ void resolve_contacts(WorldState& world, double dt) {
   apply_corrections(world);
   note_contacts(world);
   const int contacts = static_cast<int>(world.contact_world.contacts().size());
-  world.contacts_before = contacts;
+  world.work.contacts += Work::kPerContact * contacts;
   world.report.contacts = std::max(world.report.contacts, contacts);
   world.report.max_penetration = std::max(world.report.max_penetration, world.contact_world.max_penetration());
 }

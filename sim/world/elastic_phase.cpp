@@ -95,7 +95,8 @@ void assemble_system(WorldState& world, Body& body, double dt) {
                         world.elements.states, world.nodes.positions, world.nodes.masses);
 }
 
-void count_solve(WorldState& world, const SolveReport& solve) {
+void count_solve(WorldState& world, const Body& body, const SolveReport& solve) {
+  world.work.solves += Work::kPerTetAndIteration * static_cast<double>(body.tets.size()) * solve.iterations;
   world.report.solver_iterations = std::max(world.report.solver_iterations, solve.iterations);
   world.report.max_relative_residual = std::max(world.report.max_relative_residual, solve.relative_residual);
   world.report.unconverged_solves += !solve.converged;
@@ -118,7 +119,7 @@ void predict_velocities(WorldState& world, std::vector<Vec3> forces, double dt) 
   });
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     freeze_if_broken_down(world, world.bodies[i]);
-    count_solve(world, reports[i]);
+    count_solve(world, world.bodies[i], reports[i]);
   }
 }
 

@@ -30,10 +30,8 @@ inline constexpr int kTicksPerStep = 4096;
 /// supports hold. Prescribed supports go on for `displacement_time` [s]. Free bodies get inertia relief (solve_static()).
 void find_equilibrium(WorldState& world, double time, double displacement_time, bool supported_only);
 
-/// What a substep costs as things are, as a share of what a step may cost; counted in work, not in time. > 0.
-double substep_cost(const WorldState& world);
-/// The same for opening cracks.
-double cracks_cost(int cracks);
+/// What a substep must cost as things are, as Work counts it.
+double least_work(const WorldState& world);
 /// The length of the next substep in ticks: all that is left while nothing strikes; up to an impact in one go, through it
 /// in substeps in which a wave crosses a quarter of an element, then ever longer ones; while a crack runs, no longer than it
 /// takes to cross an element. `substeps_left` is kept.
@@ -89,8 +87,8 @@ Wrench wrench_of(const WorldState& world, const Body& body, const std::vector<Ve
 double mechanical_energy(const WorldState& world, const Body& body);
 /// The implicit step of a body.
 ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt);
-/// Counts what a linear solve needed.
-void count_solve(WorldState& world, const SolveReport& solve);
+/// Counts what a linear solve for a body needed.
+void count_solve(WorldState& world, const Body& body, const SolveReport& solve);
 /// How many equal substeps keep explicit integration of all elastic bodies stable.
 int stable_substeps(WorldState& world, double time_step);
 /// Velocities of a body by explicit integration; `forces` hold the elastic and external ones.

@@ -63,22 +63,21 @@ void step_explicitly(WorldState& world, double time_step) {
   rest_bodies(world, time_step);
 }
 
-/// How many substeps of this cost may follow: the step has a budget of 1. What a crack or a shot brings into
-/// touch counts from then on.
-int substeps_left(const WorldState& world, double budget, double cost, int made) {
+/// How many substeps may follow if each costs what the last one did but for its cracks.
+int substeps_left(const WorldState& world, double budget, int made) {
   const int most = std::max(1, world.scene.simulation.impact_substeps - made);
-  return static_cast<int>(std::clamp<double>(budget / cost, 1, most));
+  return static_cast<int>(
+      std::clamp<double>(budget / (least_work(world) + world.work.solves + world.work.contacts), 1, most));
 }
 
 void step_implicitly(WorldState& world, double time_step) {
   int substeps = 0;
-  double budget = 1;
+  double budget = Work::kPerStep;
   for (int ticks_left = kTicksPerStep; ticks_left > 0; ++substeps) {
-    const double cost = substep_cost(world);
-    const int ticks = next_substep(world, ticks_left, substeps_left(world, budget, cost, substeps));
-    const int cracks = world.report.cracks;
+    const int ticks = next_substep(world, ticks_left, substeps_left(world, budget, substeps));
+    world.work = {};
     substep(world, time_step * ticks / kTicksPerStep);
-    budget -= cost + cracks_cost(world.report.cracks - cracks);
+    budget -= least_work(world) + world.work.solves + world.work.contacts + world.work.cracks;
     ticks_left -= ticks;
   }
   world.report.substeps = substeps;

@@ -6,8 +6,6 @@
 namespace griffith {
 namespace {
 
-/// What a step may cost, in elements times substeps; some 12 ms on one core.
-constexpr double kWorkPerStep = 10'000;
 /// Substeps lengthen by this factor once nothing strikes any more.
 constexpr double kGrowth = 1.3;
 /// A wave crosses an element in this many substeps of the finest kind (stress of an impact within some percent).
@@ -54,17 +52,11 @@ double impact_substep(const WorldState& world, const Body& body) {
   return body.element_size / (kSubstepsPerElement * bar_wave_speed(world.material_of(body)));
 }
 
-double substep_cost(const WorldState& world) {
-  constexpr double kWorkPerBody = 10, kWorkPerContact = 16;
-  double work = 1 + kWorkPerContact * world.contacts_before;
+double least_work(const WorldState& world) {
+  double work = 0;
   for (const Body& body : world.bodies)
-    work += kWorkPerBody + (body.rigid ? 0.0 : static_cast<double>(body.tets.size()));
-  return work / kWorkPerStep;
-}
-
-double cracks_cost(int cracks) {
-  constexpr double kWorkPerCrack = 120;
-  return kWorkPerCrack * cracks / kWorkPerStep;
+    work += Work::kPerBody + (body.rigid ? 0.0 : Work::kPerTet * static_cast<double>(body.tets.size()));
+  return work;
 }
 
 int next_substep(WorldState& world, int ticks_left, int substeps_left) {

@@ -19,6 +19,7 @@
 #include "sim/world/loads.h"
 #include "sim/world/probes.h"
 #include "sim/world/supports.h"
+#include "sim/world/work.h"
 
 namespace griffith {
 
@@ -127,7 +128,7 @@ struct WorldState {
   std::vector<PendingShot> pending_shots;
   int substep_ticks = 0;     ///< length that the last substep had or could have had
   double crack_transit_time = std::numeric_limits<double>::infinity();  ///< shortest to cross an element that cracked [s]
-  int contacts_before = 0;   ///< of the last substep
+  Work work;                 ///< of the present substep so far; between substeps, of the last one
   std::optional<CoarseImpact> coarse_impact;  ///< in the present substep
   std::vector<Mat3> stresses_before;          ///< per tet of softened bodies: before the impact, in rest space [Pa]
 
