@@ -84,6 +84,7 @@ struct SimulationSettings {
   Integrator integrator = Integrator::implicit_euler;
   bool static_start = true;         ///< supported bodies start at rest under gravity and their loads at time 0
   int impact_substeps = 32;         ///< most substeps of a step in which something strikes or cracks, 1..256
+  double step_budget = 10;          ///< work of a step, about milliseconds of a usual core, 0.1..1e6
   double relative_residual = 1e-4;  ///< the linear solver stops here, 1e-12..0.1
   int max_solver_iterations = 400;  ///< per body and substep, 1..100000
   bool fracture = true;

@@ -72,7 +72,7 @@ int substeps_left(const WorldState& world, double budget, int made) {
 
 void step_implicitly(WorldState& world, double time_step) {
   int substeps = 0;
-  double budget = Work::kPerStep;
+  double budget = 1e3 * world.scene.simulation.step_budget;
   for (int ticks_left = kTicksPerStep; ticks_left > 0; ++substeps) {
     const int ticks = next_substep(world, ticks_left, substeps_left(world, budget, substeps));
     world.work = {};

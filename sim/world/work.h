@@ -11,8 +11,6 @@ struct Work {
 
   double sum() const { return solves + contacts + cracks; }
 
-  /// What a step may cost.
-  static constexpr double kPerStep = 10'000;
   static constexpr double kPerBody = 10, kPerTet = 0.75;
   static constexpr double kPerTetAndIteration = 0.013;
   static constexpr double kPerContact = 4, kPerTouchedPoint = 3, kPerRelaxation = 0.2;
