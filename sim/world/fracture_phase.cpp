@@ -15,6 +15,7 @@ struct Opened {
   std::set<BodyId> bodies;
   MotionsBefore motions;      ///< of free bodies that were remeshed
   std::set<NodeId> waiting;   ///< a split relieves its neighbourhood: these wait until their stress is known again
+  std::vector<NodeCopy> copies;
   std::vector<TetId> parted;  ///< tets that lost a neighbour
   std::size_t first_event = 0;
 };
@@ -119,6 +120,7 @@ bool crack(WorldState& world, NodeId node, Opened& opened) {
   world.report.cracks_suppressed += result.too_small;
   if (result.too_small) return false;
   for (const NodeCopy& copy : result.copies) append_copy(world, copy);
+  opened.copies.insert(opened.copies.end(), result.copies.begin(), result.copies.end());
   for (NodeId front : result.front) world.nodes.at_crack_front[front] = 1;
   event.nodes_made = static_cast<int>(result.copies.size());
   event.torn_off =
@@ -189,13 +191,19 @@ std::vector<BodyId> children_of(const WorldState& world, const CrackEvent& event
   return {bodies.begin(), bodies.end()};
 }
 
+/// Whether what cracked would have run on in the substep, and can.
+bool runs_on(const WorldState& world, const Opened& opened, double substep, const Attempt& attempt) {
+  const bool remeshed = !opened.motions.empty();
+  return attempt.start && !remeshed && !opened.bodies.empty() && attempt.number * world.crack_transit_time < substep;
+}
+
 }  // namespace
 
-void open_cracks(WorldState& world, double substep) {
+bool open_cracks(WorldState& world, double substep, const Attempt& attempt) {
   world.crack_transit_time = std::numeric_limits<double>::infinity();
   restore_postponed(world);
   const std::vector<NodeId> overloaded = overloaded_nodes(world);
-  if (overloaded.empty()) return;
+  if (overloaded.empty()) return false;
   const Opened opened = crack_in_turn(world, overloaded, substep);
   restore_angular_momentum(world, opened.motions);
   follow_cracks(world.splinters, world.mesh.neighbours, opened.parted, world.splinter_state);
@@ -206,10 +214,14 @@ void open_cracks(WorldState& world, double substep) {
   const double cracks = static_cast<double>(world.crack_events.size() - opened.first_event);
   world.work.cracks += Work::kPerCrack * cracks;
   world.work.fresh_contacts += Work::kPerFreshCrack * cracks;
+  const bool again = runs_on(world, opened, substep, attempt);
+  if (again) rewind(world, *attempt.start, opened.copies);
   part_bodies(world, std::vector<BodyId>(opened.bodies.begin(), opened.bodies.end()));
   for (std::size_t i = opened.first_event; i < world.crack_events.size(); ++i)
     world.crack_events[i].children = children_of(world, world.crack_events[i]);
   world.report.cracks_postponed = static_cast<int>(world.postponed.size());
+  if (again) place_stand_ins(world);
+  return again;
 }
 
 }  // namespace griffith

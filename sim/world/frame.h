@@ -59,6 +59,7 @@ struct StepTimings {
 /// What happened in a step; every limit that was reached and every number that went wrong is counted here.
 struct StepReport {
   int substeps = 1;
+  int repeated_substeps = 0;         ///< beside these: made again, since cracks would have run on in them
   int contacts = 0;
   double peak_margin = 0;            ///< highest margin of any node in any substep
   int cracks = 0;                    ///< nodes split

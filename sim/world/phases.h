@@ -2,6 +2,7 @@
 
 #include "sim/fracture/separation_tensor.h"
 #include "sim/meshing/monitor.h"
+#include "sim/world/rewind.h"
 #include "sim/world/world_state.h"
 
 /// The phases of a step, in the order in which advance() calls them.
@@ -98,9 +99,16 @@ void predict_explicitly(WorldState& world, Body& body, std::vector<Vec3>& forces
 void evaluate_separation(WorldState& world, bool averaged);
 /// What the separation tensors are made of.
 SeparationInput separation_input(const WorldState& world);
+/// Where a substep may be made again: the moment at which it began, or null, and how often it was made, from 1.
+struct Attempt {
+  const Moment* start = nullptr;
+  int number = 1;
+};
 /// Opens the mesh where the margin is passed, worst first; parted pieces become bodies. What exceeds the budget of cracks
-/// opens in the next step. New cracks start no nearer to each other than a wave gets in the `substep` [s].
-void open_cracks(WorldState& world, double substep);
+/// opens in the next step. New cracks start no nearer to each other than a wave gets in the `substep` [s]. A crack crosses
+/// one element in an attempt: while it would have had time for more in the substep, the world is taken back to its start,
+/// cracked as it is now. Returns whether that was done.
+bool open_cracks(WorldState& world, double substep, const Attempt& attempt);
 /// Bodies whose stress has died, and single tets, which cannot break, turn rigid.
 void calm_bodies(WorldState& world);
 /// Rigid bodies that lie still fall asleep; after a step of this length [s].

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <optional>
 
 #include "sim/world/phases.h"
 #include "sim/world/world.h"
@@ -21,19 +22,20 @@ class PhaseTimer {
   Clock::time_point start_;
 };
 
-/// Separation and fracture under the stresses there are after a substep of this length [s].
-void fracture(WorldState& world, double substep) {
+/// Separation and fracture under the stresses there are after a substep of this length [s]; whether it is to be made
+/// again.
+bool fracture(WorldState& world, double substep, const Attempt& attempt) {
   {
     PhaseTimer timer(world.report.milliseconds.separation);
     evaluate_separation(world, world.scene.analysis == Analysis::dynamic);
   }
-  if (world.scene.simulation.fracture) {
-    PhaseTimer timer(world.report.milliseconds.fracture);
-    open_cracks(world, substep);
-  }
+  if (!world.scene.simulation.fracture) return false;
+  PhaseTimer timer(world.report.milliseconds.fracture);
+  return open_cracks(world, substep, attempt);
 }
 
-void substep(WorldState& world, double dt) {
+/// Returns whether it is to be made again.
+bool substep(WorldState& world, double dt, const Attempt& attempt) {
   StepTimings& timings = world.report.milliseconds;
   std::vector<Vec3> external;
   {
@@ -52,13 +54,13 @@ void substep(WorldState& world, double dt) {
     move_bodies(world, external, dt);
   }
   world.time += dt;
-  fracture(world, dt);
+  return fracture(world, dt, attempt);
 }
 
 void step_explicitly(WorldState& world, double time_step) {
   world.report.substeps = stable_substeps(world, time_step);
   const double dt = time_step / world.report.substeps;
-  for (int i = 0; i < world.report.substeps; ++i) substep(world, dt);
+  for (int i = 0; i < world.report.substeps; ++i) substep(world, dt, {});
   calm_bodies(world);
   rest_bodies(world, time_step);
 }
@@ -70,17 +72,30 @@ int substeps_left(const WorldState& world, double budget, int made) {
   return static_cast<int>(std::clamp<double>(budget / expected, 1, most));
 }
 
-void step_implicitly(WorldState& world, double time_step) {
-  int substeps = 0;
-  double budget = 1e3 * world.scene.simulation.step_budget;
-  for (int ticks_left = kTicksPerStep; ticks_left > 0; ++substeps) {
-    const int ticks = next_substep(world, ticks_left, substeps_left(world, budget, substeps));
+/// A substep of `ticks`, made again while cracks would have run on in it and the budget, which it lessens, lasts.
+/// Returns how often it was made.
+int substep_with_cracks(WorldState& world, int ticks, bool last, int made, double& budget) {
+  const double dt = world.scene.simulation.time_step * ticks / kTicksPerStep;
+  for (int attempt = 1;; ++attempt) {
+    const bool affordable = substeps_left(world, budget, made + attempt - 1) > (last ? 1 : 2);
+    const std::optional<Moment> start = affordable ? std::optional(moment_of(world)) : std::nullopt;
     world.work = {};
-    substep(world, time_step * ticks / kTicksPerStep);
+    const bool again = substep(world, dt, {start ? &*start : nullptr, attempt});
     budget -= least_work(world) + world.work.sum();
+    if (!again) return attempt;
+    ++world.report.repeated_substeps;
+  }
+}
+
+void step_implicitly(WorldState& world, double time_step) {
+  double budget = 1e3 * world.scene.simulation.step_budget;
+  int made = 0;
+  for (int ticks_left = kTicksPerStep; ticks_left > 0;) {
+    const int ticks = next_substep(world, ticks_left, substeps_left(world, budget, made));
+    made += substep_with_cracks(world, ticks, ticks == ticks_left, made, budget);
     ticks_left -= ticks;
   }
-  world.report.substeps = substeps;
+  world.report.substeps = made - world.report.repeated_substeps;
   calm_bodies(world);
   rest_bodies(world, time_step);
 }
@@ -104,7 +119,7 @@ void step_statically(WorldState& world, double time_step) {
       return evaluate_separation(world, false);
     }
     cracks_before = world.report.cracks;
-    fracture(world, std::numeric_limits<double>::infinity());
+    fracture(world, std::numeric_limits<double>::infinity(), {});
   }
 }
 
