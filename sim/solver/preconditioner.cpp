@@ -67,6 +67,7 @@ void RigidModePreconditioner::update(const BlockSparseMatrix& matrix, const Node
     center /= static_cast<double>(nodes.size());
     for (int node : nodes) arms_.col(node) = positions.col(node) - center;
   }
+  if (members_.empty()) return lower_.resize(0, 0);  // every node is held
   if (coarse_.cols() != 6 * aggregate_count()) allocate_coarse_matrix();
   assemble_coarse_matrix(matrix);
   factor_coarse_matrix();
@@ -147,14 +148,21 @@ void RigidModePreconditioner::factor_coarse_matrix() {
   if (factored_.size() == values.size() &&
       (values - factored_).matrix().squaredNorm() <= kSameMatrix * kSameMatrix * factored_.matrix().squaredNorm())
     return;
+  ++factorizations_;
   coarse_factors_.factorize(coarse_);
+  if (coarse_factors_.info() != Eigen::Success) {
+    lower_.resize(0, 0);
+    factored_.resize(0);
+    return;
+  }
   lower_ = coarse_factors_.matrixL().nestedExpression().cast<float>();
   factored_ = values;
-  ++factorizations_;
 }
 
-void RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) const {
-  Eigen::VectorXd coarse(6 * aggregate_count());
+/// R (Rᵀ A R)⁻¹ Rᵀ r: the six modes of each aggregate.
+Eigen::VectorXd RigidModePreconditioner::solve_coarse(const NodeVectors& r) const {
+  Eigen::VectorXd coarse = Eigen::VectorXd::Zero(6 * aggregate_count());
+  if (!has_coarse_space()) return coarse;
   for (int a = 0; a < aggregate_count(); ++a) {
     Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
     for (int node : members_[a]) {
@@ -166,7 +174,11 @@ void RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) const 
   Eigen::VectorXf solved = (coarse_factors_.permutationP() * coarse).cast<float>();
   lower_.triangularView<Eigen::Lower>().solveInPlace(solved);
   lower_.transpose().triangularView<Eigen::Upper>().solveInPlace(solved);
-  coarse = coarse_factors_.permutationPinv() * solved.cast<double>();
+  return coarse_factors_.permutationPinv() * solved.cast<double>();
+}
+
+void RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) const {
+  const Eigen::VectorXd coarse = solve_coarse(r);
   z.resize(3, r.cols());
   parallel_for(static_cast<int>(r.cols()), 2048, [&](int begin, int end) {
     for (int node = begin; node < end; ++node) {
@@ -178,6 +190,8 @@ void RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) const 
 }
 
 PointCompliance RigidModePreconditioner::compliance(std::span<const WeightedRows> points) const {
+  PointCompliance compliance = node_compliance(points, inverse_diagonal_);
+  if (!has_coarse_space()) return compliance;
   const Eigen::Index components = 3 * static_cast<Eigen::Index>(points.size());
   Eigen::MatrixXd modes = Eigen::MatrixXd::Zero(6 * aggregate_count(), components);  // Rᵀ Jᵀ
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -187,7 +201,6 @@ PointCompliance RigidModePreconditioner::compliance(std::span<const WeightedRows
             rigid_modes(arms_.col(row)).transpose() * points[i].weights[k].transpose();
   Eigen::MatrixXf half = (coarse_factors_.permutationP() * modes).cast<float>();
   lower_.triangularView<Eigen::Lower>().solveInPlace(half);
-  PointCompliance compliance = node_compliance(points, inverse_diagonal_);
   compliance.modes = with_few_rows(std::move(half)).cast<double>();
   return compliance;
 }

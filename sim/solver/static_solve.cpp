@@ -230,7 +230,7 @@ bool StaticSolver::search_line(Balance& now, const std::vector<Vec3>& step) {
     move(start, step, share);
     Balance next = balance();
     const bool closer = next.norm <= (1 - kSufficientShare * share) * now.norm;
-    const bool lower = next.energy <= now.energy - kSufficientShare * share * slope;
+    const bool lower = slope > 0 && next.energy <= now.energy - kSufficientShare * share * slope;
     if (!closer && !lower) continue;
     now = std::move(next);
     return true;
