@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/fracture/resistance.h"
 #include "sim/parallel.h"
 #include "sim/solver/rigid_motion.h"
 #include "sim/world/phases.h"
@@ -14,11 +13,8 @@ namespace {
 bool could_hurt(const WorldState& world, const Body& body, double force) {
   constexpr double kWakingShare = 0.25;
   if (body.tets.size() == 1) return false;
-  const double element_size = body.element_size;
-  const Material& material = world.material_of(body);
-  const double limit = resistance(material, true, element_size);
-  const double load = material.criterion == FractureCriterion::strength ? force / (element_size * element_size) : force;
-  return load > kWakingShare * limit;
+  const double stress = force / (body.element_size * body.element_size);
+  return stress > kWakingShare * least_breaking_stress(world, body, true);
 }
 
 /// Of a contact on a body in a substep of `dt` [N].

@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <random>
 
+#include "sim/world/phases.h"
 #include "sim/world/world.h"
 #include "tests/world/scenes.h"
 
@@ -72,6 +75,83 @@ TEST(Rest, AShotWakesWhatItHits) {
   world.fire(shot);
   for (int step = 0; step < 60; ++step) world.step();
   EXPECT_LT(world.frame().bodies[1].center_of_mass.z(), -5e-3);
+}
+
+/// A weightless plank, and a ball that strikes it in the middle after `rest` [s].
+Scene struck_plank(const Material& material, double rest, double speed) {
+  Scene scene;
+  scene.gravity.setZero();
+  scene.ground.reset();
+  BodyDescription plank = block("plank", Vec3(1, 0.2, 0.2), Vec3::Zero());
+  plank.shape = BoxShape{Vec3(1, 0.2, 0.2), Vec3::Constant(0.1), BoxPattern::five_tet};
+  plank.material = material;
+  scene.bodies = {plank};
+  ProjectileBurst shot;
+  shot.position = Vec3(0.02, 0.01, 0.3);
+  shot.speed = speed;
+  shot.mass = 1;
+  shot.radius = 0.05;
+  shot.start = rest;
+  scene.projectiles = {shot};
+  return scene;
+}
+
+bool breaks(const Scene& scene) {
+  World world(scene);
+  const double end = scene.projectiles[0].start + 0.3 / scene.projectiles[0].speed + 0.1;
+  while (world.frame().time < end && world.frame().crack_events.empty()) world.step();
+  return !world.frame().crack_events.empty();
+}
+
+double breaking_speed(const std::function<Scene(double)>& scene_at) {
+  double holds = 0.01, breaking = 300;
+  while (breaking > 1.05 * holds) {
+    const double middle = std::sqrt(holds * breaking);
+    (breaks(scene_at(middle)) ? breaking : holds) = middle;
+  }
+  return breaking;
+}
+
+/// What rests is rigid: it must be woken by whatever would have broken it.
+TEST(Rest, DoesNotMakeABodyStronger) {
+  Material by_force = brick(1);
+  by_force.criterion = FractureCriterion::separation_force;
+  by_force.separation_toughness = 500;  // 50 kPa on the elements' faces
+  const auto scene_of = [&](int kind, double rest, double speed) {
+    Scene scene = struck_plank(kind == 2 ? by_force : brick(1), rest, speed);
+    if (kind == 0) scene.bodies[0].weakness = Weakness{WeaknessKind::grain, Vec3::UnitX(), 0.02};
+    if (kind == 1) scene.bodies[0].strength_scatter = StrengthScatter{1.5, 1e-5, 3};
+    return scene;
+  };
+  for (int kind = 0; kind < 3; ++kind) {
+    const double fresh = breaking_speed([&](double speed) { return scene_of(kind, 0, speed); });
+    EXPECT_TRUE(breaks(scene_of(kind, 0.5, 1.2 * fresh))) << "kind " << kind << " at " << fresh << " m/s";
+  }
+}
+
+TEST(Rest, TheSpeedThatHurtsIsThatOfTheWeakestPlane) {
+  const auto speed_of = [](const Scene& scene) {
+    WorldState world(scene);
+    build_world(world);
+    return hurting_speed(world, world.bodies[0]);
+  };
+  Scene scene = struck_plank(brick(1), 0, 1);
+  const double uniform = speed_of(scene);
+  EXPECT_NEAR(uniform, 0.5 * 2.5e6 / (1900 * std::sqrt(15e9 / 1900)), 1e-9);
+  scene.bodies[0].weakness = Weakness{WeaknessKind::layers, Vec3::UnitY(), 0.2};
+  EXPECT_NEAR(speed_of(scene), 0.2 * uniform, 1e-9);
+  scene.bodies[0].weakness.reset();
+  scene.bodies[0].strength_scatter = StrengthScatter{10, 1e-4, 1};
+  WorldState scattered(scene);
+  build_world(scattered);
+  const double least = *std::ranges::min_element(scattered.nodes.strength_factors);
+  EXPECT_NEAR(speed_of(scene), least * uniform, 1e-9);
+  scene.bodies[0].strength_scatter.reset();
+  Material& material = scene.bodies[0].material;
+  material.criterion = FractureCriterion::separation_force;
+  const double size = std::cbrt(6 * 0.1 * 0.1 * 0.1 / 5);  // five tets a cell
+  material.separation_toughness = material.tensile_strength * size * size;
+  EXPECT_NEAR(speed_of(scene), uniform, 1e-9);
 }
 
 }  // namespace
