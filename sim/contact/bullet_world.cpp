@@ -234,7 +234,9 @@ std::span<const Contact> ContactWorld::contacts() const { return impl_->contacts
 std::vector<int> ContactWorld::drop_near_misses(double dt, std::span<const double> approach) {
   return impl_->drop_near_misses(dt, approach);
 }
-int ContactWorld::solve(double dt, std::span<const ElasticResponse> elastic) { return impl_->solve(dt, elastic); }
+int ContactWorld::solve(double dt, std::span<const ElasticResponse> elastic, bool again) {
+  return impl_->solve(dt, elastic, again);
+}
 std::vector<double> ContactWorld::limit_energy(double dt, std::span<const ElasticResponse> elastic) {
   return impl_->limit_energy(dt, elastic);
 }

@@ -110,7 +110,7 @@ struct ContactWorld::Impl {
 
   // Solving.
   std::vector<int> drop_near_misses(double dt, std::span<const double> approach);
-  int solve(double dt, std::span<const ElasticResponse> elastic);
+  int solve(double dt, std::span<const ElasticResponse> elastic, bool again);
   std::vector<contact::Responder> rigid_responders(double dt) const;
   std::vector<contact::ContactRow> rows(double dt) const;
   double least_speed(const Contact& contact, double dt) const;

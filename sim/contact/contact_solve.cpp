@@ -14,8 +14,8 @@ namespace {
 /// The share of an overlap that goes in a substep, and the overlap, as a share of the smaller radius, that stays, so
 /// that all contacts of what rests go on touching.
 constexpr double kCorrectionShare = 0.1, kRestingShare = 3e-4;
-/// Elastic objects have answered: impulses are near their places.
-constexpr SolverLimits kAgain{.work = 6'000, .least_sweeps = 8, .most_sweeps = 100};
+/// The impulses are near their places already.
+constexpr SolverLimits kAgain{.work = 4'000, .least_sweeps = 5, .most_sweeps = 70};
 /// Of what goes, the next substeps take what this one leaves.
 constexpr SolverLimits kRoughly{.work = 6'000, .least_sweeps = 8, .most_sweeps = 50, .tolerance = 1e-3};
 
@@ -94,7 +94,7 @@ double ContactWorld::Impl::least_speed(const Contact& contact, double dt) const 
   return std::min(a.surface.restitution, b.surface.restitution) * contact.approach;
 }
 
-int ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elastic) {
+int ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elastic, bool again) {
   assert(dt > 0);
   std::vector<Responder> answering = rigid_responders(dt);
   solved = rows(dt);
@@ -126,8 +126,6 @@ int ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elasti
                                 response.velocities - respond(response.compliance, response.impulses));
     }
   });
-  const bool again =
-      std::any_of(elastic.begin(), elastic.end(), [](const auto& response) { return !response.impulses.isZero(0); });
   const int relaxations = solve_impulses(solved, answering, again ? kAgain : SolverLimits());
   for (std::size_t i = 0; i < contacts.size(); ++i) contacts[i].impulse = solved[i].axes * solved[i].impulse;
   remember_impulses(dt);

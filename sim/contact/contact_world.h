@@ -127,9 +127,10 @@ class ContactWorld {
   /// half the speed of what strikes either of them, and that did not push in the last substep. Returns the new index of
   /// each contact, or -1. To be called between detect() and solve(), if at all.
   std::vector<int> drop_near_misses(double dt, std::span<const double> approach);
-  /// Writes the impulses of a substep of `dt` [s] > 0 into contacts(); to be called again when more is known about the
-  /// responses of what is elastic. Returns how many times a contact was solved, for those who count work.
-  int solve(double dt, std::span<const ElasticResponse> elastic = {});
+  /// Writes the impulses of a substep of `dt` [s] > 0 into contacts(). To be called `again`, with less effort, when more
+  /// is known about the responses of what is elastic. Returns how many times a contact was solved, for those who count
+  /// work.
+  int solve(double dt, std::span<const ElasticResponse> elastic = {}, bool again = false);
   /// Scales the impulses down in each group of objects that touch where they would add energy: where `velocities`, now
   /// exact under these impulses, show that `compliance` was too small. Returns the factor of each response, mostly 1.
   std::vector<double> limit_energy(double dt, std::span<const ElasticResponse> elastic);

@@ -205,8 +205,16 @@ void take_sleep(WorldState& world) {
   for (Body& body : world.bodies) body.asleep = body.rigid && world.contact_world.asleep(body.stand_in);
 }
 
-void solve_impulses(WorldState& world, const TouchedBodies& touched, double dt) {
-  world.work.contacts += Work::kPerRelaxation * world.contact_world.solve(dt, touched.responses);
+void solve_impulses(WorldState& world, const TouchedBodies& touched, double dt, bool again) {
+  world.work.contacts += Work::kPerRelaxation * world.contact_world.solve(dt, touched.responses, again);
+}
+
+/// Impulses by what is known of elastic bodies before they answer.
+void estimate_impulses(WorldState& world, TouchedBodies& touched, double dt, bool again) {
+  parallel_for(static_cast<int>(touched.bodies.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) prepare_response(world, touched.bodies[i], dt, touched.responses[i]);
+  });
+  solve_impulses(world, touched, dt, again);
 }
 
 /// Impulses that the rigid and the elastic agree on: what is elastic is known by an estimate first, then by its
@@ -216,16 +224,13 @@ TouchedBodies solve_contacts(WorldState& world, double dt) {
   TouchedBodies touched = touched_bodies(world);
   correct_distances(world, touched);
   drop_near_misses(world, touched, dt);
-  for (bool woken = true; woken;) {
-    parallel_for(static_cast<int>(touched.bodies.size()), 1, [&](int begin, int end) {
-      for (int i = begin; i < end; ++i) prepare_response(world, touched.bodies[i], dt, touched.responses[i]);
-    });
-    solve_impulses(world, touched, dt);
-    woken = wake_struck_bodies(world, dt);
-    if (woken) touched = touched_bodies(world);
+  estimate_impulses(world, touched, dt, false);
+  while (wake_struck_bodies(world, dt)) {
+    touched = touched_bodies(world);
+    estimate_impulses(world, touched, dt, true);
   }
   for (int round = 1; !answer_all(world, touched, dt) && round < kMostRounds; ++round)
-    solve_impulses(world, touched, dt);
+    solve_impulses(world, touched, dt, true);
   return touched;
 }
 

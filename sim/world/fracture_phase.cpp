@@ -203,7 +203,9 @@ void open_cracks(WorldState& world, double substep) {
     world.crack_transit_time = std::min(world.crack_transit_time, crack_transit_time(world, world.bodies[body]));
   for (BodyId body : opened.bodies)
     world.work.cracks += Work::kPerRebuiltTet * static_cast<double>(world.bodies[body].tets.size());
-  world.work.cracks += Work::kPerCrack * static_cast<double>(world.crack_events.size() - opened.first_event);
+  const double cracks = static_cast<double>(world.crack_events.size() - opened.first_event);
+  world.work.cracks += Work::kPerCrack * cracks;
+  world.work.fresh_contacts += Work::kPerFreshCrack * cracks;
   part_bodies(world, std::vector<BodyId>(opened.bodies.begin(), opened.bodies.end()));
   for (std::size_t i = opened.first_event; i < world.crack_events.size(); ++i)
     world.crack_events[i].children = children_of(world, world.crack_events[i]);

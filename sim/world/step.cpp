@@ -63,11 +63,11 @@ void step_explicitly(WorldState& world, double time_step) {
   rest_bodies(world, time_step);
 }
 
-/// How many substeps may follow if each costs what the last one did but for its cracks.
+/// How many substeps may follow if each costs what the last one did.
 int substeps_left(const WorldState& world, double budget, int made) {
   const int most = std::max(1, world.scene.simulation.impact_substeps - made);
-  return static_cast<int>(
-      std::clamp<double>(budget / (least_work(world) + world.work.solves + world.work.contacts), 1, most));
+  const double expected = least_work(world) + world.work.sum() + world.work.fresh_contacts;
+  return static_cast<int>(std::clamp<double>(budget / expected, 1, most));
 }
 
 void step_implicitly(WorldState& world, double time_step) {
@@ -77,7 +77,7 @@ void step_implicitly(WorldState& world, double time_step) {
     const int ticks = next_substep(world, ticks_left, substeps_left(world, budget, substeps));
     world.work = {};
     substep(world, time_step * ticks / kTicksPerStep);
-    budget -= least_work(world) + world.work.solves + world.work.contacts + world.work.cracks;
+    budget -= least_work(world) + world.work.sum();
     ticks_left -= ticks;
   }
   world.report.substeps = substeps;

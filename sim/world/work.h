@@ -6,13 +6,17 @@ namespace griffith {
 /// timed: a step does the same on every machine and whatever else runs there.
 struct Work {
   double solves = 0, contacts = 0, cracks = 0;
+  /// What the faces that cracked will cost in the next substep, when they touch.
+  double fresh_contacts = 0;
+
+  double sum() const { return solves + contacts + cracks; }
 
   /// What a step may cost.
-  static constexpr double kPerStep = 11'000;
+  static constexpr double kPerStep = 10'000;
   static constexpr double kPerBody = 10, kPerTet = 0.75;
   static constexpr double kPerTetAndIteration = 0.013;
-  static constexpr double kPerContact = 4, kPerTouchedPoint = 7, kPerRelaxation = 0.11;
-  static constexpr double kPerCrack = 60, kPerRebuiltTet = 1.5;
+  static constexpr double kPerContact = 4, kPerTouchedPoint = 3, kPerRelaxation = 0.2;
+  static constexpr double kPerCrack = 60, kPerRebuiltTet = 1.5, kPerFreshCrack = 150;
 };
 
 }  // namespace griffith
