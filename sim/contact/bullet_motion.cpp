@@ -2,6 +2,7 @@
 
 #include "sim/contact/bullet_sweep.h"
 #include "sim/contact/bullet_world.h"
+#include "sim/rotation.h"
 
 namespace griffith {
 
@@ -55,9 +56,8 @@ void for_each_touch(const Encounter& encounter, double ground_height, Use use) {
 }
 
 Quat rotated(const Quat& rotation, const Vec3& turn) {
-  const double angle = turn.norm();
-  if (angle == 0) return rotation;
-  return (Quat(Eigen::AngleAxisd(angle, turn / angle)) * rotation).normalized();
+  if (turn.isZero(0)) return rotation;
+  return (Quat(rotation_by(turn)) * rotation).normalized();
 }
 
 /// Where an object will be after a share (0..1) of the substep, moving uniformly. Projectiles have turned already.

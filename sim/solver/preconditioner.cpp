@@ -6,19 +6,10 @@
 
 #include "sim/parallel.h"
 #include "sim/solver/aggregates.h"
+#include "sim/solver/rigid_motion.h"
 
 namespace griffith {
 namespace {
-
-using ModeBlock = Eigen::Matrix<double, 3, 6>;
-
-ModeBlock rigid_modes(const Vec3& arm) {
-  ModeBlock modes;
-  modes << 1, 0, 0, 0, arm.z(), -arm.y(),  //
-      0, 1, 0, -arm.z(), 0, arm.x(),       //
-      0, 0, 1, arm.y(), -arm.x(), 0;
-  return modes;
-}
 
 /// A matrix with the same product MᵀM and no more rows than columns.
 Eigen::MatrixXf with_few_rows(Eigen::MatrixXf modes) {
@@ -117,16 +108,16 @@ void RigidModePreconditioner::assemble_coarse_matrix(const BlockSparseMatrix& ma
   using CoarseBlock = Eigen::Map<Eigen::Matrix<double, 6, 6>, Eigen::Unaligned, Eigen::OuterStride<>>;
   std::fill(coarse_.valuePtr(), coarse_.valuePtr() + coarse_.nonZeros(), 0.0);
   parallel_for(aggregate_count(), 4, [&](int begin, int end) {
-    std::vector<ModeBlock> products;  // A R of a row, per neighbouring aggregate
+    std::vector<RigidModes> products;  // A R of a row, per neighbouring aggregate
     for (int a = begin; a < end; ++a) {
       const int neighbours = static_cast<int>(coarse_rows_[a].size());
       double* const first = coarse_.valuePtr() + coarse_.outerIndexPtr()[6 * a];
       for (int node : members_[a]) {
-        products.assign(neighbours, ModeBlock::Zero());
+        products.assign(neighbours, RigidModes::Zero());
         for (int k = matrix.row_starts[node]; k < matrix.row_starts[node + 1]; ++k)
           if (coarse_slots_[k] >= 0)
             products[coarse_slots_[k]].noalias() += matrix.blocks[k] * rigid_modes(arms_.col(matrix.columns[k]));
-        const ModeBlock modes_here = rigid_modes(arms_.col(node));
+        const RigidModes modes_here = rigid_modes(arms_.col(node));
         for (int slot = 0; slot < neighbours; ++slot)
           CoarseBlock(first + 6 * slot, 6, 6, Eigen::OuterStride<>(6 * neighbours)) +=
               products[slot].transpose() * modes_here;

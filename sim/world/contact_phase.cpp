@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "sim/parallel.h"
+#include "sim/rotation.h"
 #include "sim/solver/rigid_motion.h"
 #include "sim/world/phases.h"
 #include "sim/world/touched_body.h"
@@ -183,9 +184,7 @@ void apply_corrections(WorldState& world) {
     if (body.supported() || body.asleep) continue;
     const ContactWorld::Correction correction = world.contact_world.position_correction(body.stand_in);
     if (correction.translation.isZero(0) && correction.rotation.isZero(0)) continue;
-    const double angle = correction.rotation.norm();
-    const Mat3 turn =
-        angle > 0 ? Eigen::AngleAxisd(angle, correction.rotation / angle).toRotationMatrix() : Mat3(Mat3::Identity());
+    const Mat3 turn = rotation_by(correction.rotation).toRotationMatrix();
     const Vec3 center = body.motion.center;
     body.motion.center += correction.translation;
     if (body.rigid) {
