@@ -215,7 +215,7 @@ TEST(Remeshing, LoadsStayOnTheirMaterial) {
   const HalfSpaceRegion everything{Vec3::Zero(), Vec3::UnitX()}, end{Vec3(1, 0, 0), Vec3::UnitX()},
       other_end{Vec3(-1, 0, 0), -Vec3::UnitX()};
   const double area = 0.25;
-  Load traction{.region = end, .kind = LoadKind::traction, .traction = Vec3(2e5, 0, 0)};
+  Load traction{.region = end, .kind = LoadKind::traction, .traction = Vec3(2e5, 5e4, 3e4)};
   Load pull{.region = other_end, .kind = LoadKind::point_force, .force = Vec3(-3e4, 0, 0)};
   Load push{.region = everything, .kind = LoadKind::body_force, .acceleration = Vec3(0, 5, 0)};
   bar.loads = {traction, pull, push};
