@@ -2,6 +2,7 @@
 
 #include "sim/contact/bullet_sweep.h"
 #include "sim/contact/bullet_world.h"
+#include "sim/rotation.h"
 
 namespace griffith {
 
@@ -33,14 +34,15 @@ PlacedShape placed(const Object& object, std::size_t part, const Vec3& center, d
 /// Whether the spheres round the two objects come near enough to touch.
 bool may_touch(const Encounter& encounter, double ground_height) {
   const auto& [a, b, start, displacement, gap] = encounter;
-  if (b.kind == Kind::ground) return start.y() + displacement.y() <= ground_height + a.shape.radius + gap;
+  if (b.kind == Kind::ground)
+    return start.y() + std::min(0.0, displacement.y()) <= ground_height + a.shape.radius + gap;
   const Vec3 apart = start - b.state.pose.translation;
   const double length_squared = displacement.squaredNorm();
   const double nearest = length_squared > 0 ? std::clamp(-apart.dot(displacement) / length_squared, 0.0, 1.0) : 0;
   return (apart + nearest * displacement).norm() <= a.shape.radius + b.shape.radius + gap;
 }
 
-/// Calls `use` with the touch of each pair of convex parts that meets.
+/// Calls `use` with the touch of each pair of convex parts that comes near enough.
 template <class Use>
 void for_each_touch(const Encounter& encounter, double ground_height, Use use) {
   const auto& [a, b, start, displacement, gap] = encounter;
@@ -54,9 +56,8 @@ void for_each_touch(const Encounter& encounter, double ground_height, Use use) {
 }
 
 Quat rotated(const Quat& rotation, const Vec3& turn) {
-  const double angle = turn.norm();
-  if (angle == 0) return rotation;
-  return (Quat(Eigen::AngleAxisd(angle, turn / angle)) * rotation).normalized();
+  if (turn.isZero(0)) return rotation;
+  return (Quat(rotation_by(turn)) * rotation).normalized();
 }
 
 /// Where an object will be after a share (0..1) of the substep, moving uniformly. Projectiles have turned already.
@@ -68,8 +69,14 @@ Pose pose_after(const Object& object, double share, double dt) {
   return pose;
 }
 
-/// Fastest motion of a surface point due to rotation [m/s].
-double turning_speed(const Object& object) { return object.state.angular_velocity.norm() * object.shape.radius; }
+bool is_sphere(const Object& object) {
+  return object.kind != Kind::ground && object.shape.parts.front()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
+}
+
+/// The fastest that rotation brings a surface point nearer to anything [m/s].
+double turning_speed(const Object& object) {
+  return is_sphere(object) ? 0 : object.state.angular_velocity.norm() * object.shape.radius;
+}
 
 /// Turns a projectile; its angular momentum stays.
 void turn(Object& object, const Vec3& angle) {
@@ -107,7 +114,7 @@ void ContactWorld::Impl::move_projectiles(double dt) {
 void ContactWorld::Impl::turn_free(Object& object, double dt) {
   constexpr double kLargestTurn = 0.2, kLeastTurn = 1e-3;  // [rad]
   const auto angle = [&] { return Vec3(dt * object.state.angular_velocity + object.correction.rotation); };
-  if (object.shape.parts.front()->getShapeType() == SPHERE_SHAPE_PROXYTYPE) {
+  if (is_sphere(object)) {
     turn(object, angle());
     return place(object);
   }
@@ -178,6 +185,7 @@ ContactWorld::Impl::NextTouch ContactWorld::Impl::next_touch(const Object& proje
     const Vec3 end = pose_after(other, 1, dt).to_local(center + (1 - share) * dt * velocity);
     const Encounter encounter{projectile, other, present.to_world(start), present.rotation * (end - start), gap};
     for_each_touch(encounter, ground_height, [&](const Touch& touch) {
+      if (!comes_nearer(encounter.displacement, touch.normal)) return;  // overlaps, and leads out
       const double touch_share = share + touch.fraction * (1 - share);
       if (next.met && touch_share >= next.share) return;
       const Vec3 local_normal = present.rotation.conjugate() * touch.normal;

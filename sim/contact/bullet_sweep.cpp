@@ -33,19 +33,22 @@ Separation separation(const PlacedShape& a, const PlacedShape& b) {
   return {closest.m_distance, from_bullet(closest.m_normalOnBInWorld), from_bullet(closest.m_pointInWorld)};
 }
 
+bool comes_nearer(const Vec3& displacement, const Vec3& normal) {
+  return -normal.dot(displacement) > 1e-9 * displacement.norm();
+}
+
 std::optional<Touch> first_touch(PlacedShape moving, const Vec3& displacement, const PlacedShape& other, double gap) {
   constexpr int kMaxAdvances = 32;
   const double tolerance = 1e-9 * (1 + std::abs(gap));
-  const double negligible = 1e-9 * displacement.norm();
   const btVector3 start = moving.transform.getOrigin();
   Touch touch{0, Vec3::Zero()};
   for (int i = 0; i < kMaxAdvances; ++i) {
     moving.transform.setOrigin(start + touch.fraction * to_bullet(displacement));
     const Separation apart = separation(moving, other);
     touch.normal = apart.normal;
-    const double approach = -apart.normal.dot(displacement);
-    if (approach <= negligible) return std::nullopt;
     if (apart.distance <= gap + tolerance) return touch;
+    if (!comes_nearer(displacement, apart.normal)) return std::nullopt;
+    const double approach = -apart.normal.dot(displacement);
     touch.fraction += (apart.distance - gap) / approach;
     if (touch.fraction > 1) return std::nullopt;
   }

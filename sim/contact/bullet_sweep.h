@@ -29,9 +29,12 @@ struct Touch {
   Vec3 normal;      ///< unit, from the other shape to the moving one
 };
 
-/// Where `moving`, displaced without turning, first comes as near to `other` as `gap` [m] (negative: overlaps by that
-/// much). Nothing if it does not, or if it moves away. Conservative advancement: each move stays short of the plane
-/// that parts the shapes, so nothing is stepped over however thin it is.
+/// Whether a displacement brings a shape nearer to one that lies against `normal`: more than rounding does.
+bool comes_nearer(const Vec3& displacement, const Vec3& normal);
+
+/// Where `moving`, displaced without turning, first is as near to `other` as `gap` [m] (negative: overlaps by that
+/// much): at the start, if it is then, wherever it goes. Nothing if it does not come so near. Conservative advancement:
+/// each move stays short of the plane that parts the shapes, so nothing is stepped over however thin it is.
 std::optional<Touch> first_touch(PlacedShape moving, const Vec3& displacement, const PlacedShape& other, double gap);
 
 }  // namespace griffith::contact

@@ -17,7 +17,7 @@ using ProxyId = Id<struct ProxyTag>;
 /// One convex part of a body's shape: its corner points in the body's own frame (origin at the centre of mass) [m].
 using ConvexPart = std::vector<Vec3>;
 
-/// Mass, inertia and placement of a rigid object.
+/// Placement and motion of a rigid object.
 struct RigidState {
   Pose pose;                             ///< of the centre of mass frame
   Vec3 velocity = Vec3::Zero();          ///< of the centre of mass [m/s]

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/contact/connected_groups.h"
+#include "sim/rotation.h"
 
 namespace griffith::contact {
 namespace {
@@ -32,12 +33,6 @@ void push(Responder& responder, const ContactEnd& end, const Vec3& impulse) {
     responder.velocity += responder.inverse_mass * impulse;
     responder.angular_velocity += responder.inverse_inertia * end.arm.cross(impulse);
   }
-}
-
-Mat3 cross_matrix(const Vec3& v) {
-  Mat3 m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
 }
 
 Mat3 compliance_of(const Responder& responder, const ContactEnd& end) {

@@ -22,6 +22,7 @@ NodeVectors generic_vector(Eigen::Index count) {
 }  // namespace
 
 double highest_frequency(const BlockSparseMatrix& stiffness, const Eigen::VectorXd& masses) {
+  if (stiffness.rows() == 0) return 0;
   constexpr int kSteps = 30;
   const int steps = std::min<int>(kSteps, 3 * stiffness.rows());
   const Eigen::VectorXd scaling = masses.cwiseSqrt().cwiseInverse();

@@ -6,19 +6,10 @@
 
 #include "sim/parallel.h"
 #include "sim/solver/aggregates.h"
+#include "sim/solver/rigid_motion.h"
 
 namespace griffith {
 namespace {
-
-using ModeBlock = Eigen::Matrix<double, 3, 6>;
-
-ModeBlock rigid_modes(const Vec3& arm) {
-  ModeBlock modes;
-  modes << 1, 0, 0, 0, arm.z(), -arm.y(),  //
-      0, 1, 0, -arm.z(), 0, arm.x(),       //
-      0, 0, 1, arm.y(), -arm.x(), 0;
-  return modes;
-}
 
 /// A matrix with the same product MᵀM and no more rows than columns.
 Eigen::MatrixXf with_few_rows(Eigen::MatrixXf modes) {
@@ -67,6 +58,7 @@ void RigidModePreconditioner::update(const BlockSparseMatrix& matrix, const Node
     center /= static_cast<double>(nodes.size());
     for (int node : nodes) arms_.col(node) = positions.col(node) - center;
   }
+  if (members_.empty()) return lower_.resize(0, 0);  // every node is held
   if (coarse_.cols() != 6 * aggregate_count()) allocate_coarse_matrix();
   assemble_coarse_matrix(matrix);
   factor_coarse_matrix();
@@ -116,16 +108,16 @@ void RigidModePreconditioner::assemble_coarse_matrix(const BlockSparseMatrix& ma
   using CoarseBlock = Eigen::Map<Eigen::Matrix<double, 6, 6>, Eigen::Unaligned, Eigen::OuterStride<>>;
   std::fill(coarse_.valuePtr(), coarse_.valuePtr() + coarse_.nonZeros(), 0.0);
   parallel_for(aggregate_count(), 4, [&](int begin, int end) {
-    std::vector<ModeBlock> products;  // A R of a row, per neighbouring aggregate
+    std::vector<RigidModes> products;  // A R of a row, per neighbouring aggregate
     for (int a = begin; a < end; ++a) {
       const int neighbours = static_cast<int>(coarse_rows_[a].size());
       double* const first = coarse_.valuePtr() + coarse_.outerIndexPtr()[6 * a];
       for (int node : members_[a]) {
-        products.assign(neighbours, ModeBlock::Zero());
+        products.assign(neighbours, RigidModes::Zero());
         for (int k = matrix.row_starts[node]; k < matrix.row_starts[node + 1]; ++k)
           if (coarse_slots_[k] >= 0)
             products[coarse_slots_[k]].noalias() += matrix.blocks[k] * rigid_modes(arms_.col(matrix.columns[k]));
-        const ModeBlock modes_here = rigid_modes(arms_.col(node));
+        const RigidModes modes_here = rigid_modes(arms_.col(node));
         for (int slot = 0; slot < neighbours; ++slot)
           CoarseBlock(first + 6 * slot, 6, 6, Eigen::OuterStride<>(6 * neighbours)) +=
               products[slot].transpose() * modes_here;
@@ -147,14 +139,21 @@ void RigidModePreconditioner::factor_coarse_matrix() {
   if (factored_.size() == values.size() &&
       (values - factored_).matrix().squaredNorm() <= kSameMatrix * kSameMatrix * factored_.matrix().squaredNorm())
     return;
+  ++factorizations_;
   coarse_factors_.factorize(coarse_);
+  if (coarse_factors_.info() != Eigen::Success) {
+    lower_.resize(0, 0);
+    factored_.resize(0);
+    return;
+  }
   lower_ = coarse_factors_.matrixL().nestedExpression().cast<float>();
   factored_ = values;
-  ++factorizations_;
 }
 
-void RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) const {
-  Eigen::VectorXd coarse(6 * aggregate_count());
+/// R (Rᵀ A R)⁻¹ Rᵀ r: the six modes of each aggregate.
+Eigen::VectorXd RigidModePreconditioner::solve_coarse(const NodeVectors& r) const {
+  Eigen::VectorXd coarse = Eigen::VectorXd::Zero(6 * aggregate_count());
+  if (!has_coarse_space()) return coarse;
   for (int a = 0; a < aggregate_count(); ++a) {
     Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
     for (int node : members_[a]) {
@@ -166,7 +165,11 @@ void RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) const 
   Eigen::VectorXf solved = (coarse_factors_.permutationP() * coarse).cast<float>();
   lower_.triangularView<Eigen::Lower>().solveInPlace(solved);
   lower_.transpose().triangularView<Eigen::Upper>().solveInPlace(solved);
-  coarse = coarse_factors_.permutationPinv() * solved.cast<double>();
+  return coarse_factors_.permutationPinv() * solved.cast<double>();
+}
+
+void RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) const {
+  const Eigen::VectorXd coarse = solve_coarse(r);
   z.resize(3, r.cols());
   parallel_for(static_cast<int>(r.cols()), 2048, [&](int begin, int end) {
     for (int node = begin; node < end; ++node) {
@@ -178,6 +181,8 @@ void RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) const 
 }
 
 PointCompliance RigidModePreconditioner::compliance(std::span<const WeightedRows> points) const {
+  PointCompliance compliance = node_compliance(points, inverse_diagonal_);
+  if (!has_coarse_space()) return compliance;
   const Eigen::Index components = 3 * static_cast<Eigen::Index>(points.size());
   Eigen::MatrixXd modes = Eigen::MatrixXd::Zero(6 * aggregate_count(), components);  // Rᵀ Jᵀ
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -187,7 +192,6 @@ PointCompliance RigidModePreconditioner::compliance(std::span<const WeightedRows
             rigid_modes(arms_.col(row)).transpose() * points[i].weights[k].transpose();
   Eigen::MatrixXf half = (coarse_factors_.permutationP() * modes).cast<float>();
   lower_.triangularView<Eigen::Lower>().solveInPlace(half);
-  PointCompliance compliance = node_compliance(points, inverse_diagonal_);
   compliance.modes = with_few_rows(std::move(half)).cast<double>();
   return compliance;
 }

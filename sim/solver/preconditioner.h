@@ -10,7 +10,8 @@
 namespace griffith {
 
 /// z = D⁻¹ r + R (Rᵀ A R)⁻¹ Rᵀ r: block Jacobi and a coarse space of the six rigid-body modes of each aggregate of
-/// nodes (additive Schwarz). With it the iteration count depends neither on stiffness nor on cracks.
+/// nodes (additive Schwarz). With it the iteration count depends neither on stiffness nor on cracks. Where the coarse
+/// matrix cannot be factored, because A has broken down, z = D⁻¹ r alone.
 ///   A  the system matrix      D  its 3×3 block diagonal
 ///   R  one 3×6 block a node: [I, −[x − c]×], c the aggregate's centre
 class RigidModePreconditioner {
@@ -36,6 +37,8 @@ class RigidModePreconditioner {
   void allocate_coarse_matrix();
   void assemble_coarse_matrix(const BlockSparseMatrix& matrix);
   void factor_coarse_matrix();
+  Eigen::VectorXd solve_coarse(const NodeVectors& r) const;
+  bool has_coarse_space() const { return lower_.rows() > 0; }
 
   std::vector<int> aggregates_;            // per node
   std::vector<std::vector<int>> members_;  // per aggregate: its nodes, ascending
@@ -45,7 +48,7 @@ class RigidModePreconditioner {
   std::vector<int> coarse_slots_;              // per block of the matrix: index into the column's coarse_rows_, or -1
   Eigen::SparseMatrix<double> coarse_;         // Rᵀ A R: the lower triangle, by 6×6 blocks
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> coarse_factors_;
-  Eigen::SparseMatrix<float> lower_;  // their triangle, for apply(): a preconditioner need not be more exact
+  Eigen::SparseMatrix<float> lower_;  // their triangle, for apply(), which need not be more exact; empty without any
   Eigen::ArrayXd factored_;           // values of the coarse matrix when it was factored
   int factorizations_ = 0;
 };

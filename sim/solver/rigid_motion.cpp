@@ -1,18 +1,10 @@
 #include "sim/solver/rigid_motion.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "sim/rotation.h"
+
 namespace griffith {
-namespace {
-
-Mat3 rotation_by(const Vec3& vector) {
-  const double angle = vector.norm();
-  return angle > 0 ? Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix() : Mat3(Mat3::Identity());
-}
-
-}  // namespace
-
 RigidMotion rigid_motion(const NodeVectors& positions, const NodeVectors& velocities, const Eigen::VectorXd& masses) {
   RigidMotion motion;
   motion.mass = masses.sum();
@@ -34,10 +26,10 @@ Mat3 turn_step(const RigidMotion& motion, double dt) {
   const Vec3 angular_momentum = motion.inertia * motion.angular_velocity;
   Vec3 middle = motion.angular_velocity;
   for (int i = 0; i < kIterations; ++i) {
-    const Mat3 half = rotation_by(0.5 * dt * middle);
+    const Mat3 half = rotation_by(0.5 * dt * middle).toRotationMatrix();
     middle = half * inverse_inertia * half.transpose() * angular_momentum;
   }
-  return rotation_by(dt * middle);
+  return rotation_by(dt * middle).toRotationMatrix();
 }
 
 }  // namespace griffith

@@ -19,6 +19,17 @@ struct RigidMotion {
 /// They must not all lie on one line.
 RigidMotion rigid_motion(const NodeVectors& positions, const NodeVectors& velocities, const Eigen::VectorXd& masses);
 
+/// What the six rigid motions, unit velocities along the axes and unit turns about them, are at an arm from the centre:
+/// [I, −[arm]×].
+using RigidModes = Eigen::Matrix<double, 3, 6>;
+inline RigidModes rigid_modes(const Vec3& arm) {
+  RigidModes modes;
+  modes << 1, 0, 0, 0, arm.z(), -arm.y(),  //
+      0, 1, 0, -arm.z(), 0, arm.x(),       //
+      0, 0, 1, arm.y(), -arm.x(), 0;
+  return modes;
+}
+
 /// The rotation of a free body with this motion over `dt` [s], second order (implicit midpoint): its angular momentum
 /// stands still while its inertia turns.
 Mat3 turn_step(const RigidMotion& motion, double dt);

@@ -9,11 +9,12 @@
 
 #include "sim/mesh/topology.h"
 #include "sim/solver/direct_solve.h"
+#include "sim/solver/rigid_motion.h"
 
 namespace griffith {
 namespace {
 
-using RigidModes = Eigen::Matrix<double, 6, Eigen::Dynamic>;  // one combination of the six a column
+using ModeCombinations = Eigen::Matrix<double, 6, Eigen::Dynamic>;  // one combination of the six modes a column
 
 /// The forces on a body's nodes in some configuration, and how far it is from equilibrium.
 struct Balance {
@@ -30,9 +31,8 @@ class StaticSolver {
   StaticReport solve();
 
  private:
-  using Modes = Eigen::Matrix<double, 3, 6>;
-  Modes modes_at(NodeId node) const;
-  RigidModes find_free_motions() const;
+  RigidModes modes_at(NodeId node) const;
+  ModeCombinations find_free_motions() const;
   std::vector<NodeConstraint> pin_free_motions() const;
   std::vector<Vec3> relieve(const std::vector<Vec3>& loads) const;
   Balance balance();
@@ -51,7 +51,7 @@ class StaticSolver {
   std::vector<NodeId> nodes_;  // the body's
   Vec3 center_;
   double radius_;  // root mean square distance from the centre
-  RigidModes free_motions_;
+  ModeCombinations free_motions_;
   std::vector<NodeConstraint> still_;  // the problem's and pins, at no velocity
   std::vector<int> rows_;
   ElasticSystem system_;
@@ -87,22 +87,15 @@ StaticSolver::StaticSolver(const StaticProblem& problem, const StaticSettings& s
 }
 
 /// The node's velocity in the three unit translations and three rotations, the latter scaled to lengths alike.
-StaticSolver::Modes StaticSolver::modes_at(NodeId node) const {
-  const Vec3 arm = (positions_[node] - center_) / radius_;
-  Modes modes;
-  modes << 1, 0, 0, 0, arm.z(), -arm.y(),  //
-      0, 1, 0, -arm.z(), 0, arm.x(),       //
-      0, 0, 1, arm.y(), -arm.x(), 0;
-  return modes;
-}
+RigidModes StaticSolver::modes_at(NodeId node) const { return rigid_modes((positions_[node] - center_) / radius_); }
 
 /// The rigid motions that move no support in a blocked direction: the null space of sum Rᵀ (I − S) R.
-RigidModes StaticSolver::find_free_motions() const {
+ModeCombinations StaticSolver::find_free_motions() const {
   constexpr double kNegligible = 1e-10;
   Eigen::Matrix<double, 6, 6> blocked = Eigen::Matrix<double, 6, 6>::Zero();
   for (NodeId node : nodes_) {
     if (problem_.constraints[node].is_free()) continue;
-    const Modes modes = modes_at(node);
+    const RigidModes modes = modes_at(node);
     blocked += modes.transpose() * (Mat3::Identity() - problem_.constraints[node].allowed) * modes;
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(blocked);
@@ -115,7 +108,7 @@ RigidModes StaticSolver::find_free_motions() const {
 std::vector<NodeConstraint> StaticSolver::pin_free_motions() const {
   std::vector<NodeConstraint> constraints(problem_.constraints.begin(), problem_.constraints.end());
   for (NodeConstraint& constraint : constraints) constraint.velocity.setZero();
-  RigidModes motions = free_motions_;
+  ModeCombinations motions = free_motions_;
   while (motions.cols() > 0) {
     const auto size = [&](NodeId node) { return (modes_at(node) * motions).squaredNorm(); };
     const NodeId pinned =
@@ -230,7 +223,7 @@ bool StaticSolver::search_line(Balance& now, const std::vector<Vec3>& step) {
     move(start, step, share);
     Balance next = balance();
     const bool closer = next.norm <= (1 - kSufficientShare * share) * now.norm;
-    const bool lower = next.energy <= now.energy - kSufficientShare * share * slope;
+    const bool lower = slope > 0 && next.energy <= now.energy - kSufficientShare * share * slope;
     if (!closer && !lower) continue;
     now = std::move(next);
     return true;

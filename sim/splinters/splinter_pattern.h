@@ -24,7 +24,7 @@ struct VoronoiSplinters {
 struct RadialSplinters {
   Vec3 center = Vec3::Zero();  ///< a point of the axis
   Vec3 axis = Vec3(0, 0, 1);   ///< any length but 0
-  int sectors = 16;            ///< 3..1000
+  int sectors = 16;            ///< 4..1000
   double first_ring = 0.05;    ///< radius of the innermost ring, > 0
   double growth = 1.5;         ///< how many times wider each ring is than the one inside it, 1..10
   double jitter = 0.5;         ///< 0: regular, 1: as irregular as it may be

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "sim/elasticity/polar_decomposition.h"
+#include "sim/fracture/resistance.h"
 #include "sim/mesh/topology.h"
 #include "sim/parallel.h"
 #include "sim/world/phases.h"
@@ -39,21 +40,20 @@ void reshape_stand_in(WorldState& world, const Body& body) {
   world.contact_world.set_impact_speed(body.stand_in, hurting_speed(world, body));
 }
 
-void clear_stress(WorldState& world, const Body& body) {
-  for (TetId tet : body.tets) {
-    world.elements.states[tet].stress.setZero();
-    world.elements.states[tet].energy_density = 0;
-    world.elements.states[tet].tensile_stress.setZero();
-    world.elements.stresses[tet].setZero();
-  }
-  for (NodeId node : body.nodes) world.nodes.separations[node] = {};
-}
-
 /// Longest edge of the box round the body at rest [m].
 double extent_of(const WorldState& world, const Body& body) {
   Eigen::AlignedBox3d box;
   for (NodeId node : body.nodes) box.extend(world.mesh.rest_positions[node]);
   return box.sizes().maxCoeff();
+}
+
+/// What scatter and direction leave of the material's resistance at the body's weakest node, across its weakest plane
+/// [-].
+double weakest_share_of(const WorldState& world, const Body& body) {
+  double least = std::numeric_limits<double>::infinity();
+  for (NodeId node : body.nodes) least = std::min(least, world.nodes.strength_factors[node]);
+  const std::optional<Weakness>& weakness = world.weaknesses[body.scene_body];
+  return weakness ? weakness->strength_ratio * least : least;
 }
 
 /// The component that goes on as the body itself: a supported one before a free one, then the largest.
@@ -78,7 +78,23 @@ double hurting_speed(const WorldState& world, const Body& body) {
   constexpr double kShareOfBreakingSpeed = 0.5;
   if (body.tets.size() == 1) return std::numeric_limits<double>::infinity();
   const Material& material = world.material_of(body);
-  return kShareOfBreakingSpeed * material.tensile_strength / (material.density * bar_wave_speed(material));
+  const double stress = least_breaking_stress(world, body, false);
+  return kShareOfBreakingSpeed * stress / (material.density * bar_wave_speed(material));
+}
+
+double least_breaking_stress(const WorldState& world, const Body& body, bool at_crack_front) {
+  const Material& material = world.material_of(body);
+  const double least = body.weakest_share * resistance(material, at_crack_front, body.element_size);
+  const bool is_force = material.criterion == FractureCriterion::separation_force;
+  return is_force ? least / (body.element_size * body.element_size) : least;
+}
+
+void clear_stress(WorldState& world, const Body& body) {
+  for (TetId tet : body.tets) {
+    world.elements.states[tet] = {};
+    world.elements.stresses[tet].setZero();
+  }
+  for (NodeId node : body.nodes) world.nodes.separations[node] = {};
 }
 
 RigidMotion motion_of(const WorldState& world, const Body& body) {
@@ -119,6 +135,7 @@ void rebuild_shape(WorldState& world, Body& body) {
   body.orientation.setIdentity();
   body.element_size = mean_element_size(world, body.tets);
   body.extent = extent_of(world, body);
+  body.weakest_share = weakest_share_of(world, body);
   body.asleep = false;
   // A single tet cannot break any further: it is debris from the start.
   body.rigid = body.tets.size() == 1 && !body.supported();

@@ -65,14 +65,16 @@ void append_elements(WorldState& world, TetId first) {
   elements.states.resize(world.mesh.tets.size());
   elements.plastic_strains.resize(world.mesh.tets.size(), Mat3::Zero());
   elements.stresses.resize(world.mesh.tets.size(), Mat3::Zero());
+  elements.stresses_before.resize(world.mesh.tets.size(), Mat3::Zero());
   elements.bodies.resize(world.mesh.tets.size());
   constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
   elements.opened.resize(world.mesh.tets.size(), {kNever, kNever, kNever, kNever});
 }
 
-void set_initial_motion(WorldState& world, Body& body, const BodyDescription& description) {
+/// Of a scene body that turns about `center`: one of its pieces.
+void set_initial_motion(WorldState& world, Body& body, const BodyDescription& description, const Vec3& center) {
   for (NodeId node : body.nodes) {
-    const Vec3 arm = world.nodes.positions[node] - body.motion.center;
+    const Vec3 arm = world.nodes.positions[node] - center;
     world.nodes.velocities[node] += description.angular_velocity.cross(arm);
     const NodeConstraint& constraint = world.nodes.constraints[node];
     world.nodes.velocities[node] = constraint.allowed * world.nodes.velocities[node] + constraint.velocity;
@@ -132,16 +134,28 @@ std::vector<ConvexPart> first_collision_parts(const WorldState& world, const Bod
   return parts;
 }
 
+/// Of all pieces together.
+Vec3 center_of_mass(std::span<const Body> pieces) {
+  Vec3 moment = Vec3::Zero();
+  double mass = 0;
+  for (const Body& piece : pieces) {
+    moment += piece.motion.mass * piece.motion.center;
+    mass += piece.motion.mass;
+  }
+  return moment / mass;
+}
+
 /// What follows from the tets of a scene body's pieces, but for their stand-ins; touches nothing of other scene bodies.
 void complete(WorldState& world, const Pieces& pieces) {
-  for (std::size_t i = pieces.first; i < pieces.end; ++i)
-    for (TetId tet : world.bodies[i].tets)
+  const std::span<Body> bodies = std::span(world.bodies).subspan(pieces.first, pieces.end - pieces.first);
+  for (const Body& body : bodies)
+    for (TetId tet : body.tets)
       for (NodeId node : world.mesh.tets[tet])
         if (world.mesh.stars[node].front() == tet) world.nodes.masses[node] = node_mass(world, node);
-  for (std::size_t i = pieces.first; i < pieces.end; ++i) {
-    Body& body = world.bodies[i];
-    rebuild_shape(world, body);
-    set_initial_motion(world, body, world.scene.bodies[body.scene_body]);
+  for (Body& body : bodies) rebuild_shape(world, body);
+  const Vec3 center = center_of_mass(bodies);
+  for (Body& body : bodies) {
+    set_initial_motion(world, body, world.scene.bodies[body.scene_body], center);
     body.collision_parts = first_collision_parts(world, body, pieces.shape);
   }
 }

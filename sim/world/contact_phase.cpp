@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/fracture/resistance.h"
 #include "sim/parallel.h"
+#include "sim/rotation.h"
 #include "sim/solver/rigid_motion.h"
 #include "sim/world/phases.h"
 #include "sim/world/touched_body.h"
@@ -14,11 +14,8 @@ namespace {
 bool could_hurt(const WorldState& world, const Body& body, double force) {
   constexpr double kWakingShare = 0.25;
   if (body.tets.size() == 1) return false;
-  const double element_size = body.element_size;
-  const Material& material = world.material_of(body);
-  const double limit = resistance(material, true, element_size);
-  const double load = material.criterion == FractureCriterion::strength ? force / (element_size * element_size) : force;
-  return load > kWakingShare * limit;
+  const double stress = force / (body.element_size * body.element_size);
+  return stress > kWakingShare * least_breaking_stress(world, body, true);
 }
 
 /// Of a contact on a body in a substep of `dt` [N].
@@ -187,9 +184,7 @@ void apply_corrections(WorldState& world) {
     if (body.supported() || body.asleep) continue;
     const ContactWorld::Correction correction = world.contact_world.position_correction(body.stand_in);
     if (correction.translation.isZero(0) && correction.rotation.isZero(0)) continue;
-    const double angle = correction.rotation.norm();
-    const Mat3 turn =
-        angle > 0 ? Eigen::AngleAxisd(angle, correction.rotation / angle).toRotationMatrix() : Mat3(Mat3::Identity());
+    const Mat3 turn = rotation_by(correction.rotation).toRotationMatrix();
     const Vec3 center = body.motion.center;
     body.motion.center += correction.translation;
     if (body.rigid) {

@@ -103,6 +103,7 @@ void count_solve(WorldState& world, const Body& body, const SolveReport& solve) 
 }
 
 void predict_velocities(WorldState& world, std::vector<Vec3> forces, double dt) {
+  std::ranges::fill(world.nodes.reactions, Vec3::Zero());
   std::vector<SolveReport> reports(world.bodies.size());
   parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {

@@ -44,8 +44,12 @@ void find_equilibrium(WorldState& world, double time, double displacement_time, 
   std::vector<Vec3> loads(world.nodes.positions.size());
   for (std::size_t i = 0; i < loads.size(); ++i) loads[i] = world.nodes.masses[i] * world.scene.gravity;
   add_load_forces(world, time, loads);
-  for (Body& body : world.bodies)
-    if (!body.rigid && (body.supported() || !supported_only)) settle(world, body, displacements, loads);
+  std::ranges::fill(world.nodes.reactions, Vec3::Zero());
+  for (Body& body : world.bodies) {
+    if (body.rigid || (supported_only && !body.supported())) continue;
+    settle(world, body, displacements, loads);
+    freeze_if_broken_down(world, body);
+  }
 }
 
 }  // namespace griffith

@@ -126,9 +126,19 @@ bool move_elastic(WorldState& world, const Body& body, const std::vector<Vec3>& 
   return true;
 }
 
-bool all_finite(const WorldState& world, const Body& body) {
-  return std::all_of(body.nodes.begin(), body.nodes.end(),
-                     [&](NodeId node) { return world.nodes.velocities[node].allFinite(); });
+bool all_finite(const std::vector<Vec3>& values, const std::vector<NodeId>& nodes) {
+  return std::ranges::all_of(nodes, [&](NodeId node) { return values[node].allFinite(); });
+}
+
+/// Whether the body is in a place that can be told.
+bool is_placed(const WorldState& world, const Body& body) {
+  return all_finite(world.nodes.positions, body.nodes) && body.motion.center.allFinite() &&
+         body.motion.inertia.allFinite() && body.orientation.coeffs().allFinite();
+}
+
+bool is_sound(const WorldState& world, const Body& body) {
+  return is_placed(world, body) && all_finite(world.nodes.velocities, body.nodes) && body.motion.velocity.allFinite() &&
+         body.motion.angular_velocity.allFinite();
 }
 
 /// Takes the shape as it is now for that of a rigid body.
@@ -177,12 +187,20 @@ void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>&
 }
 
 void freeze_if_broken_down(WorldState& world, Body& body) {
-  if (body.asleep || all_finite(world, body)) return;
-  for (NodeId node : body.nodes) world.nodes.velocities[node].setZero();
-  body.rigid = true;
-  body.motion.velocity.setZero();
-  body.motion.angular_velocity.setZero();
+  if (body.asleep || is_sound(world, body)) return;
   ++world.report.non_finite_values;
+  if (!is_placed(world, body)) {
+    const Pose last = world.contact_world.state(body.stand_in).pose;
+    body.motion.center = last.translation;
+    body.orientation = last.rotation;
+    place_rigid_nodes(world, body);
+  }
+  for (NodeId node : body.nodes) world.nodes.velocities[node] = world.nodes.reactions[node] = Vec3::Zero();
+  for (TetId tet : body.tets)
+    if (!world.elements.plastic_strains[tet].allFinite()) world.elements.plastic_strains[tet].setZero();
+  clear_stress(world, body);
+  body.motion = motion_of(world, body);
+  stiffen(world, body);
 }
 
 void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt) {

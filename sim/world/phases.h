@@ -77,7 +77,11 @@ void resolve_contacts(WorldState& world, double dt);
 void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt);
 /// Puts the nodes of a rigid body where its motion and orientation say.
 void place_rigid_nodes(WorldState& world, const Body& body);
-/// A body whose numbers broke down stays where it is, rigid and at rest: one lost body, not a lost scene.
+/// Takes the stress out of a body that is rigid from now on.
+void clear_stress(WorldState& world, const Body& body);
+/// A body whose numbers broke down goes on as a rigid one, at rest where it was: one lost body, not a lost scene. Where
+/// its positions are lost too, it has the shape again that it had when it was made or last turned rigid, in the place
+/// of its stand-in. A supported one stays there for good.
 void freeze_if_broken_down(WorldState& world, Body& body);
 /// The sum of nodal forces on a body [N], and their torque about its centre of mass [N·m].
 struct Wrench {
@@ -97,6 +101,8 @@ void predict_explicitly(WorldState& world, Body& body, std::vector<Vec3>& forces
 /// Separation tensors, and the margin of every node against the material's resistance. `averaged`: the stress is the
 /// mean of this evaluation and the last, so that the noise of a stiff body in motion does not crack it.
 void evaluate_separation(WorldState& world, bool averaged);
+/// The same for one body, of its stress as it is now.
+void evaluate_separation(WorldState& world, const Body& body);
 /// What the separation tensors are made of.
 SeparationInput separation_input(const WorldState& world);
 /// Where a substep may be made again: the moment at which it began, or null, and how often it was made, from 1.
@@ -141,6 +147,9 @@ inline Corners corners_of(const TetMesh& mesh, TetId tet, std::span<const Vec3> 
 }
 /// Edge length of the cubes that six of these tets would fill [m].
 double mean_element_size(const WorldState& world, std::span<const TetId> tets);
+/// The least stress, spread over the face of an element, that could open a crack somewhere in the body, or could let
+/// one run on that is there already [Pa].
+double least_breaking_stress(const WorldState& world, const Body& body, bool at_crack_front);
 /// The speed of an impact from which a body could be hurt [m/s]; infinite for a single tet, which cannot break.
 double hurting_speed(const WorldState& world, const Body& body);
 /// Lumped mass of a node from its star [kg].

@@ -43,10 +43,21 @@ NodeSeparation evaluate_node(const WorldState& world, const SeparationInput& inp
   return separation;
 }
 
+void evaluate_body(WorldState& world, const SeparationInput& input, const Body& body, bool averaged) {
+  parallel_for(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      world.nodes.separations[body.nodes[i]] = evaluate_node(world, input, body, body.nodes[i], averaged);
+  });
+}
+
 }  // namespace
 
 SeparationInput separation_input(const WorldState& world) {
   return {world.mesh, world.elements.rests, world.elements.states, world.nodes.constraints};
+}
+
+void evaluate_separation(WorldState& world, const Body& body) {
+  if (!body.rigid) evaluate_body(world, separation_input(world), body, false);
 }
 
 void evaluate_separation(WorldState& world, bool averaged) {
@@ -56,12 +67,8 @@ void evaluate_separation(WorldState& world, bool averaged) {
   if (softened) input.states = states;
   parallel_for(static_cast<int>(world.bodies.size()), 16, [&](int first, int last) {
     for (const Body& body : std::span(world.bodies).subspan(first, last - first)) {
-      if (body.rigid) continue;
       const bool body_averaged = averaged && body.softening == 1 && !body.softened_before;
-      parallel_for(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
-        for (int i = begin; i < end; ++i)
-          world.nodes.separations[body.nodes[i]] = evaluate_node(world, input, body, body.nodes[i], body_averaged);
-      });
+      if (!body.rigid) evaluate_body(world, input, body, body_averaged);
     }
   });
   for (const Body& body : world.bodies)

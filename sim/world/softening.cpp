@@ -8,8 +8,8 @@
 namespace griffith {
 namespace {
 
-/// Fewer tets are debris, whose mesh has no room for waves: knocks at its corners, spread over it, would be read several
-/// times too hard.
+/// Fewer tets are debris, whose mesh has no room for waves: knocks at its corners, spread over it, would be read
+/// several times too hard.
 constexpr std::size_t kFewestTets = 20;
 
 /// Ascending.
@@ -35,8 +35,7 @@ void soften(WorldState& world, Body& body) {
   body.softened->wanted_substep = impact_substep(world, body);
   body.softened->substeps = world.coarse_impact->substeps_left;
   body.softened->tets = moving_tets(world);
-  world.stresses_before.resize(world.elements.states.size());
-  for (TetId tet : body.tets) world.stresses_before[tet.value] = world.elements.states[tet].stress;
+  for (TetId tet : body.tets) world.elements.stresses_before[tet] = world.elements.states[tet].stress;
 }
 
 /// What a body withstands in a substep of this length [s]; of the step's substeps the softest is kept for the frame.
@@ -83,9 +82,7 @@ std::vector<ElementState> softened_states(const WorldState& world) {
   for (const Body& body : world.bodies) {
     if (body.softening == 1) continue;
     for (TetId tet : body.tets) {
-      if (tet.value >= static_cast<std::int64_t>(world.stresses_before.size()))
-        continue;  // cut out of one that was there
-      const Mat3& before = world.stresses_before[tet.value];
+      const Mat3& before = world.elements.stresses_before[tet];
       states[tet].stress = before + (states[tet].stress - before) / body.softening;
       states[tet].tensile_stress = tensile_part(states[tet].stress);
     }

@@ -32,6 +32,7 @@ void append_element(WorldState& world, const TetBisection& halves) {
   elements.states.push_back(ElementState(elements.states[tet]));
   elements.plastic_strains.push_back(Mat3(elements.plastic_strains[tet]));
   elements.stresses.push_back(Mat3(elements.stresses[tet]));
+  elements.stresses_before.push_back(Mat3(elements.stresses_before[tet]));
   elements.bodies.push_back(BodyId(elements.bodies[tet]));
   const int faces = elements.first_surface[tet], outer = 1 << halves.kept, inner = 1 << halves.moved;
   elements.first_surface.push_back(static_cast<std::uint8_t>(faces & ~inner));
@@ -116,7 +117,7 @@ void follow_places(WorldState& world, const Subdivision& subdivision) {
   for (PlacedLoad& placed : world.loads) follow_load(placed, subdivision);
   for (PlacedProbe& placed : world.probes)
     for (ProbedNode& probed : placed.nodes) follow_probe(probed, subdivision);
-  update_supports(world, world.time, world.scene.simulation.time_step);
+  hold_again(world);
 }
 
 }  // namespace
@@ -134,16 +135,19 @@ void follow_subdivision(WorldState& world, const Subdivision& subdivision) {
 }
 
 void note_motion(const WorldState& world, const Body& body, MotionsBefore& motions) {
+  const auto [noted, is_new] = motions.try_emplace(body.id);
+  if (!is_new) return;
   const bool is_held = std::ranges::any_of(body.nodes, [&](NodeId node) { return world.nodes.held[node] != 0; });
-  if (!is_held && !motions.contains(body.id)) motions[body.id] = motion_of(world, body);
+  if (!is_held) noted->second = motion_of(world, body);
 }
 
 void restore_angular_momentum(WorldState& world, const MotionsBefore& motions) {
   for (const auto& [id, before] : motions) {
+    if (!before) continue;
     Body& body = world.bodies[id];
     body.nodes = nodes_of(world.mesh, body.tets);
     const RigidMotion now = motion_of(world, body);
-    const Vec3 spin = now.inertia.inverse() * (before.inertia * before.angular_velocity) - now.angular_velocity;
+    const Vec3 spin = now.inertia.inverse() * (before->inertia * before->angular_velocity) - now.angular_velocity;
     for (NodeId node : body.nodes) world.nodes.velocities[node] += spin.cross(world.nodes.positions[node] - now.center);
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 
 #include "sim/mesh/bisect.h"
 #include "sim/solver/rigid_motion.h"
@@ -16,10 +17,10 @@ struct WorldState;
 /// theirs.
 void follow_subdivision(WorldState& world, const Subdivision& subdivision);
 
-/// Motions of free bodies before they were remeshed.
-using MotionsBefore = std::map<BodyId, RigidMotion>;
+/// Motions of bodies before they were remeshed; none of those that were held.
+using MotionsBefore = std::map<BodyId, std::optional<RigidMotion>>;
 
-/// Notes a body's motion unless it is held or noted already.
+/// Notes a body's motion before the first of its cracks; later ones find it noted, their copies of nodes unknown yet.
 void note_motion(const WorldState& world, const Body& body, MotionsBefore& motions);
 
 /// Gives bodies back the angular momentum that interpolation took, by a rotation as a whole: it alone does not change

@@ -19,9 +19,8 @@ bool release(WorldState& world, NodeId node) {
   std::size_t released = 0;
   for (PlacedSupport& placed : world.supports)
     if (placed.support.can_tear)
-      released += std::erase_if(placed.corners, [&](const TetCorner& corner) {
-        return node_at(world.mesh.tets, corner) == node;
-      });
+      released += std::erase_if(placed.corners,
+                                [&](const TetCorner& corner) { return node_at(world.mesh.tets, corner) == node; });
   if (released == 0) return false;
   world.nodes.constraints[node] = {};
   world.nodes.held[node] = 0;
@@ -33,8 +32,9 @@ long firmness(const WorldState& world, NodeId node) {
   long most = 0;
   for (TetId tet : world.mesh.stars[node]) {
     const auto& corners = world.mesh.tets[tet];
-    most = std::max(most, static_cast<long>(std::count_if(corners.begin(), corners.end(),
-                                                          [&](NodeId corner) { return world.nodes.held[corner] != 0; })));
+    most = std::max(most, static_cast<long>(std::count_if(corners.begin(), corners.end(), [&](NodeId corner) {
+                      return world.nodes.held[corner] != 0;
+                    })));
   }
   return most;
 }
@@ -42,12 +42,6 @@ long firmness(const WorldState& world, NodeId node) {
 void block(NodeConstraint& constraint, const Support& support, const Vec3& velocity) {
   if (support.kind == SupportKind::sliding) return constraint.block(support.normal, 0);
   for (int axis = 0; axis < 3; ++axis) constraint.block(Vec3::Unit(axis), velocity[axis]);
-}
-
-/// For the step under way, after a support lost nodes.
-void hold_again(WorldState& world) {
-  const double time_step = world.scene.simulation.time_step;
-  update_supports(world, static_cast<double>(world.step) * time_step, time_step);
 }
 
 }  // namespace
@@ -96,6 +90,11 @@ void update_supports(WorldState& world, double time, double dt) {
       world.nodes.held[node] = 1;
     }
   }
+}
+
+void hold_again(WorldState& world) {
+  const double time_step = world.scene.simulation.time_step;
+  update_supports(world, static_cast<double>(world.step) * time_step, time_step);
 }
 
 }  // namespace griffith

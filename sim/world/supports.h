@@ -17,9 +17,9 @@ struct PlacedSupport {
 /// Finds the nodes of a body's supports, once; one that holds none becomes a finding. Then update_supports().
 void place_supports(WorldState& world, int scene_body, const RestBody& body);
 
-/// Lets a support lose its hold on a node that would separate across the plane of unit normal `normal` although all elements
-/// lie on one side of it: then the plane is that between body and support. False where no support holds it in that direction,
-/// or it cannot tear.
+/// Lets a support lose its hold on a node that would separate across the plane of unit normal `normal` although all
+/// elements lie on one side of it: then the plane is that between body and support. False where no support holds it in
+/// that direction, or it cannot tear.
 bool tear_off(WorldState& world, NodeId node, const Vec3& normal);
 /// Where a crack parted held nodes, the pieces that are held most firmly stay so (by an element, a face, an edge, a
 /// point), and the others tear off. Whether any did.
@@ -28,5 +28,7 @@ bool share_support(WorldState& world, std::span<const NodeCopy> copies);
 /// Sets the constraints of all held nodes for a step of `dt` from `time` [s]. Prescribed supports that stop within the
 /// step move slower, so that they get exactly as far as they should. Which directions are blocked never changes.
 void update_supports(WorldState& world, double time, double dt);
+/// The same for the step under way, after supports lost or gained nodes.
+void hold_again(WorldState& world);
 
 }  // namespace griffith

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "sim/parallel.h"
+#include "sim/rotation.h"
 #include "sim/world/phases.h"
 
 namespace griffith {
@@ -25,12 +26,6 @@ Vec3 stand_in_position(const Body& body, const SurfacePoint& point) {
   Vec3 arm = Vec3::Zero();
   for (int i = 0; i < 3; ++i) arm += point.weights[i] * body.reference_arms.col(place_of(body, point.nodes[i]));
   return body.motion.center + body.orientation * arm;
-}
-
-Mat3 cross_matrix(const Vec3& v) {
-  Mat3 m;
-  m << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return m;
 }
 
 /// The compliance of the touched surface points: of the implicit step's system, or of single nodes, which explicit

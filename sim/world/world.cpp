@@ -23,6 +23,15 @@ class Hash {
   std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
+/// Under the material that is in force now; what was put off is forgotten, since another would have to open.
+void judge_anew(WorldState& world, int scene_body) {
+  std::erase_if(world.postponed, [&](const PostponedCrack& crack) {
+    return world.bodies[world.elements.bodies[world.mesh.stars[crack.node].front()]].scene_body == scene_body;
+  });
+  for (const Body& body : world.bodies)
+    if (body.scene_body == scene_body) evaluate_separation(world, body);
+}
+
 }  // namespace
 
 World::World(const Scene& scene, const Monitor& monitor) : impl_(std::make_unique<Impl>(WorldState(scene))) {
@@ -88,8 +97,10 @@ void World::set_material(int scene_body, const Material& material) {
     for (NodeId node : body.nodes) world.nodes.masses[node] = node_mass(world, node);
     rebuild_body(world, body);
     world.contact_world.set_surface(body.stand_in, {material.friction, material.restitution});
+    body.softening = 1;
   }
   update_elements(world);
+  judge_anew(world, scene_body);
   publish(world);
 }
 

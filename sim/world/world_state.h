@@ -42,6 +42,7 @@ struct ElementArrays {
   std::vector<ElementState> states;
   std::vector<Mat3> plastic_strains;  ///< in rest space, traceless [-]
   std::vector<Mat3> stresses;         ///< Cauchy stress, world frame [Pa], for the frame
+  std::vector<Mat3> stresses_before;  ///< of softened bodies: before the impact, in rest space [Pa]
   std::vector<BodyId> bodies;
   std::vector<std::uint8_t> first_surface;  ///< bit i: face i was on the surface before anything broke
   std::vector<std::array<double, 4>> opened;  ///< when a crack opened face i [s], else not a number
@@ -66,6 +67,7 @@ struct Body {
   bool asleep = false;                   ///< rigid, and lies still until something strikes it
   double element_size = 0;               ///< edge length of the cubes that six of its tets would fill, mean [m]
   double extent = 0;                     ///< longest edge of the box round it at rest [m]
+  double weakest_share = 1;              ///< of its material's resistance, at its weakest node and plane [-]
   std::optional<SoftenedImpact> softened;  ///< of the last step, if any
   double softening = 1;                    ///< f in the present substep
   bool softened_before = false;            ///< f was less than 1 in the last substep
@@ -130,7 +132,6 @@ struct WorldState {
   double crack_transit_time = std::numeric_limits<double>::infinity();  ///< shortest to cross an element that cracked [s]
   Work work;                 ///< of the present substep so far; between substeps, of the last one
   std::optional<CoarseImpact> coarse_impact;  ///< in the present substep
-  std::vector<Mat3> stresses_before;          ///< per tet of softened bodies: before the impact, in rest space [Pa]
 
   std::int64_t step = 0;
   double time = 0;  ///< [s]

@@ -168,6 +168,16 @@ TEST(SphereContact, AnImpactIsForetold) {
   }
 }
 
+TEST(SphereContact, ASpinBringsASphereNoNearer) {
+  ContactWorld world(Vec3::Zero());
+  world.add_ground(0, {});
+  RigidState state = at(Vec3(0, 0.201, 0), Vec3(5, 0.1, 0));
+  state.angular_velocity = Vec3(0, 0, -25);
+  world.set_impact_speed(world.add_sphere(0.2, 25, state, {}), 1);
+  world.detect();
+  EXPECT_FALSE(world.impact_expected(kDt, 0.2));
+}
+
 TEST(SphereContact, RestIsNoImpact) {
   ContactWorld world(Vec3(0, -9.81, 0));
   world.add_ground(0, {});

@@ -34,6 +34,20 @@ TEST(StandInContact, ABoxSlidesWhenTheSlopeExceedsItsFriction) {
     }
 }
 
+TEST(StandInContact, ABarThatTurnsIsSeenToStrikeWhereverItsCentreGoes) {
+  const Vec3 size(2, 0.1, 0.1);
+  for (double climb : {-0.1, 0.0, 0.1})
+    for (double height : {0.3, 3.0}) {
+      ContactWorld world(Vec3::Zero());
+      world.add_ground(0, {});
+      RigidState state = at(Vec3(0, height, 0), Vec3(0, climb, 0));
+      state.angular_velocity = Vec3(0, 0, 100);  // its end comes down by 0.4 m
+      world.set_impact_speed(world.add_stand_in(box_parts(size), box_mass(size, 1), Mobility::free, state, {}), 1);
+      world.detect();
+      EXPECT_EQ(world.impact_expected(kDt, 0.2), height < 1) << climb;
+    }
+}
+
 TEST(StandInContact, AFreshCrackStaysQuiet) {
   ContactWorld world(Vec3::Zero());
   const Vec3 half(0.7, 0.3, 0.2);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "sim/solver/explicit_step.h"
 #include "tests/random_values.h"
 #include "tests/solver/elastic_box.h"
 
@@ -68,6 +69,25 @@ TEST(Constraints, ReactionsOfAFixedBaseCarryTheWeight) {
   ElasticSystem system = body.system();
   for (int n = 0; n < 400; ++n) advance(body, system, kTight);
   EXPECT_LT((sum(system.reaction_forces()) + total_mass(body) * kGravity).norm(), 1e-6 * total_mass(body) * 9.81);
+}
+
+TEST(Constraints, ABodyHeldWhollyMovesAsItIsToldAndItsSupportsCarryIt) {
+  ElasticBox body(Vec3(1, 1, 1), 0.5, 1e9);
+  const Vec3 velocity(1, -2, 3), gravity(0, -9.81, 0);
+  std::ranges::fill(body.constraints, NodeConstraint::held(velocity));
+  std::ranges::fill(body.velocities, velocity);
+  Vec3 weight = Vec3::Zero(), carried = Vec3::Zero();
+  for (std::size_t i = 0; i < body.forces.size(); ++i) weight += body.forces[i] = body.masses[i] * gravity;
+  ElasticSystem system = body.system();
+  body.assemble(system, {.dt = 0.01});
+  EXPECT_EQ(system.nodes().size(), 0u);
+  EXPECT_TRUE(body.solve(system, {.dt = 0.01}).converged);
+  for (const Vec3& v : body.velocities) EXPECT_EQ(v, velocity);
+  for (const Vec3& force : system.reaction_forces()) carried += force;
+  EXPECT_LT((carried + weight).norm(), 1e-9 * weight.norm());
+  const std::vector<WeightedRows> point = {{{-1, -1, -1}, {Mat3::Identity(), Mat3::Identity(), Mat3::Identity()}}};
+  EXPECT_TRUE(system.compliance(point).block(0).isZero(0)) << "it does not give way";
+  EXPECT_EQ(highest_frequency(system.matrix(), Eigen::VectorXd()), 0);
 }
 
 TEST(Constraints, AMovingBodyBalancesItsMomentum) {

@@ -117,6 +117,35 @@ TEST(Preconditioner, IsSymmetric) {
   }
 }
 
+TEST(Preconditioner, IsBlockJacobiWhereTheCoarseMatrixCannotBeFactored) {
+  RandomValues random(4);
+  ElasticBox body(Vec3(3, 1, 1), 0.25, 1e9);
+  ElasticSystem system = body.system();
+  const auto assemble = [&](double mass) {
+    system.assemble(MatrixFactors{mass, 1e-4}, body.law(), body.rests, body.states, body.positions, body.masses);
+    return system.gather(body.positions);
+  };
+  const NodeVectors positions = assemble(1);
+  RigidModePreconditioner preconditioner(system.matrix(), 20);
+  preconditioner.update(system.matrix(), positions);
+  const NodeVectors r = random_vectors(random, static_cast<int>(positions.cols()));
+  NodeVectors sound, z, again;
+  preconditioner.apply(r, sound);
+
+  assemble(-1);  // rigid modes have negative energy
+  preconditioner.update(system.matrix(), positions);
+  preconditioner.apply(r, z);
+  for (int row = 0; row < system.matrix().rows(); ++row)
+    EXPECT_TRUE(z.col(row).isApprox(system.matrix().blocks[system.matrix().slot(row, row)].inverse() * r.col(row)));
+  const std::vector<WeightedRows> points = {{{0, 1, -1}, {Mat3::Identity(), Mat3::Identity(), Mat3::Identity()}}};
+  EXPECT_EQ(preconditioner.compliance(points).modes.rows(), 0);
+
+  assemble(1);
+  preconditioner.update(system.matrix(), positions);
+  preconditioner.apply(r, again);
+  EXPECT_EQ(again, sound);
+}
+
 TEST(Preconditioner, ReusesItsFactorsAtNoCostWhereLittleMoves) {
   for (double young_modulus : {1e8, 3e10}) {
     RandomValues random(5);

@@ -63,6 +63,31 @@ TEST(Editing, WeakeningAStandingWallBreaksItAtTheNextShot) {
   EXPECT_GT(world.frame().bodies.size(), 1u);
 }
 
+TEST(Editing, MarginsFollowTheMaterialAtOnce) {
+  World edited(quiet_wall());
+  Scene scene = quiet_wall();
+  scene.bodies[0].material = brick(0.5);
+  const World made_so(scene);
+  edited.set_material(0, brick(0.5));
+  const Frame frame = edited.frame(), expected = made_so.frame();
+  for (std::size_t i = 0; i < frame.separations.size(); ++i) {
+    EXPECT_EQ(frame.separations[i].resistance, expected.separations[i].resistance);
+    EXPECT_NEAR(frame.separations[i].margin, expected.separations[i].margin, 1e-6);
+  }
+}
+
+TEST(Editing, CracksThatWerePutOffDoNotOpenInAStrongerMaterial) {
+  Scene scene = shot_wall(Vec3(3, 3, 1), 0.5, brick(0.1));
+  scene.simulation.max_cracks_per_step = 1;
+  World world(scene);
+  for (int i = 0; i < 60 && world.frame().report.cracks_postponed == 0; ++i) world.step();
+  ASSERT_GT(world.frame().report.cracks_postponed, 0);
+  const std::size_t cracks = world.frame().crack_events.size();
+  world.set_material(0, brick(1e3));
+  for (int i = 0; i < 10; ++i) world.step();
+  EXPECT_EQ(world.frame().crack_events.size(), cracks);
+}
+
 TEST(Editing, ShotsLeaveAtTheirTime) {
   World world(quiet_wall());
   for (int i = 0; i < 12; ++i) world.step();

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "sim/mesh/box_mesh.h"
+#include "sim/mesh/write_mesh.h"
+#include "sim/meshing/temporary_folder.h"
 #include "sim/world/world.h"
 #include "tests/world/scenes.h"
 
@@ -35,6 +38,32 @@ TEST(Momentum, ASpinningBodyKeepsItsAngularMomentum) {
   for (int i = 0; i < 240; ++i) world.step();
   EXPECT_LT((world.frame().totals.angular_momentum - before).norm(), 1e-6 * before.norm());
   EXPECT_EQ(world.frame().bodies.size(), 1u);
+}
+
+TEST(Momentum, PiecesOfOneMeshSpinAboutTheirCommonCentre) {
+  const griffith::TemporaryFolder folder;
+  TetSoup soup = make_box(Vec3(1, 1, 1), Vec3::Constant(0.5), BoxPattern::five_tet);
+  const TetSoup small = make_box(Vec3(0.5, 0.5, 0.5), Vec3::Constant(0.5), BoxPattern::five_tet);
+  const int first = static_cast<int>(soup.points.size());
+  for (const Vec3& point : small.points) soup.points.push_back(point + Vec3(3, 1, 0));
+  for (std::array<int, 4> tet : small.tets) {
+    for (int& corner : tet) corner += first;
+    soup.tets.push_back(tet);
+  }
+  write_gmsh(folder.path() / "two.msh", soup);
+  Scene scene = struck_block(brick(1));
+  scene.projectiles.clear();
+  scene.bodies[0].shape = MeshFileShape{.path = folder.path() / "two.msh"};
+  scene.bodies[0].velocity = Vec3(1, 0, 0);
+  scene.bodies[0].angular_velocity = Vec3(0.3, 2, -1);
+  const World world(scene);
+  const Frame frame = world.frame();
+  ASSERT_EQ(frame.bodies.size(), 2u);
+  const Vec3 center = (8 * Vec3::Zero() + 1 * Vec3(3, 1, 0)) / 9;
+  for (std::size_t i = 0; i < frame.positions.size(); ++i) {
+    const Vec3 expected = Vec3(1, 0, 0) + Vec3(0.3, 2, -1).cross(frame.positions[i] - center);
+    EXPECT_LT((frame.velocities[i] - expected).norm(), 1e-12);
+  }
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"
 #include "sim/parallel.h"
+#include "sim/world/phases.h"
+#include "sim/world/subdivision.h"
 #include "sim/world/world.h"
 #include "tests/world/scenes.h"
 
@@ -119,6 +121,87 @@ TEST(Remeshing, SupportsHoldTheMiddleOfAnEdgeWhereTheyHoldBothEnds) {
   EXPECT_GT(on_cut_edges, 0);
 }
 
+/// A block whose foot is moved until `stop` [s], halved across an edge between two of its held nodes in the middle of
+/// the step that stops it.
+struct HalvedAtItsFoot {
+  WorldState world;
+  Subdivision cut;
+
+  explicit HalvedAtItsFoot(double stop) : world(scene(stop)) {
+    build_world(world);
+    while (world.time + world.scene.simulation.time_step < stop) advance(world);
+    update_supports(world, world.time, world.scene.simulation.time_step);
+    world.time += 0.5 * world.scene.simulation.time_step;
+    prepare();
+    const auto& corners = world.mesh.tets[0];
+    std::vector<NodeId> held;
+    std::ranges::copy_if(corners, std::back_inserter(held), [&](NodeId node) { return world.nodes.held[node] != 0; });
+    bisect_edge(world.mesh, held.at(0), held.at(1), 0.4, cut);
+    follow_subdivision(world, cut);
+  }
+  static Scene scene(double stop) {
+    Scene scene;
+    scene.gravity.setZero();
+    scene.ground.reset();
+    scene.simulation.fracture = false;
+    BodyDescription block;
+    block.shape = BoxShape{Vec3(1, 1, 1), Vec3::Constant(0.5), BoxPattern::kuhn};
+    block.remeshing = true;
+    block.supports = {{.region = HalfSpaceRegion{Vec3(0, -0.5, 0), -Vec3::UnitY()},
+                       .kind = SupportKind::prescribed,
+                       .velocity = Vec3(0.1, 0, 0),
+                       .stop = stop}};
+    scene.bodies = {block};
+    return scene;
+  }
+  /// As in an impact that is softened to a half.
+  void prepare() {
+    world.bodies[0].softening = 0.5;
+    for (TetId tet(0); tet < world.mesh.tet_count(); ++tet.value) {
+      world.elements.states[tet].stress = Mat3::Constant(1e5 + tet);
+      world.elements.stresses_before[tet] = Mat3::Constant(2e4 + tet);
+    }
+  }
+};
+
+TEST(Remeshing, SupportsGoOnAsTheStepBegan) {
+  const double stop = 0.03;
+  HalvedAtItsFoot halved(stop);
+  const double time_step = halved.world.scene.simulation.time_step,
+               begin = static_cast<double>(halved.world.step) * time_step;
+  const Vec3 velocity = (stop - begin) / time_step * Vec3(0.1, 0, 0);
+  ASSERT_LT(velocity.x(), 0.09);
+  int held = 0;
+  for (NodeId node(0); node < halved.world.mesh.node_count(); ++node.value) {
+    if (!halved.world.nodes.held[node]) continue;
+    EXPECT_LT((halved.world.nodes.constraints[node].velocity - velocity).norm(), 1e-12) << "node " << node;
+    ++held;
+  }
+  EXPECT_EQ(held, 10) << "the new node is held, too";
+}
+
+TEST(Remeshing, HalvesOfASoftenedBodyAreReadAlike) {
+  HalvedAtItsFoot halved(0.03);
+  const std::vector<ElementState> states = softened_states(halved.world);
+  ASSERT_FALSE(halved.cut.tets.empty());
+  for (const TetBisection& halves : halved.cut.tets) {
+    EXPECT_EQ(states[halves.child].stress, states[halves.tet].stress);
+    EXPECT_GT(states[halves.child].stress(0, 0), 1.5e5) << "stronger than it is";
+  }
+}
+
+TEST(Remeshing, ABodyThatIsTornOffInTheRoundIsNotGivenASpin) {
+  HalvedAtItsFoot halved(0.03);
+  WorldState& world = halved.world;
+  MotionsBefore motions;
+  note_motion(world, world.bodies[0], motions);
+  std::ranges::fill(world.nodes.held, 0);
+  note_motion(world, world.bodies[0], motions);  // its new node is not among the body's yet
+  const std::vector<Vec3> velocities = world.nodes.velocities;
+  restore_angular_momentum(world, motions);
+  EXPECT_EQ(world.nodes.velocities, velocities);
+}
+
 /// A bar with loads on faces, tets and nodes that breaks in weightless space.
 TEST(Remeshing, LoadsStayOnTheirMaterial) {
   Scene scene;
@@ -132,7 +215,7 @@ TEST(Remeshing, LoadsStayOnTheirMaterial) {
   const HalfSpaceRegion everything{Vec3::Zero(), Vec3::UnitX()}, end{Vec3(1, 0, 0), Vec3::UnitX()},
       other_end{Vec3(-1, 0, 0), -Vec3::UnitX()};
   const double area = 0.25;
-  Load traction{.region = end, .kind = LoadKind::traction, .traction = Vec3(2e5, 0, 0)};
+  Load traction{.region = end, .kind = LoadKind::traction, .traction = Vec3(2e5, 5e4, 3e4)};
   Load pull{.region = other_end, .kind = LoadKind::point_force, .force = Vec3(-3e4, 0, 0)};
   Load push{.region = everything, .kind = LoadKind::body_force, .acceleration = Vec3(0, 5, 0)};
   bar.loads = {traction, pull, push};

@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <random>
 
+#include "sim/world/phases.h"
 #include "sim/world/world.h"
 #include "tests/world/scenes.h"
 
@@ -72,6 +75,88 @@ TEST(Rest, AShotWakesWhatItHits) {
   world.fire(shot);
   for (int step = 0; step < 60; ++step) world.step();
   EXPECT_LT(world.frame().bodies[1].center_of_mass.z(), -5e-3);
+}
+
+/// A weightless plank, and a ball that strikes it in the middle after `rest` [s].
+Scene struck_plank(const Material& material, double rest, double speed) {
+  Scene scene;
+  scene.gravity.setZero();
+  scene.ground.reset();
+  BodyDescription plank = block("plank", Vec3(1, 0.2, 0.2), Vec3::Zero());
+  plank.shape = BoxShape{Vec3(1, 0.2, 0.2), Vec3::Constant(0.1), BoxPattern::five_tet};
+  plank.material = material;
+  scene.bodies = {plank};
+  ProjectileBurst shot;
+  shot.position = Vec3(0.02, 0.01, 0.3);
+  shot.speed = speed;
+  shot.mass = 20;
+  shot.radius = 0.05;
+  shot.start = rest;
+  scene.projectiles = {shot};
+  return scene;
+}
+
+bool breaks(const Scene& scene) {
+  World world(scene);
+  const double end = scene.projectiles[0].start + 0.3 / scene.projectiles[0].speed + 0.1;
+  while (world.frame().time < end && world.frame().crack_events.empty()) world.step();
+  return !world.frame().crack_events.empty();
+}
+
+double breaking_speed(const std::function<Scene(double)>& scene_at) {
+  double holds = 0.01, breaking = 300;
+  while (breaking > 1.05 * holds) {
+    const double middle = std::sqrt(holds * breaking);
+    (breaks(scene_at(middle)) ? breaking : holds) = middle;
+  }
+  return breaking;
+}
+
+/// What rests is rigid: whatever would have broken it, seen in short steps, must be seen to come, and wake it.
+TEST(Rest, DoesNotMakeABodyStronger) {
+  const Material wood = *find_material_preset("wood_along_grain");
+  const auto scene_of = [&](int kind, double rest, double speed) {
+    Scene scene = struck_plank(wood, rest, speed);
+    BodyDescription& plank = scene.bodies[0];
+    if (kind == 0) plank.weakness = Weakness{WeaknessKind::layers, Vec3::UnitX(), 0.03};
+    if (kind == 1) plank.strength_scatter = StrengthScatter{1, 1e-5, 3};
+    if (kind == 2) plank.material.criterion = FractureCriterion::separation_force;
+    if (kind == 2) plank.material.separation_toughness = 1e4;  // as 0.9 MPa on the elements' faces
+    return scene;
+  };
+  for (int kind = 0; kind < 3; ++kind) {
+    const double fresh = breaking_speed([&](double speed) {
+      Scene scene = scene_of(kind, 0, speed);
+      scene.simulation.time_step = 1.0 / 2000;
+      return scene;
+    });
+    EXPECT_TRUE(breaks(scene_of(kind, 0.5, 1.3 * fresh))) << "kind " << kind << " at " << fresh << " m/s";
+  }
+}
+
+TEST(Rest, TheSpeedThatHurtsIsThatOfTheWeakestPlane) {
+  const auto speed_of = [](const Scene& scene) {
+    WorldState world(scene);
+    build_world(world);
+    return hurting_speed(world, world.bodies[0]);
+  };
+  Scene scene = struck_plank(brick(1), 0, 1);
+  const double uniform = speed_of(scene);
+  EXPECT_NEAR(uniform, 0.5 * 2.5e6 / (1900 * std::sqrt(15e9 / 1900)), 1e-9);
+  scene.bodies[0].weakness = Weakness{WeaknessKind::layers, Vec3::UnitY(), 0.2};
+  EXPECT_NEAR(speed_of(scene), 0.2 * uniform, 1e-9);
+  scene.bodies[0].weakness.reset();
+  scene.bodies[0].strength_scatter = StrengthScatter{10, 1e-4, 1};
+  WorldState scattered(scene);
+  build_world(scattered);
+  const double least = *std::ranges::min_element(scattered.nodes.strength_factors);
+  EXPECT_NEAR(speed_of(scene), least * uniform, 1e-9);
+  scene.bodies[0].strength_scatter.reset();
+  Material& material = scene.bodies[0].material;
+  material.criterion = FractureCriterion::separation_force;
+  const double size = std::cbrt(6 * 0.1 * 0.1 * 0.1 / 5);  // five tets a cell
+  material.separation_toughness = material.tensile_strength * size * size;
+  EXPECT_NEAR(speed_of(scene), uniform, 1e-9);
 }
 
 }  // namespace

@@ -74,6 +74,57 @@ TEST(Supports, APrescribedOneGetsExactlyToWhereItStops) {
   }
 }
 
+/// How the kinds of time integration say it.
+std::vector<SimulationSettings> all_integrators() {
+  SimulationSettings implicit, explicitly;
+  explicitly.integrator = Integrator::symplectic_euler;
+  return {implicit, explicitly};
+}
+
+Vec3 sum_of_reactions(const Frame& frame) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& reaction : frame.reactions) sum += reaction;
+  return sum;
+}
+
+TEST(Supports, ABodyHeldWhollyStandsAndItsSupportsCarryIt) {
+  for (const SimulationSettings& settings : all_integrators())
+    for (const Analysis analysis : {Analysis::dynamic, Analysis::equilibrium}) {
+      Scene scene = supported_block({support_of(SupportKind::fixed, HalfSpaceRegion{Vec3(0, 9, 0), -Vec3::UnitY()})});
+      scene.simulation = settings;
+      scene.analysis = analysis;
+      scene.gravity = Vec3(0, -9.81, 0);
+      scene.bodies[0].velocity.setZero();
+      ProjectileBurst shot;
+      shot.position = Vec3(0.1, 0.2, 3);
+      World world(scene);
+      const double weight = 9.81 * world.frame().totals.mass;
+      world.step();
+      EXPECT_LT((sum_of_reactions(world.frame()) - Vec3(0, weight, 0)).norm(), 1e-9 * weight);
+      world.fire(shot);
+      for (int i = 0; i < 30; ++i) world.step();
+      const Frame frame = world.frame();
+      for (std::size_t i = 0; i < frame.positions.size(); ++i) EXPECT_EQ(frame.positions[i], frame.rest_positions[i]);
+    }
+}
+
+TEST(Supports, OneThatIsTornOffCarriesNothing) {
+  for (const SimulationSettings& settings : all_integrators()) {
+    Scene scene = supported_block({support_of(SupportKind::fixed, HalfSpaceRegion{Vec3(0, 0.5, 0), Vec3::UnitY()})});
+    scene.simulation = settings;
+    scene.simulation.static_start = false;
+    scene.gravity = Vec3(0, -9.81, 0);
+    scene.bodies[0].velocity.setZero();
+    scene.bodies[0].material.tensile_strength = 1e3;  // its weight loads it with 19 kPa
+    World world(scene);
+    world.step();
+    for (int i = 0; i < 60 && std::ranges::count(world.frame().node_held, 1) > 0; ++i) world.step();
+    ASSERT_EQ(std::ranges::count(world.frame().node_held, 1), 0);
+    world.step();
+    for (const Vec3& reaction : world.frame().reactions) EXPECT_TRUE(reaction.isZero(0));
+  }
+}
+
 TEST(Supports, OverlappingOnesHoldTogether) {
   const Support across = support_of(SupportKind::sliding);
   Support along = support_of(SupportKind::sliding, HalfSpaceRegion{Vec3(-0.5, 0, 0), -Vec3::UnitX()});
