@@ -37,7 +37,7 @@ void set_bounds(ui::EditorInput& input) {
 
 }  // namespace
 
-Editor::Editor(Scene scene, std::filesystem::path path) : history_(scene), world_(make_world(scene, path)) {
+Editor::Editor(Scene scene, std::filesystem::path path) : history_(scene), world_(make_world(scene, path)), display_(embedded_display(world_.frame(), scene)) {
   show_scene(std::move(scene), std::move(path));
 }
 
@@ -56,14 +56,14 @@ void Editor::show_scene(Scene scene, std::filesystem::path path) {
 }
 
 void Editor::restart() {
-  display_ = embedded_display(world_.frame(), history_.scene());
+  built_ = history_.scene();
+  seen_revision_ = -1;
   history_of_margins_.clear();
   remember();
   pacer_.reset();
   step_seconds_ = 0;
   ++world_count_;
-  note_start();
-  picture_ = draw_scene_from_frame(world_.frame(), display_, history_.scene(), state_.view, state_.selection);
+  picture_ = draw_scene_from_frame(world_.frame(), display_, built_, state_.view, state_.selection);
 }
 
 void Editor::remember() {
@@ -107,6 +107,7 @@ Editor::PictureKey Editor::picture_key() const {
   const bool laid_out = state_.viewport_size.x > 0;
   return {world_count_,
           frame.step,
+          history_.revision(),
           frame.projectiles.size(),
           laid_out ? static_cast<int>(std::lround(state_.viewport_size.x)) : kFirstWidth,
           laid_out ? static_cast<int>(std::lround(state_.viewport_size.y)) : kFirstHeight,
@@ -120,7 +121,7 @@ void Editor::draw_picture(int samples) {
   const PictureKey key = picture_key();
   if (key == drawn_) return;
   drawn_ = key;
-  picture_ = draw_scene_from_frame(world_.frame(), display_, history_.scene(), state_.view, state_.selection);
+  picture_ = draw_scene_from_frame(world_.frame(), display_, built_, state_.view, state_.selection);
   renderer_.render(picture_, picture_camera(), picture_options(key.width, key.height, samples, state_.view));
 }
 
