@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/bounds_of.h"
 #include "app/named_view.h"
 #include "app/picture_options.h"
 #include "app/scene_camera.h"
@@ -27,9 +28,7 @@ ProjectileBurst first_shot(const Scene& scene) {
 
 /// Of what is elastic, whatever the picture shows of it.
 void set_bounds(ui::EditorInput& input) {
-  Eigen::AlignedBox3d box;
-  for (const Vec3& position : input.frame.positions)
-    if (position.allFinite()) box.extend(position);
+  const Eigen::AlignedBox3d box = bounds_of(input.frame);
   if (box.isEmpty()) return;
   input.low = box.min();
   input.high = box.max();
@@ -159,17 +158,16 @@ void Editor::move_camera() {
 }
 
 void Editor::move_slice(const ui::CameraMotion& motion) {
-  constexpr double kHalfDegree = 3.14159265358979 / 360, kFacing = 0.05;
+  constexpr double kFacing = 0.05;
   const Vec3 sight = (camera_.target - camera_.position).cast<double>();
   const Vec3 right = sight.cross(Vec3::UnitY()).normalized(), up = right.cross(sight).normalized();
-  const double height = 2 * sight.norm() * std::tan(kHalfDegree * camera_.vertical_fov);  // of the picture [m]
   SlicePlane& slice = *state_.view.slice;
   const Vec3 normal = slice.normal.normalized();
   const Vec2 along(normal.dot(right), normal.dot(up)), drag(motion.slice_right, motion.slice_up);
   // A plane that faces the eye has no direction on the screen: up is towards the eye.
   const double share = along.squaredNorm() > kFacing ? drag.dot(along) / along.squaredNorm()
                                                      : -normal.dot(sight.normalized()) * drag.y();
-  slice.offset += height * share;
+  slice.offset += share * static_cast<double>(render::height_at_target(camera_));
 }
 
 float Editor::aspect() const {
@@ -178,12 +176,7 @@ float Editor::aspect() const {
 }
 
 render::Camera Editor::picture_camera() const {
-  constexpr float kWide = 16.0f / 9, kHalfDegree = 3.14159265f / 360, kWidest = 120;
-  render::Camera camera = camera_;
-  if (aspect() >= kWide) return camera;
-  const float half_height = std::tan(kHalfDegree * camera.vertical_fov) * kWide / aspect();
-  camera.vertical_fov = std::min(std::atan(half_height) / kHalfDegree, std::max(kWidest, camera.vertical_fov));
-  return camera;
+  return render::widen(camera_, aspect());
 }
 
 void Editor::log(ui::LogLevel level, std::string text) {

@@ -60,6 +60,12 @@ std::string format_quantity(double value, std::string_view unit, int digits) {
   return text;
 }
 
+std::string direction_text(const Vec3& direction) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.2f, %.2f, %.2f", direction.x(), direction.y(), direction.z());
+  return text;
+}
+
 std::optional<double> parse_quantity(std::string_view text, std::string_view unit, double bare_factor) {
   text = trimmed(text);
   if (text.starts_with('+')) text.remove_prefix(1);
