@@ -139,7 +139,7 @@ void Editor::fire(const Vec2& cursor) {
   const double ahead = std::min(4 * state_.shot.radius, way / 2);
   const Vec3 muzzle = eye + ahead * direction - 2 * state_.shot.radius * Vec3::UnitY();
   world_.fire(aimed_shot(state_.shot, muzzle, eye + way * direction, history_.scene().gravity));
-  if (!state_.running) log(ui::LogLevel::info, "Fired. The simulation is paused: press Space to run it.");
+  if (!state_.running) log(ui::LogLevel::info, "Fired. It flies when the simulation runs: Space.");
 }
 
 void Editor::pick(const Vec2& cursor) {

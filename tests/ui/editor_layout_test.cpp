@@ -6,6 +6,7 @@
 #include <functional>
 #include <set>
 
+#include "ui/widgets.h"
 #include "ui_driver.h"
 
 namespace griffith::ui {
@@ -298,6 +299,22 @@ TEST(EditorLayout, OpenDialogTakesATypedPath) {
   ASSERT_THAT(ids(ui), testing::ElementsAre(CommandId::open));
   EXPECT_EQ(ui.commands[0].path, "a/b.json");
   EXPECT_FALSE(ui.state.show_open);
+}
+
+TEST(EditorLayout, LongLabelsEndInDotsBeforeTheirWidget) {
+  UiDriver ui(two_walls());
+  ImGui::NewFrame();
+  const std::string text = "Größte Verzerrung μ…ω of a rather long name";
+  for (float width = 400; width > 20; width -= 3) {
+    const std::string shown = fitted(text, width);
+    EXPECT_LE(ImGui::CalcTextSize(shown.c_str()).x, width);
+    EXPECT_EQ(shown == text, ImGui::CalcTextSize(text.c_str()).x <= width);
+    if (shown == text) continue;
+    const std::string kept = shown.substr(0, shown.size() - std::string("…").size());
+    EXPECT_TRUE(text.starts_with(kept));
+    EXPECT_NE(text[kept.size()] & 0xc0, 0x80) << "within a letter";
+  }
+  ImGui::EndFrame();
 }
 
 TEST(EditorLayout, SceneWithoutBodiesIsShownToo) {

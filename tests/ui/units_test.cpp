@@ -61,6 +61,12 @@ TEST(Units, MantissaLiesBetweenOneAndAThousand) {
   }
 }
 
+TEST(Units, DegreesStandAtTheirNumber) {
+  EXPECT_EQ(format_quantity(15, "°"), "15°");
+  EXPECT_EQ(parse_quantity("15°", "°"), 15);
+  EXPECT_EQ(parse_quantity("15 °", "°"), 15);
+}
+
 TEST(CountText, GroupsByThree) {
   EXPECT_EQ(count_text(0), "0");
   EXPECT_EQ(count_text(999), "999");
