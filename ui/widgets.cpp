@@ -26,7 +26,7 @@ void heading(const Panel& panel, const char* text) {
   ImGui::Dummy({0, 2 * ui_scale(panel)});
   ImGui::PushFont(panel.input.fonts.bold);
   ImGui::PushStyleColor(ImGuiCol_Text, palette::kAccent);
-  ImGui::TextUnformatted(text);
+  ImGui::TextUnformatted(fitted(text, ImGui::GetContentRegionAvail().x).c_str());
   ImGui::PopStyleColor();
   ImGui::PopFont();
   ImGui::Separator();
