@@ -36,7 +36,8 @@ void set_bounds(ui::EditorInput& input) {
 
 }  // namespace
 
-Editor::Editor(Scene scene, std::filesystem::path path) : history_(scene), world_(make_world(scene, path)), display_(embedded_display(world_.frame(), scene)) {
+Editor::Editor(Scene scene, std::filesystem::path path)
+    : history_(scene), world_(make_world(scene, path)), display_(embedded_display(world_.frame(), scene)) {
   show_scene(std::move(scene), std::move(path));
 }
 
@@ -175,9 +176,7 @@ float Editor::aspect() const {
   return static_cast<float>(key.width) / static_cast<float>(key.height);
 }
 
-render::Camera Editor::picture_camera() const {
-  return render::widen(camera_, aspect());
-}
+render::Camera Editor::picture_camera() const { return render::widen(camera_, aspect()); }
 
 void Editor::log(ui::LogLevel level, std::string text) {
   if (state_.log.size() >= kMostLogLines) state_.log.erase(state_.log.begin());

@@ -33,8 +33,7 @@ void add_splinters(PieceSurface& surface, const Frame& frame, BodyId body) {
     const TetId tet = carrier(frame.splinters, frame.splinter_parts, frame.attached_parts, face.part);
     std::vector<Vec3> points;
     for (const SplinterCorner& corner : frame.splinter_corners.subspan(face.first_corner, face.corners))
-      points.push_back(
-          carried_position(corner, frame.attached_parts[face.part], frame.tets[tet], frame.positions));
+      points.push_back(carried_position(corner, frame.attached_parts[face.part], frame.tets[tet], frame.positions));
     add_polygon(surface, points);
   }
 }

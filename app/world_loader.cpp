@@ -8,7 +8,8 @@
 namespace griffith::app {
 
 void WorldLoader::start(Work work, Scene scene, std::filesystem::path path) {
-  start(work, [scene = std::move(scene)](const Monitor&) { return scene; }, std::move(path));
+  start(
+      work, [scene = std::move(scene)](const Monitor&) { return scene; }, std::move(path));
 }
 
 void WorldLoader::start(Work work, MakeScene make_scene, std::filesystem::path path) {
@@ -16,7 +17,8 @@ void WorldLoader::start(Work work, MakeScene make_scene, std::filesystem::path p
   work_ = work;
   shared_ = std::make_shared<Shared>();
   shared_->stage = "Building the bodies";
-  auto build = [work, shared = shared_, make_scene = std::move(make_scene), path = std::move(path)]() mutable -> Loaded {
+  auto build = [work, shared = shared_, make_scene = std::move(make_scene),
+                path = std::move(path)]() mutable -> Loaded {
     Monitor monitor;
     monitor.stage = [shared](std::string_view stage) {
       const std::lock_guard lock(shared->mutex);

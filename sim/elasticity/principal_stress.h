@@ -11,8 +11,8 @@ struct PrincipalValues {
 };
 PrincipalValues principal_values(const Mat3& symmetric);
 
-/// The principal stresses, largest first [Pa]: more exact than principal_values(), and not a number for a stress that is
-/// not finite.
+/// The principal stresses, largest first [Pa]: more exact than principal_values(), and not a number for a stress that
+/// is not finite.
 Vec3 principal_stresses(const Mat3& stress);
 
 /// The von Mises stress √(3/2 s:s), s the deviator of `stress` [Pa].

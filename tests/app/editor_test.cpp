@@ -79,7 +79,8 @@ TEST_F(EditorTest, WorkThatLastsShowsADialogThatCancelsIt) {
   const std::string before = editor_.title();
   editor_.open(path);
   draw(3);
-  EXPECT_THAT(value("work/stage"), ::testing::AnyOf("Filling with tetrahedra", "Finding the inside", "Finding the border"));
+  EXPECT_THAT(value("work/stage"),
+              ::testing::AnyOf("Filling with tetrahedra", "Finding the inside", "Finding the border"));
   click("work/cancel");
   draw(2);
   EXPECT_TRUE(editor_.state().work.empty());
@@ -192,8 +193,7 @@ TEST_F(EditorTest, FillingASurfaceCanBeCancelled) {
 
 /// A tetrahedron whose legs are this long [m].
 std::string tet_surface(const std::string& leg) {
-  return "OFF\n4 4 0\n0 0 0\n" + leg + " 0 0\n0 " + leg + " 0\n0 0 " + leg +
-         "\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+  return "OFF\n4 4 0\n0 0 0\n" + leg + " 0 0\n0 " + leg + " 0\n0 0 " + leg + "\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
 }
 
 TEST_F(EditorTest, ABrokenFileOpenedDuringWorkLeavesTheWorkAndTheEdits) {

@@ -68,7 +68,8 @@ TEST_P(FollowCracks, PartsMoveWithTheBodyOfTheirOwner) {
     const std::vector<int> pieces = box.pieces();
     for (std::size_t p = 0; p < box.set.parts.size(); ++p) {
       const TetId owner = box.set.splinters[box.set.parts[p].splinter].owner;
-      EXPECT_EQ(pieces[carrier(box.set.splinters, box.set.parts, box.state.attached, static_cast<int>(p))], pieces[owner]);
+      EXPECT_EQ(pieces[carrier(box.set.splinters, box.set.parts, box.state.attached, static_cast<int>(p))],
+                pieces[owner]);
       EXPECT_TRUE(box.state.attached[p] || box.set.parts[p].tet != owner);
     }
   }

@@ -183,8 +183,12 @@ TEST(EditorLayout, KeysTypedIntoAFieldAreNoShortcuts) {
 TEST(EditorLayout, ShortcutsDoNotReachBehindADialog) {
   const std::vector<std::function<void(EditorState&)>> dialogs = {
       [](EditorState& state) { state.work = "Filling with tetrahedra"; },
-      [](EditorState& state) { state.error = ErrorMessage{"here", "broken", "mend it"}; },
-      [](EditorState& state) { state.report = WorkReport{"Added", {}, {}}; },
+      [](EditorState& state) {
+        state.error = ErrorMessage{"here", "broken", "mend it"};
+      },
+      [](EditorState& state) {
+        state.report = WorkReport{"Added", {}, {}};
+      },
       [](EditorState& state) { state.show_open = true; },
       [](EditorState& state) { state.show_surface = true; },
       [](EditorState& state) { state.show_help = true; }};
