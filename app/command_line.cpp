@@ -91,7 +91,8 @@ void add_render(CLI::App& program, Options& options) {
   command->footer(
       "Examples:\n"
       "  griffith render scenes/wall_small.json --frame 60 -o wall.png\n"
-      "  griffith render scenes/wall_small.json --frame 240 --every 4 -o wall.png    wall_0000.png, wall_0004.png, ...\n"
+      "  griffith render scenes/wall_small.json --frame 240 --every 4 -o wall.png    wall_0000.png, wall_0004.png, "
+      "...\n"
       "  griffith render scenes/wall_small.json --frame 30 --view margin --size 1920x1080 -o margin.png");
 }
 
@@ -106,13 +107,17 @@ void add_simulate(CLI::App& program, Options& options) {
       ->type_name("FILE");
   command->add_option("--probes", options.simulate.probes, "Write the scene's probes as CSV, one row a time step")
       ->type_name("FILE");
-  command->add_option("--events", options.simulate.events,
-                      "Write all crack events as JSON: place, plane, load, elements on both sides, bodies")
+  command
+      ->add_option("--events", options.simulate.events,
+                   "Write all crack events as JSON: place, plane, load, elements on both sides, bodies")
       ->type_name("FILE");
-  command->add_option("--export", options.simulate.export_file, "Write the last time step as .vtu (ParaView) or .msh (Gmsh)")
+  command
+      ->add_option("--export", options.simulate.export_file,
+                   "Write the last time step as .vtu (ParaView) or .msh (Gmsh)")
       ->type_name("FILE");
-  command->add_option("--export-pieces", options.simulate.export_pieces,
-                      "Write each body of the last time step as .obj into a folder, with its splinters if it has any")
+  command
+      ->add_option("--export-pieces", options.simulate.export_pieces,
+                   "Write each body of the last time step as .obj into a folder, with its splinters if it has any")
       ->type_name("DIR");
   add_threads(*command, options);
   command->footer(
@@ -140,7 +145,9 @@ void add_mesh(CLI::App& program, Options& options) {
       ->required()
       ->type_name("FILE");
   command->add_option("-o,--output", mesh.output, "Mesh to write: .msh, .vtu or .node")->required()->type_name("FILE");
-  command->add_option("--element-size", mesh.meshing.element_size, "Edge of a tetrahedron [m]; 1/20 of the size if not given")
+  command
+      ->add_option("--element-size", mesh.meshing.element_size,
+                   "Edge of a tetrahedron [m]; 1/20 of the size if not given")
       ->check(CLI::Range(1e-6, 1e5))
       ->type_name("M");
   command
@@ -148,13 +155,18 @@ void add_mesh(CLI::App& program, Options& options) {
                    "automatic (the default), tetgen (keeps the surface's triangles) or volumetric (takes any surface)")
       ->transform(CLI::CheckedTransformer(methods).description(""))
       ->type_name("NAME");
-  command->add_option("--grading", mesh.meshing.grading, "how many times longer edges may be deep inside; 1 if not given")
+  command
+      ->add_option("--grading", mesh.meshing.grading, "how many times longer edges may be deep inside; 1 if not given")
       ->check(CLI::Range(1.0, 100.0))
       ->type_name("G");
-  command->add_option("--quality", mesh.meshing.radius_edge_ratio, "TetGen: most circumradius over shortest edge; 1.4 if not given")
+  command
+      ->add_option("--quality", mesh.meshing.radius_edge_ratio,
+                   "TetGen: most circumradius over shortest edge; 1.4 if not given")
       ->check(CLI::Range(1.1, 10.0))
       ->type_name("Q");
-  command->add_option("--min-dihedral", mesh.meshing.min_dihedral_angle, "TetGen: angle between faces to work for; 10 if not given")
+  command
+      ->add_option("--min-dihedral", mesh.meshing.min_dihedral_angle,
+                   "TetGen: angle between faces to work for; 10 if not given")
       ->check(CLI::Range(0.0, 18.0))
       ->type_name("DEGREES");
   command->add_option("--scale", mesh.scale, "Metres per unit of the file; 1 if not given")
@@ -172,7 +184,8 @@ void add_mesh(CLI::App& program, Options& options) {
   command->footer(
       "Examples:\n"
       "  griffith mesh vase.obj -o vase.msh\n"
-      "  griffith mesh bunny.stl --scale 0.001 --element-size 0.005 --method volumetric -o bunny.vtu --report bunny.json");
+      "  griffith mesh bunny.stl --scale 0.001 --element-size 0.005 --method volumetric -o bunny.vtu --report "
+      "bunny.json");
 }
 
 /// The message that CLI11 makes for --help, --version and bad usage; nothing where the arguments are good.

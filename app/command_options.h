@@ -35,12 +35,12 @@ struct RenderOptions {
 struct SimulateOptions {
   std::filesystem::path scene;
   int frames = 0;
-  std::filesystem::path stats;   ///< empty: a summary on stdout
-  std::filesystem::path probes;  ///< empty: the scene's probes are not written down
-  std::filesystem::path events;  ///< JSON of all crack events; empty: none
-  std::filesystem::path export_file;  ///< .vtu or .msh of the last frame; empty: none
+  std::filesystem::path stats;          ///< empty: a summary on stdout
+  std::filesystem::path probes;         ///< empty: the scene's probes are not written down
+  std::filesystem::path events;         ///< JSON of all crack events; empty: none
+  std::filesystem::path export_file;    ///< .vtu or .msh of the last frame; empty: none
   std::filesystem::path export_pieces;  ///< folder for the last frame's bodies as .obj; empty: none
-  int threads = 1;              ///< in use, for the report
+  int threads = 1;                      ///< in use, for the report
 };
 
 struct CheckOptions {
@@ -67,8 +67,8 @@ void render_command(const RenderOptions& options);
 void simulate_command(const SimulateOptions& options);
 /// Prints every problem of every scene, and warnings; returns how many problems there are.
 int check_command(const CheckOptions& options);
-/// Throws InputError for a bad surface, when it cannot be filled and for an output file of another kind than .msh, .vtu or
-/// .node; Cancelled after Ctrl-C.
+/// Throws InputError for a bad surface, when it cannot be filled and for an output file of another kind than .msh, .vtu
+/// or .node; Cancelled after Ctrl-C.
 void mesh_command(const MeshOptions& options);
 
 }  // namespace griffith::app

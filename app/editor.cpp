@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/bounds_of.h"
 #include "app/named_view.h"
 #include "app/picture_options.h"
 #include "app/scene_camera.h"
@@ -27,9 +28,7 @@ ProjectileBurst first_shot(const Scene& scene) {
 
 /// Of what is elastic, whatever the picture shows of it.
 void set_bounds(ui::EditorInput& input) {
-  Eigen::AlignedBox3d box;
-  for (const Vec3& position : input.frame.positions)
-    if (position.allFinite()) box.extend(position);
+  const Eigen::AlignedBox3d box = bounds_of(input.frame);
   if (box.isEmpty()) return;
   input.low = box.min();
   input.high = box.max();
@@ -37,7 +36,8 @@ void set_bounds(ui::EditorInput& input) {
 
 }  // namespace
 
-Editor::Editor(Scene scene, std::filesystem::path path) : history_(scene), world_(make_world(scene, path)) {
+Editor::Editor(Scene scene, std::filesystem::path path)
+    : history_(scene), world_(make_world(scene, path)), display_(embedded_display(world_.frame(), scene)) {
   show_scene(std::move(scene), std::move(path));
 }
 
@@ -56,14 +56,14 @@ void Editor::show_scene(Scene scene, std::filesystem::path path) {
 }
 
 void Editor::restart() {
-  display_ = embedded_display(world_.frame(), history_.scene());
+  built_ = history_.scene();
+  seen_revision_ = -1;
   history_of_margins_.clear();
   remember();
   pacer_.reset();
   step_seconds_ = 0;
   ++world_count_;
-  note_start();
-  picture_ = draw_scene_from_frame(world_.frame(), display_, history_.scene(), state_.view, state_.selection);
+  picture_ = draw_scene_from_frame(world_.frame(), display_, built_, state_.view, state_.selection);
 }
 
 void Editor::remember() {
@@ -107,6 +107,7 @@ Editor::PictureKey Editor::picture_key() const {
   const bool laid_out = state_.viewport_size.x > 0;
   return {world_count_,
           frame.step,
+          history_.revision(),
           frame.projectiles.size(),
           laid_out ? static_cast<int>(std::lround(state_.viewport_size.x)) : kFirstWidth,
           laid_out ? static_cast<int>(std::lround(state_.viewport_size.y)) : kFirstHeight,
@@ -120,7 +121,7 @@ void Editor::draw_picture(int samples) {
   const PictureKey key = picture_key();
   if (key == drawn_) return;
   drawn_ = key;
-  picture_ = draw_scene_from_frame(world_.frame(), display_, history_.scene(), state_.view, state_.selection);
+  picture_ = draw_scene_from_frame(world_.frame(), display_, built_, state_.view, state_.selection);
   renderer_.render(picture_, picture_camera(), picture_options(key.width, key.height, samples, state_.view));
 }
 
@@ -158,17 +159,16 @@ void Editor::move_camera() {
 }
 
 void Editor::move_slice(const ui::CameraMotion& motion) {
-  constexpr double kHalfDegree = 3.14159265358979 / 360, kFacing = 0.05;
+  constexpr double kFacing = 0.05;
   const Vec3 sight = (camera_.target - camera_.position).cast<double>();
   const Vec3 right = sight.cross(Vec3::UnitY()).normalized(), up = right.cross(sight).normalized();
-  const double height = 2 * sight.norm() * std::tan(kHalfDegree * camera_.vertical_fov);  // of the picture [m]
   SlicePlane& slice = *state_.view.slice;
   const Vec3 normal = slice.normal.normalized();
   const Vec2 along(normal.dot(right), normal.dot(up)), drag(motion.slice_right, motion.slice_up);
   // A plane that faces the eye has no direction on the screen: up is towards the eye.
   const double share = along.squaredNorm() > kFacing ? drag.dot(along) / along.squaredNorm()
                                                      : -normal.dot(sight.normalized()) * drag.y();
-  slice.offset += height * share;
+  slice.offset += share * static_cast<double>(render::height_at_target(camera_));
 }
 
 float Editor::aspect() const {
@@ -176,14 +176,7 @@ float Editor::aspect() const {
   return static_cast<float>(key.width) / static_cast<float>(key.height);
 }
 
-render::Camera Editor::picture_camera() const {
-  constexpr float kWide = 16.0f / 9, kHalfDegree = 3.14159265f / 360, kWidest = 120;
-  render::Camera camera = camera_;
-  if (aspect() >= kWide) return camera;
-  const float half_height = std::tan(kHalfDegree * camera.vertical_fov) * kWide / aspect();
-  camera.vertical_fov = std::min(std::atan(half_height) / kHalfDegree, std::max(kWidest, camera.vertical_fov));
-  return camera;
-}
+render::Camera Editor::picture_camera() const { return render::widen(camera_, aspect()); }
 
 void Editor::log(ui::LogLevel level, std::string text) {
   if (state_.log.size() >= kMostLogLines) state_.log.erase(state_.log.begin());

@@ -54,17 +54,23 @@ class Editor {
   bool take_screenshot_request();
 
  private:
+  /// Seconds that the window may stand still before it shows that work is going on.
+  static constexpr double kPatience = 0.3;
+
   void show_scene(Scene scene, std::filesystem::path path);
+  /// Shows the world that was made from the scene as it is.
   void restart();
-  enum class Work { open, add_body, follow };
-  /// Builds the world again, for a scene that was edited.
+  /// Builds the world again from the scene as it is.
   void follow();
   void take_followed(WorldLoader::Loaded loaded);
+  /// Undoes or redoes what the world could not be built for.
+  void go_back_to_built();
   void log_findings();
-  void note_start();
   void follow_edits();
   void follow_materials();
   void receive_world();
+  /// After work that led to no world: what is shown goes on.
+  void give_up_work();
   void take_world(WorldLoader::Loaded loaded);
   void add_surface();
   void report_surface();
@@ -85,7 +91,7 @@ class Editor {
 
   /// What the picture depends on: an equal one need not be drawn again.
   struct PictureKey {
-    std::int64_t world = -1, step = -1;
+    std::int64_t world = -1, step = -1, revision = -1;
     std::size_t projectiles = 0;
     int width = 0, height = 0;
     ViewSettings view;
@@ -101,12 +107,11 @@ class Editor {
   std::filesystem::path path_;
   std::vector<std::filesystem::path> scene_files_;
   World world_;
+  EmbeddedDisplay display_;  ///< of the world
   WorldLoader loader_;
-  Work work_ = Work::open;           ///< what the world that is being built is for
-  Scene start_;                      ///< what the world was built from, but for what it follows or does not depend on
+  Scene built_;                      ///< what the world was built from, with the materials that it has now
   std::int64_t seen_revision_ = -1;  ///< of the scene, when it was last compared with that
   std::int64_t world_count_ = 0;     ///< worlds made so far
-  EmbeddedDisplay display_;
   render::Camera camera_;
   render::Renderer renderer_;
   render::DrawScene picture_;

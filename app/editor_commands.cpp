@@ -2,20 +2,12 @@
 
 #include "app/editor.h"
 #include "app/picking.h"
-#include "app/scene_world.h"
 #include "app/shooting.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/scene_writer.h"
 #include "sim/world/node_report.h"
 
 namespace griffith::app {
-namespace {
-
-/// Seconds that the window may stand still before it shows that work is going on.
-constexpr double kPatience = 0.3;
-
-}  // namespace
-
 using ui::CommandId;
 
 void Editor::execute(const ui::Command& command) {
@@ -28,8 +20,7 @@ void Editor::execute(const ui::Command& command) {
         state_.running = false;
         return step();
       case CommandId::reset:
-        world_ = make_world(history_.scene(), path_);
-        return restart();
+        return follow();
       case CommandId::fire:
         return fire(command.cursor);
       case CommandId::pick:
@@ -84,8 +75,7 @@ void Editor::show_error(const InputError& error) {
 
 void Editor::open(const std::filesystem::path& path) {
   try {
-    work_ = Work::open;
-    loader_.start(read_scene(path), path);
+    loader_.start(Work::open, read_scene(path), path);
     loader_.wait(kPatience);
     receive_world();
   } catch (const InputError& error) {
@@ -96,23 +86,31 @@ void Editor::open(const std::filesystem::path& path) {
 void Editor::receive_world() {
   if (state_.cancel_work) {
     loader_.cancel();
-    if (work_ == Work::follow) history_.undo();
+    give_up_work();
   }
   state_.cancel_work = false;
   try {
     if (std::optional<WorldLoader::Loaded> loaded = loader_.take()) take_world(std::move(*loaded));
   } catch (const InputError& error) {
-    // The edit is taken back, and can be redone.
-    if (work_ == Work::follow) history_.undo();
+    give_up_work();
     show_error(error);
   }
   state_.work = loader_.stage();
 }
 
+void Editor::give_up_work() {
+  if (loader_.work() == Work::follow) {
+    go_back_to_built();
+  } else {
+    seen_revision_ = -1;  // it may have taken the place of a world that was to follow an edit
+  }
+}
+
 void Editor::take_world(WorldLoader::Loaded loaded) {
-  if (work_ == Work::follow) return take_followed(std::move(loaded));
+  if (loaded.work == Work::follow) return take_followed(std::move(loaded));
   world_ = std::move(loaded.world);
-  if (work_ == Work::open) return show_scene(std::move(loaded.scene), std::move(loaded.path));
+  display_ = std::move(loaded.display);
+  if (loaded.work == Work::open) return show_scene(std::move(loaded.scene), std::move(loaded.path));
   history_.change("Add body", [&](Scene& scene) { scene.bodies = loaded.scene.bodies; });
   history_.finish();
   state_.selected_body = static_cast<int>(loaded.scene.bodies.size()) - 1;
@@ -141,7 +139,7 @@ void Editor::fire(const Vec2& cursor) {
   const double ahead = std::min(4 * state_.shot.radius, way / 2);
   const Vec3 muzzle = eye + ahead * direction - 2 * state_.shot.radius * Vec3::UnitY();
   world_.fire(aimed_shot(state_.shot, muzzle, eye + way * direction, history_.scene().gravity));
-  if (!state_.running) log(ui::LogLevel::info, "Fired. The simulation is paused: press Space to run it.");
+  if (!state_.running) log(ui::LogLevel::info, "Fired. It flies when the simulation runs: Space.");
 }
 
 void Editor::pick(const Vec2& cursor) {

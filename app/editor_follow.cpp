@@ -18,26 +18,23 @@ Scene start_of(Scene scene) {
 
 }  // namespace
 
-void Editor::note_start() {
-  start_ = start_of(history_.scene());
-  seen_revision_ = -1;
+void Editor::follow() {
+  loader_.start(Work::follow, history_.scene(), path_);
+  loader_.wait(kPatience);
+  receive_world();
 }
 
-void Editor::follow() {
-  constexpr double kPatience = 0.3, kForEver = 1e9;
-  // What is drawn meanwhile needs the bodies that the world has.
-  const bool same_bodies = world_.frame().materials.size() == history_.scene().bodies.size();
-  work_ = Work::follow;
-  loader_.start(history_.scene(), path_);
-  loader_.wait(same_bodies ? kPatience : kForEver);
-  receive_world();
+void Editor::go_back_to_built() {
+  history_.go_to([start = start_of(built_)](const Scene& scene) { return start_of(scene) == start; });
 }
 
 void Editor::take_followed(WorldLoader::Loaded loaded) {
   if (start_of(loaded.scene) != start_of(history_.scene())) return follow();  // edited since
+  const bool edited = start_of(loaded.scene) != start_of(built_);
   world_ = std::move(loaded.world);
+  display_ = std::move(loaded.display);
   restart();
-  log_findings();
+  if (edited) log_findings();
 }
 
 void Editor::log_findings() {
@@ -51,7 +48,7 @@ void Editor::follow_edits() {
   seen_revision_ = history_.revision();
   state_.selected_body =
       std::clamp(state_.selected_body, 0, std::max(0, static_cast<int>(history_.scene().bodies.size()) - 1));
-  if (start_of(history_.scene()) == start_) return;
+  if (start_of(history_.scene()) == start_of(built_)) return;
   follow();
 }
 
@@ -59,8 +56,10 @@ void Editor::follow_materials() {
   const std::vector<BodyDescription>& bodies = history_.scene().bodies;
   const Frame frame = world_.frame();
   if (frame.materials.size() != bodies.size()) return;  // it comes with the world that is being built
-  for (std::size_t i = 0; i < bodies.size(); ++i)
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (frame.materials[i] != bodies[i].material) world_.set_material(static_cast<int>(i), bodies[i].material);
+    built_.bodies[i].material = bodies[i].material;
+  }
 }
 
 }  // namespace griffith::app

@@ -83,8 +83,7 @@ void Editor::add_surface() {
     scene.bodies.push_back(std::move(body));
     return scene;
   };
-  work_ = Work::add_body;
-  loader_.start(std::move(make_scene), path_);
+  loader_.start(Work::add_body, std::move(make_scene), path_);
 }
 
 void Editor::report_surface() {

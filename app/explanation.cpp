@@ -9,12 +9,6 @@
 namespace griffith::app {
 namespace {
 
-std::string direction_text(const Vec3& direction) {
-  char text[64];
-  std::snprintf(text, sizeof text, "(%.3f, %.3f, %.3f)", direction.x(), direction.y(), direction.z());
-  return text;
-}
-
 std::string newtons(double force) { return ui::format_quantity(force, "N"); }
 
 std::string element_lines(const NodeReport& report) {
@@ -41,8 +35,8 @@ std::string explanation(const Frame& frame, NodeId node, bool fracture) {
   text += "  load " + ui::format_quantity(ui::load_of(separation, material), unit) + ", resistance " +
           ui::format_quantity(separation.resistance, unit) + ", margin " + ui::format_quantity(separation.margin, "") +
           "\n";
-  text += "  plane across " + direction_text(separation.direction) + ", load on it " + newtons(separation.eigenvalue) +
-          "\n";
+  text += "  plane across (" + ui::direction_text(separation.direction) + "), load on it " +
+          newtons(separation.eigenvalue) + "\n";
   text += "  eigenvalues of the separation tensor " + newtons(report.principal.values[2]) + ", " +
           newtons(report.principal.values[1]) + ", " + newtons(report.principal.values[0]) + "\n";
   text += element_lines(report);

@@ -1,6 +1,7 @@
 #include "app/export_frame.h"
 
 #include "app/quantities.h"
+#include "sim/elasticity/principal_stress.h"
 #include "sim/error.h"
 #include "sim/mesh/write_mesh.h"
 

@@ -7,6 +7,7 @@
 #include "sim/error.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/replace_file.h"
+#include "sim/splinters/carried_corner.h"
 
 namespace griffith::app {
 namespace {
@@ -20,16 +21,6 @@ void add_polygon(PieceSurface& surface, const Polygon& points) {
   }
 }
 
-Vec3 carried_position(const Frame& frame, const SplinterFace& face, const SplinterCorner& corner) {
-  const SplinterPart& part = frame.splinter_parts[face.part];
-  const bool attached = frame.attached_parts[face.part] != 0;
-  const TetId tet = attached ? part.tet : frame.splinters[part.splinter].owner;
-  const Weights& weights = attached ? corner.weights : corner.owner_weights;
-  Vec3 position = Vec3::Zero();
-  for (int i = 0; i < 4; ++i) position += double(weights[i]) * frame.positions[frame.tets[tet][i]];
-  return position;
-}
-
 /// The body that owns the splinter of a part.
 BodyId body_of(const Frame& frame, int part) {
   return frame.tet_bodies[frame.splinters[frame.splinter_parts[part].splinter].owner];
@@ -39,9 +30,10 @@ void add_splinters(PieceSurface& surface, const Frame& frame, BodyId body) {
   for (const SplinterFace& face : frame.splinter_faces) {
     if (body_of(frame, face.part) != body) continue;
     if (face.beyond >= 0 && body_of(frame, face.beyond) == body) continue;
+    const TetId tet = carrier(frame.splinters, frame.splinter_parts, frame.attached_parts, face.part);
     std::vector<Vec3> points;
-    for (int i = 0; i < face.corners; ++i)
-      points.push_back(carried_position(frame, face, frame.splinter_corners[face.first_corner + i]));
+    for (const SplinterCorner& corner : frame.splinter_corners.subspan(face.first_corner, face.corners))
+      points.push_back(carried_position(corner, frame.attached_parts[face.part], frame.tets[tet], frame.positions));
     add_polygon(surface, points);
   }
 }

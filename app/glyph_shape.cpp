@@ -34,12 +34,4 @@ render::Glyph ball(const Vec3& center, double radius, const render::Rgb& color) 
   return {center.cast<float>(), (radius * Mat3::Identity()).cast<float>(), color, 1, render::kNoId};
 }
 
-double quantile(std::vector<double> values, double share) {
-  std::erase_if(values, [](double value) { return !std::isfinite(value); });
-  if (values.empty()) return 0;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 }  // namespace griffith::app

@@ -32,7 +32,4 @@ render::Glyph disc(const Vec3& center, const Vec3& normal, double radius, const 
 /// A ball.
 render::Glyph ball(const Vec3& center, double radius, const render::Rgb& color);
 
-/// What lies at `share` (0..1) of the sorted finite values; 0 without any.
-double quantile(std::vector<double> values, double share);
-
 }  // namespace griffith::app

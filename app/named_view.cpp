@@ -1,9 +1,9 @@
 #include "app/named_view.h"
 
 #include <algorithm>
-#include <array>
 #include <sstream>
 
+#include "app/bounds_of.h"
 #include "sim/error.h"
 #include "sim/scene/view_quantity.h"
 #include "ui/view_layers.h"
@@ -11,7 +11,6 @@
 namespace griffith::app {
 namespace {
 
-constexpr std::array<std::string_view, 3> kStyles = {"surface", "wireframe", "shrunken"};  // by ElementStyle
 constexpr double kExplode = 0.6;
 
 bool use_quantity(ViewSettings& view, const std::string& name) {
@@ -29,16 +28,14 @@ bool use_layer(ViewSettings& view, const std::string& name) {
 }
 
 bool use_style(ViewSettings& view, const std::string& name) {
-  const auto found = std::ranges::find(kStyles, name);
-  if (found == kStyles.end()) return false;
-  view.elements = static_cast<ElementStyle>(found - kStyles.begin());
+  const auto found = std::ranges::find(element_style_names(), name);
+  if (found == element_style_names().end()) return false;
+  view.elements = static_cast<ElementStyle>(found - element_style_names().begin());
   return true;
 }
 
 SlicePlane slice_through(const Frame& frame, const Vec3& towards_eye) {
-  Eigen::AlignedBox3d box;
-  for (const Vec3& position : frame.positions)
-    if (position.allFinite()) box.extend(position);
+  Eigen::AlignedBox3d box = bounds_of(frame);
   if (box.isEmpty()) box.extend(Vec3(Vec3::Zero()));
   return ui::middle_slice(box.min(), box.max(), towards_eye);
 }
@@ -47,7 +44,7 @@ std::string all_names() {
   std::string names;
   for (const ViewQuantity& quantity : view_quantities()) names.append(quantity.key).append(", ");
   for (const ViewLayerInfo& layer : view_layers()) names.append(layer.key).append(", ");
-  for (const std::string_view style : kStyles) names.append(style).append(", ");
+  for (const std::string_view style : element_style_names()) names.append(style).append(", ");
   return names + "exploded, slice, unlit";
 }
 

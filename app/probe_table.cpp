@@ -1,17 +1,16 @@
 #include "app/probe_table.h"
 
-#include <charconv>
 #include <cmath>
 
+#include "sim/mesh/number_text.h"
 #include "sim/world/probes.h"
 
 namespace griffith::app {
 namespace {
 
-std::string number_text(double value) {
-  if (!std::isfinite(value)) return "";
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+void append_field(std::string& csv, double value) {
+  csv += ',';
+  if (std::isfinite(value)) append_number(csv, value);
 }
 
 /// In quotation marks where it would not be one field without them.
@@ -34,8 +33,9 @@ ProbeTable::ProbeTable(const World& world, const std::filesystem::path& scene) :
 
 void ProbeTable::add(const World& world) {
   const Frame frame = world.frame();
-  csv_.append(std::to_string(frame.step)).append(",").append(number_text(frame.time));
-  for (const double value : probe_values(frame.probes, frame)) csv_.append(",").append(number_text(value));
+  append_number(csv_, frame.step);
+  append_field(csv_, frame.time);
+  for (const double value : probe_values(frame.probes, frame)) append_field(csv_, value);
   csv_ += "\n";
 }
 

@@ -1,11 +1,12 @@
 #include "app/quantities.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 
+#include "app/quantile.h"
+#include "sim/elasticity/principal_stress.h"
 #include "sim/meshing/mesh_quality.h"
 
 namespace griffith::app {
@@ -50,13 +51,6 @@ std::size_t value_count(const Frame& frame, ValuePlace place) {
   return (place == ValuePlace::face ? 4 : 1) * frame.tets.size();
 }
 
-/// What lies at `share` (0..1) of the sorted values.
-double percentile(std::vector<float>& values, double share) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 /// Differences below it are noise.
 double least_width(const Frame& frame, std::string_view key) {
   constexpr double kStressShare = 1e-4, kLeastForce = 1e-3, kLeastDisplacement = 1e-6, kLeastSpeed = 1e-3,
@@ -78,16 +72,6 @@ double element_quality(const Frame& frame, std::size_t tet) {
   for (std::size_t i = 0; i < 4; ++i)
     corners[i] = frame.rest_positions[static_cast<std::size_t>(frame.tets[tet][i].value)];
   return 1 / aspect_ratio(corners);
-}
-
-double von_mises_stress(const Mat3& stress) {
-  const Mat3 deviator = stress - stress.trace() / 3 * Mat3::Identity();
-  return std::sqrt(1.5) * deviator.norm();
-}
-
-Vec3 principal_stresses(const Mat3& stress) {
-  if (!stress.allFinite()) return Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
-  return Eigen::SelfAdjointEigenSolver<Mat3>(stress, Eigen::EigenvaluesOnly).eigenvalues().reverse();
 }
 
 QuantityValues quantity_values(const Frame& frame, std::string_view key) {
@@ -117,11 +101,7 @@ Vec2 symmetric_range(const Vec2& range) {
 
 Vec2 automatic_range(const Frame& frame, std::string_view key, const QuantityValues& values) {
   if (key == "margin" || key == "element_quality") return {0, 1};
-  std::vector<float> finite;
-  std::copy_if(values.values.begin(), values.values.end(), std::back_inserter(finite),
-               [](float value) { return std::isfinite(value); });
-  Vec2 range = Vec2::Zero();
-  if (!finite.empty()) range = {std::min(0.0, percentile(finite, 0.02)), std::max(0.0, percentile(finite, 0.98))};
+  Vec2 range(std::min(0.0f, quantile(values.values, 0.02)), std::max(0.0f, quantile(values.values, 0.98)));
   const double missing = least_width(frame, key) - (range[1] - range[0]);
   if (missing > 0)
     (range[1] > 0 || range[0] == 0 ? range[1] : range[0]) += range[1] > 0 || range[0] == 0 ? missing : -missing;

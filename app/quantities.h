@@ -18,12 +18,8 @@ struct QuantityValues {
   std::vector<float> values;  ///< in the quantity's unit; of faces: four a tet, not a number where there is none
 };
 
-/// The von Mises stress √(3/2 s:s), s the deviator of `stress` [Pa].
-double von_mises_stress(const Mat3& stress);
 /// How near a tet was at rest to a regular one: 1 over its aspect ratio (mesh_quality.h), 0 flat to 1 regular.
 double element_quality(const Frame& frame, std::size_t tet);
-/// The eigenvalues of a symmetric stress, largest first [Pa].
-Vec3 principal_stresses(const Mat3& stress);
 
 /// The values of the quantity `key`, one of view_quantities() with a unit; the others are no scalars.
 QuantityValues quantity_values(const Frame& frame, std::string_view key);

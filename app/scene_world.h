@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "sim/error.h"
 #include "sim/world/world.h"
 
 namespace griffith::app {

@@ -17,8 +17,9 @@ struct ShownMesh {
   const ViewSettings& view;
   std::vector<Vec3> offsets;    ///< per body: how far it is drawn from where it is [m]
   std::vector<Vec3> positions;  ///< per node, as drawn [m]
-  double element_size = 1;      ///< edge of the cubes that six of the tets would fill, mean [m]: what the signs of layers go by
-  NodeId chosen;                ///< whose forces and plane are shown; invalid where there is none
+  double element_size =
+      1;          ///< edge of the cubes that six of the tets would fill, mean [m]: what the signs of layers go by
+  NodeId chosen;  ///< whose forces and plane are shown; invalid where there is none
 
   /// Whether a place is on the side of the slice plane that is drawn.
   bool visible(const Vec3& place) const;
@@ -26,8 +27,8 @@ struct ShownMesh {
   Vec3 centroid(TetId tet) const;
 };
 
-/// `selection`: of a node; without one, the most loaded node is the chosen one. Where the view has no layers, there is no
-/// need to know of it, nor of the size of elements.
+/// `selection`: of a node; without one, the most loaded node is the chosen one. Where the view has no layers, there is
+/// no need to know of it, nor of the size of elements.
 ShownMesh shown_mesh(const Frame& frame, const ViewSettings& view, const ui::Selection& selection);
 
 /// The view's slice as the renderer wants it.

@@ -1,6 +1,7 @@
 #include "app/skin.h"
 
 #include "app/placed_tets.h"
+#include "sim/file_path.h"
 #include "sim/meshing/embedding.h"
 #include "sim/scene/body_pose.h"
 
@@ -9,7 +10,7 @@ namespace {
 
 TriangleSurface placed_surface(const Scene& scene, const BodyDescription& body) {
   const SurfaceShape& shape = std::get<SurfaceShape>(body.shape);
-  TriangleSurface surface = read_surface(scene.folder / shape.path, shape.scale);
+  TriangleSurface surface = read_surface(file_path(scene.folder, shape.path), shape.scale);
   const Pose pose = pose_of(body);
   for (Vec3& point : surface.points) point = pose.to_world(point);
   for (std::array<Vec3, 3>& normals : surface.normals)

@@ -5,6 +5,7 @@
 
 #include "app/carried_points.h"
 #include "app/natural_materials.h"
+#include "sim/splinters/carried_corner.h"
 
 namespace griffith::app {
 namespace {
@@ -42,11 +43,8 @@ void add_splinters(const Frame& frame, render::EmbeddedMesh& mesh) {
 }
 
 void add_carriers(const Frame& frame, std::vector<std::int32_t>& carriers) {
-  for (std::size_t i = 0; i < frame.splinter_parts.size(); ++i) {
-    const SplinterPart& part = frame.splinter_parts[i];
-    const Splinter& splinter = frame.splinters[static_cast<std::size_t>(part.splinter.value)];
-    carriers.push_back(frame.attached_parts[i] ? part.tet.value : splinter.owner.value);
-  }
+  for (int part = 0; part < static_cast<int>(frame.splinter_parts.size()); ++part)
+    carriers.push_back(carrier(frame.splinters, frame.splinter_parts, frame.attached_parts, part).value);
 }
 
 }  // namespace griffith::app

@@ -3,6 +3,7 @@
 
 #include "app/glyph_shape.h"
 #include "app/layer_picture.h"
+#include "app/quantile.h"
 #include "sim/elasticity/principal_stress.h"
 
 namespace griffith::app {

@@ -7,15 +7,18 @@
 
 namespace griffith::app {
 
-void WorldLoader::start(Scene scene, std::filesystem::path path) {
-  start([scene = std::move(scene)](const Monitor&) { return scene; }, std::move(path));
+void WorldLoader::start(Work work, Scene scene, std::filesystem::path path) {
+  start(
+      work, [scene = std::move(scene)](const Monitor&) { return scene; }, std::move(path));
 }
 
-void WorldLoader::start(MakeScene make_scene, std::filesystem::path path) {
+void WorldLoader::start(Work work, MakeScene make_scene, std::filesystem::path path) {
   cancel();
+  work_ = work;
   shared_ = std::make_shared<Shared>();
   shared_->stage = "Building the bodies";
-  auto build = [shared = shared_, make_scene = std::move(make_scene), path = std::move(path)]() mutable -> Loaded {
+  auto build = [work, shared = shared_, make_scene = std::move(make_scene),
+                path = std::move(path)]() mutable -> Loaded {
     Monitor monitor;
     monitor.stage = [shared](std::string_view stage) {
       const std::lock_guard lock(shared->mutex);
@@ -27,7 +30,8 @@ void WorldLoader::start(MakeScene make_scene, std::filesystem::path path) {
     };
     Scene scene = make_scene(monitor);
     World world = make_world(scene, path, monitor);
-    return {std::move(scene), std::move(path), std::move(world)};
+    EmbeddedDisplay display = embedded_display(world.frame(), scene);
+    return {work, std::move(scene), std::move(path), std::move(world), std::move(display)};
   };
   result_ = std::async(std::launch::async, std::move(build));
 }

@@ -81,10 +81,20 @@ Camera orbit(const Camera& camera, float yaw, float pitch) {
   return turned;
 }
 
+float height_at_target(const Camera& camera) { return 2 * distance_to_target(camera) * tangent_of_half_angle(camera); }
+
+Camera widen(const Camera& camera, float aspect) {
+  constexpr float kWide = 16.0f / 9, kWidest = 120;
+  if (aspect >= kWide) return camera;
+  Camera wide = camera;
+  const float angle = 2 * std::atan(tangent_of_half_angle(camera) * kWide / aspect) / kRadiansPerDegree;
+  wide.vertical_fov = std::min(angle, std::max(kWidest, camera.vertical_fov));
+  return wide;
+}
+
 Camera pan(const Camera& camera, float right, float up) {
   const Axes frame = axes(camera);
-  const float height = 2 * distance_to_target(camera) * tangent_of_half_angle(camera);
-  const Vector3f shift = height * (right * frame.right + up * frame.up);
+  const Vector3f shift = height_at_target(camera) * (right * frame.right + up * frame.up);
   Camera moved = camera;
   moved.position += shift;
   moved.target += shift;

@@ -28,6 +28,12 @@ Eigen::Matrix4f projection_matrix(const Camera& camera, float aspect, const Eige
 /// zenith [radians]; stops short of the poles. The distance to the target stays.
 Camera orbit(const Camera& camera, float yaw, float pitch);
 
+/// How high the part of the picture's plane through the target is that the picture shows [m].
+float height_at_target(const Camera& camera);
+
+/// Opened so far that a picture narrower than 16:9 shows as much across as one of that shape, up to 120°.
+Camera widen(const Camera& camera, float aspect);
+
 /// Moves camera and target in the image plane, in units of the image's height at the target.
 Camera pan(const Camera& camera, float right, float up);
 

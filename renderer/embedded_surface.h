@@ -34,10 +34,10 @@ class CarriedNormal {
 struct EmbeddedCorner {
   Eigen::Vector3f rest = Eigen::Vector3f::Zero();  ///< where it was before anything moved [m]: noise sticks to it
   Weights weights = Weights::Zero(), other_weights = Weights::Zero();
-  std::int32_t tet = 0;                ///< its own
-  std::int32_t part = 0;               ///< which entry of EmbeddedSurface::carriers holds for it
-  std::int32_t piece = 0;              ///< which entry of EmbeddedSurface::piece_colors holds for it
-  std::int32_t style = 0;              ///< EmbeddedStyle
+  std::int32_t tet = 0;                          ///< its own
+  std::int32_t part = 0;                         ///< which entry of EmbeddedSurface::carriers holds for it
+  std::int32_t piece = 0;                        ///< which entry of EmbeddedSurface::piece_colors holds for it
+  std::int32_t style = 0;                        ///< EmbeddedStyle
   CarriedNormal normal = {}, other_normal = {};  ///< in its own tet and in the other one
   Eigen::Vector2f uv = Eigen::Vector2f::Zero();
 };

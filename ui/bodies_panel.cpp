@@ -35,7 +35,7 @@ ImU32 state_color(const BodyRow& row) {
 }
 
 void state_tooltip(const BodyRow& row) {
-  tooltip(std::to_string(row.elastic) + " elastic, " + std::to_string(row.rigid) + " rigid, " +
+  tooltip(row.name + ": " + std::to_string(row.elastic) + " elastic, " + std::to_string(row.rigid) + " rigid, " +
           std::to_string(row.asleep) +
           " asleep.\nRigid: moves as a whole until something strikes it; asleep: lies still and costs nothing.");
 }
@@ -55,7 +55,8 @@ void draw_row(Panel& panel, const BodyRow& row, std::size_t place) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const std::string tag = "bodies/" + std::to_string(row.piece.valid() ? static_cast<int>(place) : row.scene_body);
-  if (ImGui::Selectable((row.name + "##" + tag).c_str(), is_chosen(panel, row), ImGuiSelectableFlags_SpanAllColumns))
+  const std::string name = fitted(row.name, ImGui::GetContentRegionAvail().x);
+  if (ImGui::Selectable((name + "###" + tag).c_str(), is_chosen(panel, row), ImGuiSelectableFlags_SpanAllColumns))
     choose(panel, row);
   tag_last_item(panel.tags, tag, row.name);
   state_tooltip(row);

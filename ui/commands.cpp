@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cctype>
 
-#include "ui/editor_state.h"
+#include "ui/dialog_window.h"
 
 namespace griffith::ui {
 namespace {
@@ -75,6 +75,12 @@ bool shortcut_pressed(const Shortcut& shortcut) {
          ImGui::IsKeyPressed(shortcut.key, repeats);
 }
 
+/// A dialog takes all orders but those that leave the scene alone; the help goes as it came.
+bool passes(CommandId id, Dialog dialog) {
+  if (dialog == Dialog::none || id == CommandId::screenshot || id == CommandId::quit) return true;
+  return dialog == Dialog::help && id == CommandId::help;
+}
+
 bool cursor_in_view(const EditorState& state) {
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const ImVec2 low = state.viewport_minimum, size = state.viewport_size;
@@ -118,8 +124,9 @@ void issue(Panel& panel, Command command) {
 void issue_shortcuts(Panel& panel) {
   if (ImGui::GetIO().WantTextInput) return;
   const Vec2 cursor = cursor_place(panel.state);
+  const Dialog dialog = shown_dialog(panel.state);
   for (const CommandInfo& info : kRegistry) {
-    if (shortcut_pressed(info.shortcut)) issue(panel, {.id = info.id, .cursor = cursor});
+    if (passes(info.id, dialog) && shortcut_pressed(info.shortcut)) issue(panel, {.id = info.id, .cursor = cursor});
   }
 }
 

@@ -6,6 +6,15 @@
 
 namespace griffith::ui {
 
+Dialog shown_dialog(const EditorState& state) {
+  if (!state.work.empty()) return Dialog::work;
+  if (state.error) return Dialog::error;
+  if (state.report) return Dialog::report;
+  if (state.show_surface) return Dialog::surface;
+  if (state.show_open) return Dialog::open;
+  return state.show_help ? Dialog::help : Dialog::none;
+}
+
 bool begin_dialog(const Panel& panel, const char* title, bool wanted, float design_width) {
   const float scale = ui_scale(panel), width = design_width * scale;
   if (wanted && !ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);

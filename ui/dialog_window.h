@@ -8,6 +8,12 @@ inline constexpr ImGuiWindowFlags kDialogFlags = ImGuiWindowFlags_NoResize | ImG
                                                  ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoSavedSettings |
                                                  ImGuiWindowFlags_AlwaysAutoResize;
 
+/// One at a time is shown, and nothing else takes orders meanwhile.
+enum class Dialog { none, work, error, report, surface, open, help };
+
+/// The one that is due.
+Dialog shown_dialog(const EditorState& state);
+
 /// Opens the popup when `wanted` and centres it. True while its content is to be drawn, up to ImGui::EndPopup().
 bool begin_dialog(const Panel& panel, const char* title, bool wanted, float design_width);
 

@@ -131,18 +131,21 @@ void help_dialog(Panel& panel) {
 
 void draw_dialogs(Panel& panel) {
   if (panel.state.work.empty()) close_work_dialog();
-  if (!panel.state.work.empty()) {
-    work_dialog(panel);
-  } else if (panel.state.error) {
-    error_dialog(panel);
-  } else if (panel.state.report) {
-    draw_report_dialog(panel);
-  } else if (panel.state.show_surface) {
-    draw_surface_dialog(panel);
-  } else if (panel.state.show_open) {
-    open_dialog(panel);
-  } else if (panel.state.show_help) {
-    help_dialog(panel);
+  switch (shown_dialog(panel.state)) {
+    case Dialog::none:
+      return;
+    case Dialog::work:
+      return work_dialog(panel);
+    case Dialog::error:
+      return error_dialog(panel);
+    case Dialog::report:
+      return draw_report_dialog(panel);
+    case Dialog::surface:
+      return draw_surface_dialog(panel);
+    case Dialog::open:
+      return open_dialog(panel);
+    case Dialog::help:
+      return help_dialog(panel);
   }
 }
 

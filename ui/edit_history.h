@@ -34,9 +34,12 @@ class EditHistory {
   void undo();
   void redo();
 
-  /// Oldest first; the first `applied()` of them are in force, the others can be redone.
+  /// Undoes or redoes as much as it takes to find a scene that is `wanted`, the nearest one; earlier ones come first.
+  /// Finishes an open entry first. False, with nothing else done, when there is none.
+  bool go_to(const std::function<bool(const Scene&)>& wanted);
+
+  /// Oldest first; those in force, then those that can be redone.
   const std::vector<EditEntry>& entries() const { return entries_; }
-  std::size_t applied() const { return applied_; }
 
   /// Whether an entry is open: a gesture is going on.
   bool editing() const { return open_; }

@@ -15,12 +15,6 @@ namespace {
 
 constexpr std::size_t kMostElements = 8, kMostEvents = 4;  // listed
 
-std::string direction_text(const Vec3& direction) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.2f, %.2f, %.2f", direction.x(), direction.y(), direction.z());
-  return text;
-}
-
 /// Three values with the prefix of the largest: "3.02, -1.85, -12.7 kPa".
 std::string triple(const Vec3& values, const char* unit) {
   const SiPrefix prefix = si_prefix(values.cwiseAbs().maxCoeff(), unit);
@@ -105,10 +99,9 @@ void event_rows(const Panel& panel, const NodeReport& report) {
 void element_rows(const Panel& panel, TetId tet) {
   const Frame& frame = panel.input.frame;
   const Mat3& stress = frame.stresses[tet];
-  const Mat3 deviator = stress - stress.trace() / 3 * Mat3::Identity();
   value_row(panel, "Element", std::to_string(tet.value), palette::kText);
-  value_row(panel, "Von Mises stress", format_quantity(std::sqrt(1.5) * deviator.norm(), "Pa"), palette::kText);
-  value_row(panel, "Principal stresses", triple(Vec3(principal_values(stress).values.reverse()), "Pa"), palette::kText);
+  value_row(panel, "Von Mises stress", format_quantity(von_mises_stress(stress), "Pa"), palette::kText);
+  value_row(panel, "Principal stresses", triple(principal_stresses(stress), "Pa"), palette::kText);
   const BodyView& body = frame.bodies[frame.tet_bodies[tet]];
   value_row(panel, "Piece", std::to_string(body.id.value) + ", " + format_quantity(body.mass, "kg", 3), palette::kText);
   value_row(panel, "Its elements", std::to_string(body.tets), palette::kText);

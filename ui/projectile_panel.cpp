@@ -52,6 +52,19 @@ void shape_rows(Panel& panel, ProjectileBurst& shot) {
                   shot.rotation_degrees[i]);
 }
 
+/// What the scene's burst says by a density is tuned as one: the mass then follows the size.
+void mass_rows(Panel& panel, ProjectileBurst& shot) {
+  constexpr double kDensityOfSteel = 7850;
+  if (shot.density) {
+    number_slider(panel, {"projectile/density", "Density", "kg/m³", 1, 3e4, true}, *shot.density);
+  } else {
+    number_slider(panel, {"projectile/mass", "Mass", "kg", 1e-3, 1e5, true}, shot.mass);
+  }
+  bool by_density = shot.density.has_value();
+  if (!checkbox(panel, "projectile/by_density", "Mass by density", by_density)) return;
+  shot.density = by_density ? std::optional(kDensityOfSteel) : std::nullopt;
+}
+
 }  // namespace
 
 void draw_projectile_panel(Panel& panel) {
@@ -59,7 +72,7 @@ void draw_projectile_panel(Panel& panel) {
   ProjectileBurst& shot = panel.state.shot;
   shape_rows(panel, shot);
   number_slider(panel, {"projectile/speed", "Speed", "m/s", 0.1, 1000, true}, shot.speed);
-  number_slider(panel, {"projectile/mass", "Mass", "kg", 1e-3, 1e5, true}, shot.mass);
+  mass_rows(panel, shot);
   integer_row(panel, "projectile/count", "Burst", shot.count, 1, 100);
   if (shot.count > 1) {
     number_slider(panel, {"projectile/interval", "Interval", "s", 1e-2, 5, true}, shot.interval);

@@ -28,6 +28,11 @@ bool is_taken(const Scene& scene, const std::string& name, std::size_t by_other_
   return false;
 }
 
+/// As it was called before the edit that is going on.
+const std::string& old_name(const EditHistory& history, std::size_t index) {
+  return (history.editing() ? history.entries().back().before : history.scene()).bodies[index].name;
+}
+
 /// Probes follow their body to its new name.
 void put_back(Scene& scene, std::size_t index, const BodyDescription& body) {
   for (Probe& probe : scene.probes)
@@ -50,7 +55,7 @@ void draw_body_panel(Panel& panel) {
     panel.state.field_problem = "Another body has the name \"" + body.name + "\".";
     edit.changed = false;
   }
-  const std::string label = "Set " + rows.edited() + " of " + scene.bodies[index].name;
+  const std::string label = "Set " + rows.edited() + " of " + old_name(panel.history, index);
   if (edit.changed) panel.history.change(label, [&](Scene& edited) { put_back(edited, index, body); });
   if (edit.finished) panel.history.finish();
   problem_line(panel);

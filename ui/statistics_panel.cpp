@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 
+#include "sim/mesh/number_text.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/units.h"
@@ -10,14 +11,6 @@
 
 namespace griffith::ui {
 namespace {
-
-std::string count_text(long long value) {
-  std::string digits = std::to_string(value);
-  for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3) {
-    digits.insert(static_cast<std::size_t>(at), 1, ' ');
-  }
-  return digits;
-}
 
 void count_row(const Panel& panel, const char* label, std::size_t value) {
   value_row(panel, label, count_text(static_cast<long long>(value)), palette::kText);

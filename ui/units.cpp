@@ -56,7 +56,14 @@ std::string format_quantity(double value, std::string_view unit, int digits) {
     std::snprintf(number.data(), number.size(), "%.*g", digits, scaled);
   }
   std::string text = number.data();
-  if (!unit.empty() && unit != "-") text.append(" ").append(prefix.symbol).append(unit);
+  if (unit.empty() || unit == "-") return text;
+  if (unit != "°") text += ' ';
+  return text.append(prefix.symbol).append(unit);
+}
+
+std::string direction_text(const Vec3& direction) {
+  char text[48];
+  std::snprintf(text, sizeof text, "%.2f, %.2f, %.2f", direction.x(), direction.y(), direction.z());
   return text;
 }
 

@@ -104,10 +104,10 @@ void element_rows(Panel& panel) {
   const bool open = ImGui::CollapsingHeader("Elements and slice");
   tag_last_item(panel.tags, "view/element_rows", open ? "open" : "closed");
   if (!open) return;
-  static const std::vector<std::string> kStyles = {"surface", "wireframe", "shrunken"};  // by ElementStyle
+  const std::vector<std::string> styles(element_style_names().begin(), element_style_names().end());
   ViewSettings& view = panel.state.view;
   const int chosen =
-      combo_row(panel, "view/elements", "Elements", kStyles, kStyles[static_cast<std::size_t>(view.elements)]);
+      combo_row(panel, "view/elements", "Elements", styles, styles[static_cast<std::size_t>(view.elements)]);
   if (chosen >= 0) view.elements = static_cast<ElementStyle>(chosen);
   slider_row(panel, "view/explode", "Explode", view.explode, 0, 5, "%.2f", true);
   slider_row(panel, "view/opacity", "Opacity", view.opacity, 0.05, 1, "%.2f");

@@ -38,7 +38,8 @@ void mouse_input(Panel& panel) {
   const ImGuiIO& io = ImGui::GetIO();
   const float slack = kClickSlack * ui_scale(panel);
   const bool hovered = ImGui::IsItemHovered();
-  if (ImGui::IsItemActive()) move_camera(state, io);
+  // The way to where the button went down is no drag, though a slow frame sees both at once.
+  if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) move_camera(state, io);
   if (hovered && io.MouseWheel != 0) state.camera_motion.zoom *= std::pow(kZoomPerNotch, io.MouseWheel);
   const Vec2 cursor = place_in_view(state, io.MousePos);
   if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {

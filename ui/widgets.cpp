@@ -6,13 +6,27 @@
 
 namespace griffith::ui {
 
+std::string fitted(std::string_view text, float width) {
+  const auto width_of = [](std::string_view part) {
+    return ImGui::CalcTextSize(part.data(), part.data() + part.size()).x;
+  };
+  if (width_of(text) <= width) return std::string(text);
+  const auto ends_within_letter = [&text] { return (text.back() & 0xc0) == 0x80; };
+  const float room = width - width_of("…");
+  while (!text.empty() && (width_of(text) > room || text.back() == ' ')) {
+    while (ends_within_letter()) text.remove_suffix(1);
+    text.remove_suffix(1);
+  }
+  return std::string(text) + "…";
+}
+
 float ui_scale(const Panel& panel) { return panel.input.fonts.regular->FontSize / 16; }
 
 void heading(const Panel& panel, const char* text) {
   ImGui::Dummy({0, 2 * ui_scale(panel)});
   ImGui::PushFont(panel.input.fonts.bold);
   ImGui::PushStyleColor(ImGuiCol_Text, palette::kAccent);
-  ImGui::TextUnformatted(text);
+  ImGui::TextUnformatted(fitted(text, ImGui::GetContentRegionAvail().x).c_str());
   ImGui::PopStyleColor();
   ImGui::PopFont();
   ImGui::Separator();
@@ -20,11 +34,13 @@ void heading(const Panel& panel, const char* text) {
 }
 
 void row_label(const Panel& panel, const char* label) {
+  const float column = std::max(124 * ui_scale(panel), 0.42f * ImGui::GetWindowWidth());
+  const std::string shown = fitted(label, column - ImGui::GetCursorPosX() - 4 * ui_scale(panel));
   ImGui::AlignTextToFramePadding();
   ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
-  ImGui::TextUnformatted(label);
+  ImGui::TextUnformatted(shown.c_str());
   ImGui::PopStyleColor();
-  const float column = std::max(124 * ui_scale(panel), 0.42f * ImGui::GetWindowWidth());
+  if (shown != label) tooltip(label);
   ImGui::SameLine(column);
   ImGui::SetNextItemWidth(-FLT_MIN);
 }

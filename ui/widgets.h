@@ -18,6 +18,9 @@ struct Edit {
 /// Pixels per design pixel, from the font in use.
 float ui_scale(const Panel& panel);
 
+/// `text`, or as much of its beginning as is `width` [pixels] wide with "…" behind it, in the font in use.
+std::string fitted(std::string_view text, float width);
+
 /// A panel's heading with a thin line under it.
 void heading(const Panel& panel, const char* text);
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "sim/contact/bullet_world.h"
 #include "sim/contact/connected_groups.h"

@@ -26,12 +26,12 @@ enum class ElementModel {
 /// An isotropic elastic material, brittle unless it has a yield strength. SI units throughout.
 struct Material {
   std::string name = "brick";
-  double young_modulus = 15e9;           ///< E [Pa], > 0
-  double poisson_ratio = 0.18;           ///< ν [-], 0 <= ν <= 0.495
-  double density = 1900;                 ///< ρ [kg/m³], > 0
-  double tensile_strength = 2.5e6;       ///< σ_t [Pa], > 0
-  double fracture_toughness = 0.7e6;     ///< K_Ic [Pa·√m], > 0: lowers the resistance at a crack front
-  double separation_toughness = 1e6;     ///< τ [N], > 0: used by FractureCriterion::separation_force alone
+  double young_modulus = 15e9;        ///< E [Pa], > 0
+  double poisson_ratio = 0.18;        ///< ν [-], 0 <= ν <= 0.495
+  double density = 1900;              ///< ρ [kg/m³], > 0
+  double tensile_strength = 2.5e6;    ///< σ_t [Pa], > 0
+  double fracture_toughness = 0.7e6;  ///< K_Ic [Pa·√m], > 0: lowers the resistance at a crack front
+  double separation_toughness = 1e6;  ///< τ [N], > 0: used by FractureCriterion::separation_force alone
   FractureCriterion criterion = FractureCriterion::strength;
   ElementModel element_model = ElementModel::corotational;
   std::optional<double> yield_strength;  ///< von Mises stress at which it flows [Pa], > 0; absent: it never does

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace griffith {
 namespace {
@@ -66,6 +67,16 @@ PrincipalValues principal_values(const Mat3& symmetric) {
   Eigen::SelfAdjointEigenSolver<Mat3> solver;
   solver.computeDirect(symmetric);
   return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
+Vec3 principal_stresses(const Mat3& stress) {
+  if (!stress.allFinite()) return Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+  return Eigen::SelfAdjointEigenSolver<Mat3>(stress, Eigen::EigenvaluesOnly).eigenvalues().reverse();
+}
+
+double von_mises_stress(const Mat3& stress) {
+  const Mat3 deviator = stress - stress.trace() / 3 * Mat3::Identity();
+  return std::sqrt(1.5) * deviator.norm();
 }
 
 Mat3 tensile_part(const Mat3& stress) {

@@ -11,6 +11,13 @@ struct PrincipalValues {
 };
 PrincipalValues principal_values(const Mat3& symmetric);
 
+/// The principal stresses, largest first [Pa]: more exact than principal_values(), and not a number for a stress that
+/// is not finite.
+Vec3 principal_stresses(const Mat3& stress);
+
+/// The von Mises stress √(3/2 s:s), s the deviator of `stress` [Pa].
+double von_mises_stress(const Mat3& stress);
+
 /// The tensile part of a stress: sum of max(0, v_i) n_i n_iᵀ over its eigenpairs (O'Brien & Hodgins 1999, eq. 12).
 /// Exact to rounding, relative to the norm of the stress. Any finite symmetric matrix is allowed.
 Mat3 tensile_part(const Mat3& stress);

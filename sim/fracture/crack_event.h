@@ -19,16 +19,17 @@ struct CrackElement {
 /// One node that separated.
 struct CrackEvent {
   std::int64_t step = 0;
-  double time = 0;               ///< [s], to the substep
-  BodyId body;                   ///< the body that cracked
-  std::vector<BodyId> children;  ///< bodies that its pieces at the node belong to now, `body` among them; empty: still one
-  NodeId node;                   ///< the node that was split
-  Vec3 position, rest_position;  ///< [m]
-  Vec3 normal;                   ///< of the crack plane, world frame
-  double eigenvalue = 0;         ///< v⁺ of the separation tensor [N]
-  double load = 0, resistance = 0;  ///< [Pa] or [N], by the criterion
-  int nodes_made = 0;               ///< copies made at the node and its neighbours
-  bool torn_off = false;            ///< a support lost its hold on elements at the node
+  double time = 0;  ///< [s], to the substep
+  BodyId body;      ///< the body that cracked
+  std::vector<BodyId>
+      children;  ///< bodies that its pieces at the node belong to now, `body` among them; empty: still one
+  NodeId node;   ///< the node that was split
+  Vec3 position, rest_position;        ///< [m]
+  Vec3 normal;                         ///< of the crack plane, world frame
+  double eigenvalue = 0;               ///< v⁺ of the separation tensor [N]
+  double load = 0, resistance = 0;     ///< [Pa] or [N], by the criterion
+  int nodes_made = 0;                  ///< copies made at the node and its neighbours
+  bool torn_off = false;               ///< a support lost its hold on elements at the node
   std::vector<CrackElement> elements;  ///< all at the node, by tet
 };
 

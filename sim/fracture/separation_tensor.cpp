@@ -15,7 +15,8 @@ bool constrained(const SeparationInput& input, NodeId node) {
 
 bool anchored(const SeparationInput& input, TetId tet) {
   const auto& corners = input.mesh.tets[tet];
-  return std::all_of(corners.begin(), corners.end(), [&](NodeId corner) { return input.constraints[corner].is_held(); });
+  return std::all_of(corners.begin(), corners.end(),
+                     [&](NodeId corner) { return input.constraints[corner].is_held(); });
 }
 
 /// The unit normal n with the largest n·S n / n·T n.

@@ -41,11 +41,11 @@ struct CandidatePlane {
   double stress = 0;            ///< s [Pa], whatever the mesh
 };
 
-/// The plane on which the load is largest against the `strength` of that direction, n·ς n / n·T n. The stress across it is the
-/// larger of s = n·ς n / A, with A = ½ Σ_e V_e |(cof(B) g_e)·e| and e the eigenvector of v⁺, and that of the volume-averaged
-/// tensile stress, whose plane it is then: so the onset is exact in multiaxial tension. Never more than the largest
-/// tensile stress (Frobenius norm) of the node's elements. Elements that a support holds at all corners are part of the anchor and do
-/// not count.
+/// The plane on which the load is largest against the `strength` of that direction, n·ς n / n·T n. The stress across it
+/// is the larger of s = n·ς n / A, with A = ½ Σ_e V_e |(cof(B) g_e)·e| and e the eigenvector of v⁺, and that of the
+/// volume-averaged tensile stress, whose plane it is then: so the onset is exact in multiaxial tension. Never more than
+/// the largest tensile stress (Frobenius norm) of the node's elements. Elements that a support holds at all corners are
+/// part of the anchor and do not count.
 CandidatePlane candidate_plane(const SeparationInput& input, NodeId node, const Mat3& tensor,
                                const DirectionalStrength& strength = {});
 

@@ -20,7 +20,8 @@ std::vector<NodeId> slit_tips(const TetMesh& mesh) {
       for (NodeId node : corners)
         for (NodeId end : corners) {
           const Vec3& place = mesh.rest_positions[end];
-          const auto [known, is_new] = edge_ends.emplace(std::pair(node, std::array{place.x(), place.y(), place.z()}), end);
+          const auto [known, is_new] =
+              edge_ends.emplace(std::pair(node, std::array{place.x(), place.y(), place.z()}), end);
           if (known->second != end) tips.insert(node);
         }
     }

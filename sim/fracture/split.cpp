@@ -88,8 +88,7 @@ void part_node(TetMesh& mesh, NodeId node, SplitResult& result) {
 std::vector<std::uint8_t> tets_above(const TetMesh& mesh, std::span<const Vec3> positions, NodeId node,
                                      const Vec3& normal) {
   std::vector<std::uint8_t> above;
-  for (TetId tet : mesh.stars[node])
-    above.push_back(normal.dot(centroid(mesh, positions, tet) - positions[node]) > 0);
+  for (TetId tet : mesh.stars[node]) above.push_back(normal.dot(centroid(mesh, positions, tet) - positions[node]) > 0);
   return above;
 }
 

@@ -20,9 +20,9 @@ std::vector<std::uint8_t> tets_above(const TetMesh& mesh, std::span<const Vec3> 
 
 struct SplitResult {
   std::vector<NodeCopy> copies;
-  std::vector<NodeId> front;          ///< nodes of cut faces that still hold both sides together
-  std::vector<TetId> changed_tets;    ///< tets that lost a neighbour, ascending
-  bool too_small = false;             ///< refused: a fragment of fewer than the wanted tets would have come off
+  std::vector<NodeId> front;        ///< nodes of cut faces that still hold both sides together
+  std::vector<TetId> changed_tets;  ///< tets that lost a neighbour, ascending
+  bool too_small = false;           ///< refused: a fragment of fewer than the wanted tets would have come off
 };
 
 /// Opens the mesh at `node` along the plane through its position with unit normal `normal`, without remeshing: faces at

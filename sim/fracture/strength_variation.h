@@ -13,8 +13,9 @@ enum class WeaknessKind {
 };
 
 /// A direction in which a body is weaker. A plane of unit normal n in rest space has the share n·T n of the material's
-/// resistance, T diagonal in axes along the direction: `strength_ratio` for the normals of weak planes, 1 for the others. Under
-/// tension at an angle a to a grain this gives Hankinson's formula (1921), 1/σ = cos²a/σ_t + sin²a/(ratio·σ_t).
+/// resistance, T diagonal in axes along the direction: `strength_ratio` for the normals of weak planes, 1 for the
+/// others. Under tension at an angle a to a grain this gives Hankinson's formula (1921), 1/σ = cos²a/σ_t +
+/// sin²a/(ratio·σ_t).
 struct Weakness {
   WeaknessKind kind = WeaknessKind::grain;
   Vec3 direction = Vec3::UnitX();  ///< in the body's rest space; any length but 0

@@ -5,12 +5,26 @@
 
 namespace griffith {
 
-/// Appends the shortest text that reads back as the same number, then `end`.
+/// Appends the shortest text that reads back as the same number.
 template <class T>
-void append_number(std::string& text, T value, char end) {
+void append_number(std::string& text, T value) {
   char digits[32];
   text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
+}
+
+/// The same, then `end`.
+template <class T>
+void append_number(std::string& text, T value, char end) {
+  append_number(text, value);
   text += end;
+}
+
+/// A count for people: "8,012".
+inline std::string count_text(long long count) {
+  std::string digits = std::to_string(count);
+  const std::size_t first = count < 0 ? 1 : 0;
+  for (std::size_t at = digits.size(); at > first + 3;) digits.insert(at -= 3, 1, ',');
+  return digits;
 }
 
 }  // namespace griffith

@@ -33,8 +33,8 @@ void write_vtu(const std::filesystem::path& path, std::span<const Vec3> position
 /// are replaced as by write_vtu().
 void write_gmsh(const std::filesystem::path& path, const TetSoup& soup);
 
-/// Writes TetGen's X.node and X.ele, given either, numbered from 0 and with as many digits as read back exactly. Files are
-/// replaced as by write_vtu().
+/// Writes TetGen's X.node and X.ele, given either, numbered from 0 and with as many digits as read back exactly. Files
+/// are replaced as by write_vtu().
 void write_tetgen(const std::filesystem::path& path, const TetSoup& soup);
 
 }  // namespace griffith

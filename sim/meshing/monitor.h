@@ -6,8 +6,8 @@
 
 namespace griffith {
 
-/// How long work tells how far it is, and learns that nobody wants it any more. Both may be empty. `stage` is called from
-/// the thread that does the work, `cancelled` from several at once.
+/// How long work tells how far it is, and learns that nobody wants it any more. Both may be empty. `stage` is called
+/// from the thread that does the work, `cancelled` from several at once.
 struct Monitor {
   std::function<void(std::string_view stage)> stage;  ///< "Refining mesh"
   std::function<bool()> cancelled;

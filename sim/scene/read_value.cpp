@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "sim/file_path.h"
+
 namespace griffith {
 namespace {
 
@@ -136,7 +138,7 @@ void read(const Place& place, std::filesystem::path& value, MeshPath kind) {
   if (place.document.problems.size() > before) return;
   value = text;
   if (!place.document.look_for_meshes) return;
-  for (const auto& tried : files_of_mesh((place.document.folder / value).lexically_normal())) {
+  for (const auto& tried : files_of_mesh(file_path(place.document.folder, value))) {
     std::error_code ignored;
     if (std::filesystem::exists(tried, ignored)) continue;
     place.report(

@@ -305,7 +305,7 @@ void describe(Archive& archive, ViewSettings& view) {
   for (const ViewQuantity& quantity : view_quantities()) quantities.names.push_back(quantity.key);
   OneOf layers;
   for (const ViewLayerInfo& layer : view_layers()) layers.names.push_back(layer.key);
-  const auto maps = color_map_names();
+  const auto maps = color_map_names(), styles = element_style_names();
   archive.field("quantity", view.quantity, quantities, "What the colours show");
   archive.field("color_map", view.color_map, OneOf{{maps.begin(), maps.end()}}, "Colours from low to high");
   archive.field("range", view.range, range,
@@ -318,7 +318,7 @@ void describe(Archive& archive, ViewSettings& view) {
                 "Width of element edges, in pixels of a picture 720 pixels high");
   archive.field("splinters", view.splinters, Flag{},
                 "Whether splinters and surfaces are drawn in place of the tetrahedra");
-  archive.field("elements", view.elements, OneOf{{"surface", "wireframe", "shrunken"}},
+  archive.field("elements", view.elements, OneOf{{styles.begin(), styles.end()}},
                 "How tetrahedra are drawn: the surface, all edges, or each one by itself and smaller");
   archive.field("explode", view.explode, between(0, 20, "-"),
                 "How much farther from the middle pieces are drawn than they are");

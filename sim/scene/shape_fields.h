@@ -107,10 +107,12 @@ void describe(Archive& archive, SurfaceShape& surface) {
   archive.field("scale", surface.scale, between(1e-9, 1e6), "Metres per unit of the file");
   archive.field("element_size", meshing.element_size, between(kElementSize.minimum, kElementSize.maximum, "m"),
                 "Wanted edge of a tetrahedron; null: a twentieth of the bounding box's diagonal");
-  archive.field("method", meshing.method, OneOf{{"automatic", "tetgen", "volumetric"}},
-                "TetGen keeps the surface's triangles and needs a sound surface; volumetric takes any, with equal elements; "
-                "automatic: TetGen where it can");
-  archive.field("grading", meshing.grading, between(1, 100), "How many times longer edges may be deep inside (volumetric: 2, 4, 8, ...)");
+  archive.field(
+      "method", meshing.method, OneOf{{"automatic", "tetgen", "volumetric"}},
+      "TetGen keeps the surface's triangles and needs a sound surface; volumetric takes any, with equal elements; "
+      "automatic: TetGen where it can");
+  archive.field("grading", meshing.grading, between(1, 100),
+                "How many times longer edges may be deep inside (volumetric: 2, 4, 8, ...)");
   archive.field("radius_edge_ratio", meshing.radius_edge_ratio, between(1.1, 10),
                 "TetGen: most circumradius over shortest edge");
   archive.field("min_dihedral_angle", meshing.min_dihedral_angle, between(0, 18, "degrees"),

@@ -59,6 +59,11 @@ std::span<const ViewLayerInfo> view_layers() {
   return kLayers;
 }
 
+std::span<const std::string_view> element_style_names() {
+  static constexpr std::array<std::string_view, 3> kNames = {"surface", "wireframe", "shrunken"};
+  return kNames;
+}
+
 std::span<const std::string_view> color_map_names() {
   static constexpr std::array<std::string_view, 3> kNames = {"viridis", "coolwarm", "cividis"};
   return kNames;

@@ -24,6 +24,8 @@ std::span<const ViewLayerInfo> view_layers();
 
 /// All quantities, in the order in which menus show them.
 std::span<const ViewQuantity> view_quantities();
+/// All ways to draw elements, by ElementStyle.
+std::span<const std::string_view> element_style_names();
 /// All colour maps' names, in the order in which menus show them.
 std::span<const std::string_view> color_map_names();
 

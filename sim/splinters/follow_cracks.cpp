@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "sim/splinters/splinters.h"
+#include "sim/splinters/carried_corner.h"
 
 namespace griffith {
 namespace {
@@ -27,7 +27,8 @@ void update_attachment(const SplinterSet& set, Neighbours neighbours, SplinterId
 
 /// Whether what carries the two sides of a wall has parted.
 bool has_opened(const SplinterSet& set, Neighbours neighbours, const SplinterState& state, const SplinterFace& face) {
-  if (carrier(set, state, face.part) == carrier(set, state, face.beyond)) return false;
+  const auto carrier_of = [&](int part) { return carrier(set.splinters, set.parts, state.attached, part); };
+  if (carrier_of(face.part) == carrier_of(face.beyond)) return false;
   if (!state.attached[face.part] || !state.attached[face.beyond]) return true;
   // Two tets carry a wall that lies in the face between them.
   return !neighbours[set.parts[face.part].tet][face.tet_face].valid();

@@ -106,10 +106,4 @@ SplinterState intact_state(const SplinterSet& splinters);
 void follow_cracks(const SplinterSet& splinters, std::span<const std::array<TetId, 4>> neighbours,
                    std::span<const TetId> changed_tets, SplinterState& state);
 
-/// The tet that carries a part.
-inline TetId carrier(const SplinterSet& splinters, const SplinterState& state, int part) {
-  const SplinterPart& carried = splinters.parts[part];
-  return state.attached[part] ? carried.tet : splinters.splinters[carried.splinter].owner;
-}
-
 }  // namespace griffith

@@ -4,6 +4,7 @@
 
 #include "sim/contact/convex_pieces.h"
 #include "sim/mesh/topology.h"
+#include "sim/splinters/carried_corner.h"
 #include "sim/world/phases.h"
 
 namespace griffith {
@@ -29,12 +30,11 @@ std::vector<SplinterId> owned_splinters(const WorldState& world, const Body& bod
 }
 
 Vec3 carried_position(const WorldState& world, const HullCorner& corner) {
-  const SplinterCorner& place = world.splinters.corners[corner.corner];
-  const TetId tet = carrier(world.splinters, world.splinter_state, corner.part);
-  const Weights& weights = world.splinter_state.attached[corner.part] ? place.weights : place.owner_weights;
-  Vec3 position = Vec3::Zero();
-  for (int i = 0; i < 4; ++i) position += double(weights[i]) * world.nodes.positions[world.mesh.tets[tet][i]];
-  return position;
+  const SplinterSet& set = world.splinters;
+  const std::vector<std::uint8_t>& attached = world.splinter_state.attached;
+  const TetId tet = carrier(set.splinters, set.parts, attached, corner.part);
+  return carried_position(set.corners[corner.corner], attached[corner.part], world.mesh.tets[tet],
+                          world.nodes.positions);
 }
 
 std::vector<ConvexPart> splinter_parts(const WorldState& world, const Body& body,

@@ -103,19 +103,14 @@ struct Sample {
   double margin = 0, separation_stress = 0, eigenvalue = 0;
 };
 
-double rest_volume(const Frame& frame, TetId tet) {
-  const auto& corners = frame.tets[tet];
-  return signed_volume(frame.rest_positions[corners[0]], frame.rest_positions[corners[1]],
-                       frame.rest_positions[corners[2]], frame.rest_positions[corners[3]]);
-}
-
 Mat3 stress_at(const ProbedNode& probed, NodeId node, const Frame& frame) {
   Mat3 sum = Mat3::Zero();
   double volume = 0;
   for (const TetCorner& corner : probed.star) {
     if (node_at(frame.tets, corner) != node) continue;
-    sum += rest_volume(frame, corner.tet) * frame.stresses[corner.tet];
-    volume += rest_volume(frame, corner.tet);
+    const double part = frame.rests[corner.tet].volume;
+    sum += part * frame.stresses[corner.tet];
+    volume += part;
   }
   return sum / volume;
 }
@@ -176,7 +171,7 @@ std::vector<double> values_of(ProbeQuantity quantity, const Sample& sample) {
     case ProbeQuantity::stress:
       return {stress(0, 0), stress(1, 1), stress(2, 2), stress(0, 1), stress(1, 2), stress(2, 0)};
     case ProbeQuantity::principal_stress:
-      return values_of(Vec3(principal_values(stress).values.reverse()));
+      return values_of(principal_stresses(stress));
     case ProbeQuantity::separation:
       return {sample.margin, sample.separation_stress, sample.eigenvalue};
     case ProbeQuantity::reaction:

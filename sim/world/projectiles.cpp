@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "sim/contact/solid.h"
+#include "sim/file_path.h"
 #include "sim/meshing/surface.h"
 #include "sim/scene/body_pose.h"
 #include "sim/world/phases.h"
@@ -25,7 +26,7 @@ struct Outline {
   std::vector<Vec3> operator()(const PointsProjectile& points) const { return points.points; }
 
   std::vector<Vec3> operator()(const SurfaceProjectile& surface) const {
-    const std::filesystem::path path = (folder / surface.path).lexically_normal();
+    const std::filesystem::path path = file_path(folder, surface.path);
     try {
       return read_surface(path, surface.scale).points;
     } catch (const InputError& error) {

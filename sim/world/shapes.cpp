@@ -1,5 +1,6 @@
 #include "sim/world/shapes.h"
 
+#include "sim/file_path.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/read_mesh.h"
 #include "sim/mesh/shapes.h"
@@ -31,12 +32,12 @@ struct Maker {
     return make_notched_beam(beam.size, beam.notch_depth, beam.element_size, beam.pattern);
   }
   TetSoup operator()(const MeshFileShape& file) const {
-    TetSoup soup = read_mesh(file.path.is_absolute() ? file.path : folder / file.path);
+    TetSoup soup = read_mesh(file_path(folder, file.path));
     for (Vec3& point : soup.points) point *= file.scale;
     return soup;
   }
   TetSoup operator()(const SurfaceShape& shape) const {
-    const std::filesystem::path path = (folder / shape.path).lexically_normal();
+    const std::filesystem::path path = file_path(folder, shape.path);
     MeshingSetup setup;
     setup.name = path.string();
     setup.cache = default_mesh_cache();

@@ -1,21 +1,11 @@
 #include "sim/world/softened_impact.h"
 
 #include <cmath>
-#include <cstddef>
 #include <cstdio>
 
+#include "sim/mesh/number_text.h"
+
 namespace griffith {
-namespace {
-
-std::string grouped(int number) {
-  std::string digits = std::to_string(number);
-  for (auto at = static_cast<std::ptrdiff_t>(digits.size()) - 3; at > 0; at -= 3)
-    digits.insert(static_cast<std::size_t>(at), 1, ',');
-  return digits;
-}
-
-}  // namespace
-
 double softening_factor(double wave_speed, double extent, double substep, double wanted_substep) {
   const auto factor = [&](double dt) { return 1 / std::hypot(1, wave_speed * dt / extent); };
   return substep > wanted_substep ? factor(substep) / factor(wanted_substep) : 1;
@@ -24,7 +14,7 @@ double softening_factor(double wave_speed, double extent, double substep, double
 std::string reason(const SoftenedImpact& impact) {
   char text[160];
   std::snprintf(text, sizeof text, "%s tetrahedra leave %d substep%s of %.2g ms; %.2g ms would resolve the impact",
-                grouped(impact.tets).c_str(), impact.substeps, impact.substeps == 1 ? "" : "s, the longest", 1e3 * impact.substep,
+                count_text(impact.tets).c_str(), impact.substeps, impact.substeps == 1 ? "" : "s, the longest", 1e3 * impact.substep,
                 1e3 * impact.wanted_substep);
   return text;
 }

@@ -79,7 +79,8 @@ TEST_F(EditorTest, WorkThatLastsShowsADialogThatCancelsIt) {
   const std::string before = editor_.title();
   editor_.open(path);
   draw(3);
-  EXPECT_THAT(value("work/stage"), ::testing::AnyOf("Filling with tetrahedra", "Finding the inside", "Finding the border"));
+  EXPECT_THAT(value("work/stage"),
+              ::testing::AnyOf("Filling with tetrahedra", "Finding the inside", "Finding the border"));
   click("work/cancel");
   draw(2);
   EXPECT_TRUE(editor_.state().work.empty());
@@ -108,6 +109,22 @@ TEST_F(EditorTest, MaterialsActOnTheRunningSimulation) {
   click("material/yields");
   EXPECT_EQ(editor_.frame().step, 1);
   EXPECT_TRUE(editor_.frame().materials[0].yield_strength);
+}
+
+TEST_F(EditorTest, PausedPictureShowsAnEditedMaterial) {
+  editor_.state().view.quantity = "material";
+  const ui::WidgetTag* view = ui::find_tag(editor_.tags(), "viewport");
+  const ImVec2 middle = view->center();
+  const auto brightness = [&] {
+    draw(2);
+    const render::Image image = target_.image();
+    const auto pixel = image.pixel(static_cast<int>(middle.x), static_cast<int>(middle.y));
+    return pixel[0] + pixel[1] + pixel[2];
+  };
+  const int before = brightness();
+  click("material/preset");
+  click("material/preset/rubber");
+  EXPECT_LT(brightness(), before / 2);
 }
 
 constexpr char kTetSurface[] = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
@@ -171,6 +188,76 @@ TEST_F(EditorTest, FillingASurfaceCanBeCancelled) {
   draw(2);
   EXPECT_TRUE(editor_.state().work.empty());
   EXPECT_EQ(value("bodies/1"), "no widget bodies/1");
+  EXPECT_FALSE(editor_.state().error);
+}
+
+/// A tetrahedron whose legs are this long [m].
+std::string tet_surface(const std::string& leg) {
+  return "OFF\n4 4 0\n0 0 0\n" + leg + " 0 0\n0 " + leg + " 0\n0 0 " + leg + "\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+}
+
+TEST_F(EditorTest, ABrokenFileOpenedDuringWorkLeavesTheWorkAndTheEdits) {
+  const std::string file = test_file("ball.off", tet_surface("1")).string();
+  click("material/yields");
+  ui::SurfaceRequest& request = editor_.state().surface;
+  std::copy(file.begin(), file.end(), request.path.begin());
+  request.method = MeshingMethod::volumetric;
+  request.automatic_size = false;
+  request.element_size = 0.05;
+  editor_.state().show_surface = true;
+  draw(4);
+  click("surface/fill");
+  editor_.open(test_file("broken.json", "{\"bodies\": ["));
+  wait_for_work();
+  ASSERT_TRUE(editor_.state().error);
+  click("error/close");
+  draw(4);
+  click("report/close");
+  EXPECT_EQ(value("bodies/1"), "ball");
+  EXPECT_NE(editor_.title().find('*'), std::string::npos) << "nothing was saved";
+  click("command/edit.undo");
+  EXPECT_EQ(value("bodies/1"), "no widget bodies/1");
+  click("command/edit.undo");
+  EXPECT_EQ(editor_.title().find('*'), std::string::npos);
+}
+
+TEST_F(EditorTest, UndoThatTakesLongCanBeCancelledAndLeavesWhatWas) {
+  Scene scene = small_wall();
+  SurfaceShape shape;
+  shape.path = test_file("grown.off", tet_surface("0.1"));
+  shape.meshing.method = MeshingMethod::volumetric;
+  shape.meshing.element_size = 0.012;
+  scene.bodies[0].supports.clear();
+  scene.bodies[0].shape = shape;
+  const auto path = test_folder() / "grown.json";
+  write_scene(scene, path);
+  editor_.open(path);
+  draw();
+  wait_for_work();
+  ASSERT_FALSE(editor_.state().error) << editor_.state().error->where << ": " << editor_.state().error->problem;
+  const std::string file = test_file("ball.off", kTetSurface).string();
+  ui::SurfaceRequest& request = editor_.state().surface;
+  std::copy(file.begin(), file.end(), request.path.begin());
+  request.method = MeshingMethod::volumetric;
+  request.automatic_size = false;
+  request.element_size = 0.2;
+  editor_.state().show_surface = true;
+  draw(4);
+  click("surface/fill");
+  wait_for_work();
+  ASSERT_FALSE(editor_.state().error) << editor_.state().error->where << ": " << editor_.state().error->problem;
+  click("report/close");
+  ASSERT_EQ(value("bodies/1"), "ball");
+  const std::size_t tets = editor_.frame().tets.size();
+  test_file("grown.off", tet_surface("1.2"));  // 1,728 times the elements
+  click("command/edit.undo");
+  draw(3);
+  ASSERT_NE(value("work/stage"), "no widget work/stage");
+  click("work/cancel");
+  draw(2);
+  EXPECT_TRUE(editor_.state().work.empty());
+  EXPECT_EQ(value("bodies/1"), "ball");
+  EXPECT_EQ(editor_.frame().tets.size(), tets);
   EXPECT_FALSE(editor_.state().error);
 }
 

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 #include <numeric>
 #include <random>
 
+#include "app/quantile.h"
 #include "program.h"
 #include "sim/scene/view_quantity.h"
 #include "sim/world/world.h"
@@ -15,44 +15,14 @@
 namespace griffith::app {
 namespace {
 
-Mat3 random_stress(std::mt19937& random) {
-  std::normal_distribution<double> normal(0, 1e6);
-  const Mat3 matrix = Mat3::NullaryExpr([&](auto...) { return normal(random); });
-  return matrix + matrix.transpose();
-}
-
-Mat3 random_rotation(std::mt19937& random) {
-  std::normal_distribution<double> normal;
-  return Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random)).normalized().matrix();
-}
-
-TEST(Quantities, VonMisesOfUniaxialStressIsThatStress) {
-  std::mt19937 random(1);
-  for (const double stress : {3e6, -3e6}) {
-    const Mat3 rotation = random_rotation(random);
-    const Mat3 turned = rotation * Vec3(stress, 0, 0).asDiagonal() * rotation.transpose();
-    EXPECT_NEAR(von_mises_stress(turned), 3e6, 1e-6);
-  }
-}
-
-TEST(Quantities, VonMisesOfShearAndPressure) {
-  Mat3 shear = Mat3::Zero();
-  shear(0, 1) = shear(1, 0) = 1e6;
-  EXPECT_NEAR(von_mises_stress(shear), std::sqrt(3.0) * 1e6, 1e-6);
-  EXPECT_NEAR(von_mises_stress(-5e6 * Mat3::Identity()), 0, 1e-6);
-}
-
-TEST(Quantities, PrincipalStressesAreOrderedAndDoNotTurn) {
-  std::mt19937 random(2);
-  for (int i = 0; i < 200; ++i) {
-    const Mat3 stress = random_stress(random), rotation = random_rotation(random);
-    const Vec3 principal = principal_stresses(stress);
-    EXPECT_GE(principal[0], principal[1]);
-    EXPECT_GE(principal[1], principal[2]);
-    EXPECT_NEAR(principal.sum(), stress.trace(), 1e-6);
-    EXPECT_LT((principal_stresses(rotation * stress * rotation.transpose()) - principal).norm(), 1e-6);
-    EXPECT_NEAR(von_mises_stress(rotation * stress * rotation.transpose()), von_mises_stress(stress), 1e-6);
-  }
+TEST(Quantile, IsWhatLiesThereAmongTheFiniteSortedValues) {
+  const float none = std::numeric_limits<float>::quiet_NaN(), endless = std::numeric_limits<float>::infinity();
+  const std::vector<float> values = {7, none, 3, 9, -endless, 1, 5, endless};
+  EXPECT_EQ(quantile(values, 0), 1);
+  EXPECT_EQ(quantile(values, 0.5), 5);
+  EXPECT_EQ(quantile(values, 1), 9);
+  EXPECT_EQ(quantile(std::vector<double>{}, 0.5), 0);
+  EXPECT_EQ(quantile(std::vector{none, endless}, 0.5), 0);
 }
 
 TEST(Quantities, EveryQuantityOfTheMenuHasValuesAndARange) {

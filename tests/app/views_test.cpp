@@ -50,9 +50,12 @@ class ViewsTest : public testing::Test {
     scene_ = rich_wall();
     world_ = std::make_unique<World>(scene_);
     struck_ = std::make_unique<World>(scene_);
-    broken_ = std::make_unique<World>(scene_);
+    Scene hard = scene_;
+    hard.projectiles[0].speed *= 3;
+    broken_ = std::make_unique<World>(hard);
     while (struck_->frame().contacts.empty() && struck_->frame().step < 60) struck_->step();
     for (int step = 0; step < 20; ++step) broken_->step();
+    ASSERT_GT(broken_->frame().bodies.size(), 1u);
   }
   static void TearDownTestSuite() {
     renderer_.reset();

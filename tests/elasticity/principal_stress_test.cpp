@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <limits>
 
 #include "tests/random_values.h"
 
@@ -21,6 +22,41 @@ Mat3 reference(const Mat3& stress) {
 Mat3 symmetric(const Mat3& axes, const Vec3& values) {
   const Mat3 m = axes * values.asDiagonal() * axes.transpose();
   return 0.5 * (m + m.transpose());
+}
+
+TEST(VonMises, OfUniaxialStressIsThatStress) {
+  RandomValues random(11);
+  for (int i = 0; i < 100; ++i) {
+    const double stress = random.uniform(-5e6, 5e6);
+    EXPECT_NEAR(von_mises_stress(symmetric(random.rotation(), Vec3(stress, 0, 0))), std::abs(stress), 1e-6);
+  }
+}
+
+TEST(VonMises, OfShearIsItsRootOfThreeAndOfPressureNothing) {
+  Mat3 shear = Mat3::Zero();
+  shear(0, 1) = shear(1, 0) = 1e6;
+  EXPECT_NEAR(von_mises_stress(shear), std::sqrt(3.0) * 1e6, 1e-6);
+  EXPECT_NEAR(von_mises_stress(-5e6 * Mat3::Identity()), 0, 1e-6);
+}
+
+TEST(PrincipalStresses, AreOrderedAndDoNotTurn) {
+  RandomValues random(12);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 values = 1e6 * random.vector();
+    const Mat3 stress = symmetric(random.rotation(), values);
+    const Vec3 principal = principal_stresses(stress);
+    EXPECT_GE(principal[0], principal[1]);
+    EXPECT_GE(principal[1], principal[2]);
+    EXPECT_NEAR(principal[0], values.maxCoeff(), 1e-6);
+    EXPECT_NEAR(principal[2], values.minCoeff(), 1e-6);
+    EXPECT_NEAR(principal.sum(), stress.trace(), 1e-6);
+  }
+}
+
+TEST(PrincipalStresses, OfWhatIsNotFiniteAreNoNumbers) {
+  Mat3 stress = Mat3::Identity();
+  stress(1, 2) = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(principal_stresses(stress).array().isNaN().all());
 }
 
 TEST(TensilePart, KeepsTensionDropsCompression) {

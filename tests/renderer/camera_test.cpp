@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 namespace griffith::render {
@@ -80,6 +81,30 @@ TEST_F(CameraLaws, PanOfOneMovesThePictureByItsHeight) {
     const Eigen::Vector2f shifted = project(pan(from, 0.25f, 0.5f), from.target, 640, 480);
     EXPECT_NEAR(shifted.x(), 320 - 0.25 * 480, 0.05);
     EXPECT_NEAR(shifted.y(), 240 + 0.5 * 480, 0.05);
+  }
+}
+
+TEST_F(CameraLaws, ThePictureIsAsHighAsItShowsAtTheTarget) {
+  for (int i = 0; i < 100; ++i) {
+    const Camera from = camera();
+    const Ray top = pixel_ray(from, 50, 0, 100, 100), bottom = pixel_ray(from, 50, 100, 100, 100);
+    const Vector3f forward = (from.target - from.position).normalized();
+    const float distance = (from.target - from.position).norm();
+    const auto at_target = [&](const Ray& ray) -> Vector3f {
+      return ray.origin + distance / forward.dot(ray.direction) * ray.direction;
+    };
+    EXPECT_NEAR((at_target(top) - at_target(bottom)).norm(), height_at_target(from), 1e-4f * distance);
+  }
+}
+
+TEST_F(CameraLaws, AWidenedPictureShowsAsMuchAcross) {
+  for (int i = 0; i < 100; ++i) {
+    Camera from = camera();
+    from.vertical_fov = uniform(20, 50);
+    const float aspect = uniform(0.7f, 3);
+    const float across = std::max(16.0f / 9, aspect) * height_at_target(from);
+    EXPECT_NEAR(aspect * height_at_target(widen(from, aspect)), across, 1e-4f * across);
+    EXPECT_LE(widen(from, 0.01f).vertical_fov, 120.001f);
   }
 }
 

@@ -5,7 +5,7 @@
 #include "sim/fracture/split.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/topology.h"
-#include "sim/splinters/splinters.h"
+#include "sim/splinters/carried_corner.h"
 #include "tests/random_values.h"
 #include "tests/splinters/patterns.h"
 
@@ -68,7 +68,8 @@ TEST_P(FollowCracks, PartsMoveWithTheBodyOfTheirOwner) {
     const std::vector<int> pieces = box.pieces();
     for (std::size_t p = 0; p < box.set.parts.size(); ++p) {
       const TetId owner = box.set.splinters[box.set.parts[p].splinter].owner;
-      EXPECT_EQ(pieces[carrier(box.set, box.state, static_cast<int>(p))], pieces[owner]);
+      EXPECT_EQ(pieces[carrier(box.set.splinters, box.set.parts, box.state.attached, static_cast<int>(p))],
+                pieces[owner]);
       EXPECT_TRUE(box.state.attached[p] || box.set.parts[p].tet != owner);
     }
   }
@@ -116,8 +117,8 @@ TEST_P(FollowCracks, ClosedWallsHaveNoGap) {
     if (box.state.open[f] && ++open) continue;
     for (int c = face.first_corner; c < face.first_corner + face.corners; ++c) {
       const Vec3 rest = box.set.corners[c].rest.cast<double>();
-      const Vec3 gap = carried(carrier(box.set, box.state, face.part), rest) -
-                       carried(carrier(box.set, box.state, face.beyond), rest);
+      const Vec3 gap = carried(carrier(box.set.splinters, box.set.parts, box.state.attached, face.part), rest) -
+                       carried(carrier(box.set.splinters, box.set.parts, box.state.attached, face.beyond), rest);
       EXPECT_LT(gap.norm(), 1e-5);
     }
   }

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
+#include <string>
+#include <vector>
 
 namespace griffith::ui {
 namespace {
@@ -51,6 +54,31 @@ TEST(EditHistory, SavedStateIsRememberedAcrossUndo) {
   EXPECT_TRUE(history.modified());
   history.redo();
   EXPECT_FALSE(history.modified());
+}
+
+TEST(EditHistory, GoesToTheNearestWantedScene) {
+  EditHistory history({});
+  for (int i = 1; i <= 9; ++i) {
+    set_gravity(history, std::to_string(i), -i);
+    history.finish();
+  }
+  const auto go_to = [&](std::vector<double> wanted) {
+    return history.go_to([&](const Scene& scene) { return std::ranges::count(wanted, scene.gravity.y()) > 0; });
+  };
+  EXPECT_TRUE(go_to({-9}));
+  EXPECT_EQ(history.scene().gravity.y(), -9);
+  EXPECT_TRUE(go_to({-2, -5, -9.81}));
+  EXPECT_EQ(history.scene().gravity.y(), -5);
+  EXPECT_TRUE(go_to({-3, -6, -8}));
+  EXPECT_EQ(history.scene().gravity.y(), -6);
+  EXPECT_TRUE(go_to({-4, -8})) << "both are as near";
+  EXPECT_EQ(history.scene().gravity.y(), -4);
+  EXPECT_TRUE(go_to({-9.81}));
+  EXPECT_FALSE(history.can_undo());
+  EXPECT_FALSE(go_to({-20}));
+  EXPECT_EQ(history.scene(), Scene());
+  EXPECT_TRUE(go_to({-9}));
+  EXPECT_FALSE(history.can_redo());
 }
 
 /// The history against the simplest model of one: a list of all states and a place in it.

@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <set>
 
+#include "ui/widgets.h"
 #include "ui_driver.h"
 
 namespace griffith::ui {
@@ -178,6 +180,62 @@ TEST(EditorLayout, KeysTypedIntoAFieldAreNoShortcuts) {
   EXPECT_TRUE(ui.commands.empty());
 }
 
+TEST(EditorLayout, ShortcutsDoNotReachBehindADialog) {
+  const std::vector<std::function<void(EditorState&)>> dialogs = {
+      [](EditorState& state) { state.work = "Filling with tetrahedra"; },
+      [](EditorState& state) {
+        state.error = ErrorMessage{"here", "broken", "mend it"};
+      },
+      [](EditorState& state) {
+        state.report = WorkReport{"Added", {}, {}};
+      },
+      [](EditorState& state) { state.show_open = true; },
+      [](EditorState& state) { state.show_surface = true; },
+      [](EditorState& state) { state.show_help = true; }};
+  for (const auto& show : dialogs) {
+    UiDriver ui(two_walls());
+    ui.history.change("a", [](Scene& scene) { scene.name = "a"; });
+    ui.history.finish();
+    show(ui.state);
+    for (const CommandInfo& info : command_registry()) {
+      if (info.shortcut.key != key::kNone) ui.press_key(info.shortcut.key, info.shortcut.ctrl, info.shortcut.shift);
+    }
+    std::vector<CommandId> expected = {CommandId::screenshot};
+    if (ui.state.show_help) expected.push_back(CommandId::help);
+    expected.push_back(CommandId::quit);
+    EXPECT_EQ(ids(ui), expected);
+  }
+}
+
+TEST(EditorLayout, TheWayToWhereTheButtonWentDownIsNoDrag) {
+  UiDriver ui(two_walls());
+  const ImVec2 place = ui.find("viewport");
+  ui.move({place.x - 200, place.y - 100});
+  ImGui::GetIO().MousePos = place;  // a slow frame sees the move and the press at once
+  ui.press(0, true);
+  EXPECT_EQ(ui.state.camera_motion.yaw, 0);
+  EXPECT_EQ(ui.state.camera_motion.pitch, 0);
+  ui.move({place.x + 10, place.y});
+  EXPECT_LT(ui.state.camera_motion.yaw, 0);
+}
+
+TEST(EditorLayout, TheMassOfAShotFollowsItsDensityOnlyWhileThatIsShown) {
+  Scene scene = two_walls();
+  UiDriver ui(scene);
+  ImGui::GetIO().DisplaySize = {1500, 4000};
+  ui.state.shot.density = 2650;
+  for (int i = 0; i < 3; ++i) ui.frame();
+  EXPECT_EQ(find_tag(ui.tags, "projectile/mass"), nullptr);
+  ui.click("projectile/density", 1);
+  ui.type("7850");
+  EXPECT_EQ(ui.state.shot.density, 7850);
+  ui.click("projectile/by_density");
+  EXPECT_FALSE(ui.state.shot.density);
+  ui.click("projectile/mass", 1);
+  ui.type("3 kg");
+  EXPECT_EQ(ui.state.shot.mass, 3);
+}
+
 TEST(EditorLayout, MouseInTheViewMovesTheCamera) {
   UiDriver ui(two_walls());
   ui.drag("viewport", 100, 50);
@@ -245,6 +303,22 @@ TEST(EditorLayout, OpenDialogTakesATypedPath) {
   ASSERT_THAT(ids(ui), testing::ElementsAre(CommandId::open));
   EXPECT_EQ(ui.commands[0].path, "a/b.json");
   EXPECT_FALSE(ui.state.show_open);
+}
+
+TEST(EditorLayout, LongLabelsEndInDotsBeforeTheirWidget) {
+  UiDriver ui(two_walls());
+  ImGui::NewFrame();
+  const std::string text = "Größte Verzerrung μ…ω of a rather long name";
+  for (float width = 400; width > 20; width -= 3) {
+    const std::string shown = fitted(text, width);
+    EXPECT_LE(ImGui::CalcTextSize(shown.c_str()).x, width);
+    EXPECT_EQ(shown == text, ImGui::CalcTextSize(text.c_str()).x <= width);
+    if (shown == text) continue;
+    const std::string kept = shown.substr(0, shown.size() - std::string("…").size());
+    EXPECT_TRUE(text.starts_with(kept));
+    EXPECT_NE(text[kept.size()] & 0xc0, 0x80) << "within a letter";
+  }
+  ImGui::EndFrame();
 }
 
 TEST(EditorLayout, SceneWithoutBodiesIsShownToo) {

@@ -133,6 +133,18 @@ TEST(ScenePanels, ProbesFollowTheNameOfTheirBody) {
   expect_valid(ui);
 }
 
+TEST(ScenePanels, ATypedNameIsOneEdit) {
+  UiDriver ui(two_walls());
+  open(ui, {"body"});
+  ui.click("body/name");
+  ui.type("abc");
+  EXPECT_NE(ui.history.scene().bodies[0].name, "left");
+  ASSERT_EQ(ui.history.entries().size(), 1u);
+  EXPECT_EQ(ui.history.entries()[0].label, "Set Name of left");
+  ui.history.undo();
+  EXPECT_EQ(ui.history.scene(), two_walls());
+}
+
 TEST(ScenePanels, TwoBodiesCannotHaveOneName) {
   Scene scene = two_walls();
   scene.bodies[0].name = "wall";

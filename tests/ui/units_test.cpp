@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "sim/mesh/number_text.h"
+
 namespace griffith::ui {
 namespace {
 
@@ -58,6 +60,23 @@ TEST(Units, MantissaLiesBetweenOneAndAThousand) {
     EXPECT_LT(scaled, value < 1e15 ? 1000 : 1e6);
   }
 }
+
+TEST(Units, DegreesStandAtTheirNumber) {
+  EXPECT_EQ(format_quantity(15, "°"), "15°");
+  EXPECT_EQ(parse_quantity("15°", "°"), 15);
+  EXPECT_EQ(parse_quantity("15 °", "°"), 15);
+}
+
+TEST(CountText, GroupsByThree) {
+  EXPECT_EQ(count_text(0), "0");
+  EXPECT_EQ(count_text(999), "999");
+  EXPECT_EQ(count_text(8012), "8,012");
+  EXPECT_EQ(count_text(1234567), "1,234,567");
+  EXPECT_EQ(count_text(-123), "-123");
+  EXPECT_EQ(count_text(-1234), "-1,234");
+}
+
+TEST(DirectionText, HasTwoDigits) { EXPECT_EQ(direction_text(Vec3(0.6, -0.8, 0)), "0.60, -0.80, 0.00"); }
 
 }  // namespace
 }  // namespace griffith::ui

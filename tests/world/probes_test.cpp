@@ -45,6 +45,7 @@ Frame frame_of(const WorldState& world) {
   frame.separations = world.nodes.separations;
   frame.reactions = world.nodes.reactions;
   frame.tets = world.mesh.tets;
+  frame.rests = world.elements.rests;
   frame.stresses = world.elements.stresses;
   return frame;
 }

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "sim/world/frame.h"
+
+namespace griffith::app {
+
+/// The box round all nodes [m], but for those whose position is not finite; empty where there are none.
+inline Eigen::AlignedBox3d bounds_of(const Frame& frame) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& position : frame.positions)
+    if (position.allFinite()) box.extend(position);
+  return box;
+}
+
+}  // namespace griffith::app
