@@ -198,6 +198,12 @@ bool runs_on(const WorldState& world, const Opened& opened, double substep, cons
   return attempt.start && !remeshed && !opened.bodies.empty() && attempt.number * world.crack_transit_time < substep;
 }
 
+/// A crack that runs on through a substep crosses its elements one after the other.
+void date_events(WorldState& world, std::size_t first_event, double substep, int attempt) {
+  const double time = std::min(world.time, world.time - substep + attempt * world.crack_transit_time);
+  for (std::size_t i = first_event; i < world.crack_events.size(); ++i) world.crack_events[i].time = time;
+}
+
 }  // namespace
 
 bool open_cracks(WorldState& world, double substep, const Attempt& attempt) {
@@ -216,6 +222,7 @@ bool open_cracks(WorldState& world, double substep, const Attempt& attempt) {
   world.work.cracks += Work::kPerCrack * cracks;
   world.work.fresh_contacts += Work::kPerFreshCrack * cracks;
   const bool again = runs_on(world, opened, substep, attempt);
+  if (again || attempt.number > 1) date_events(world, opened.first_event, substep, attempt.number);
   if (again) rewind(world, *attempt.start, opened.copies);
   part_bodies(world, std::vector<BodyId>(opened.bodies.begin(), opened.bodies.end()));
   for (std::size_t i = opened.first_event; i < world.crack_events.size(); ++i)

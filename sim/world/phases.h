@@ -114,7 +114,7 @@ struct Attempt {
 /// opens in the next step. New cracks start no nearer to each other than a wave gets in the `substep` [s]. A crack crosses
 /// one element in an attempt: while it would have had time for more in the substep, the world is taken back to its start,
 /// cracked as it is now. Returns whether that was done.
-bool open_cracks(WorldState& world, double substep, const Attempt& attempt);
+bool open_cracks(WorldState& world, double substep, const Attempt& attempt = {});
 /// Bodies whose stress has died, and single tets, which cannot break, turn rigid.
 void calm_bodies(WorldState& world);
 /// Rigid bodies that lie still fall asleep; after a step of this length [s].

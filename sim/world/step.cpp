@@ -82,8 +82,12 @@ int substep_with_cracks(WorldState& world, int ticks, bool last, int made, doubl
     world.work = {};
     const bool again = substep(world, dt, {start ? &*start : nullptr, attempt});
     budget -= least_work(world) + world.work.sum();
-    if (!again) return attempt;
-    ++world.report.repeated_substeps;
+    if (again) {
+      ++world.report.repeated_substeps;
+      continue;
+    }
+    world.report.coarse_substeps += !affordable && attempt * world.crack_transit_time < dt;
+    return attempt;
   }
 }
 

@@ -49,7 +49,9 @@ class ViewsTest : public testing::Test {
     renderer_ = std::make_unique<render::Renderer>();
     scene_ = rich_wall();
     world_ = std::make_unique<World>(scene_);
-    struck_ = std::make_unique<World>(scene_);
+    Scene whole = scene_;
+    whole.simulation.fracture = false;
+    struck_ = std::make_unique<World>(whole);
     Scene hard = scene_;
     hard.projectiles[0].speed *= 3;
     broken_ = std::make_unique<World>(hard);
@@ -114,7 +116,7 @@ TEST_F(ViewsTest, EveryLayerShowsItsSignsInItsColours) {
       {"velocities", sign_color::kVelocity, true},
       {"contacts", sign_color::kImpulse, true},
       {"fracture_planes", {1.0f, 0.62f, 0.08f}, false},
-      {"candidate_plane", sign_color::kAbove, true},
+      {"candidate_plane", sign_color::kBelow, true},
       {"element_forces", sign_color::kTension, true},
       {"body_frames", {0.86f, 0.22f, 0.20f}, true},
       {"collision_shapes", id_color(0), true},

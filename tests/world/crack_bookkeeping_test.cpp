@@ -193,6 +193,7 @@ TEST(RunningCracks, AdvanceAtASpeedThatDoesNotDependOnTheTimeStep) {
     Scene scene = floating(plate);
     scene.simulation.time_step = time_step;
     scene.simulation.impact_substeps = 256;
+    scene.simulation.step_budget = 100;
     World world(scene);
     double started = -1, arrived = -1;
     while (arrived < 0 && world.frame().time < 0.2) {
