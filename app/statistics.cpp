@@ -55,6 +55,7 @@ void add_counters(Json& json, const StepReport& sums, const StepReport& largest)
   json["remeshing_refused"] = sums.remeshing_refused;
   json["supports_torn"] = sums.supports_torn;
   json["coarse_substeps"] = sums.coarse_substeps;
+  json["repeated_substeps"] = sums.repeated_substeps;
   json["unconverged_solves"] = sums.unconverged_solves;
   json["shortened_motions"] = sums.shortened_motions;
   json["limited_impulses"] = sums.limited_impulses;
@@ -95,6 +96,7 @@ void RunStatistics::add(const Frame& frame) {
   sums_.remeshing_refused += report.remeshing_refused;
   sums_.supports_torn += report.supports_torn;
   sums_.coarse_substeps += report.coarse_substeps;
+  sums_.repeated_substeps += report.repeated_substeps;
   sums_.unconverged_solves += report.unconverged_solves;
   sums_.shortened_motions += report.shortened_motions;
   sums_.limited_impulses += report.limited_impulses;

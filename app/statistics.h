@@ -24,9 +24,9 @@ class RunStatistics {
   /// `max_relative_residual`, `solver_iterations`, `inverted_tets`, `non_finite_values` and `sleeping_bodies` are the
   /// largest of any step,
   /// `substeps`, `contacts`, `cracks_postponed`, `cracks_suppressed`, `remeshing_refused`, `supports_torn`,
-  /// `coarse_substeps`, `unconverged_solves`, `shortened_motions` and `limited_impulses` sums over all steps.
-  /// `softened_impacts` lists for each scene body that an impact found softened (SoftenedImpact) the softest, with the
-  /// effective material and the reason.
+  /// `coarse_substeps`, `repeated_substeps`, `unconverged_solves`, `shortened_motions` and `limited_impulses` sums over
+  /// all steps. `softened_impacts` lists for each scene body that an impact found softened (SoftenedImpact) the
+  /// softest, with the effective material and the reason.
   std::string json(const Frame& frame, std::uint64_t state_hash) const;
 
   /// The same for a person, a few lines.

@@ -72,8 +72,9 @@ void solver_rows(const Panel& panel) {
               "Not made because the fragment would be too small.");
   trouble_row(panel, "Cuts refused", report.remeshing_refused, palette::kWarning,
               "Edges that remeshing left whole, or the tetrahedra would have become too small or too flat.");
-  trouble_row(panel, "Coarse substeps", report.coarse_substeps, palette::kWarning,
-              "Longer than the impact or crack asks for: allow more impact substeps, or use fewer or larger elements.");
+  trouble_row(
+      panel, "Coarse substeps", report.coarse_substeps, palette::kWarning,
+      "Longer than the impact or crack asks for: raise step_budget of the scene, or use fewer or larger elements.");
   softened_row(panel);
   trouble_row(panel, "Shortened motions", report.shortened_motions, palette::kWarning,
               "Deformations cut short, whose linearised step would have added energy: use more substeps.");

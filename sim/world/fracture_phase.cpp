@@ -14,8 +14,8 @@ namespace {
 /// What open_cracks() did, until the pieces are known.
 struct Opened {
   std::set<BodyId> bodies;
-  MotionsBefore motions;      ///< of free bodies that were remeshed
-  std::set<NodeId> waiting;   ///< a split relieves its neighbourhood: these wait until their stress is known again
+  MotionsBefore motions;     ///< of free bodies that were remeshed
+  std::set<NodeId> waiting;  ///< a split relieves its neighbourhood: these wait until their stress is known again
   std::vector<NodeCopy> copies;
   std::vector<TetId> parted;  ///< tets that lost a neighbour
   std::size_t first_event = 0;

@@ -19,8 +19,8 @@ void place_splinters(WorldState& world, int scene_body, const RestBody& body);
 /// After the splinters of all bodies were made: what is known of them together.
 void close_splinters(WorldState& world);
 
-/// Queues the shots of a burst, its start counted from now. Throws InputError, about the field `where` of the scene, for
-/// a surface file that cannot be read or has no volume.
+/// Queues the shots of a burst, its start counted from now. Throws InputError, about the field `where` of the scene,
+/// for a surface file that cannot be read or has no volume.
 void queue_burst(WorldState& world, const ProjectileBurst& burst, const std::string& where);
 /// Puts the shots whose time has come into the contact world.
 void launch_projectiles(WorldState& world);
@@ -28,14 +28,15 @@ void launch_projectiles(WorldState& world);
 /// A step is divided into this many ticks; substeps are whole numbers of them.
 inline constexpr int kTicksPerStep = 4096;
 /// Brings bodies to rest where what acts on them at `time` [s] is in balance; with `supported_only` just those that
-/// supports hold. Prescribed supports go on for `displacement_time` [s]. Free bodies get inertia relief (solve_static()).
+/// supports hold. Prescribed supports go on for `displacement_time` [s]. Free bodies get inertia relief
+/// (solve_static()).
 void find_equilibrium(WorldState& world, double time, double displacement_time, bool supported_only);
 
 /// What a substep must cost as things are, as Work counts it.
 double least_work(const WorldState& world);
-/// The length of the next substep in ticks: all that is left while nothing strikes; up to an impact in one go, through it
-/// in substeps in which a wave crosses a quarter of an element, then ever longer ones; while a crack runs, no longer than it
-/// takes to cross an element. `substeps_left` is kept.
+/// The length of the next substep in ticks: all that is left while nothing strikes; up to an impact in one go, through
+/// it in substeps in which a wave crosses a quarter of an element, then ever longer ones; while a crack runs, no longer
+/// than it takes to cross an element. `substeps_left` is kept.
 int next_substep(WorldState& world, int ticks_left, int substeps_left);
 
 /// How fine time must be to see the stress of an impact on the body [s].
@@ -110,10 +111,10 @@ struct Attempt {
   const Moment* start = nullptr;
   int number = 1;
 };
-/// Opens the mesh where the margin is passed, worst first; parted pieces become bodies. What exceeds the budget of cracks
-/// opens in the next step. New cracks start no nearer to each other than a wave gets in the `substep` [s]. A crack crosses
-/// one element in an attempt: while it would have had time for more in the substep, the world is taken back to its start,
-/// cracked as it is now. Returns whether that was done.
+/// Opens the mesh where the margin is passed, worst first; parted pieces become bodies. What exceeds the budget of
+/// cracks opens in the next step. New cracks start no nearer to each other than a wave gets in the `substep` [s]. A
+/// crack crosses one element in an attempt: while it would have had time for more in the substep, the world is taken
+/// back to its start, cracked as it is now. Returns whether that was done.
 bool open_cracks(WorldState& world, double substep, const Attempt& attempt = {});
 /// Bodies whose stress has died, and single tets, which cannot break, turn rigid.
 void calm_bodies(WorldState& world);
@@ -122,8 +123,8 @@ void rest_bodies(WorldState& world, double time_step);
 
 /// Gives the tets of bodies that may have come apart to one body for each connected piece.
 void part_bodies(WorldState& world, std::span<const BodyId> opened);
-/// The same for pieces that are known: one goes on as the body itself, each other becomes a new body, of which nothing but
-/// the tets is known yet.
+/// The same for pieces that are known: one goes on as the body itself, each other becomes a new body, of which nothing
+/// but the tets is known yet.
 void hand_out_tets(WorldState& world, BodyId id, std::vector<std::vector<TetId>> pieces);
 /// Rebuilds what follows from the tets of a body with a stand-in: all that rebuild_shape() does, collision parts and
 /// stand-in.
@@ -132,8 +133,8 @@ void rebuild_body(WorldState& world, Body& body);
 void rebuild_shape(WorldState& world, Body& body);
 /// Makes the stand-ins of bodies that have none yet out of their collision parts, in the contact world.
 void add_stand_ins(WorldState& world, std::span<Body> bodies);
-/// Convex parts of the body's present shape, relative to its centre of mass: of the splinters that it owns where the scene
-/// asks for that and they are not too many to be told from a whole, else of its tets.
+/// Convex parts of the body's present shape, relative to its centre of mass: of the splinters that it owns where the
+/// scene asks for that and they are not too many to be told from a whole, else of its tets.
 std::vector<ConvexPart> collision_parts(const WorldState& world, const Body& body);
 /// The rigid motion that carries the momentum of a body's nodes.
 RigidMotion motion_of(const WorldState& world, const Body& body);

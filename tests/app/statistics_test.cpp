@@ -45,6 +45,7 @@ TEST(Statistics, EveryFieldIsThereAndMakesSense) {
                            "remeshing_refused",
                            "supports_torn",
                            "coarse_substeps",
+                           "repeated_substeps",
                            "inverted_tets",
                            "unconverged_solves",
                            "non_finite_values",
