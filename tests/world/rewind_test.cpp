@@ -13,27 +13,8 @@ namespace {
 using testing::brick;
 using testing::struck_block;
 
-/// A free pane that a heavy ball strikes in weightless space, at steps so long that cracks would run through it in one.
-Scene shot_pane() {
-  Scene scene;
-  scene.gravity.setZero();
-  scene.ground.reset();
-  scene.simulation.time_step = 1.0 / 60;
-  BodyDescription pane;
-  pane.shape = BoxShape{Vec3(1, 1, 0.02), Vec3(1.0 / 14, 1.0 / 14, 0.02), BoxPattern::five_tet};
-  pane.material.young_modulus = 7e8;
-  pane.material.density = 2500;
-  pane.material.tensile_strength = 2e6;
-  pane.material.fracture_toughness = 7.6e4;
-  scene.bodies = {pane};
-  ProjectileBurst shot;
-  shot.position = Vec3(0.1, 0.1, 0.6);
-  shot.speed = 25;
-  shot.mass = 20;
-  shot.radius = 0.085;
-  scene.projectiles = {shot};
-  return scene;
-}
+/// Steps so long that cracks would run through the pane in one.
+Scene quickly_shot_pane() { return testing::shot_pane(14, 1.0 / 60); }
 
 TEST(Rewind, TakesAllThatMovesBack) {
   WorldState world(struck_block(brick(1e3)));
@@ -60,7 +41,7 @@ TEST(Rewind, TakesAllThatMovesBack) {
 }
 
 TEST(Rewind, RepeatedSubstepsKeepMomentumAndMakeNoEnergy) {
-  World world(shot_pane());
+  World world(quickly_shot_pane());
   world.step();
   const Totals first = world.frame().totals;
   const double whole = first.kinetic_energy + first.elastic_energy;
@@ -82,7 +63,7 @@ TEST(Rewind, TheSameBitsForAnyNumberOfThreads) {
   std::vector<std::vector<Vec3>> positions;
   for (int threads : {1, 2, 4}) {
     const ThreadLimit limit(threads);
-    World world(shot_pane());
+    World world(quickly_shot_pane());
     int repeated = 0;
     for (int i = 0; i < 6; ++i) {
       world.step();

@@ -54,4 +54,26 @@ inline Scene struck_block(const Material& material) {
   return scene;
 }
 
+/// A free pane of soft glass, 1 m wide, in weightless space that a heavy ball strikes after 0.02 s.
+inline Scene shot_pane(int cells, double time_step) {
+  Scene scene;
+  scene.gravity.setZero();
+  scene.ground.reset();
+  scene.simulation.time_step = time_step;
+  BodyDescription pane;
+  pane.shape = BoxShape{Vec3(1, 1, 0.02), Vec3(1.0 / cells, 1.0 / cells, 0.02), BoxPattern::five_tet};
+  pane.material.young_modulus = 7e8;
+  pane.material.density = 2500;
+  pane.material.tensile_strength = 2e6;
+  pane.material.fracture_toughness = 7.6e4;
+  scene.bodies = {pane};
+  ProjectileBurst shot;
+  shot.position = Vec3(0.1, 0.1, 0.6);
+  shot.speed = 25;
+  shot.mass = 20;
+  shot.radius = 0.085;
+  scene.projectiles = {shot};
+  return scene;
+}
+
 }  // namespace griffith::testing
