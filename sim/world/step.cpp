@@ -72,13 +72,19 @@ int substeps_left(const WorldState& world, double budget, int made) {
   return static_cast<int>(std::clamp<double>(budget / expected, 1, most));
 }
 
+bool may_crack(const WorldState& world) {
+  return world.scene.simulation.fracture &&
+         std::any_of(world.bodies.begin(), world.bodies.end(), [](const Body& body) { return !body.rigid; });
+}
+
 /// A substep of `ticks`, made again while cracks would have run on in it and the budget, which it lessens, lasts.
 /// Returns how often it was made.
 int substep_with_cracks(WorldState& world, int ticks, bool last, int made, double& budget) {
   const double dt = world.scene.simulation.time_step * ticks / kTicksPerStep;
   for (int attempt = 1;; ++attempt) {
     const bool affordable = substeps_left(world, budget, made + attempt - 1) > (last ? 1 : 2);
-    const std::optional<Moment> start = affordable ? std::optional(moment_of(world)) : std::nullopt;
+    const std::optional<Moment> start =
+        affordable && may_crack(world) ? std::optional(moment_of(world)) : std::nullopt;
     world.work = {};
     const bool again = substep(world, dt, {start ? &*start : nullptr, attempt});
     budget -= least_work(world) + world.work.sum();
