@@ -140,6 +140,7 @@ SolveReport ElasticSystem::respond(const ImplicitStep& step, std::span<const Vec
   project(b);
   const SolveReport report = conjugate_gradient(rows_.matrix, *preconditioner_, b, change, step.relative_residual,
                                                 std::sqrt(dot(b, b)), step.max_iterations);
+  project(change);
   const BlockSparseMatrix& a = support_rows_.matrix;
   for (int support = 0; support < a.rows(); ++support) {
     Vec3 impulse = -impulses[supports()[support]];

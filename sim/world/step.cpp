@@ -83,8 +83,7 @@ int substep_with_cracks(WorldState& world, int ticks, bool last, int made, doubl
   const double dt = world.scene.simulation.time_step * ticks / kTicksPerStep;
   for (int attempt = 1;; ++attempt) {
     const bool affordable = substeps_left(world, budget, made + attempt - 1) > (last ? 1 : 2);
-    const std::optional<Moment> start =
-        affordable && may_crack(world) ? std::optional(moment_of(world)) : std::nullopt;
+    const std::optional<Moment> start = affordable && may_crack(world) ? std::optional(moment_of(world)) : std::nullopt;
     world.work = {};
     const bool again = substep(world, dt, {start ? &*start : nullptr, attempt});
     budget -= least_work(world) + world.work.sum();

@@ -148,5 +148,36 @@ TEST(Supports, OneThatHoldsNothingIsAFinding) {
   EXPECT_EQ(world.findings()[0].where(), "#/bodies/0/supports/1/region");
 }
 
+TEST(Supports, NodesStayInTheirPlaneWhateverStrikesTheBody) {
+  Scene scene;
+  scene.ground.reset();
+  BodyDescription block;
+  block.shape = BoxShape{Vec3(1, 1, 1), Vec3::Constant(0.25), BoxPattern::five_tet};
+  block.rotation_degrees = Vec3(20, 30, 40);
+  block.material.tensile_strength = 1e9;
+  Support plane{HalfSpaceRegion{Vec3(0, -0.5, 0), -Vec3::UnitY()}};
+  plane.kind = SupportKind::sliding;
+  plane.normal = Vec3(0.3, 1, 0.2).normalized();
+  block.supports = {plane};
+  scene.bodies = {block};
+  ProjectileBurst shot;
+  shot.position = Vec3(0.1, 0.2, 2);
+  scene.projectiles = {shot};
+  World world(scene);
+  const auto start = world.frame().positions;
+  const std::vector<Vec3> first(start.begin(), start.end());
+  bool struck = false;
+  for (int step = 0; step < 60; ++step) {
+    world.step();
+    struck |= !world.frame().contacts.empty();
+  }
+  ASSERT_TRUE(struck);
+  const Frame frame = world.frame();
+  for (std::size_t i = 0; i < frame.positions.size(); ++i) {
+    const Mat3 blocked = Mat3::Identity() - frame.constraints[NodeId(static_cast<std::int64_t>(i))].allowed;
+    EXPECT_LT((blocked * (frame.positions[i] - first[i])).norm(), 1e-12);
+  }
+}
+
 }  // namespace
 }  // namespace griffith::testing
