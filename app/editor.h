@@ -34,8 +34,11 @@ class Editor {
   /// Draws the panels into the current ImGui frame and carries out what the user asked for.
   void draw_panels(const ui::Fonts& fonts);
 
-  /// Opens a scene; a problem is shown and leaves everything as it was. Where its world takes longer to build, the
-  /// scene appears when that is done, and a dialog that can cancel it shows until then.
+  /// Carries out what the user asked for; problems are shown. What would lose edits that are not saved asks first.
+  void execute(const ui::Command& command);
+  /// Opens a scene, whatever becomes of the edits of this one; a problem is shown and leaves everything as it was.
+  /// Where its world takes longer to build, the scene appears when that is done, and a dialog that can cancel it shows
+  /// until then.
   void open(const std::filesystem::path& path);
   /// Looks through that camera of the scene. Throws InputError when there is none.
   void use_camera(const std::string& name);
@@ -74,7 +77,6 @@ class Editor {
   void take_world(WorldLoader::Loaded loaded);
   void add_surface();
   void report_surface();
-  void execute(const ui::Command& command);
   void show_error(const InputError& error);
   void fire(const Vec2& cursor);
   void pick(const Vec2& cursor);

@@ -11,6 +11,11 @@ namespace griffith::app {
 using ui::CommandId;
 
 void Editor::execute(const ui::Command& command) {
+  const bool leaves = command.id == CommandId::open || command.id == CommandId::quit;
+  if (leaves && history_.modified() && !command.discard_edits) {
+    state_.unsaved = command;
+    return;
+  }
   try {
     switch (command.id) {
       case CommandId::toggle_run:

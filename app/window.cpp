@@ -84,7 +84,7 @@ class WindowInput {
       of(handle).tell_key(key, scancode, action, mods);
     });
     glfwSetDropCallback(window_, [](GLFWwindow* handle, int count, const char** paths) {
-      if (count > 0) of(handle).editor_.open(paths[0]);
+      if (count > 0) of(handle).editor_.execute({.id = ui::CommandId::open, .path = paths[0]});
     });
   }
   ~WindowInput() { ImGui_ImplGlfw_Shutdown(); }
@@ -153,8 +153,12 @@ void draw_frame(Editor& editor, Interface& interface, const Window& window, Wind
 
 void loop(Editor& editor, Interface& interface, const Window& window, WindowInput& input, int exit_after) {
   double last = glfwGetTime();
-  for (int drawn = 1; !glfwWindowShouldClose(window.handle()) && !editor.wants_to_quit(); ++drawn) {
+  for (int drawn = 1; !editor.wants_to_quit(); ++drawn) {
     glfwPollEvents();
+    if (glfwWindowShouldClose(window.handle())) {
+      glfwSetWindowShouldClose(window.handle(), GLFW_FALSE);
+      editor.execute({.id = ui::CommandId::quit});
+    }
     const double now = glfwGetTime();
     editor.advance(std::min(now - last, kLongestFrame));
     last = now;

@@ -38,6 +38,7 @@ struct Command {
   CommandId id;
   std::filesystem::path path = {};  ///< open: the scene; save: where, or empty for the scene's own file
   Vec2 cursor = Vec2(0.5, 0.5);     ///< fire, pick: place in the view, from its top left corner, 0..1
+  bool discard_edits = false;       ///< open, quit: even where edits are not saved
 };
 
 /// Key codes in GLFW's numbering; letters and digits are their ASCII codes.

@@ -10,6 +10,7 @@ Dialog shown_dialog(const EditorState& state) {
   if (!state.work.empty()) return Dialog::work;
   if (state.error) return Dialog::error;
   if (state.report) return Dialog::report;
+  if (state.unsaved) return Dialog::unsaved;
   if (state.show_surface) return Dialog::surface;
   if (state.show_open) return Dialog::open;
   return state.show_help ? Dialog::help : Dialog::none;

@@ -84,6 +84,7 @@ struct EditorState {
   std::string work;          ///< what is being done while a world is built; empty: nothing
   bool cancel_work = false;  ///< the user wants no more of it
   std::optional<ErrorMessage> error;
+  std::optional<Command> unsaved;  ///< waits for an answer: it would lose edits that are not saved
   std::vector<LogLine> log;
   std::array<char, 512> path_text = {};  ///< being typed in the open dialog
   std::string typed_tag;                 ///< the number field being typed into

@@ -380,6 +380,37 @@ TEST_F(EditorTest, BadFileIsShownAndEverythingStays) {
   EXPECT_EQ(value("toolbar/step"), "step 0");
 }
 
+TEST_F(EditorTest, EditsThatAreNotSavedAreNotLostUnasked) {
+  click("material/preset");
+  click("material/preset/concrete");
+  const ui::Command open{.id = ui::CommandId::open, .path = small_wall_file()}, quit{.id = ui::CommandId::quit};
+  editor_.execute(open);
+  draw(4);
+  click("unsaved/cancel");
+  EXPECT_FALSE(editor_.state().unsaved);
+  EXPECT_NE(editor_.title().find('*'), std::string::npos) << "all is as it was";
+
+  editor_.execute(quit);
+  draw(4);
+  EXPECT_FALSE(editor_.wants_to_quit());
+  click("unsaved/discard");
+  EXPECT_TRUE(editor_.wants_to_quit());
+}
+
+TEST_F(EditorTest, EditsCanBeSavedBeforeAnotherSceneOpens) {
+  const std::filesystem::path saved = test_folder() / "edited.json";
+  editor_.execute({.id = ui::CommandId::save, .path = saved});
+  click("material/preset");
+  click("material/preset/concrete");
+  editor_.execute({.id = ui::CommandId::open, .path = small_wall_file()});
+  draw(4);
+  click("unsaved/save");
+  wait_for_work();
+  EXPECT_EQ(read_scene(saved).bodies[0].material.name, "concrete");
+  EXPECT_EQ(editor_.title().find('*'), std::string::npos);
+  EXPECT_FALSE(editor_.state().unsaved);
+}
+
 TEST_F(EditorTest, RangeLockKeepsWhatIsShown) {
   for (int i = 0; i < 3; ++i) click("command/simulation.step");
   click("view/lock_range");
