@@ -87,8 +87,7 @@ SolveReport respond_implicitly(WorldState& world, const Body& body, double dt, c
   NodeArrays& nodes = world.nodes;
   const SolveReport report = body.system->respond(implicit_step(world, body, dt), nodes.positions, impulses,
                                                   nodes.masses, nodes.constraints, change);
-  for (std::size_t i = 0; i < body.system->supports().size(); ++i)
-    nodes.reactions[body.system->supports()[i]] = body.system->reaction_forces()[i];
+  take_reactions(world, body);
   return report;
 }
 

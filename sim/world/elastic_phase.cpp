@@ -55,8 +55,7 @@ SolveReport predict_elastic(WorldState& world, Body& body, std::vector<Vec3>& fo
   }
   const SolveReport report = body.system->solve(implicit_step(world, body, dt), world.nodes.positions, forces,
                                                 world.nodes.masses, world.nodes.constraints, world.nodes.velocities);
-  for (std::size_t i = 0; i < body.system->supports().size(); ++i)
-    world.nodes.reactions[body.system->supports()[i]] = body.system->reaction_forces()[i];
+  take_reactions(world, body);
   return report;
 }
 
@@ -93,6 +92,12 @@ void assemble_system(WorldState& world, Body& body, double dt) {
   if (world.integrates_explicitly()) return;
   body.system->assemble(implicit_step(world, body, dt), elastic_law(world.material_of(body)), world.elements.rests,
                         world.elements.states, world.nodes.positions, world.nodes.masses);
+}
+
+void take_reactions(WorldState& world, const Body& body) {
+  const std::span<const NodeId> supports = body.system->supports();
+  for (std::size_t i = 0; i < supports.size(); ++i)
+    world.nodes.reactions[supports[i]] = body.system->reaction_forces()[i];
 }
 
 void count_solve(WorldState& world, const Body& body, const SolveReport& solve) {

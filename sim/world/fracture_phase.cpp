@@ -6,6 +6,7 @@
 #include "sim/fracture/remesh.h"
 #include "sim/fracture/split.h"
 #include "sim/world/phases.h"
+#include "sim/world/rewind.h"
 #include "sim/world/subdivision.h"
 
 namespace griffith {

@@ -2,11 +2,12 @@
 
 #include "sim/fracture/separation_tensor.h"
 #include "sim/meshing/monitor.h"
-#include "sim/world/rewind.h"
 #include "sim/world/world_state.h"
 
 /// The phases of a step, in the order in which advance() calls them.
 namespace griffith {
+
+struct Moment;
 
 /// A whole step.
 void advance(WorldState& world);
@@ -93,6 +94,8 @@ Wrench wrench_of(const WorldState& world, const Body& body, const std::vector<Ve
 double mechanical_energy(const WorldState& world, const Body& body);
 /// The implicit step of a body.
 ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt);
+/// Takes what the supports of a body did from its system, after a solve.
+void take_reactions(WorldState& world, const Body& body);
 /// Counts what a linear solve for a body needed.
 void count_solve(WorldState& world, const Body& body, const SolveReport& solve);
 /// How many equal substeps keep explicit integration of all elastic bodies stable.

@@ -11,8 +11,7 @@ void rewind_piece(WorldState& world, Body& body, const Moment::Piece& piece) {
   body.motion = piece.motion;
   body.orientation = piece.orientation;
   body.softened = piece.softened;
-  body.softening = 1;
-  body.softened_before = piece.softened_before;
+  body.softening = piece.softening;
   body.last_strike = piece.last_strike;
   if (piece.rigid && !body.rigid) place_rigid_nodes(world, body);
 }
@@ -30,7 +29,7 @@ Moment moment_of(const WorldState& world) {
   moment.stresses = world.elements.stresses;
   for (const Body& body : world.bodies)
     moment.pieces.push_back(
-        {body.motion, body.orientation, body.rigid, body.softened, body.softened_before, body.last_strike});
+        {body.motion, body.orientation, body.rigid, body.softened, body.softening, body.last_strike});
   for (const Projectile& projectile : world.projectiles)
     moment.projectiles.push_back(world.contact_world.state(projectile.object));
   moment.contact_views = world.contact_views.size();

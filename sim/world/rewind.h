@@ -12,7 +12,7 @@ struct Moment {
     Quat orientation;
     bool rigid = false;
     std::optional<SoftenedImpact> softened;
-    bool softened_before = false;
+    double softening = 1;
     std::int64_t last_strike = 0;
   };
   double time = 0;  ///< [s]

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "sim/world/phases.h"
+#include "sim/world/rewind.h"
 #include "sim/world/world.h"
 #include "sim/world/world_impl.h"
 
