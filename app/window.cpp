@@ -12,10 +12,11 @@
 #include "app/editor.h"
 #include "app/interface.h"
 #include "app/key_latch.h"
+#include "app/output.h"
 #include "app/scene_files.h"
 #include "app/starting_scene.h"
-#include "renderer/error.h"
 #include "renderer/image.h"
+#include "sim/replace_file.h"
 #include "sim/scene/scene_reader.h"
 
 namespace griffith::app {
@@ -130,9 +131,9 @@ render::Image window_image(const Window& window) {
 void save_screenshot(Editor& editor, const Window& window) {
   const std::filesystem::path path = free_screenshot_path();
   try {
-    save_png(path, window_image(window));
+    save_picture(path, window_image(window));
     editor.log(ui::LogLevel::info, "Saved " + path.string());
-  } catch (const render::RenderError& error) {
+  } catch (const InputError& error) {
     editor.log(ui::LogLevel::error, error.what());
   }
 }
@@ -173,6 +174,7 @@ void loop(Editor& editor, Interface& interface, const Window& window, WindowInpu
 }  // namespace
 
 void run_editor(const EditorOptions& options) {
+  if (!options.screenshot.empty()) check_replaceable(options.screenshot);
   const bool named = !options.scene.empty();
   Scene scene = named ? read_scene(options.scene) : starting_scene();
   const Window window;
@@ -180,7 +182,7 @@ void run_editor(const EditorOptions& options) {
   Interface interface(window.scale());
   WindowInput input(window, editor);
   loop(editor, interface, window, input, options.exit_after);
-  if (!options.screenshot.empty()) save_png(options.screenshot, window_image(window));
+  if (!options.screenshot.empty()) save_picture(options.screenshot, window_image(window));
 }
 
 }  // namespace griffith::app
