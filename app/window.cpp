@@ -162,6 +162,7 @@ void loop(Editor& editor, Interface& interface, const Window& window, WindowInpu
     }
     const double now = glfwGetTime();
     editor.advance(std::min(now - last, kLongestFrame));
+    editor.autosave(now);
     last = now;
     draw_frame(editor, interface, window, input);
     if (editor.take_screenshot_request()) save_screenshot(editor, window);
@@ -181,6 +182,7 @@ void run_editor(const EditorOptions& options) {
   Editor editor(std::move(scene), options.scene);
   Interface interface(window.scale());
   WindowInput input(window, editor);
+  editor.keep_edits_safe(state_folder());
   loop(editor, interface, window, input, options.exit_after);
   if (!options.screenshot.empty()) save_picture(options.screenshot, window_image(window));
 }

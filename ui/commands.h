@@ -21,6 +21,10 @@ enum class CommandId {
   add_surface_dialog,
   add_surface,
   save,
+  save_dialog,
+  recover,
+  discard_copy,
+  leave_copy,
   undo,
   redo,
   frame_all,
@@ -39,6 +43,7 @@ struct Command {
   std::filesystem::path path = {};  ///< open: the scene; save: where, or empty for the scene's own file
   Vec2 cursor = Vec2(0.5, 0.5);     ///< fire, pick: place in the view, from its top left corner, 0..1
   bool discard_edits = false;       ///< open, quit: even where edits are not saved
+  bool replace = false;             ///< save: even where that loses what another has written
 };
 
 /// Key codes in GLFW's numbering; letters and digits are their ASCII codes.

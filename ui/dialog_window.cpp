@@ -10,6 +10,9 @@ Dialog shown_dialog(const EditorState& state) {
   if (!state.work.empty()) return Dialog::work;
   if (state.error) return Dialog::error;
   if (state.report) return Dialog::report;
+  if (!state.left_edits.empty()) return Dialog::left_edits;
+  if (state.replacement) return Dialog::replacement;
+  if (state.save_as) return Dialog::save_as;
   if (state.unsaved) return Dialog::unsaved;
   if (state.show_surface) return Dialog::surface;
   if (state.show_open) return Dialog::open;

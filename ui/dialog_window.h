@@ -9,7 +9,7 @@ inline constexpr ImGuiWindowFlags kDialogFlags = ImGuiWindowFlags_NoResize | ImG
                                                  ImGuiWindowFlags_AlwaysAutoResize;
 
 /// One at a time is shown, and nothing else takes orders meanwhile.
-enum class Dialog { none, work, error, report, unsaved, surface, open, help };
+enum class Dialog { none, work, error, report, left_edits, replacement, save_as, unsaved, surface, open, help };
 
 /// The one that is due.
 Dialog shown_dialog(const EditorState& state);

@@ -50,6 +50,22 @@ struct SurfaceRequest {
   MeshingMethod method = MeshingMethod::automatic;
 };
 
+/// Where the scene is to be saved, as the dialog for it has it.
+struct SaveTarget {
+  std::filesystem::path folder;  ///< where relative names start, absolute
+  std::array<char, 512> name = {};
+};
+/// With the file's folder and name.
+SaveTarget save_target(const std::filesystem::path& file);
+/// The file; ends in .json, whether that was typed or not.
+std::filesystem::path file_of(const SaveTarget& target);
+
+/// A save that would lose what another has written.
+struct Replacement {
+  Command command;
+  std::string problem;  ///< "/home/me/wall.json is there already."
+};
+
 /// What there is to tell about work that went well.
 struct WorkReport {
   std::string title;
@@ -85,6 +101,10 @@ struct EditorState {
   bool cancel_work = false;  ///< the user wants no more of it
   std::optional<ErrorMessage> error;
   std::optional<Command> unsaved;  ///< waits for an answer: it would lose edits that are not saved
+  std::optional<SaveTarget> save_as;             ///< being asked for
+  std::optional<Replacement> replacement;        ///< waits for an answer
+  std::optional<Command> after_save;             ///< what the scene is being saved for
+  std::string left_edits;  ///< which edits were cut short and are waiting for an answer; empty: none
   std::vector<LogLine> log;
   std::array<char, 512> path_text = {};  ///< being typed in the open dialog
   std::string typed_tag;                 ///< the number field being typed into

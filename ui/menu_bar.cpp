@@ -38,6 +38,7 @@ void file_menu(Panel& panel) {
   }
   command_item(panel, CommandId::add_surface_dialog);
   command_item(panel, CommandId::save);
+  command_item(panel, CommandId::save_dialog);
   ImGui::Separator();
   command_item(panel, CommandId::screenshot);
   ImGui::Separator();

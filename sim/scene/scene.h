@@ -165,7 +165,9 @@ struct Scene {
   std::vector<Probe> probes;    ///< of different names
   std::vector<Camera> cameras;  ///< the first one is used unless another is named; none: frame everything
   ViewSettings view;
-  std::filesystem::path folder;  ///< relative mesh paths start here; not written to the file
+  std::vector<Material> materials;  ///< the file's own, by different names; bodies hold copies of those they have
+  std::string schema;               ///< path of the file's schema, for text editors; empty: none
+  std::filesystem::path folder;     ///< relative paths start here; not written to the file
   bool operator==(const Scene&) const = default;
 };
 

@@ -215,12 +215,12 @@ Scene read_document(Document& document, std::string_view text) {
   if (!json.is_object()) return place.reject("an object { \"version\": 1, ... }"), scene;
 
   ObjectReader reader(place);
-  std::string schema;  // for editors, which complete and check by it
-  reader.field("$schema", schema, Text{}, "");
+  reader.field("$schema", scene.schema, Text{}, "");
   if (!check_version(place, reader)) return scene;
   read_materials(place, reader);
   describe(reader, scene);
   reader.finish();
+  for (const auto& [name, material] : document.materials) scene.materials.push_back(material);
   return scene;
 }
 

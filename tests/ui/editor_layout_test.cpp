@@ -190,6 +190,11 @@ TEST(EditorLayout, ShortcutsDoNotReachBehindADialog) {
         state.report = WorkReport{"Added", {}, {}};
       },
       [](EditorState& state) { state.show_open = true; },
+      [](EditorState& state) { state.save_as = save_target("scene.json"); },
+      [](EditorState& state) {
+        state.replacement = Replacement{{.id = CommandId::save}, "It is there."};
+      },
+      [](EditorState& state) { state.left_edits = "scene.json"; },
       [](EditorState& state) { state.show_surface = true; },
       [](EditorState& state) { state.show_help = true; }};
   for (const auto& show : dialogs) {
@@ -303,6 +308,17 @@ TEST(EditorLayout, OpenDialogTakesATypedPath) {
   ASSERT_THAT(ids(ui), testing::ElementsAre(CommandId::open));
   EXPECT_EQ(ui.commands[0].path, "a/b.json");
   EXPECT_FALSE(ui.state.show_open);
+}
+
+TEST(EditorLayout, SaveDialogTakesATypedName) {
+  UiDriver ui(two_walls());
+  ui.state.save_as = save_target("/somewhere/walls.json");
+  for (int i = 0; i < 3; ++i) ui.frame();
+  EXPECT_EQ(ui.value("save/path"), "/somewhere/walls.json");
+  ui.type("../else/table");  // it has the focus, and what was there is replaced
+  ASSERT_THAT(ids(ui), testing::ElementsAre(CommandId::save));
+  EXPECT_EQ(ui.commands[0].path, "/else/table.json");
+  EXPECT_FALSE(ui.state.save_as);
 }
 
 TEST(EditorLayout, LongLabelsEndInDotsBeforeTheirWidget) {
