@@ -5,7 +5,6 @@
 
 #include "sim/error.h"
 #include "sim/file_path.h"
-#include "sim/mesh/read_points.h"
 
 namespace griffith {
 namespace {
@@ -18,9 +17,7 @@ struct Maker {
   CellPartition operator()(const RadialSplinters& pattern) const { return make_radial_cells(pattern, bounds); }
   CellPartition operator()(const BrickSplinters& pattern) const { return make_brick_cells(pattern, bounds); }
   CellPartition operator()(const PointSplinters& pattern) const {
-    std::vector<Vec3> points = read_points(file_path(folder, pattern.path));
-    for (Vec3& point : points) point *= pattern.scale;
-    return voronoi_cells(std::move(points), bounds);
+    return make_point_cells(pattern, bounds, folder);
   }
   CellPartition operator()(const CellSplinters& pattern) const {
     return read_cells(file_path(folder, pattern.path), pattern.scale);

@@ -50,6 +50,10 @@ CellPartition make_cells(const SplinterPattern& pattern, const Eigen::AlignedBox
 CellPartition make_voronoi_cells(const VoronoiSplinters& pattern, const Eigen::AlignedBox3d& bounds);
 CellPartition make_radial_cells(const RadialSplinters& pattern, const Eigen::AlignedBox3d& bounds);
 CellPartition make_brick_cells(const BrickSplinters& pattern, const Eigen::AlignedBox3d& bounds);
+/// Places are rounded to a millionth of the body's size. Throws InputError when the file cannot be read or all of its
+/// points lie far from `bounds`.
+CellPartition make_point_cells(const PointSplinters& pattern, const Eigen::AlignedBox3d& bounds,
+                               const std::filesystem::path& folder);
 /// The convex objects of a surface file. Throws InputError, naming the cell, for one that is not convex, not closed,
 /// flat or overlaps another.
 CellPartition read_cells(const std::filesystem::path& path, double scale);

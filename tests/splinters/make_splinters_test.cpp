@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "sim/error.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/shapes.h"
@@ -110,6 +111,20 @@ TEST_P(MakeSplinters, WeightsGiveTheRestPlacesBack) {
       EXPECT_GT(corner.weights.minCoeff(), -1e-6);
     }
   }
+}
+
+TEST(MakeSplinters, PointsFarAwayOrSideBySideLeaveTheOthersTheirCells) {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "points.xyz";
+  replace_file(path, "-0.2 0.1 0\n0.2 0 0.1\n0.2 0 0.1000000000001\n0 -0.2 0\n100000000 0 0\n0 1e300 7\n");
+  const TetMesh mesh = box();
+  const SplinterSet set = splinters_of(mesh, PointSplinters{path, 1});
+  double sum = 0;
+  for (const Splinter& splinter : set.splinters) sum += splinter.volume;
+  EXPECT_NEAR(sum, 0.8 * 0.6 * 0.4, 1e-12);
+  EXPECT_EQ(set.splinters.size(), 3u);
+  replace_file(path, "100000000 0 0\n100000001 0 0\n");
+  EXPECT_THROW(splinters_of(mesh, PointSplinters{path, 1}), InputError);
 }
 
 TEST(MakeSplinters, NothingSmallIsLeftBesideSomethingLarge) {

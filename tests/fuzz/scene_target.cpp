@@ -1,0 +1,58 @@
+#include <algorithm>
+
+#include "sim/scene/scene_reader.h"
+#include "sim/scene/scene_writer.h"
+#include "tests/fuzz/mutate_json.h"
+#include "tests/fuzz/small_scenes.h"
+#include "tests/fuzz/target.h"
+#include "tests/fuzz/world_checks.h"
+
+namespace griffith::fuzz {
+namespace {
+
+constexpr double kMostWork = 4000;  ///< tets, splinters, projectiles
+constexpr int kMostSteps = 6;
+
+/// Limits what a user may ask for and wait for.
+Scene made_quick(Scene scene) {
+  SimulationSettings& settings = scene.simulation;
+  settings.step_budget = std::min(settings.step_budget, 5.0);
+  settings.max_solver_iterations = std::min(settings.max_solver_iterations, 400);
+  settings.max_cracks_per_step = std::min(settings.max_cracks_per_step, 400);
+  return scene;
+}
+
+class SceneTarget : public Target {
+ public:
+  std::string name() const override { return "scene"; }
+  int share() const override { return 330; }
+
+  Input make(RandomValues& random) const override {
+    const Json& scene = pick(random, scenes_);
+    const Json& donor = pick(random, scenes_);
+    Input input{"input.json", {{"input.json", mutate_scene(scene, donor, words_, random)}}};
+    for (const auto& [name, content] : small_files())
+      if (input.files["input.json"].find(name) != std::string::npos) input.files[name] = content;
+    return input;
+  }
+
+  Outcome run(const Input& input, const std::filesystem::path& folder) const override {
+    const std::string& text = input.files.at(input.entry);
+    const Scene scene = scene_from_json(text, "scene", folder);
+    promise(check_scene_text(text, "scene").empty(), "a scene that can be read has problems");
+    promise(scene_from_json(scene_to_json(scene), "scene", folder) == scene, "written and read, it is another scene");
+    if (work_of(scene) > kMostWork) return Outcome::too_large;
+    run_world(made_quick(scene), kMostSteps);
+    return Outcome::ran;
+  }
+
+ private:
+  std::vector<Json> scenes_ = small_scenes();
+  Vocabulary words_ = scene_vocabulary();
+};
+
+}  // namespace
+
+std::unique_ptr<Target> make_scene_target() { return std::make_unique<SceneTarget>(); }
+
+}  // namespace griffith::fuzz
