@@ -55,6 +55,8 @@ struct ProjectileBurst {
   std::optional<ProjectileShape> shape;  ///< none: a sphere
   Vec3 rotation_degrees = Vec3::Zero();  ///< at launch, about the fixed x, then y, then z axis [degrees]
   Vec3 angular_velocity = Vec3::Zero();  ///< at launch [rad/s]
+  double friction = 0.6;                 ///< Coulomb's
+  double restitution = 0.1;              ///< 1 bounces back fully
   bool operator==(const ProjectileBurst&) const = default;
 };
 

@@ -228,6 +228,8 @@ void describe(Archive& archive, ProjectileBurst& burst) {
   archive.field("rotation_degrees", burst.rotation_degrees, between(-1e6, 1e6, "degrees"),
                 "Rotation at launch about the fixed x, then y, then z axis");
   archive.field("angular_velocity", burst.angular_velocity, between(-1e4, 1e4, "rad/s"), "Spin at launch");
+  archive.field("friction", burst.friction, between(0, 10, "-"), "Coulomb's coefficient of friction");
+  archive.field("restitution", burst.restitution, between(0, 1, "-"), "Coefficient of restitution: 1 bounces back fully");
   archive.require(!burst.density || burst.mass == ProjectileBurst{}.mass, "density", "stands beside a mass",
                   "take one of them out");
   archive.require(!burst.shape || burst.radius == ProjectileBurst{}.radius, "radius", "stands beside another shape",

@@ -116,10 +116,11 @@ void launch_projectiles(WorldState& world) {
     const RigidState state{{burst.position, rotation_of(burst.rotation_degrees)},
                            burst.speed * burst.direction.normalized(),
                            burst.angular_velocity};
-    projectile.object =
-        projectile.hull
-            ? world.contact_world.add_convex(projectile.hull->corners, {projectile.mass, projectile.inertia}, state, {})
-            : world.contact_world.add_sphere(projectile.radius, projectile.mass, state, {});
+    const SurfaceProperties surface{burst.friction, burst.restitution};
+    projectile.object = projectile.hull
+                            ? world.contact_world.add_convex(projectile.hull->corners,
+                                                             {projectile.mass, projectile.inertia}, state, surface)
+                            : world.contact_world.add_sphere(projectile.radius, projectile.mass, state, surface);
   }
   pending.erase(pending.begin(), due);
 }
