@@ -35,6 +35,8 @@ void draw_status_bar(Panel& panel);
 void draw_dialogs(Panel& panel);
 /// Asks for a surface file and how to fill it.
 void draw_surface_dialog(Panel& panel);
+/// Asks whether a mesh of many tetrahedra is meant.
+void draw_large_mesh_dialog(Panel& panel);
 /// Tells what came of it.
 void draw_report_dialog(Panel& panel);
 
