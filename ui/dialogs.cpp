@@ -138,6 +138,8 @@ void draw_dialogs(Panel& panel) {
       return work_dialog(panel);
     case Dialog::error:
       return error_dialog(panel);
+    case Dialog::large_mesh:
+      return draw_large_mesh_dialog(panel);
     case Dialog::report:
       return draw_report_dialog(panel);
     case Dialog::unsaved:
