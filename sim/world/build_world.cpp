@@ -26,7 +26,7 @@ void append_nodes(WorldState& world, const BodyDescription& body) {
 
 /// Places a copy of the shape's mesh in the world's.
 RestBody append_mesh(WorldState& world, int scene_body, const ShapeMesh& shape) {
-  const RestBody body{shape.soup, shape.node_of_point, shape.mesh, append(world.mesh, shape.mesh)};
+  const RestBody body{shape.soup, shape.point_of_node, shape.mesh, append(world.mesh, shape.mesh)};
   const Pose pose = pose_of(world.scene.bodies[scene_body]);
   std::vector<Vec3>& points = world.mesh.rest_positions;
   for (std::size_t i = body.range.first_node; i < points.size(); ++i) points[i] = pose.to_world(points[i]);
