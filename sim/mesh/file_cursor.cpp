@@ -11,8 +11,13 @@ namespace {
 
 std::string read_whole_file(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(path)) throw InputError(path.string(), "no such file", "check the path");
+  // No count of what a smaller file can hold overflows an int.
+  constexpr std::uintmax_t kMostBytes = std::uintmax_t(1) << 31;
+  const std::uintmax_t size = std::filesystem::file_size(path);
+  if (size >= kMostBytes)
+    throw InputError(path.string(), "is larger than 2 GiB", "simplify the mesh, or store it in binary");
   std::ifstream file(path, std::ios::binary);
-  std::string text(std::filesystem::file_size(path), '\0');
+  std::string text(size, '\0');
   if (!file.read(text.data(), static_cast<std::streamsize>(text.size())))
     throw InputError(path.string(), "cannot be read", "check the file's permissions");
   return text;
