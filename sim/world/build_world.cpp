@@ -196,8 +196,8 @@ void build_world(WorldState& world, const Monitor& monitor) {
   add_scene_bodies(world, monitor);
   for (std::size_t i = 0; i < world.scene.projectiles.size(); ++i)
     queue_burst(world, world.scene.projectiles[i], "#/projectiles/" + std::to_string(i));
-  if (world.scene.simulation.static_start && world.scene.analysis == Analysis::dynamic)
-    find_equilibrium(world, 0, 0, true);
+  for (int i = 0; i < static_cast<int>(world.materials.size()); ++i) check_substep_count(world, i, world.materials[i]);
+  find_static_start(world);
   place_stand_ins(world);
   update_elements(world);
   evaluate_separation(world, false);
