@@ -81,6 +81,8 @@ class Editor {
   void log_findings();
   void follow_edits();
   void follow_materials();
+  /// Whether the world could take it; else the edit is taken back.
+  bool follow_material(int scene_body);
   void receive_world();
   /// After work that led to no world: what is shown goes on.
   void give_up_work();
