@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "app/bulk_bounds.h"
 #include "app/editor.h"
 #include "app/picking.h"
 #include "app/shooting.h"
@@ -159,7 +160,10 @@ void Editor::pick(const Vec2& cursor) {
   state_.selected_body = frame.bodies[frame.tet_bodies[id]].scene_body;
 }
 
-void Editor::frame_all() { camera_ = render::frame_bounds(camera_, render::bounds(picture_), aspect()); }
+void Editor::frame_all() {
+  const Eigen::AlignedBox3f bulk = bulk_bounds(shown_mesh(world_.frame(), state_.view, {}));
+  camera_ = render::frame_bounds(camera_, bulk.isEmpty() ? render::bounds(picture_) : bulk, aspect());
+}
 
 void Editor::toggle_slice() {
   if (state_.view.slice) {
