@@ -48,4 +48,16 @@ Turning turning_about(const Pivot& pivot, const NodeVectors& positions, const No
   return turning;
 }
 
+Vec3 swing_acceleration(const Pivot& pivot, const NodeVectors& positions, const Eigen::VectorXd& masses,
+                        const NodeVectors& forces, const Vec3& half_turn) {
+  NodeVectors changes(3, forces.cols());  // of velocity, per second
+  NodeVectors places(3, forces.cols());
+  for (Eigen::Index node = 0; node < masses.size(); ++node) {
+    const Vec3 arm = positions.col(node) - pivot.place;
+    places.col(node) = positions.col(node) + half_turn.cross(arm);
+    changes.col(node) = forces.col(node) / masses[node];
+  }
+  return turning_about(pivot, places, changes, masses).spin;
+}
+
 }  // namespace griffith

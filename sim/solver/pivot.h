@@ -32,4 +32,9 @@ std::optional<Pivot> pivot_of(std::span<const NodeId> supports, std::span<const 
 Turning turning_about(const Pivot& pivot, const NodeVectors& positions, const NodeVectors& velocities,
                       const Eigen::VectorXd& masses);
 
+/// The angular acceleration about the pivot's axes [rad/s²] by forces on nodes that have `half_turn` [rad] still to go;
+/// one column or entry a node [N].
+Vec3 swing_acceleration(const Pivot& pivot, const NodeVectors& positions, const Eigen::VectorXd& masses,
+                        const NodeVectors& forces, const Vec3& half_turn);
+
 }  // namespace griffith

@@ -36,23 +36,45 @@ std::optional<Pivot> pivot_of(const WorldState& world, const Body& body) {
   return pivot_of(body.system->supports(), world.nodes.constraints, world.nodes.positions);
 }
 
+NodeVectors of_nodes(const Body& body, const std::vector<Vec3>& values) {
+  NodeVectors columns(3, body.nodes.size());
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) columns.col(i) = values[body.nodes[i]];
+  return columns;
+}
+
+Eigen::VectorXd masses_of(const WorldState& world, const Body& body) {
+  Eigen::VectorXd masses(body.nodes.size());
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) masses[i] = world.nodes.masses[body.nodes[i]];
+  return masses;
+}
+
 Turning turning_of(const WorldState& world, const Body& body, const Pivot& pivot) {
-  const auto count = static_cast<Eigen::Index>(body.nodes.size());
-  NodeVectors positions(3, count), velocities(3, count);
-  Eigen::VectorXd masses(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    positions.col(i) = world.nodes.positions[body.nodes[i]];
-    velocities.col(i) = world.nodes.velocities[body.nodes[i]];
-    masses[i] = world.nodes.masses[body.nodes[i]];
-  }
-  return turning_about(pivot, positions, velocities, masses);
+  return turning_about(pivot, of_nodes(body, world.nodes.positions), of_nodes(body, world.nodes.velocities),
+                       masses_of(world, body));
+}
+
+/// The mean spin of a body in a substep of `dt` [s] after which it has `spin` [rad/s]: with half of what `external`
+/// forces gave it, so that it swings without gain or loss (position Verlet). What touches something
+/// moves by the velocity with which it does not get into it.
+Vec3 mean_spin(const WorldState& world, const Body& body, const Pivot& pivot, const Vec3& spin,
+               const std::vector<Vec3>& external, double dt) {
+  if (body.contact_work != 0) return spin;
+  constexpr int kIterations = 3;
+  const NodeVectors positions = of_nodes(body, world.nodes.positions), forces = of_nodes(body, external);
+  const Eigen::VectorXd masses = masses_of(world, body);
+  Vec3 gained = Vec3::Zero();
+  for (int i = 0; i < kIterations; ++i)
+    gained = dt * swing_acceleration(pivot, positions, masses, forces, 0.5 * dt * (spin - gained));
+  return spin - 0.5 * gained;
 }
 
 /// The same for a supported body that turns about a pivot; its angular momentum about it is kept.
-void move_swinging(WorldState& world, const Body& body, const Pivot& pivot, double dt) {
+void move_swinging(WorldState& world, const Body& body, const Pivot& pivot, const std::vector<Vec3>& external,
+                   double dt) {
   const Turning before = turning_of(world, body, pivot);
-  const Mat3 turn = pivot.axes.cols() == 3 ? free_turn(before.inertia, before.spin, dt)
-                                           : rotation_by(dt * before.spin).toRotationMatrix();
+  const Vec3 mean = mean_spin(world, body, pivot, before.spin, external, dt);
+  const Mat3 turn = pivot.axes.cols() == 3 ? free_turn(before.inertia, mean, dt)
+                                           : rotation_by(dt * mean).toRotationMatrix();
   for (NodeId node : body.nodes) {
     Vec3 &position = world.nodes.positions[node], &velocity = world.nodes.velocities[node];
     const Vec3 from = position, deforming = velocity - before.spin.cross(position - pivot.place);
@@ -151,10 +173,10 @@ void restore(WorldState& world, const Body& body, const Snapshot& taken, double 
   }
 }
 
-void move_nodes(WorldState& world, const Body& body, double dt) {
+void move_nodes(WorldState& world, const Body& body, const std::vector<Vec3>& external, double dt) {
   if (!world.integrates_explicitly()) {
     if (!body.supported()) return move_free(world, body, dt);
-    if (const std::optional<Pivot> pivot = pivot_of(world, body)) return move_swinging(world, body, *pivot, dt);
+    if (const std::optional<Pivot> pivot = pivot_of(world, body)) return move_swinging(world, body, *pivot, external, dt);
   }
   for (NodeId node : body.nodes) world.nodes.positions[node] += dt * world.nodes.velocities[node];
 }
@@ -173,7 +195,7 @@ bool move_elastic(WorldState& world, const Body& body, const std::vector<Vec3>& 
   const bool checked = !world.integrates_explicitly();
   const double given = checked ? body.energy + work_done(world, body, external, dt) : 0;
   const Snapshot before = checked ? snapshot(world, body) : Snapshot{};
-  move_nodes(world, body, dt);
+  move_nodes(world, body, external, dt);
   update_elements(world, body);
   if (!checked) return false;
   const double noise = energy_of_strain(world, body, 1e-12);
@@ -183,7 +205,7 @@ bool move_elastic(WorldState& world, const Body& body, const std::vector<Vec3>& 
   if (!gains(given)) return false;
   const auto move_with = [&](double share) {
     restore(world, body, before, share);
-    move_nodes(world, body, dt);
+    move_nodes(world, body, external, dt);
     update_elements(world, body);
   };
   move_with(0);  // as a rigid body: what its turning alone gains is not for the deformation to make up for
