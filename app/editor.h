@@ -72,6 +72,8 @@ class Editor {
   void follow_edits();
   void follow_materials();
   void receive_world();
+  /// So many tetrahedra are built unasked: few, or no many more than there are.
+  double most_tets() const;
   /// After work that led to no world: what is shown goes on.
   void give_up_work();
   void take_world(WorldLoader::Loaded loaded);

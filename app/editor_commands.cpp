@@ -80,7 +80,7 @@ void Editor::show_error(const InputError& error) {
 
 void Editor::open(const std::filesystem::path& path) {
   try {
-    loader_.start(Work::open, read_scene(path), path);
+    loader_.start(Work::open, read_scene(path), path, most_tets());
     loader_.wait(kPatience);
     receive_world();
   } catch (const InputError& error) {
@@ -88,17 +88,25 @@ void Editor::open(const std::filesystem::path& path) {
   }
 }
 
+double Editor::most_tets() const {
+  constexpr double kMany = 4e5;
+  return std::max(kMany, 2.0 * static_cast<double>(world_.frame().tets.size()));
+}
+
 void Editor::receive_world() {
   if (state_.cancel_work) {
     loader_.cancel();
     give_up_work();
   }
-  state_.cancel_work = false;
+  if (state_.build_large_mesh) loader_.start_again();
+  state_.cancel_work = state_.build_large_mesh = false;
   try {
     if (std::optional<WorldLoader::Loaded> loaded = loader_.take()) take_world(std::move(*loaded));
   } catch (const InputError& error) {
     give_up_work();
     show_error(error);
+  } catch (const LargeMesh& mesh) {
+    state_.large_mesh = mesh.tets;
   }
   state_.work = loader_.stage();
 }

@@ -163,8 +163,10 @@ void complete(WorldState& world, const Pieces& pieces) {
 void add_scene_bodies(WorldState& world, const Monitor& monitor) {
   ShapeMeshes shapes;
   std::vector<Pieces> pieces;
-  for (int i = 0; i < static_cast<int>(world.scene.bodies.size()); ++i)
+  for (int i = 0; i < static_cast<int>(world.scene.bodies.size()); ++i) {
     pieces.push_back(add_scene_body(world, i, shapes.of(world.scene, i, monitor)));
+    if (monitor.is_cancelled()) throw Cancelled();
+  }
   close_splinters(world);
   update_supports(world, world.time, world.scene.simulation.time_step);
   parallel_for(static_cast<int>(pieces.size()), 16, [&](int begin, int end) {
@@ -196,6 +198,7 @@ void build_world(WorldState& world, const Monitor& monitor) {
   add_scene_bodies(world, monitor);
   for (std::size_t i = 0; i < world.scene.projectiles.size(); ++i)
     queue_burst(world, world.scene.projectiles[i], "#/projectiles/" + std::to_string(i));
+  if (monitor.is_cancelled()) throw Cancelled();
   if (world.scene.simulation.static_start && world.scene.analysis == Analysis::dynamic)
     find_equilibrium(world, 0, 0, true);
   place_stand_ins(world);

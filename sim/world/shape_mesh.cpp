@@ -43,7 +43,9 @@ ShapeMesh make_mesh(const Scene& scene, int scene_body, const Monitor& monitor) 
   const BodyDescription& body = scene.bodies[scene_body];
   ShapeMesh made;
   made.soup = make_body_soup(scene, scene_body, made.findings, monitor);
+  if (monitor.is_cancelled()) throw Cancelled();
   MeshReport report = prepare(made.soup, body.name, &made.mesh);
+  if (monitor.is_cancelled()) throw Cancelled();
   if (std::holds_alternative<MeshFileShape>(body.shape)) made.findings = findings(report);
   made.pieces = connected_components(made.mesh);
   if (made.pieces.size() == 1)

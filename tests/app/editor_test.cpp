@@ -21,7 +21,7 @@ namespace {
 /// The editor with graphics but without a window, driven through its widgets.
 class EditorTest : public testing::Test {
  protected:
-  EditorTest() : interface_(1), target_(1200, 800), editor_(small_wall(), "") { draw(3); }
+  EditorTest() : interface_(1), target_(1200, 1000), editor_(small_wall(), "") { draw(3); }
 
   void draw(int frames = 1) {
     for (int i = 0; i < frames; ++i) {
@@ -54,6 +54,13 @@ class EditorTest : public testing::Test {
     draw(4);  // a dialog needs some to find its place
   }
 
+  /// Answers the question whether so large a mesh is meant.
+  void insist() {
+    wait_for_work();
+    click("large_mesh/build");
+    draw(3);
+  }
+
   std::string value(const std::string& tag) const {
     const ui::WidgetTag* widget = ui::find_tag(editor_.tags(), tag);
     return widget ? widget->value : "no widget " + tag;
@@ -78,7 +85,11 @@ TEST_F(EditorTest, WorkThatLastsShowsADialogThatCancelsIt) {
   write_scene(scene, path);
   const std::string before = editor_.title();
   editor_.open(path);
-  draw(3);
+  insist();
+  for (int i = 0; i < 600 && value("work/stage") == "Building the bodies"; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    draw();
+  }
   EXPECT_THAT(value("work/stage"),
               ::testing::AnyOf("Filling with tetrahedra", "Finding the inside", "Finding the border"));
   click("work/cancel");
@@ -88,18 +99,59 @@ TEST_F(EditorTest, WorkThatLastsShowsADialogThatCancelsIt) {
   EXPECT_FALSE(editor_.state().error);
 }
 
+TEST_F(EditorTest, AMeshThatWouldBeHugeAsksFirst) {
+  const std::size_t tets = editor_.frame().tets.size();
+  const std::string before = editor_.title();
+  Scene scene = small_wall();
+  BoxShape box;
+  box.element_size = Vec3::Constant(0.008);
+  scene.bodies[0].shape = box;
+  write_scene(scene, test_folder() / "fine.json");
+  editor_.open(test_folder() / "fine.json");
+  wait_for_work();
+  EXPECT_THAT(value("large_mesh/text"), ::testing::HasSubstr("about 9,800,000 tetrahedra"));
+  click("large_mesh/cancel");
+  EXPECT_EQ(editor_.title(), before);
+  EXPECT_EQ(editor_.frame().tets.size(), tets);
+  EXPECT_FALSE(editor_.state().large_mesh);
+}
+
+TEST_F(EditorTest, AnEditThatWouldMakeAHugeMeshCanBeTakenBack) {
+  const std::size_t tets = editor_.frame().tets.size();
+  click("body");
+  click("body/shape");
+  click("body/shape/kind_of");
+  click("body/shape/kind_of/sphere");
+  wait_for_work();
+  const std::size_t of_sphere = editor_.frame().tets.size();
+  EXPECT_NE(of_sphere, tets);
+  click("body/shape/sphere/element_size", 1);
+  for (const char letter : std::string("9 mm")) ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(letter));
+  draw();
+  EXPECT_EQ(value("typed_meaning"), "= 9 mm");
+  click("view/shading");
+  wait_for_work();
+  EXPECT_NE(value("large_mesh/text"), "no widget large_mesh/text");
+  click("large_mesh/cancel");
+  EXPECT_EQ(editor_.frame().tets.size(), of_sphere);
+  EXPECT_EQ(value("body/shape/sphere/element_size"), "200 mm");
+}
+
 TEST_F(EditorTest, AnEditedShapeStartsTheSimulationAgainAndTheEditCanBeUndone) {
   const std::size_t tets = editor_.frame().tets.size();
   editor_.step();
   EXPECT_EQ(editor_.frame().step, 1);
   click("body");
   click("body/remeshing");
+  wait_for_work();
   EXPECT_EQ(editor_.frame().step, 0);
   click("body/shape");
   click("body/shape/kind_of");
   click("body/shape/kind_of/sphere");
+  wait_for_work();
   EXPECT_NE(editor_.frame().tets.size(), tets);
   click("command/edit.undo");
+  wait_for_work();
   EXPECT_EQ(editor_.frame().tets.size(), tets);
   EXPECT_FALSE(editor_.state().error);
 }
@@ -182,7 +234,7 @@ TEST_F(EditorTest, FillingASurfaceCanBeCancelled) {
   editor_.state().show_surface = true;
   draw(4);
   click("surface/fill");
-  draw(3);
+  insist();
   EXPECT_NE(value("work/stage"), "no widget work/stage");
   click("work/cancel");
   draw(2);
@@ -251,7 +303,7 @@ TEST_F(EditorTest, UndoThatTakesLongCanBeCancelledAndLeavesWhatWas) {
   const std::size_t tets = editor_.frame().tets.size();
   test_file("grown.off", tet_surface("1.2"));  // 1,728 times the elements
   click("command/edit.undo");
-  draw(3);
+  insist();
   ASSERT_NE(value("work/stage"), "no widget work/stage");
   click("work/cancel");
   draw(2);
