@@ -85,6 +85,8 @@ class Editor {
   /// Whether the world could take it; else the edit is taken back.
   bool follow_material(int scene_body);
   void receive_world();
+  /// So many tetrahedra are built unasked: few, or no many more than there are.
+  double most_tets() const;
   /// After work that led to no world: what is shown goes on.
   void give_up_work();
   void take_world(WorldLoader::Loaded loaded);

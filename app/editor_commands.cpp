@@ -86,17 +86,25 @@ void Editor::show_error(const InputError& error) {
   log(ui::LogLevel::error, error.what());
 }
 
+double Editor::most_tets() const {
+  constexpr double kMany = 4e5;
+  return std::max(kMany, 2.0 * static_cast<double>(world_.frame().tets.size()));
+}
+
 void Editor::receive_world() {
   if (state_.cancel_work) {
     loader_.cancel();
     give_up_work();
   }
-  state_.cancel_work = false;
+  if (state_.build_large_mesh) loader_.start_again();
+  state_.cancel_work = state_.build_large_mesh = false;
   try {
     if (std::optional<WorldLoader::Loaded> loaded = loader_.take()) take_world(std::move(*loaded));
   } catch (const InputError& error) {
     give_up_work();
     show_error(error);
+  } catch (const LargeMesh& mesh) {
+    state_.large_mesh = mesh.tets;
   }
   state_.work = loader_.stage();
 }

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 void Editor::open(const fs::path& path) {
   try {
-    loader_.start(Work::open, read_scene(path), path);
+    loader_.start(Work::open, read_scene(path), path, most_tets());
     loader_.wait(kPatience);
     receive_world();
   } catch (const InputError& error) {

@@ -199,8 +199,10 @@ void add_scene_bodies(WorldState& world, const Monitor& monitor) {
   std::vector<Pieces> pieces;
   make_meshes(world.scene, shapes, monitor);
   monitor.enter("Building the bodies");
-  for (int i = 0; i < static_cast<int>(world.scene.bodies.size()); ++i)
+  for (int i = 0; i < static_cast<int>(world.scene.bodies.size()); ++i) {
     pieces.push_back(add_scene_body(world, i, shapes.of(world.scene, i, monitor)));
+    if (monitor.is_cancelled()) throw Cancelled();
+  }
   close_splinters(world);
   update_supports(world, world.time, world.scene.simulation.time_step);
   parallel_for(static_cast<int>(pieces.size()), 16, [&](int begin, int end) {
@@ -233,6 +235,7 @@ void build_world(WorldState& world, const Monitor& monitor) {
   add_scene_bodies(world, monitor);
   queue_bursts(world);
   for (int i = 0; i < static_cast<int>(world.materials.size()); ++i) check_substep_count(world, i, world.materials[i]);
+  if (monitor.is_cancelled()) throw Cancelled();
   monitor.enter("Finding the start");
   find_static_start(world);
   place_stand_ins(world);
