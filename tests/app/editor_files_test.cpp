@@ -73,6 +73,7 @@ TEST_F(EditorFiles, AnotherFileIsReplacedOnlyWhenToldSo) {
   EXPECT_EQ(value("save/name"), "small_wall.json");
   type("other.json");
   click("save/save");
+  draw(4);
   EXPECT_THAT(value("replace/problem"), HasSubstr("other.json is there already"));
   click("replace/cancel");
   draw(4);
