@@ -43,12 +43,12 @@ void Editor::execute(const ui::Command& command) {
       case CommandId::save:
         return save(command);
       case CommandId::save_dialog:
-        return ask_where_to_save();
+        return ask_where_to_save(command.path);
       case CommandId::recover:
         return recover();
       case CommandId::discard_copy:
         autosave_->remove_found();
-        return ask_for_left_edits();
+        return ask_for_left_edits(true);
       case CommandId::leave_copy:
         return autosave_->leave_found();
       case CommandId::undo:
@@ -125,7 +125,7 @@ void Editor::take_world(WorldLoader::Loaded loaded) {
   if (loaded.work == Work::open) {
     if (autosave_) autosave_->remove();
     show_scene(std::move(loaded.scene), std::move(loaded.path));
-    return ask_for_left_edits();
+    return ask_for_left_edits(false);
   }
   history_.change("Add body", [&](Scene& scene) { scene.bodies = loaded.scene.bodies; });
   history_.finish();
