@@ -1,12 +1,15 @@
 #include "app/command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <map>
 #include <memory>
+#include <new>
 
 #include "app/command_options.h"
+#include "app/output.h"
 #include "sim/error.h"
 #include "sim/parallel.h"
 
@@ -215,33 +218,39 @@ int dispatch(const CLI::App& program, Options& options) {
   return kDone;
 }
 
-void explain(const InputError& error) {
-  std::fprintf(stderr, "griffith: %s: %s\n", error.where().c_str(), error.problem().c_str());
-  if (!error.remedy().empty()) std::fprintf(stderr, "  %s\n", error.remedy().c_str());
+/// Carries out what the arguments say; the exit code.
+int obey(int argc, const char* const* argv) {
+  Options options;
+  CLI::App program("Griffith, a workbench for brittle fracture: opens SCENE in the editor, or carries out a command.",
+                   "griffith");
+  program.set_version_flag("--version", "griffith " GRIFFITH_VERSION);
+  program.require_subcommand(0, 1);
+  add_editor(program, options);
+  add_render(program, options);
+  add_simulate(program, options);
+  add_check(program, options);
+  add_mesh(program, options);
+  program.footer(
+      "Examples:\n  griffith scenes/wall_small.json\n  griffith render --help\n\n"
+      "Exit code: 0 done, 1 the work failed, 2 bad usage, bad input or an output that cannot be written.");
+  const std::optional<int> code = parse(program, argc, argv);
+  return code ? *code : dispatch(program, options);
 }
 
 }  // namespace
 
 int run(int argc, const char* const* argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the shell's limit is an error like a full disk
   try {
-    Options options;
-    CLI::App program("Griffith, a workbench for brittle fracture: opens SCENE in the editor, or carries out a command.",
-                     "griffith");
-    program.set_version_flag("--version", "griffith " GRIFFITH_VERSION);
-    program.require_subcommand(0, 1);
-    add_editor(program, options);
-    add_render(program, options);
-    add_simulate(program, options);
-    add_check(program, options);
-    add_mesh(program, options);
-    program.footer(
-        "Examples:\n  griffith scenes/wall_small.json\n  griffith render --help\n\n"
-        "Exit code: 0 done, 1 the work failed, 2 bad usage or bad input.");
-    if (const std::optional<int> code = parse(program, argc, argv)) return *code;
-    return dispatch(program, options);
+    const int code = obey(argc, argv);
+    check_stdout();
+    return code;
   } catch (const InputError& error) {
     explain(error);
     return kBadInput;
+  } catch (const std::bad_alloc&) {
+    std::fputs("griffith: the memory does not suffice\n  take larger elements or fewer bodies\n", stderr);
+    return kFailed;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "griffith: %s\n", error.what());
     return kFailed;

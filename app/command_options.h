@@ -60,7 +60,7 @@ struct MeshOptions {
 
 /// Opens the window and returns when it is closed. Throws std::runtime_error when there is no display.
 void run_editor(const EditorOptions& options);
-/// Throws InputError for a bad scene, quantity or camera, RenderError when there are no graphics.
+/// Throws InputError for a bad scene, quantity, camera or output, RenderError when there are no graphics.
 void render_command(const RenderOptions& options);
 /// Throws InputError for a bad scene, when probes are asked for that the scene does not have, and for an export file of
 /// another kind than .vtu or .msh.
@@ -68,7 +68,7 @@ void simulate_command(const SimulateOptions& options);
 /// Prints every problem of every scene, and warnings; returns how many problems there are.
 int check_command(const CheckOptions& options);
 /// Throws InputError for a bad surface, when it cannot be filled and for an output file of another kind than .msh, .vtu
-/// or .node; Cancelled after Ctrl-C.
+/// or .node.
 void mesh_command(const MeshOptions& options);
 
 }  // namespace griffith::app

@@ -47,7 +47,8 @@ void add_fracture_planes(const ShownMesh& shown, render::DrawScene& picture) {
 void add_candidate_plane(const ShownMesh& shown, render::DrawScene& picture) {
   if (!shown.chosen.valid()) return;
   const NodeReport report = node_report(shown.frame, shown.chosen);
-  const Vec3 place = shown.positions[shown.chosen], normal = report.separation.direction;
+  if (!report.strained) return;
+  const Vec3 place = shown.positions[shown.chosen], normal = report.normal();
   const double radius = 0.9 * shown.element_size * shown.view.glyph_scale;
   picture.glyphs.discs.push_back(disc(place, normal, radius, sign_color::kPlane, 0.55f));
   add_arrow(picture.glyphs.arrows, place, 0.8 * radius * normal, 0.07 * radius, sign_color::kPlane);
@@ -60,6 +61,7 @@ void add_element_forces(const ShownMesh& shown, render::DrawScene& picture) {
   constexpr int kMostLabels = 5;
   if (!shown.chosen.valid()) return;
   const NodeReport report = node_report(shown.frame, shown.chosen);
+  if (!report.strained) return;
   const Vec3 place = shown.positions[shown.chosen];
   double largest = 0;
   for (const ElementShare& element : report.elements)

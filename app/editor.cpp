@@ -41,14 +41,21 @@ Editor::Editor(Scene scene, std::filesystem::path path)
   show_scene(std::move(scene), std::move(path));
 }
 
-void Editor::show_scene(Scene scene, std::filesystem::path path) {
+void Editor::show_scene(Scene scene, std::filesystem::path path, const Scene* edited) {
   state_.running = false;
-  state_.view = scene.view;
-  state_.shot = first_shot(scene);
+  state_.view = (edited ? *edited : scene).view;
+  state_.shot = first_shot(edited ? *edited : scene);
   state_.selected_body = 0;
   state_.selection = {};
   history_ = ui::EditHistory(std::move(scene));
+  if (edited) {
+    history_.change("Recover edits", [&](Scene& recovered) { recovered = *edited; });
+    history_.finish();
+  }
+  copied_revision_ = -1;
   path_ = std::move(path);
+  std::error_code none;
+  file_time_ = std::filesystem::last_write_time(path_, none);
   scene_files_ = scene_files(path_);
   restart();
   use_camera("");
@@ -69,19 +76,13 @@ void Editor::restart() {
 void Editor::remember() {
   const Frame frame = world_.frame();
   history_of_margins_.record(frame);
-  state_.selection = ui::follow(state_.selection, frame);
+  select(ui::follow(state_.selection, frame));
 }
 
 void Editor::use_camera(const std::string& name) { camera_ = scene_camera(history_.scene(), name, picture_, aspect()); }
 
 void Editor::use_view(const std::string& names) {
   use_named_view(state_.view, names, world_.frame(), (camera_.position - camera_.target).cast<double>());
-}
-
-void Editor::select_node(NodeId node) {
-  const Frame frame = world_.frame();
-  if (!node.valid() || static_cast<std::size_t>(node) >= frame.positions.size()) return;
-  state_.selection = ui::select(frame, frame.stars[node].front(), node);
 }
 
 void Editor::advance(double elapsed) {

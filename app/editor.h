@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/autosave.h"
 #include "app/draw_scene_from_frame.h"
 #include "app/margin_history.h"
 #include "app/step_pacer.h"
@@ -40,6 +41,11 @@ class Editor {
   /// Where its world takes longer to build, the scene appears when that is done, and a dialog that can cancel it shows
   /// until then.
   void open(const std::filesystem::path& path);
+  /// From now on keeps a copy of edits that are not saved, and asks what is to become of those that a crash left.
+  /// `states`: as Autosave has it.
+  void keep_edits_safe(const std::filesystem::path& states);
+  /// To be called often: copies what has been edited, once a minute at most. `now`: seconds of a clock that goes on.
+  void autosave(double now);
   /// Looks through that camera of the scene. Throws InputError when there is none.
   void use_camera(const std::string& name);
   /// Changes what is shown by names, as named_view.h has them. Throws InputError for unknown ones.
@@ -60,7 +66,11 @@ class Editor {
   /// Seconds that the window may stand still before it shows that work is going on.
   static constexpr double kPatience = 0.3;
 
-  void show_scene(Scene scene, std::filesystem::path path);
+  /// Seconds from one copy of edits to the next.
+  static constexpr double kAutosaveInterval = 60;
+
+  /// `edited`: what has become of the scene, where that is not saved.
+  void show_scene(Scene scene, std::filesystem::path path, const Scene* edited = nullptr);
   /// Shows the world that was made from the scene as it is.
   void restart();
   /// Builds the world again from the scene as it is.
@@ -80,7 +90,19 @@ class Editor {
   void show_error(const InputError& error);
   void fire(const Vec2& cursor);
   void pick(const Vec2& cursor);
-  void save(std::filesystem::path path);
+  void save(const ui::Command& command);
+  void ask_where_to_save();
+  /// Where the scene stands on disk, absolute; empty when nowhere.
+  std::filesystem::path own_file() const;
+  /// Why the file is not to be written unasked; empty when it may.
+  std::string what_saving_would_lose(const std::filesystem::path& file) const;
+  void ask_for_left_edits();
+  void recover();
+  void show_recovered(Scene scene, const std::filesystem::path& file);
+  /// Ends the program: what is not saved is not wanted.
+  void quit();
+  void select(const ui::Selection& selection);
+  void select_most_loaded();
   void frame_all();
   void toggle_range_lock();
   void toggle_slice();
@@ -107,10 +129,14 @@ class Editor {
   ui::EditorState state_;
   ui::WidgetTags tags_;
   std::filesystem::path path_;
+  std::filesystem::file_time_type file_time_;  ///< of its file, when it was read or written last
   std::vector<std::filesystem::path> scene_files_;
   World world_;
   EmbeddedDisplay display_;  ///< of the world
   WorldLoader loader_;
+  std::optional<Autosave> autosave_;
+  double copied_at_ = -kAutosaveInterval;  ///< when edits were copied last, by the clock of autosave()
+  std::int64_t copied_revision_ = -1;      ///< of the scene
   Scene built_;                      ///< what the world was built from, with the materials that it has now
   std::int64_t seen_revision_ = -1;  ///< of the scene, when it was last compared with that
   std::int64_t world_count_ = 0;     ///< worlds made so far

@@ -3,9 +3,8 @@
 #include "app/editor.h"
 #include "app/picking.h"
 #include "app/shooting.h"
-#include "sim/scene/scene_reader.h"
-#include "sim/scene/scene_writer.h"
 #include "sim/world/node_report.h"
+#include "ui/verdict.h"
 
 namespace griffith::app {
 using ui::CommandId;
@@ -41,7 +40,16 @@ void Editor::execute(const ui::Command& command) {
       case CommandId::add_surface:
         return add_surface();
       case CommandId::save:
-        return save(command.path.empty() ? path_ : command.path);
+        return save(command);
+      case CommandId::save_dialog:
+        return ask_where_to_save();
+      case CommandId::recover:
+        return recover();
+      case CommandId::discard_copy:
+        autosave_->remove_found();
+        return ask_for_left_edits();
+      case CommandId::leave_copy:
+        return autosave_->leave_found();
       case CommandId::undo:
         return history_.undo();
       case CommandId::redo:
@@ -56,7 +64,7 @@ void Editor::execute(const ui::Command& command) {
       case CommandId::toggle_slice:
         return toggle_slice();
       case CommandId::select_most_loaded:
-        return select_node(most_loaded_node(world_.frame()));
+        return select_most_loaded();
       case CommandId::screenshot:
         screenshot_wanted_ = true;
         return;
@@ -64,8 +72,7 @@ void Editor::execute(const ui::Command& command) {
         state_.show_help = !state_.show_help;
         return;
       case CommandId::quit:
-        wants_to_quit_ = true;
-        return;
+        return quit();
     }
   } catch (const InputError& error) {
     show_error(error);
@@ -76,16 +83,6 @@ void Editor::show_error(const InputError& error) {
   state_.running = false;
   state_.error = ui::ErrorMessage{error.where(), error.problem(), error.remedy()};
   log(ui::LogLevel::error, error.what());
-}
-
-void Editor::open(const std::filesystem::path& path) {
-  try {
-    loader_.start(Work::open, read_scene(path), path);
-    loader_.wait(kPatience);
-    receive_world();
-  } catch (const InputError& error) {
-    show_error(error);
-  }
 }
 
 void Editor::receive_world() {
@@ -115,22 +112,18 @@ void Editor::take_world(WorldLoader::Loaded loaded) {
   if (loaded.work == Work::follow) return take_followed(std::move(loaded));
   world_ = std::move(loaded.world);
   display_ = std::move(loaded.display);
-  if (loaded.work == Work::open) return show_scene(std::move(loaded.scene), std::move(loaded.path));
+  if (loaded.work == Work::recover) return show_recovered(std::move(loaded.scene), loaded.path);
+  if (loaded.work == Work::open) {
+    if (autosave_) autosave_->remove();
+    show_scene(std::move(loaded.scene), std::move(loaded.path));
+    return ask_for_left_edits();
+  }
   history_.change("Add body", [&](Scene& scene) { scene.bodies = loaded.scene.bodies; });
   history_.finish();
+  state_.selection = {};
   state_.selected_body = static_cast<int>(loaded.scene.bodies.size()) - 1;
   restart();
   report_surface();
-}
-
-void Editor::save(std::filesystem::path path) {
-  if (path.empty()) path = history_.scene().name + ".json";
-  history_.change("Set view", [this](Scene& scene) { scene.view = state_.view; });
-  history_.finish();
-  write_scene(history_.scene(), path);
-  history_.mark_saved();
-  path_ = path;
-  log(ui::LogLevel::info, "Saved " + path.string());
 }
 
 void Editor::fire(const Vec2& cursor) {
@@ -147,6 +140,24 @@ void Editor::fire(const Vec2& cursor) {
   if (!state_.running) log(ui::LogLevel::info, "Fired. It flies when the simulation runs: Space.");
 }
 
+void Editor::select(const ui::Selection& selection) {
+  const Frame frame = world_.frame();
+  state_.selection = selection;
+  if (selection.valid()) state_.selected_body = frame.bodies[frame.tet_bodies[selection.tet]].scene_body;
+}
+
+void Editor::select_node(NodeId node) {
+  const Frame frame = world_.frame();
+  if (!node.valid() || static_cast<std::size_t>(node) >= frame.positions.size()) return;
+  select(ui::select(frame, frame.stars[node].front(), node));
+}
+
+void Editor::select_most_loaded() {
+  const NodeId node = most_loaded_node(world_.frame());
+  if (node.valid()) return select_node(node);
+  log(ui::LogLevel::warning, std::string("There is no most loaded node: ") + ui::kNothingStrained);
+}
+
 void Editor::pick(const Vec2& cursor) {
   const float x = static_cast<float>(cursor.x() * drawn_.width), y = static_cast<float>(cursor.y() * drawn_.height);
   const std::int32_t id = renderer_.id_at(static_cast<int>(x), static_cast<int>(y));
@@ -155,8 +166,7 @@ void Editor::pick(const Vec2& cursor) {
   const Frame frame = world_.frame();
   const render::Ray ray = render::pixel_ray(picture_camera(), x, y, drawn_.width, drawn_.height);
   const ShownMesh shown = shown_mesh(frame, state_.view, {});
-  state_.selection = ui::select(frame, TetId(id), nearest_corner(shown, TetId(id), ray));
-  state_.selected_body = frame.bodies[frame.tet_bodies[id]].scene_body;
+  select(ui::select(frame, TetId(id), nearest_corner(shown, TetId(id), ray)));
 }
 
 void Editor::frame_all() { camera_ = render::frame_bounds(camera_, render::bounds(picture_), aspect()); }

@@ -12,6 +12,8 @@ Scene start_of(Scene scene) {
   scene.description.clear();
   scene.cameras.clear();
   scene.view = {};
+  scene.materials.clear();
+  scene.schema.clear();
   for (BodyDescription& body : scene.bodies) body.material = {};
   return scene;
 }

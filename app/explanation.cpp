@@ -11,16 +11,23 @@ namespace {
 
 std::string newtons(double force) { return ui::format_quantity(force, "N"); }
 
+std::string load_line(const NodeReport& report, const Material& material) {
+  return "  now " + ui::format_quantity(report.load, ui::load_unit(material)) + ": " + ui::origin_of_load(report, material) +
+         ", across (" + ui::direction_text(report.normal()) + ")\n";
+}
+
 std::string element_lines(const NodeReport& report) {
+  const char* unit = ui::share_unit(report);
   std::string text = "  element    side    adds to the load    tensile force    compressive force\n";
   for (const ElementShare& element : report.elements) {
     char line[160];
     std::snprintf(line, sizeof line, "  %7d    %-5s   %16s %16s %20s\n", element.tet.value,
-                  element.above ? "above" : "below", newtons(element.share).c_str(),
+                  element.above ? "above" : "below", ui::format_quantity(element.share, unit).c_str(),
                   newtons(element.force.tensile.norm()).c_str(), newtons(element.force.compressive.norm()).c_str());
     text += line;
   }
-  return text;
+  if (report.balance != 0) text += "  balance of all forces " + newtons(report.balance) + "\n";
+  return text + "  together " + ui::format_quantity(report.sum(), unit) + "\n";
 }
 
 }  // namespace
@@ -32,16 +39,13 @@ std::string explanation(const Frame& frame, NodeId node, bool fracture) {
   const char* unit = ui::load_unit(material);
   std::string text = "Node " + std::to_string(node.value) + ", step " + std::to_string(frame.step) + ", " +
                      ui::format_quantity(frame.time, "s") + "\n" + ui::verdict_on(report, frame, fracture).text + "\n";
+  if (!report.strained) return text;
   text += "  load " + ui::format_quantity(ui::load_of(separation, material), unit) + ", resistance " +
-          ui::format_quantity(separation.resistance, unit) + ", margin " + ui::format_quantity(separation.margin, "") +
-          "\n";
-  text += "  plane across (" + ui::direction_text(separation.direction) + "), load on it " +
-          newtons(separation.eigenvalue) + "\n";
+          ui::resistance_text(separation, material) + ", margin " + ui::format_quantity(separation.margin, "") + "\n";
+  text += load_line(report, material);
   text += "  eigenvalues of the separation tensor " + newtons(report.principal.values[2]) + ", " +
           newtons(report.principal.values[1]) + ", " + newtons(report.principal.values[0]) + "\n";
-  text += element_lines(report);
-  if (!report.supported) text += "  balance of all forces " + newtons(report.balance) + "\n";
-  return text;
+  return text + element_lines(report);
 }
 
 }  // namespace griffith::app

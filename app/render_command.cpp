@@ -8,6 +8,7 @@
 #include "app/explanation.h"
 #include "app/interface.h"
 #include "app/named_view.h"
+#include "app/output.h"
 #include "app/picture_options.h"
 #include "app/progress.h"
 #include "app/scene_camera.h"
@@ -16,6 +17,7 @@
 #include "renderer/egl_context.h"
 #include "renderer/target.h"
 #include "sim/error.h"
+#include "sim/replace_file.h"
 #include "sim/scene/scene_reader.h"
 
 namespace griffith::app {
@@ -44,12 +46,12 @@ void save_pictures(const RenderOptions& options, const std::function<void()>& st
                    const std::function<render::Image()>& picture) {
   Progress progress("Rendering", std::max(options.frame, 1));
   for (int frame = 0;; ++frame) {
-    if (options.every > 0 && frame % options.every == 0) save_png(numbered(options.output, frame), picture());
+    if (options.every > 0 && frame % options.every == 0) save_picture(numbered(options.output, frame), picture());
     if (frame == options.frame) break;
     step();
     progress.update(frame + 1);
   }
-  if (options.every == 0) save_png(options.output, picture());
+  if (options.every == 0) save_picture(options.output, picture());
 }
 
 /// The node that was asked for, while there is one of that number. Throws InputError where the last step has none.
@@ -141,6 +143,7 @@ void render_editor(const RenderOptions& options, const Scene& scene) {
 void render_command(const RenderOptions& options) {
   if (options.output.extension() != ".png")
     throw InputError(options.output.string(), "is no name of a PNG file", "end it in .png");
+  check_replaceable(options.every > 0 ? numbered(options.output, 0) : options.output);
   const Scene scene = read_scene(options.scene);
   const render::EglContext context(options.egl_device);
   std::fprintf(stderr, "Graphics: %s (%s)\n", context.renderer().c_str(), context.origin().c_str());

@@ -5,6 +5,7 @@
 #include "app/crack_event_file.h"
 #include "app/export_frame.h"
 #include "app/export_pieces.h"
+#include "app/output.h"
 #include "app/probe_table.h"
 #include "app/progress.h"
 #include "app/scene_world.h"
@@ -14,9 +15,20 @@
 #include "sim/world/world.h"
 
 namespace griffith::app {
+namespace {
+
+/// What can be told before the run of where its results go.
+void check_outputs(const SimulateOptions& options) {
+  if (!options.export_file.empty()) check_export_path(options.export_file);
+  for (const std::filesystem::path& path : {options.stats, options.probes, options.events, options.export_file})
+    if (!path.empty()) check_replaceable(path);
+  if (!options.export_pieces.empty()) check_folder(options.export_pieces);
+}
+
+}  // namespace
 
 void simulate_command(const SimulateOptions& options) {
-  if (!options.export_file.empty()) check_export_path(options.export_file);
+  check_outputs(options);
   const Scene scene = read_scene(options.scene);
   World world = make_world(scene, options.scene);
   std::optional<ProbeTable> probes;
@@ -33,15 +45,18 @@ void simulate_command(const SimulateOptions& options) {
       progress.update(step);
     }
   }
-  if (probes) replace_file(options.probes, probes->csv());
-  if (!options.events.empty()) replace_file(options.events, crack_events_json(world.frame()));
-  if (!options.export_file.empty()) export_frame(options.export_file, world.frame());
-  if (!options.export_pieces.empty()) export_pieces(options.export_pieces, world.frame(), skins);
+  const Frame frame = world.frame();
+  Outputs outputs;
+  if (probes) outputs.write([&] { replace_file(options.probes, probes->csv()); });
+  if (!options.events.empty()) outputs.write([&] { replace_file(options.events, crack_events_json(frame)); });
+  if (!options.export_file.empty()) outputs.write([&] { export_frame(options.export_file, frame); });
+  if (!options.export_pieces.empty()) outputs.write([&] { export_pieces(options.export_pieces, frame, skins); });
   if (options.stats.empty()) {
-    std::printf("%s", statistics.summary(world.frame(), world.state_hash()).c_str());
+    std::printf("%s", statistics.summary(frame, world.state_hash()).c_str());
   } else {
-    replace_file(options.stats, statistics.json(world.frame(), world.state_hash()));
+    outputs.write([&] { replace_file(options.stats, statistics.json(frame, world.state_hash())); });
   }
+  outputs.finish();
 }
 
 }  // namespace griffith::app

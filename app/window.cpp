@@ -4,6 +4,8 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <array>
+#include <cfloat>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -11,20 +13,23 @@
 #include "app/command_options.h"
 #include "app/editor.h"
 #include "app/interface.h"
-#include "app/key_latch.h"
+#include "app/output.h"
 #include "app/scene_files.h"
 #include "app/starting_scene.h"
-#include "renderer/error.h"
 #include "renderer/image.h"
+#include "sim/replace_file.h"
 #include "sim/scene/scene_reader.h"
+#include "ui/input_queue.h"
 
 namespace griffith::app {
 namespace {
 
 static_assert(ui::key::kSpace == GLFW_KEY_SPACE && ui::key::kEscape == GLFW_KEY_ESCAPE &&
               ui::key::kHome == GLFW_KEY_HOME && ui::key::kF1 == GLFW_KEY_F1 && ui::key::kF12 == GLFW_KEY_F12);
+static_assert(ui::key::kLeftShift == GLFW_KEY_LEFT_SHIFT && ui::key::kRightSuper == GLFW_KEY_RIGHT_SUPER);
 
 constexpr int kWidth = 1500, kHeight = 940, kSamples = 4;
+constexpr int kLeastWidth = 1024, kLeastHeight = 600;  // design pixels; smaller, panels would cover each other
 constexpr double kLongestFrame = 0.25;  // seconds; what is longer was an interruption
 
 /// GLFW and its one window, with its OpenGL context current.
@@ -41,6 +46,9 @@ class Window {
     if (!window_) fail();
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
+    const float pixels = scale();
+    glfwSetWindowSizeLimits(window_, static_cast<int>(kLeastWidth * pixels), static_cast<int>(kLeastHeight * pixels),
+                            GLFW_DONT_CARE, GLFW_DONT_CARE);
   }
   ~Window() {
     glfwDestroyWindow(window_);
@@ -74,40 +82,54 @@ class Window {
   GLFWwindow* window_ = nullptr;
 };
 
-/// The window's events on their way to ImGui and, for dropped files, to the editor.
+/// Hands the window's events to ImGui and, for dropped files, to the editor.
 class WindowInput {
  public:
-  WindowInput(const Window& window, Editor& editor) : window_(window.handle()), editor_(editor) {
-    ImGui_ImplGlfw_InitForOpenGL(window_, true);
-    glfwSetWindowUserPointer(window_, this);
-    glfwSetKeyCallback(window_, [](GLFWwindow* handle, int key, int scancode, int action, int mods) {
-      of(handle).tell_key(key, scancode, action, mods);
+  WindowInput(const Window& window, Editor& editor) : editor_(editor) {
+    GLFWwindow* handle = window.handle();
+    ImGui_ImplGlfw_InitForOpenGL(handle, true);
+    glfwSetWindowUserPointer(handle, this);
+    // These in place of ImGui's own, which lose what begins and ends between two frames.
+    glfwSetKeyCallback(handle, [](GLFWwindow* from, int key, int, int action, int) {
+      if (action != GLFW_REPEAT) of(from).queue_.key(key, action == GLFW_PRESS);
     });
-    glfwSetDropCallback(window_, [](GLFWwindow* handle, int count, const char** paths) {
-      if (count > 0) of(handle).editor_.execute({.id = ui::CommandId::open, .path = paths[0]});
+    glfwSetCharCallback(handle, [](GLFWwindow* from, unsigned int character) { of(from).queue_.text(character); });
+    glfwSetMouseButtonCallback(handle, [](GLFWwindow* from, int button, int action, int) {
+      of(from).queue_.button(button, action == GLFW_PRESS);
+    });
+    glfwSetScrollCallback(handle, [](GLFWwindow* from, double right, double up) {
+      of(from).queue_.scroll(static_cast<float>(right), static_cast<float>(up));
+    });
+    glfwSetCursorPosCallback(handle, [](GLFWwindow* from, double x, double y) { of(from).move(x, y); });
+    glfwSetCursorEnterCallback(handle, [](GLFWwindow* from, int entered) {
+      ImGui_ImplGlfw_CursorEnterCallback(from, entered);
+      if (!entered && !ImGui::IsAnyMouseDown()) of(from).move(-FLT_MAX, -FLT_MAX);
+    });
+    glfwSetDropCallback(handle, [](GLFWwindow* from, int count, const char** paths) {
+      if (count > 0) of(from).editor_.execute({.id = ui::CommandId::open, .path = paths[0]});
     });
   }
   ~WindowInput() { ImGui_ImplGlfw_Shutdown(); }
   WindowInput(const WindowInput&) = delete;
   WindowInput& operator=(const WindowInput&) = delete;
 
-  /// To be called once a frame, after ImGui has read the keys.
-  void end_frame() {
-    for (const int key : keys_.end_frame()) ImGui_ImplGlfw_KeyCallback(window_, key, 0, GLFW_RELEASE, 0);
+  /// Tells ImGui of the window and what the next frame is to see of the events.
+  void begin_frame() {
+    ImGui_ImplGlfw_NewFrame();
+    ImGuiIO& io = ImGui::GetIO();
+    std::ranges::copy(buttons_, io.MouseDown);  // the backend has asked for the state of the moment
+    queue_.play(io);
+    std::ranges::copy(io.MouseDown, buttons_.begin());
   }
 
  private:
   static WindowInput& of(GLFWwindow* handle) { return *static_cast<WindowInput*>(glfwGetWindowUserPointer(handle)); }
 
-  void tell_key(int key, int scancode, int action, int mods) {
-    if (action == GLFW_PRESS) keys_.press(key);
-    if (action == GLFW_RELEASE && !keys_.release(key)) return;
-    ImGui_ImplGlfw_KeyCallback(window_, key, scancode, action, mods);
-  }
+  void move(double x, double y) { queue_.move({static_cast<float>(x), static_cast<float>(y)}); }
 
-  GLFWwindow* window_;
   Editor& editor_;
-  KeyLatch keys_;
+  ui::InputQueue queue_;
+  std::array<bool, ImGuiMouseButton_COUNT> buttons_ = {};  ///< as the last frame saw them
 };
 
 /// What is in the window now.
@@ -130,18 +152,17 @@ render::Image window_image(const Window& window) {
 void save_screenshot(Editor& editor, const Window& window) {
   const std::filesystem::path path = free_screenshot_path();
   try {
-    save_png(path, window_image(window));
+    save_picture(path, window_image(window));
     editor.log(ui::LogLevel::info, "Saved " + path.string());
-  } catch (const render::RenderError& error) {
+  } catch (const InputError& error) {
     editor.log(ui::LogLevel::error, error.what());
   }
 }
 
 void draw_frame(Editor& editor, Interface& interface, const Window& window, WindowInput& input) {
   editor.draw_picture(kSamples);
-  ImGui_ImplGlfw_NewFrame();
+  input.begin_frame();
   interface.begin_frame();
-  input.end_frame();
   editor.draw_panels(interface.fonts());
   int width = 0, height = 0;
   glfwGetFramebufferSize(window.handle(), &width, &height);
@@ -161,6 +182,7 @@ void loop(Editor& editor, Interface& interface, const Window& window, WindowInpu
     }
     const double now = glfwGetTime();
     editor.advance(std::min(now - last, kLongestFrame));
+    editor.autosave(now);
     last = now;
     draw_frame(editor, interface, window, input);
     if (editor.take_screenshot_request()) save_screenshot(editor, window);
@@ -173,14 +195,16 @@ void loop(Editor& editor, Interface& interface, const Window& window, WindowInpu
 }  // namespace
 
 void run_editor(const EditorOptions& options) {
+  if (!options.screenshot.empty()) check_replaceable(options.screenshot);
   const bool named = !options.scene.empty();
   Scene scene = named ? read_scene(options.scene) : starting_scene();
   const Window window;
   Editor editor(std::move(scene), options.scene);
   Interface interface(window.scale());
   WindowInput input(window, editor);
+  editor.keep_edits_safe(state_folder());
   loop(editor, interface, window, input, options.exit_after);
-  if (!options.screenshot.empty()) save_png(options.screenshot, window_image(window));
+  if (!options.screenshot.empty()) save_picture(options.screenshot, window_image(window));
 }
 
 }  // namespace griffith::app

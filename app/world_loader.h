@@ -14,7 +14,7 @@
 namespace griffith::app {
 
 /// What a world is built for.
-enum class Work { open, add_body, follow };
+enum class Work { open, recover, add_body, follow };
 
 /// Builds worlds on a thread of its own, one at a time, so that the window goes on living while a surface is meshed.
 class WorldLoader {

@@ -1,9 +1,11 @@
 #include "renderer/egl_context.h"
 
+#include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -48,6 +50,24 @@ std::string egl_error(const std::string& what) {
       return what + " failed: EGL error 0x" + digits;
     }
   }
+}
+
+/// The error of loading one of the libraries, any of which does; empty where one is there. It stays loaded.
+std::string why_missing(std::initializer_list<const char*> libraries) {
+  std::string reasons;
+  for (const char* library : libraries) {
+    if (dlopen(library, RTLD_LAZY | RTLD_GLOBAL)) return {};
+    reasons += std::string("\n  ") + dlerror();
+  }
+  return reasons;
+}
+
+/// Libepoxy ends the program where it cannot load these.
+void require_libraries() {
+  if (const std::string reason = why_missing({"libEGL.so.1"}); !reason.empty())
+    throw RenderError("no EGL, which pictures without a window need (Debian's package is libegl1):" + reason);
+  if (const std::string reason = why_missing({"libOpenGL.so.0", "libGL.so.1"}); !reason.empty())
+    throw RenderError("no OpenGL (Debian's package is libopengl0):" + reason);
 }
 
 bool client_has(const char* extension) { return epoxy_has_egl_extension(EGL_NO_DISPLAY, extension); }
@@ -153,6 +173,7 @@ std::string list_of_names(const std::vector<Attempt>& all) {
 }  // namespace
 
 EglContext::EglContext(std::optional<int> device_index) {
+  require_libraries();
   const std::vector<Attempt> all = attempts();
   const std::vector<Attempt> chosen = device_index ? only_device(all, *device_index) : all;
   std::string tried;

@@ -14,7 +14,7 @@ class EglContext {
  public:
   /// Tries device `device_index` of the enumeration if one is given (then nothing else), or else the hardware devices
   /// in turn, then Mesa's surfaceless platform, then software devices. Throws RenderError that lists every attempt and
-  /// why it failed.
+  /// why it failed, or says which library is missing.
   explicit EglContext(std::optional<int> device_index = std::nullopt);
   ~EglContext();
   EglContext(EglContext&&) noexcept;

@@ -4,7 +4,7 @@
 
 namespace griffith::render {
 
-/// No graphics device, a shader that the driver rejects, an image file that can't be read or written. what() says
+/// No graphics device, a shader that the driver rejects, an image file that can't be read. what() says
 /// which.
 class RenderError : public std::runtime_error {
  public:

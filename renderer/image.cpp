@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdlib>
+#include <new>
 #include <string>
-#include <system_error>
 
 #include "renderer/error.h"
 
@@ -43,25 +43,15 @@ std::array<std::uint8_t, 4> Image::pixel(int x, int y) const {
   return {rgba[at], rgba[at + 1], rgba[at + 2], rgba[at + 3]};
 }
 
-void save_png(const std::filesystem::path& path, const Image& image) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  // A link stays a link; what is no file (a pipe) is written to as it is.
-  const fs::path target = fs::is_symlink(path, error) ? fs::canonical(path, error) : path;
-  const fs::file_status status = fs::status(target, error);
-  fs::path written = target;
-  if (!fs::exists(status) || fs::is_regular_file(status)) written += ".part";
-  if (!stbi_write_png(written.c_str(), image.width, image.height, kChannels, image.rgba.data(),
-                      kChannels * image.width)) {
-    throw RenderError("can't write the image " + path.string() + ": is its folder there and writable?");
-  }
-  if (written == target) return;
-  fs::rename(written, target, error);
-  if (error) {
-    std::error_code ignored;
-    fs::remove(written, ignored);
-    throw RenderError("can't write the image " + path.string() + ": " + error.message());
-  }
+std::string encode_png(const Image& image) {
+  std::string bytes;
+  const auto append = [](void* to, void* data, int size) {
+    static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+  };
+  if (!stbi_write_png_to_func(append, &bytes, image.width, image.height, kChannels, image.rgba.data(),
+                              kChannels * image.width))
+    throw std::bad_alloc();  // the one thing that it fails for
+  return bytes;
 }
 
 Image load_png(const std::filesystem::path& path) {

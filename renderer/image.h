@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace griffith::render {
@@ -15,9 +16,8 @@ struct Image {
   bool operator==(const Image&) const = default;
 };
 
-/// Writes beside `path` first and renames, so that an interrupted save loses nothing. Throws RenderError naming the
-/// path.
-void save_png(const std::filesystem::path& path, const Image& image);
+/// The bytes of a PNG file.
+std::string encode_png(const Image& image);
 
 /// Throws RenderError naming the path.
 Image load_png(const std::filesystem::path& path);

@@ -5,8 +5,15 @@
 
 namespace griffith {
 
-/// Writes `content` beside `path`, then renames it to `path`: an interrupted write leaves the old file as it was. Links
-/// are followed; devices and pipes are written to directly. Throws InputError when the file cannot be written.
+/// Writes `content` into a new file of a name of its own beside `path`, then renames it to `path`: an interrupted or
+/// failed write leaves the old file as it was, and several writers at once do not meet. The mode of the old file is
+/// kept; one that may not be written to is not replaced. A link stays a link, and the file it leads to is replaced or
+/// made; devices and pipes are written to directly. Throws InputError when anything fails, to the end of closing the
+/// file.
 void replace_file(const std::filesystem::path& path, std::string_view content);
+
+/// Throws the InputError that replace_file() would throw, as far as that can be told before: to be called before long
+/// work whose result goes there.
+void check_replaceable(const std::filesystem::path& path);
 
 }  // namespace griffith

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <functional>
 
 #include "ui/body_rows.h"
 #include "ui/panels.h"
@@ -11,7 +12,6 @@ namespace griffith::ui {
 namespace {
 
 constexpr std::size_t kMostShown = 8;  ///< rows before the list scrolls
-constexpr std::size_t kFewBodies = 6;  ///< so many need no filter
 
 void choose(Panel& panel, const BodyRow& row) {
   panel.state.selected_body = row.scene_body;
@@ -74,23 +74,38 @@ void apply_sorting(std::vector<BodyRow>& rows) {
   sort_rows(rows, static_cast<BodyColumn>(first.ColumnIndex), first.SortDirection == ImGuiSortDirection_Descending);
 }
 
-void begin_columns(const Panel& panel) {
+/// As wide as its title, a number that is likely, and all that is in it.
+float column_width(const Panel& panel, const char* title, float design_width, const std::vector<BodyRow>& rows,
+                   const std::function<std::string(const BodyRow&)>& text) {
+  constexpr std::size_t kMostMeasured = 1000;
+  const float arrow = ImGui::GetFontSize();
+  float width = std::max(ImGui::CalcTextSize(title).x + arrow, design_width * ui_scale(panel));
+  for (std::size_t i = 0; i < std::min(rows.size(), kMostMeasured); ++i)
+    width = std::max(width, ImGui::CalcTextSize(text(rows[i]).c_str()).x);
+  return width;
+}
+
+void begin_columns(const Panel& panel, const std::vector<BodyRow>& rows) {
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
-  constexpr std::array<std::pair<const char*, float>, 4> kColumns = {
-      {{"State", 44}, {"Pcs", 34}, {"Tets", 38}, {"Mass", 50}}};
-  for (const auto& [name, width] : kColumns)
-    ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed, width * ui_scale(panel));
+  const auto column = [&](const char* title, float design_width, const auto& text) {
+    ImGui::TableSetupColumn(title, ImGuiTableColumnFlags_WidthFixed,
+                            column_width(panel, title, design_width, rows, text));
+  };
+  column("State", 44, [](const BodyRow& row) { return std::string(row.state()); });
+  column("Pcs", 30, [](const BodyRow& row) { return std::to_string(row.pieces()); });
+  column("Tets", 38, [](const BodyRow& row) { return std::to_string(row.tets); });
+  column("Mass", 50, [](const BodyRow& row) { return mass_text(row.mass); });
   ImGui::TableHeadersRow();
 }
 
-void draw_table(Panel& panel, std::vector<BodyRow> rows) {
+void draw_table(Panel& panel, std::vector<BodyRow> rows, std::size_t lines) {
   const float line = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
-  const float height = line * static_cast<float>(std::clamp<std::size_t>(rows.size(), 1, kMostShown) + 1);
+  const float height = line * static_cast<float>(lines + 1);
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_Sortable | ImGuiTableFlags_SortTristate | ImGuiTableFlags_ScrollY |
                                      ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings;
   if (!ImGui::BeginTable("##bodies", 5, kFlags, {0, height + 4 * ui_scale(panel)})) return;
-  begin_columns(panel);
+  begin_columns(panel, rows);
   apply_sorting(rows);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(rows.size()));
@@ -107,8 +122,9 @@ void filter_row(Panel& panel) {
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-FLT_MIN);
   std::array<char, 64>& text = panel.state.body_filter;
-  ImGui::InputTextWithHint("##filter", "filter: name, elastic, rigid, asleep", text.data(), text.size());
+  ImGui::InputTextWithHint("##filter", "name or state", text.data(), text.size());
   tag_last_item(panel.tags, "bodies/filter", text.data());
+  tooltip("Lists what has this in its name or is so: elastic, rigid or asleep.");
 }
 
 }  // namespace
@@ -119,12 +135,15 @@ void draw_bodies_panel(Panel& panel) {
   const Frame& frame = panel.input.frame;
   if (scene.bodies.empty())
     return hint(panel, "The scene has no bodies. Open one with File > Open, or drop a scene file here.");
-  if (std::max(scene.bodies.size(), frame.bodies.size()) > kFewBodies || panel.state.list_pieces) filter_row(panel);
-  std::vector<BodyRow> rows = panel.state.list_pieces ? piece_rows(scene, frame) : body_rows(scene, frame);
+  filter_row(panel);
+  const bool pieces = panel.state.list_pieces;
+  std::vector<BodyRow> rows = pieces ? piece_rows(scene, frame) : body_rows(scene, frame);
+  // What breaks and what the filter hides moves nothing below the list.
+  const std::size_t lines = pieces ? kMostShown : std::min(scene.bodies.size(), kMostShown);
   filter_rows(rows, panel.state.body_filter.data());
   ImGui::PushFont(panel.input.fonts.small);
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {3 * ui_scale(panel), 2 * ui_scale(panel)});
-  draw_table(panel, std::move(rows));
+  draw_table(panel, std::move(rows), lines);
   ImGui::PopStyleVar();
   ImGui::PopFont();
 }

@@ -10,7 +10,7 @@
 namespace griffith::ui {
 namespace {
 
-constexpr std::array<CommandInfo, 20> kRegistry = {{
+constexpr std::array<CommandInfo, 24> kRegistry = {{
     {CommandId::toggle_run, "simulation.run", "Run", "Run or pause", {key::kSpace}, "Space"},
     {CommandId::step, "simulation.step", "Step", "Pause and advance by one time step", {'N'}, "N"},
     {CommandId::reset, "simulation.reset", "Reset", "Start again from the scene as it is now edited", {'R'}, "R"},
@@ -58,6 +58,15 @@ constexpr std::array<CommandInfo, 20> kRegistry = {{
      ""},
     {CommandId::add_surface, "file.fill_surface", "Fill surface", "Fill the surface of the dialog", {}, ""},
     {CommandId::save, "file.save", "Save", "Write the scene as it is now edited and shown", {'S', true}, "Ctrl+S"},
+    {CommandId::save_dialog,
+     "file.save_as",
+     "Save as…",
+     "Write the scene to another file, which it is then edited in",
+     {'S', true, true},
+     "Ctrl+Shift+S"},
+    {CommandId::recover, "file.recover", "Recover", "Take up edits that were cut short", {}, ""},
+    {CommandId::discard_copy, "file.discard_copy", "Discard copy", "Delete the copy of edits that were cut short", {}, ""},
+    {CommandId::leave_copy, "file.leave_copy", "Leave copy", "Ask again at the next start", {}, ""},
     {CommandId::screenshot,
      "file.screenshot",
      "Screenshot",
@@ -110,6 +119,10 @@ bool command_enabled(CommandId id, const Panel& panel) {
       return panel.history.can_undo();
     case CommandId::redo:
       return panel.history.can_redo();
+    case CommandId::recover:
+    case CommandId::discard_copy:
+    case CommandId::leave_copy:
+      return !panel.state.left_edits.empty();
     case CommandId::toggle_range_lock:
       return panel.state.view.range.has_value() || panel.input.legend.has_value();
     default:

@@ -21,6 +21,10 @@ enum class CommandId {
   add_surface_dialog,
   add_surface,
   save,
+  save_dialog,
+  recover,
+  discard_copy,
+  leave_copy,
   undo,
   redo,
   frame_all,
@@ -39,11 +43,15 @@ struct Command {
   std::filesystem::path path = {};  ///< open: the scene; save: where, or empty for the scene's own file
   Vec2 cursor = Vec2(0.5, 0.5);     ///< fire, pick: place in the view, from its top left corner, 0..1
   bool discard_edits = false;       ///< open, quit: even where edits are not saved
+  bool replace = false;             ///< save: even where that loses what another has written
 };
 
 /// Key codes in GLFW's numbering; letters and digits are their ASCII codes.
 namespace key {
 inline constexpr int kNone = 0, kSpace = 32, kEscape = 256, kHome = 268, kF1 = 290, kF12 = 301;
+inline constexpr int kLeftShift = 340, kLeftControl = 341, kLeftAlt = 342, kLeftSuper = 343;
+inline constexpr int kRightShift = 344, kRightControl = 345, kRightAlt = 346, kRightSuper = 347;
+inline constexpr int kFirstModifier = kLeftShift, kLastModifier = kRightSuper;
 }
 
 struct Shortcut {

@@ -9,7 +9,11 @@ namespace griffith::ui {
 Dialog shown_dialog(const EditorState& state) {
   if (!state.work.empty()) return Dialog::work;
   if (state.error) return Dialog::error;
+  if (state.large_mesh) return Dialog::large_mesh;
   if (state.report) return Dialog::report;
+  if (!state.left_edits.empty()) return Dialog::left_edits;
+  if (state.replacement) return Dialog::replacement;
+  if (state.save_as) return Dialog::save_as;
   if (state.unsaved) return Dialog::unsaved;
   if (state.show_surface) return Dialog::surface;
   if (state.show_open) return Dialog::open;
@@ -31,6 +35,9 @@ bool begin_dialog(const Panel& panel, const char* title, bool wanted, float desi
   return open;
 }
 
-bool escape_pressed() { return ImGui::IsKeyPressed(key::kEscape, false); }
+bool escape_pressed() {
+  const bool list_is_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId), types = ImGui::GetIO().WantTextInput;
+  return ImGui::IsKeyPressed(key::kEscape, false) && !list_is_open && !types;
+}
 
 }  // namespace griffith::ui

@@ -9,7 +9,9 @@ inline constexpr ImGuiWindowFlags kDialogFlags = ImGuiWindowFlags_NoResize | ImG
                                                  ImGuiWindowFlags_AlwaysAutoResize;
 
 /// One at a time is shown, and nothing else takes orders meanwhile.
-enum class Dialog { none, work, error, report, unsaved, surface, open, help };
+enum class Dialog {
+  none, work, error, large_mesh, report, left_edits, replacement, save_as, unsaved, surface, open, help
+};
 
 /// The one that is due.
 Dialog shown_dialog(const EditorState& state);
@@ -17,6 +19,7 @@ Dialog shown_dialog(const EditorState& state);
 /// Opens the popup when `wanted` and centres it. True while its content is to be drawn, up to ImGui::EndPopup().
 bool begin_dialog(const Panel& panel, const char* title, bool wanted, float design_width);
 
+/// Whether Escape was pressed, and not for a list or a text field of the dialog.
 bool escape_pressed();
 
 }  // namespace griffith::ui

@@ -59,33 +59,6 @@ void work_dialog(Panel& panel) {
   ImGui::EndPopup();
 }
 
-void unsaved_dialog(Panel& panel) {
-  std::optional<Command>& command = panel.state.unsaved;
-  if (!begin_dialog(panel, "Edits are not saved", true, 480)) return;
-  ImGui::TextWrapped("%s would lose them.", command->id == CommandId::quit ? "Quitting" : "Opening another scene");
-  ImGui::Spacing();
-  const float width = 120 * ui_scale(panel);
-  bool answered = false;
-  if (text_button(panel, "unsaved/save", "Save", width)) {
-    issue(panel, {.id = CommandId::save});
-    issue(panel, *command);  // asks again, should saving fail
-    answered = true;
-  }
-  ImGui::SameLine();
-  if (text_button(panel, "unsaved/discard", "Discard", width)) {
-    command->discard_edits = true;
-    issue(panel, *command);
-    answered = true;
-  }
-  ImGui::SameLine();
-  if (text_button(panel, "unsaved/cancel", "Cancel", width) || escape_pressed()) answered = true;
-  if (answered) {
-    command.reset();
-    ImGui::CloseCurrentPopup();
-  }
-  ImGui::EndPopup();
-}
-
 /// Closes the dialog of work that is done: nothing in it says so itself.
 void close_work_dialog() {
   if (!ImGui::IsPopupOpen(kWorkTitle)) return;
@@ -165,10 +138,18 @@ void draw_dialogs(Panel& panel) {
       return work_dialog(panel);
     case Dialog::error:
       return error_dialog(panel);
+    case Dialog::large_mesh:
+      return draw_large_mesh_dialog(panel);
     case Dialog::report:
       return draw_report_dialog(panel);
     case Dialog::unsaved:
-      return unsaved_dialog(panel);
+      return draw_unsaved_dialog(panel);
+    case Dialog::save_as:
+      return draw_save_dialog(panel);
+    case Dialog::replacement:
+      return draw_replacement_dialog(panel);
+    case Dialog::left_edits:
+      return draw_left_edits_dialog(panel);
     case Dialog::surface:
       return draw_surface_dialog(panel);
     case Dialog::open:

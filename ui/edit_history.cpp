@@ -2,6 +2,8 @@
 
 namespace griffith::ui {
 
+// Scenes are copied, then moved: GCC 12 believes that assigning their probes in place may read uninitialised memory.
+
 void EditHistory::change(const std::string& label, const std::function<void(Scene&)>& edit) {
   if (open_ && entries_.back().label != label) finish();
   if (!open_) {
@@ -18,7 +20,7 @@ void EditHistory::finish() {
   if (!open_) return;
   open_ = false;
   EditEntry& entry = entries_.back();
-  entry.after = scene_;
+  entry.after = Scene(scene_);
   if (entry.before == entry.after) {
     entries_.pop_back();
     applied_ = entries_.size();
@@ -28,14 +30,14 @@ void EditHistory::finish() {
 void EditHistory::undo() {
   finish();
   if (applied_ == 0) return;
-  scene_ = entries_[--applied_].before;
+  scene_ = Scene(entries_[--applied_].before);
   ++revision_;
 }
 
 void EditHistory::redo() {
   finish();
   if (applied_ == entries_.size()) return;
-  scene_ = entries_[applied_++].after;
+  scene_ = Scene(entries_[applied_++].after);
   ++revision_;
 }
 

@@ -47,7 +47,7 @@ class EditHistory {
   std::int64_t revision() const { return revision_; }
 
   bool modified() const { return !(scene_ == saved_); }
-  void mark_saved() { saved_ = scene_; }
+  void mark_saved() { saved_ = Scene(scene_); }
 
  private:
   Scene scene_, saved_;

@@ -100,6 +100,10 @@ std::vector<Command> draw_editor(const EditorInput& input, EditorState& state, E
   std::vector<Command> commands;
   tags.clear();
   Panel panel{input, state, history, tags, commands};
+  const bool had_error = state.error.has_value();
+  const std::int64_t revision = history.revision();
+  for (int button = 0; button < ImGuiMouseButton_COUNT; ++button)
+    if (ImGui::IsMouseClicked(button)) state.field_note = {};
   issue_shortcuts(panel);
   draw_menu_bar(panel);
   const Layout layout = lay_out();
@@ -108,6 +112,8 @@ std::vector<Command> draw_editor(const EditorInput& input, EditorState& state, E
   draw_right(panel, layout);
   draw_center(panel, layout);
   draw_dialogs(panel);
+  const bool acted = !commands.empty() || history.revision() != revision || (had_error && !state.error);
+  if (acted) state.log_seen = state.log.size();
   return commands;
 }
 

@@ -50,6 +50,28 @@ struct SurfaceRequest {
   MeshingMethod method = MeshingMethod::automatic;
 };
 
+/// Where the scene is to be saved, as the dialog for it has it.
+struct SaveTarget {
+  std::filesystem::path folder;  ///< where relative names start, absolute
+  std::array<char, 512> name = {};
+};
+/// With the file's folder and name.
+SaveTarget save_target(const std::filesystem::path& file);
+/// The file; ends in .json, whether that was typed or not.
+std::filesystem::path file_of(const SaveTarget& target);
+
+/// A save that would lose what another has written.
+struct Replacement {
+  Command command;
+  std::string problem;  ///< "/home/me/wall.json is there already."
+};
+
+/// Why the last edit of a field was not taken as it was meant.
+struct FieldNote {
+  std::string tag;  ///< of the field; empty: there is nothing to say
+  std::string text;
+};
+
 /// What there is to tell about work that went well.
 struct WorkReport {
   std::string title;
@@ -72,7 +94,7 @@ struct EditorState {
   int selected_body = 0;     ///< index into Scene::bodies
   bool list_pieces = false;  ///< the list of bodies holds each piece by itself
   std::array<char, 64> body_filter = {};  ///< what the listed ones have in their name or state
-  std::string field_problem;              ///< why the last edit of a field was not taken
+  FieldNote field_note;                   ///< of the last edit, until the next click
   Selection selection;                    ///< picked in the view; follows the material when a body breaks
   CameraMotion camera_motion;
   ImVec2 viewport_minimum = {0, 0}, viewport_size = {0, 0};  ///< of the picture, as drawn last [pixels]
@@ -81,16 +103,22 @@ struct EditorState {
   bool show_help = false, show_open = false, show_surface = false;
   SurfaceRequest surface;
   std::optional<WorkReport> report;
-  std::string work;          ///< what is being done while a world is built; empty: nothing
-  bool cancel_work = false;  ///< the user wants no more of it
+  std::string work;                  ///< what is being done while a world is built; empty: nothing
+  bool cancel_work = false;          ///< the user wants no more of it
+  std::optional<double> large_mesh;  ///< the tetrahedra that work would make: so many that it waits for an answer
+  bool build_large_mesh = false;     ///< the answer is yes
   std::optional<ErrorMessage> error;
   std::optional<Command> unsaved;  ///< waits for an answer: it would lose edits that are not saved
+  std::optional<SaveTarget> save_as;             ///< being asked for
+  std::optional<Replacement> replacement;        ///< waits for an answer
+  std::optional<Command> after_save;             ///< what the scene is being saved for
+  std::string left_edits;  ///< which edits were cut short and are waiting for an answer; empty: none
   std::vector<LogLine> log;
+  std::size_t log_seen = 0;              ///< so many of the lines are older than the last thing that the user did
   std::array<char, 512> path_text = {};  ///< being typed in the open dialog
   std::string typed_tag;                 ///< the number field being typed into
   std::array<char, 64> typed_text = {};
-  double typed_factor = 1;  ///< SI prefix that the field showed when typing began
-  int typed_frames = 0;     ///< drawn since then
+  int typed_frames = 0;  ///< drawn since typing began
 };
 
 /// What the panels read, new for every drawn frame.

@@ -57,7 +57,7 @@ class FieldRows {
 
   /// What was done in this frame: nothing has changed where the result would break a rule, which the panel then says.
   Edit finish() {
-    if (edit_.changed) panel_.state.field_problem = problem_;
+    if (edit_.changed && !problem_.empty()) panel_.state.field_note = {edited_tag_, problem_};
     if (!problem_.empty()) edit_.changed = false;
     return edit_;
   }
@@ -82,7 +82,7 @@ class FieldRows {
   }
 
   void note(const FieldRow& row, const Edit& edit) {
-    if (edit.changed || edit.finished) edited_ = row.label;
+    if (edit.changed || edit.finished) edited_ = row.label, edited_tag_ = row.tag;
     edit_.changed |= edit.changed;
     edit_.finished |= edit.finished;
   }
@@ -93,7 +93,7 @@ class FieldRows {
     FieldRows rows(panel_, tag, idle_fields(value));
     rows.show(value);
     if (problem_.empty()) problem_ = rows.problem_;
-    note({tag, rows.edited_, ""}, rows.edit_);
+    note({rows.edited_tag_, rows.edited_, ""}, rows.edit_);
   }
 
   void draw(const FieldRow& row, double& value, const Numbers& numbers) {
@@ -120,9 +120,13 @@ class FieldRows {
   void draw(const FieldRow& row, Eigen::Matrix<double, N, 1>& vector, const Numbers& numbers) {
     Eigen::Matrix<double, N, 1> wanted = vector;
     Edit edit = draw_field(panel_, row, numbers, std::span<double>(wanted.data(), N));
-    if (numbers.nonzero && wanted.isZero(0)) edit.changed = false;
+    const FieldRow first{row.tag + "/0", row.label, row.description};
+    if (edit.changed && numbers.nonzero && wanted.isZero(0)) {
+      panel_.state.field_note = {first.tag, "Not all components can be 0: it stays as it was."};
+      edit.changed = false;
+    }
     if (edit.changed) vector = wanted;
-    note(row, edit);
+    note(first, edit);
   }
   void draw(const FieldRow& row, bool& value, Flag flag) { note(row, draw_field(panel_, row, flag, value)); }
   void draw(const FieldRow& row, std::string& value, const Text& text) {
@@ -262,7 +266,7 @@ class FieldRows {
   Panel& panel_;
   std::string tag_;
   std::vector<std::string_view> hidden_;
-  std::string edited_, problem_;
+  std::string edited_, edited_tag_, problem_;
   Edit edit_;
 };
 

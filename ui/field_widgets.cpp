@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "ui/number_slider.h"
 #include "ui/style.h"
@@ -12,21 +14,16 @@ namespace griffith::ui {
 namespace {
 
 constexpr std::size_t kLongestText = 1024;
-constexpr std::size_t kRoomForUnit = 2;  // bytes, beside the components of a vector
 
-/// As it stands behind a number.
-std::string unit_of(const Numbers& numbers) {
-  if (numbers.unit == "degrees") return "°";
-  return std::string(numbers.unit == "-" ? "" : numbers.unit);
+NumberField number_field(const FieldRow& row, const Numbers& numbers) {
+  return {.tag = row.tag, .label = row.label, .numbers = numbers, .tooltip = row.description};
 }
 
-NumberField number_field(const FieldRow& row, const std::string& unit, const Numbers& numbers) {
-  return {.tag = row.tag.c_str(),
-          .label = row.label.c_str(),
-          .unit = unit.c_str(),
-          .minimum = numbers.minimum,
-          .maximum = numbers.maximum,
-          .tooltip = row.description.c_str()};
+/// "Size [mm]": what a row of several numbers is, and in which unit.
+std::string label_with_unit(const FieldRow& row, const SiPrefix& prefix, const Numbers& numbers) {
+  const std::string unit = std::string(prefix.symbol) + std::string(unit_symbol(numbers));
+  const std::string label = row.label.substr(0, row.label.find(" degrees"));
+  return unit.empty() ? label : label + " [" + unit + "]";
 }
 
 /// A text box over the rest of the row; `finished` when it was left, or Enter pressed.
@@ -37,20 +34,26 @@ Edit text_box(Panel& panel, const FieldRow& row, std::string& value, ImGuiInputT
   Edit edit;
   edit.finished = ImGui::IsItemDeactivatedAfterEdit();
   tag_last_item(panel.tags, row.tag, value);
-  tooltip(row.description);
+  field_tooltip(panel, row.tag, row.description);
   edit.changed = entered && value != text.data();
   if (entered) value = text.data();
   return edit;
 }
 
-std::vector<int> parse_list(const std::string& text, const Numbers& numbers) {
+/// Numbers between commas and spaces; nothing where there is anything else.
+std::optional<std::vector<int>> parse_list(const std::string& text, const Numbers& numbers) {
   std::vector<int> values;
   const char *at = text.data(), *end = at + text.size();
   while (at != end) {
+    if (*at == ',' || *at == ' ') {
+      ++at;
+      continue;
+    }
     int value = 0;
     const auto [next, error] = std::from_chars(at, end, value);
-    if (error == std::errc() && value >= numbers.minimum && value <= numbers.maximum) values.push_back(value);
-    at = next == at ? at + 1 : next;
+    if (error != std::errc() || value < numbers.minimum || value > numbers.maximum) return std::nullopt;
+    values.push_back(value);
+    at = next;
   }
   return values;
 }
@@ -65,30 +68,28 @@ std::string list_text(const std::vector<int>& values) {
 
 Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, double& value) {
   row_label(panel, row.label.c_str());
-  const std::string unit = unit_of(numbers);
-  return number_drag(panel, number_field(row, unit, numbers), value);
+  return number_drag(panel, number_field(row, numbers), value);
 }
 
 Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, int& value) {
-  const Edit edit = integer_row(panel, row.tag.c_str(), row.label.c_str(), value, static_cast<int>(numbers.minimum),
-                                static_cast<int>(numbers.maximum));
-  tooltip(row.description);
+  const Edit edit = integer_row(panel, row.tag.c_str(), row.label.c_str(), value, numbers);
+  field_tooltip(panel, row.tag, row.description);
   return edit;
 }
 
 Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, std::span<double> components) {
-  row_label(panel, row.label.c_str());
-  const std::string unit = unit_of(numbers);
+  double largest = 0;
+  for (const double component : components) largest = std::max(largest, std::abs(component));
+  const SiPrefix prefix = si_prefix(largest, unit_symbol(numbers));
+  wide_row_label(panel, label_with_unit(row, prefix, numbers).c_str());
   const float gap = 3 * ui_scale(panel), count = static_cast<float>(components.size());
   const float width = (ImGui::GetContentRegionAvail().x - (count - 1) * gap) / count;
   Edit edit;
   for (std::size_t i = 0; i < components.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, gap);
     ImGui::SetNextItemWidth(width);
-    const std::string meaning = row.description + (unit.empty() ? "" : " [" + unit + "]");
-    const FieldRow part{row.tag + "/" + std::to_string(i), row.label, meaning};
-    NumberField field = number_field(part, unit, numbers);
-    field.hide_unit = unit.size() > kRoomForUnit;
+    NumberField field = number_field({row.tag + "/" + std::to_string(i), row.label, row.description}, numbers);
+    field.prefix = prefix;
     const Edit of_part = number_drag(panel, field, components[i]);
     edit.changed |= of_part.changed;
     edit.finished |= of_part.finished;
@@ -101,16 +102,21 @@ Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, std::
   std::string text = list_text(values);
   const Edit typed = text_box(panel, row, text, ImGuiInputTextFlags_EnterReturnsTrue);
   if (!typed.changed) return {};
-  std::vector<int> parsed = parse_list(text, numbers);
-  const bool changed = parsed != values;
-  values = std::move(parsed);
+  std::optional<std::vector<int>> parsed = parse_list(text, numbers);
+  if (!parsed) {
+    panel.state.field_note = {row.tag, "\"" + text + "\" is not a list of whole numbers, each " + range_text(numbers) +
+                                           ", with commas between them."};
+    return {};
+  }
+  const bool changed = *parsed != values;
+  values = std::move(*parsed);
   return {changed, changed};
 }
 
 Edit draw_field(Panel& panel, const FieldRow& row, Flag, bool& value) {
   row_label(panel, row.label.c_str());
   const bool toggled = checkbox(panel, row.tag.c_str(), ("##" + row.tag).c_str(), value);
-  tooltip(row.description);
+  field_tooltip(panel, row.tag, row.description);
   return {toggled, toggled};
 }
 
@@ -118,7 +124,11 @@ Edit draw_field(Panel& panel, const FieldRow& row, const Text& text, std::string
   row_label(panel, row.label.c_str());
   std::string typed = value;
   Edit edit = text_box(panel, row, typed);
-  if (typed.size() < static_cast<std::size_t>(text.minimum_length)) return {false, edit.finished};
+  if (typed.size() < static_cast<std::size_t>(text.minimum_length)) {
+    const bool leaves = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    if (!leaves) panel.state.field_note = {row.tag, row.label + " cannot be empty: it stays \"" + value + "\"."};
+    return {false, edit.finished};
+  }
   value = std::move(typed);
   return edit;
 }
@@ -128,7 +138,7 @@ Edit draw_field(Panel& panel, const FieldRow& row, const std::filesystem::path& 
   std::string text = value.generic_string();
   if (!text_box(panel, row, text, ImGuiInputTextFlags_EnterReturnsTrue).changed) return {};
   if (text.empty() || !std::filesystem::exists(folder / text)) {
-    panel.state.field_problem = "There is no file or folder \"" + text + "\".";
+    panel.state.field_note = {row.tag, "There is no file or folder \"" + text + "\"."};
     return {};
   }
   value = text;
@@ -140,7 +150,7 @@ Edit draw_choice(Panel& panel, const FieldRow& row, const OneOf& one_of, int& va
   for (const std::string_view name : one_of.names) names.push_back(words_of(name));
   const int chosen =
       combo_row(panel, row.tag.c_str(), row.label.c_str(), names, names[static_cast<std::size_t>(value)]);
-  tooltip(row.description);
+  field_tooltip(panel, row.tag, row.description);
   if (chosen < 0 || chosen == value) return {};
   value = chosen;
   return {true, true};
@@ -149,9 +159,9 @@ Edit draw_choice(Panel& panel, const FieldRow& row, const OneOf& one_of, int& va
 Edit draw_choices(Panel& panel, const FieldRow& row, const OneOf& one_of, std::vector<int>& chosen) {
   row_label(panel, row.label.c_str());
   const std::string text = std::to_string(chosen.size()) + " chosen";
-  if (!ImGui::BeginCombo(("##" + row.tag).c_str(), text.c_str(), ImGuiComboFlags_HeightLarge)) {
+  if (!begin_combo(("##" + row.tag).c_str(), text.c_str())) {
     tag_last_item(panel.tags, row.tag, text);
-    tooltip(row.description);
+    field_tooltip(panel, row.tag, row.description);
     return {};
   }
   Edit edit;
@@ -170,14 +180,14 @@ Edit draw_choices(Panel& panel, const FieldRow& row, const OneOf& one_of, std::v
 Edit draw_presence(Panel& panel, const FieldRow& row, bool& present) {
   row_label(panel, row.label.c_str());
   const bool toggled = checkbox(panel, row.tag.c_str(), ("##" + row.tag).c_str(), present);
-  tooltip(row.description);
+  field_tooltip(panel, row.tag, row.description);
   return {toggled, toggled};
 }
 
 bool begin_part(Panel& panel, const FieldRow& row, const std::string& summary) {
   const bool open = ImGui::TreeNodeEx(row.tag.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth, "%s", row.label.c_str());
   tag_last_item(panel.tags, row.tag, open ? "open" : "closed");
-  tooltip(row.description);
+  field_tooltip(panel, row.tag, row.description);
   if (!summary.empty()) {
     ImGui::SameLine();
     ImGui::TextColored(as_vec4(palette::kTextDim), "%s", summary.c_str());

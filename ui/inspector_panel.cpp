@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -35,31 +36,36 @@ void verdict_line(const Panel& panel, const Verdict& verdict) {
   tag_last_item(panel.tags, "inspector/verdict", verdict.text);
 }
 
-void node_rows(const Panel& panel, const NodeReport& report, const Material& material) {
+/// What was decided on.
+void margin_rows(const Panel& panel, const NodeReport& report, const Material& material) {
   const NodeSeparation& separation = report.separation;
   const char* unit = load_unit(material);
-  value_row(panel, "Node", std::to_string(report.node.value), palette::kText);
   value_row(panel, "Load", format_quantity(load_of(separation, material), unit), palette::kText);
-  value_row(panel, "Resistance",
-            std::isfinite(separation.resistance) ? format_quantity(separation.resistance, unit)
-                                                 : std::string("not yet known"),
-            palette::kText);
+  tooltip("What its margin was taken of: the mean over the last substeps, so that no passing peak breaks it.");
+  value_row(panel, "Resistance", resistance_text(separation, material), palette::kText);
   value_row(panel, "Margin", format_quantity(separation.margin, "", 3),
             separation.margin > 0.8 ? palette::kWarning : palette::kText);
-  value_row(panel, "Normal of the plane", direction_text(separation.direction), palette::kText);
+}
+
+/// What there is at the time of the frame, all from its own stresses.
+void load_rows(const Panel& panel, const NodeReport& report, const Material& material) {
+  value_row(panel, "Load now", format_quantity(report.load, load_unit(material)), palette::kText);
+  hint(panel, origin_of_load(report, material));
+  tag_last_item(panel.tags, "inspector/origin", origin_of_load(report, material));
+  value_row(panel, "Normal of the plane", direction_text(report.normal()), palette::kText);
   value_row(panel, "Eigenvalues", triple(Vec3(report.principal.values.reverse()), "N"), palette::kText);
   tooltip("Of the separation tensor, largest first: what pulls the node apart along its three axes.");
   value_row(panel, "Top eigenvector", direction_text(report.principal.directions.col(2)), palette::kText);
 }
 
 /// One ranked element; a click selects it.
-void element_row(Panel& panel, const ElementShare& element, std::size_t rank) {
+void element_row(Panel& panel, const ElementShare& element, const char* unit, std::size_t rank) {
   char text[96];
   std::snprintf(text, sizeof text, "%zu   element %d, %s", rank + 1, element.tet.value,
                 element.above ? "above" : "below");
   const bool selected = panel.state.selection.tet == element.tet;
   if (ImGui::Selectable((std::string(text) + "##share").c_str(), selected)) panel.state.selection.tet = element.tet;
-  const std::string share = format_quantity(element.share, "N", 3);
+  const std::string share = format_quantity(element.share, unit, 3);
   tag_last_item(panel.tags, "inspector/element/" + std::to_string(rank), share);
   tooltip("Tensile force " + format_quantity(element.force.tensile.norm(), "N", 3) + " along " +
           direction_text(element.force.tensile.normalized()) + "\nCompressive force " +
@@ -70,17 +76,22 @@ void element_row(Panel& panel, const ElementShare& element, std::size_t rank) {
 }
 
 void contribution_rows(Panel& panel, const NodeReport& report) {
-  hint(panel, "What each element adds to the load across the plane, by rank:");
-  for (std::size_t i = 0; i < std::min(report.elements.size(), kMostElements); ++i)
-    element_row(panel, report.elements[i], i);
-  if (report.elements.size() > kMostElements)
-    hint(panel, "and " + std::to_string(report.elements.size() - kMostElements) + " more that add less");
-  if (!report.supported) {
+  const char* unit = share_unit(report);
+  hint(panel, "What each element adds to it, by rank:");
+  const std::size_t listed = std::min(report.elements.size(), kMostElements);
+  for (std::size_t i = 0; i < listed; ++i) element_row(panel, report.elements[i], unit, i);
+  double others = 0;
+  for (std::size_t i = listed; i < report.elements.size(); ++i) others += report.elements[i].share;
+  if (listed < report.elements.size())
+    value_row(panel, (std::to_string(report.elements.size() - listed) + " more elements").c_str(),
+              format_quantity(others, unit, 3), palette::kText);
+  if (report.balance != 0) {
     value_row(panel, "Balance of all forces", format_quantity(report.balance, "N", 3), palette::kText);
     tooltip(
         "What the sums of the tensile and compressive forces take away from it: forces that balance each other across "
         "the node pull it apart, a force that is not balanced accelerates it.");
   }
+  value_row(panel, "Together", format_quantity(report.sum(), unit, 3), palette::kText);
 }
 
 void event_rows(const Panel& panel, const NodeReport& report) {
@@ -99,10 +110,12 @@ void event_rows(const Panel& panel, const NodeReport& report) {
 void element_rows(const Panel& panel, TetId tet) {
   const Frame& frame = panel.input.frame;
   const Mat3& stress = frame.stresses[tet];
-  value_row(panel, "Element", std::to_string(tet.value), palette::kText);
-  value_row(panel, "Von Mises stress", format_quantity(von_mises_stress(stress), "Pa"), palette::kText);
-  value_row(panel, "Principal stresses", triple(principal_stresses(stress), "Pa"), palette::kText);
   const BodyView& body = frame.bodies[frame.tet_bodies[tet]];
+  value_row(panel, "Element", std::to_string(tet.value), palette::kText);
+  if (!body.rigid) {
+    value_row(panel, "Von Mises stress", format_quantity(von_mises_stress(stress), "Pa"), palette::kText);
+    value_row(panel, "Principal stresses", triple(principal_stresses(stress), "Pa"), palette::kText);
+  }
   value_row(panel, "Piece", std::to_string(body.id.value) + ", " + format_quantity(body.mass, "kg", 3), palette::kText);
   value_row(panel, "Its elements", std::to_string(body.tets), palette::kText);
   value_row(panel, "Speed", format_quantity(body.velocity.norm(), "m/s", 3), palette::kText);
@@ -115,17 +128,24 @@ void draw_inspector_panel(Panel& panel) {
   const Frame& frame = panel.input.frame;
   const Selection& selection = panel.state.selection;
   if (!selection.valid() || static_cast<std::size_t>(selection.node) >= frame.positions.size()) {
+    const bool strained = std::ranges::any_of(frame.bodies, [](const BodyView& body) { return !body.rigid; });
     hint(panel, "Click a node in the view, or press M for the most loaded one.");
+    if (!strained && !frame.bodies.empty()) hint(panel, std::string("Now ") + kNothingStrained);
     return;
   }
   const NodeReport report = node_report(frame, selection.node);
   const BodyView& body = frame.bodies[report.body];
   verdict_line(panel, verdict_on(report, frame, panel.history.scene().simulation.fracture));
-  draw_margin_bar(panel, report.separation.margin);
+  const Material& material = frame.materials[body.scene_body];
+  if (report.strained) draw_margin_bar(panel, report.separation.margin);
   draw_margin_plot(panel, panel.input.margins);
-  node_rows(panel, report, frame.materials[body.scene_body]);
+  value_row(panel, "Node", std::to_string(report.node.value), palette::kText);
+  if (report.strained) margin_rows(panel, report, material);
   event_rows(panel, report);
-  contribution_rows(panel, report);
+  if (report.strained) {
+    load_rows(panel, report, material);
+    contribution_rows(panel, report);
+  }
   element_rows(panel, selection.tet);
 }
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <vector>
 
+#include "ui/field_range.h"
 #include "ui/number_slider.h"
 #include "ui/panels.h"
 #include "ui/style.h"
@@ -19,9 +20,24 @@ void keep(Panel& panel, const Edit& edit, const std::string& label, const Materi
   if (edit.finished) panel.history.finish();
 }
 
-void number_row(Panel& panel, Material& material, const NumberField& field, double Material::*member) {
-  const Edit edit = number_slider(panel, field, material.*member);
-  keep(panel, edit, std::string("Set ") + field.label, material);
+/// A property of the material as a slider.
+struct Row {
+  const char* name;  ///< in a scene file
+  const char* label;
+  double low = 0, high = 0;  ///< ends of the slider, within what a file takes; 0, 0: all of that
+  bool logarithmic = false;
+  const char* tooltip = "";
+};
+
+void number_row(Panel& panel, Material& material, const Row& row, double& value) {
+  NumberField field = {.tag = std::string("material/") + row.name,
+                       .label = row.label,
+                       .numbers = range_of<Material>(row.name),
+                       .tooltip = row.tooltip,
+                       .logarithmic = row.logarithmic};
+  if (row.low < row.high) field.low = row.low, field.high = row.high;
+  const Edit edit = number_slider(panel, field, value);
+  keep(panel, edit, std::string("Set ") + row.label, material);
 }
 
 void preset_row(Panel& panel, Material& material) {
@@ -46,20 +62,20 @@ void fracture_rows(Panel& panel, Material& material) {
   criterion_row(panel, material);
   if (material.criterion == FractureCriterion::separation_force) {
     number_row(panel, material,
-               {"material/separation_toughness", "Sep. toughness", "N", 1, 1e12, true,
+               {"separation_toughness", "Sep. toughness", 1, 1e12, true,
                 "τ: a node separates when the largest eigenvalue of its separation tensor exceeds it. Depends on the "
                 "element size."},
-               &Material::separation_toughness);
+               material.separation_toughness);
     return;
   }
   number_row(panel, material,
-             {"material/tensile_strength", "Tensile strength", "Pa", 1, 1e10, true,
+             {"tensile_strength", "Tensile strength", 1, 1e10, true,
               "A node separates when its mesh-independent separation stress exceeds it."},
-             &Material::tensile_strength);
+             material.tensile_strength);
   number_row(panel, material,
-             {"material/fracture_toughness", "Toughness K_Ic", "Pa·√m", 1, 1e9, true,
+             {"fracture_toughness", "Toughness K_Ic", 1, 1e9, true,
               "Lowers the resistance at the front of a crack: small values let a crack, once started, run."},
-             &Material::fracture_toughness);
+             material.fracture_toughness);
 }
 
 void element_model_row(Panel& panel, Material& material) {
@@ -78,26 +94,22 @@ void yield_rows(Panel& panel, Material& material) {
     keep(panel, {true, true}, "Set yielding", material);
   }
   if (!material.yield_strength) return;
-  const Edit edit = number_slider(
-      panel,
-      {"material/yield_strength", "Yield strength", "Pa", 1, 1e10, true, "The von Mises stress above which it flows."},
-      *material.yield_strength);
-  keep(panel, edit, "Set Yield strength", material);
   number_row(panel, material,
-             {"material/plastic_limit", "Plastic limit", "", 0, 1, false,
-              "The norm of the plastic strain at which flow ends."},
-             &Material::plastic_limit);
+             {"yield_strength", "Yield strength", 1, 1e10, true, "The von Mises stress above which it flows."},
+             *material.yield_strength);
+  number_row(panel, material,
+             {"plastic_limit", "Plastic limit", 0, 0, false, "The norm of the plastic strain at which flow ends."},
+             material.plastic_limit);
 }
 
 void damping_rows(Panel& panel, Material& material) {
-  number_row(panel, material, {"material/friction", "Friction", "", 0, 2}, &Material::friction);
-  number_row(panel, material, {"material/restitution", "Restitution", "", 0, 1}, &Material::restitution);
+  number_row(panel, material, {"friction", "Friction", 0, 2}, material.friction);
+  number_row(panel, material, {"restitution", "Restitution"}, material.restitution);
   number_row(panel, material,
-             {"material/stiffness_damping", "Damping β", "s", 0, 1e-2, false, "Rayleigh's β: damps fast vibrations."},
-             &Material::stiffness_damping);
-  number_row(panel, material,
-             {"material/mass_damping", "Damping α", "1/s", 0, 10, false, "Rayleigh's α: damps all motion."},
-             &Material::mass_damping);
+             {"stiffness_damping", "Damping β", 0, 1e-2, false, "Rayleigh's β: damps fast vibrations."},
+             material.stiffness_damping);
+  number_row(panel, material, {"mass_damping", "Damping α", 0, 10, false, "Rayleigh's α: damps all motion."},
+             material.mass_damping);
 }
 
 }  // namespace
@@ -111,14 +123,14 @@ void draw_material_panel(Panel& panel) {
   Material material = body.material;
   preset_row(panel, material);
   number_row(panel, material,
-             {"material/young_modulus", "Young's modulus", "Pa", 1e3, 1e12, true,
+             {"young_modulus", "Young's modulus", 1e3, 1e12, true,
               "E: stiffness. Right-click to type a value with its unit, such as 20 GPa."},
-             &Material::young_modulus);
+             material.young_modulus);
   number_row(panel, material,
-             {"material/poisson_ratio", "Poisson ratio", "", 0, 0.495, false,
+             {"poisson_ratio", "Poisson ratio", 0, 0, false,
               "ν: sideways contraction over extension. 0.5 would be incompressible and is out of reach."},
-             &Material::poisson_ratio);
-  number_row(panel, material, {"material/density", "Density", "kg/m³", 1, 25000, true, "ρ"}, &Material::density);
+             material.poisson_ratio);
+  number_row(panel, material, {"density", "Density", 1, 25000, true, "ρ"}, material.density);
   fracture_rows(panel, material);
   element_model_row(panel, material);
   yield_rows(panel, material);

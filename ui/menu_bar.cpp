@@ -26,6 +26,7 @@ void scene_items(Panel& panel) {
 bool menu(Panel& panel, const char* label) {
   const bool open = ImGui::BeginMenu(label);
   tag_last_item(panel.tags, std::string("menu/") + label, open ? "open" : "closed");
+  if (open) close_on_escape();
   return open;
 }
 
@@ -38,6 +39,7 @@ void file_menu(Panel& panel) {
   }
   command_item(panel, CommandId::add_surface_dialog);
   command_item(panel, CommandId::save);
+  command_item(panel, CommandId::save_dialog);
   ImGui::Separator();
   command_item(panel, CommandId::screenshot);
   ImGui::Separator();

@@ -1,24 +1,27 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "ui/units.h"
 #include "ui/widgets.h"
 
 namespace griffith::ui {
 
 /// A physical quantity as an editable row.
 struct NumberField {
-  const char* tag;           ///< "material/young_modulus"
-  const char* label;         ///< "Young's modulus"
-  const char* unit;          ///< without prefix: "Pa"
-  double minimum, maximum;   ///< both are possible values
-  bool logarithmic = false;  ///< equal distances are equal ratios; needs minimum > 0
-  const char* tooltip = "";
-  bool hide_unit = false;  ///< until it is typed into: there is no room
+  std::string tag;    ///< "material/young_modulus"
+  std::string label;  ///< "Young's modulus"
+  Numbers numbers;    ///< what a scene takes, in which unit
+  std::string tooltip = {};
+  double low = numbers.minimum, high = numbers.maximum;  ///< ends of the slider; beyond them values can be typed
+  bool logarithmic = false;                              ///< equal distances are equal ratios; needs low > 0
+  std::optional<SiPrefix> prefix = {};  ///< of a row of several numbers, which says the unit once; none: its own
 };
 
-/// A slider with unit and SI prefix. Drag it, or right-click (Ctrl+click) to type a value: a bare number counts in the
-/// unit shown, "20 GPa" or "2e10 Pa" in its own. Values are kept within the field's bounds.
+/// A slider with unit and SI prefix. Drag it, or right-click (Ctrl+click) to type a value: "20 GPa", "2e10 Pa", or a
+/// bare number in the unit without prefix. While one types it says what that means; what is not taken as it was typed
+/// leaves a note.
 Edit number_slider(Panel& panel, const NumberField& field, double& value);
 
 /// The same without label, and without an end in sight: dragging changes the value by a share of itself.

@@ -33,8 +33,18 @@ void draw_viewport(Panel& panel);
 void draw_status_bar(Panel& panel);
 /// Help, open and error windows, where wanted.
 void draw_dialogs(Panel& panel);
+/// Asks where the scene is to be saved.
+void draw_save_dialog(Panel& panel);
+/// Asks whether a file may be replaced.
+void draw_replacement_dialog(Panel& panel);
+/// Asks what is to become of edits that are not saved.
+void draw_unsaved_dialog(Panel& panel);
+/// Asks what is to become of edits that were cut short.
+void draw_left_edits_dialog(Panel& panel);
 /// Asks for a surface file and how to fill it.
 void draw_surface_dialog(Panel& panel);
+/// Asks whether a mesh of many tetrahedra is meant.
+void draw_large_mesh_dialog(Panel& panel);
 /// Tells what came of it.
 void draw_report_dialog(Panel& panel);
 

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/field_range.h"
 #include "ui/number_slider.h"
 #include "ui/panels.h"
 
@@ -32,33 +33,47 @@ std::string name_of(const std::vector<Choice>& all, const std::optional<Projecti
   return "Hull";
 }
 
+/// A logarithmic slider for the field `name` of a burst (or its box), from `low` to `high`.
+template <class T>
+void number_row(Panel& panel, const char* tag, const char* label, const char* name, double low, double high,
+                double& value) {
+  number_slider(
+      panel, {.tag = tag, .label = label, .numbers = range_of<T>(name), .low = low, .high = high, .logarithmic = true},
+      value);
+}
+
 void shape_rows(Panel& panel, ProjectileBurst& shot) {
   const std::vector<Choice> all = choices(panel.history.scene());
   std::vector<std::string> names;
   for (const Choice& choice : all) names.push_back(choice.name);
   const int chosen = combo_row(panel, "projectile/shape", "Shape", names, name_of(all, shot.shape));
   if (chosen >= 0) shot.shape = all[static_cast<std::size_t>(chosen)].shape;
-  if (!shot.shape) number_slider(panel, {"projectile/radius", "Radius", "m", 5e-3, 5, true}, shot.radius);
-  if (!shot.shape) return;
+  if (!shot.shape)
+    return number_row<ProjectileBurst>(panel, "projectile/radius", "Radius", "radius", 5e-3, 5, shot.radius);
   if (auto* box = std::get_if<BoxProjectile>(&*shot.shape)) {
-    number_slider(panel, {"projectile/width", "Width", "m", 5e-3, 5, true}, box->size.x());
-    number_slider(panel, {"projectile/height", "Height", "m", 5e-3, 5, true}, box->size.y());
-    number_slider(panel, {"projectile/depth", "Depth", "m", 5e-3, 5, true}, box->size.z());
+    number_row<BoxProjectile>(panel, "projectile/width", "Width", "size", 5e-3, 5, box->size.x());
+    number_row<BoxProjectile>(panel, "projectile/height", "Height", "size", 5e-3, 5, box->size.y());
+    number_row<BoxProjectile>(panel, "projectile/depth", "Depth", "size", 5e-3, 5, box->size.z());
   }
   constexpr std::array kTurns = {"projectile/turn_x", "projectile/turn_y", "projectile/turn_z"};
   constexpr std::array kLabels = {"Turn about x", "Turn about y", "Turn about z"};
-  for (int i = 0; i < 3; ++i)
-    number_slider(panel, {kTurns[static_cast<std::size_t>(i)], kLabels[static_cast<std::size_t>(i)], "°", -180, 180},
-                  shot.rotation_degrees[i]);
+  for (std::size_t i = 0; i < 3; ++i)
+    number_slider(panel,
+                  {.tag = kTurns[i],
+                   .label = kLabels[i],
+                   .numbers = range_of<ProjectileBurst>("rotation_degrees"),
+                   .low = -180,
+                   .high = 180},
+                  shot.rotation_degrees[static_cast<Eigen::Index>(i)]);
 }
 
 /// What the scene's burst says by a density is tuned as one: the mass then follows the size.
 void mass_rows(Panel& panel, ProjectileBurst& shot) {
   constexpr double kDensityOfSteel = 7850;
   if (shot.density) {
-    number_slider(panel, {"projectile/density", "Density", "kg/m³", 1, 3e4, true}, *shot.density);
+    number_row<ProjectileBurst>(panel, "projectile/density", "Density", "density", 1, 3e4, *shot.density);
   } else {
-    number_slider(panel, {"projectile/mass", "Mass", "kg", 1e-3, 1e5, true}, shot.mass);
+    number_row<ProjectileBurst>(panel, "projectile/mass", "Mass", "mass", 1e-3, 1e5, shot.mass);
   }
   bool by_density = shot.density.has_value();
   if (!checkbox(panel, "projectile/by_density", "Mass by density", by_density)) return;
@@ -71,11 +86,12 @@ void draw_projectile_panel(Panel& panel) {
   heading(panel, "Projectile");
   ProjectileBurst& shot = panel.state.shot;
   shape_rows(panel, shot);
-  number_slider(panel, {"projectile/speed", "Speed", "m/s", 0.1, 1000, true}, shot.speed);
+  number_row<ProjectileBurst>(panel, "projectile/speed", "Speed", "speed", 0.1, 1000, shot.speed);
   mass_rows(panel, shot);
-  integer_row(panel, "projectile/count", "Burst", shot.count, 1, 100);
+  integer_row(panel, "projectile/count", "Burst", shot.count, range_of<ProjectileBurst>("count"));
+  field_tooltip(panel, "projectile/count", "Projectiles in a row.");
   if (shot.count > 1) {
-    number_slider(panel, {"projectile/interval", "Interval", "s", 1e-2, 5, true}, shot.interval);
+    number_row<ProjectileBurst>(panel, "projectile/interval", "Interval", "interval", 1e-2, 5, shot.interval);
   }
   hint(panel, "Right-click in the view, or press F, to fire at the cursor.");
 }

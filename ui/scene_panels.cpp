@@ -1,6 +1,5 @@
 #include "ui/field_rows.h"
 #include "ui/panels.h"
-#include "ui/style.h"
 
 namespace griffith::ui {
 namespace {
@@ -9,16 +8,6 @@ bool header(const Panel& panel, const char* tag, const std::string& text) {
   const bool open = ImGui::CollapsingHeader((text + "###" + tag).c_str());
   tag_last_item(panel.tags, tag, open ? "open" : "closed");
   return open;
-}
-
-void problem_line(const Panel& panel) {
-  if (panel.state.field_problem.empty()) return;
-  ImGui::PushTextWrapPos(0);
-  ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
-  ImGui::TextUnformatted(panel.state.field_problem.c_str());
-  ImGui::PopStyleColor();
-  ImGui::PopTextWrapPos();
-  tag_last_item(panel.tags, "field_problem", panel.state.field_problem);
 }
 
 /// Another body has the name already, which probes know bodies by.
@@ -52,13 +41,12 @@ void draw_body_panel(Panel& panel) {
   rows.show(body);
   Edit edit = rows.finish();
   if (edit.changed && is_taken(scene, body.name, index)) {
-    panel.state.field_problem = "Another body has the name \"" + body.name + "\".";
+    panel.state.field_note = {"body/name", "Another body has the name \"" + body.name + "\"."};
     edit.changed = false;
   }
   const std::string label = "Set " + rows.edited() + " of " + old_name(panel.history, index);
   if (edit.changed) panel.history.change(label, [&](Scene& edited) { put_back(edited, index, body); });
   if (edit.finished) panel.history.finish();
-  problem_line(panel);
 }
 
 void draw_scene_panel(Panel& panel) {
@@ -69,7 +57,6 @@ void draw_scene_panel(Panel& panel) {
   const Edit edit = rows.finish();
   if (edit.changed) panel.history.change("Set " + rows.edited(), [&](Scene& edited) { edited = std::move(scene); });
   if (edit.finished) panel.history.finish();
-  problem_line(panel);
 }
 
 }  // namespace griffith::ui

@@ -20,6 +20,8 @@ ImU32 level_color(LogLevel level) {
 }
 
 void recent_lines(const std::vector<LogLine>& log) {
+  const ImVec2 corner = ImGui::GetWindowPos();
+  ImGui::SetNextWindowPos({corner.x + ImGui::GetStyle().WindowPadding.x, corner.y}, ImGuiCond_Always, {0, 1});
   ImGui::BeginTooltip();
   const auto count = std::min<std::ptrdiff_t>(kLinesInTooltip, static_cast<std::ptrdiff_t>(log.size()));
   for (auto line = log.end() - count; line != log.end(); ++line) {
@@ -33,13 +35,18 @@ void recent_lines(const std::vector<LogLine>& log) {
 void draw_status_bar(Panel& panel) {
   const std::vector<LogLine>& log = panel.state.log;
   ImGui::PushFont(panel.input.fonts.small);
+  const std::string text = panel.input.scene_path.empty() ? "not saved" : panel.input.scene_path.string();
+  const float place = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - ImGui::CalcTextSize(text.c_str()).x;
   if (!log.empty()) {
-    ImGui::TextColored(as_vec4(level_color(log.back().level)), "%s", log.back().text.c_str());
-    tag_last_item(panel.tags, "status/message", log.back().text);
+    const LogLine& last = log.back();
+    const LogLevel level = panel.state.log_seen < log.size() ? last.level : LogLevel::info;
+    const float room = place - ImGui::GetCursorPosX() - ImGui::GetStyle().ItemSpacing.x;
+    ImGui::TextColored(as_vec4(level_color(level)), "%s", fitted(last.text, room).c_str());
+    tag_last_item(panel.tags, "status/message", last.text);
+    panel.tags.back().color = level_color(level);
     if (ImGui::IsItemHovered()) recent_lines(log);
   }
-  const std::string text = panel.input.scene_path.empty() ? "not saved" : panel.input.scene_path.string();
-  ImGui::SameLine(ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - ImGui::CalcTextSize(text.c_str()).x);
+  ImGui::SameLine(place);
   ImGui::TextColored(as_vec4(palette::kTextDim), "%s", text.c_str());
   ImGui::PopFont();
 }

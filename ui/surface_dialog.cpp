@@ -3,6 +3,7 @@
 #include <string>
 
 #include "ui/dialog_window.h"
+#include "ui/field_range.h"
 #include "ui/number_slider.h"
 #include "ui/panels.h"
 #include "ui/style.h"
@@ -46,11 +47,25 @@ void draw_surface_dialog(Panel& panel) {
       ImGui::InputTextWithHint("##surface", "path of an OBJ, STL, PLY, OFF or glTF file", request.path.data(),
                                request.path.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   tag_last_item(panel.tags, "surface/path", request.path.data());
-  number_slider(panel, {"surface/scale", "Metres per unit", "", 1e-6, 1e3, true}, request.scale);
+  number_slider(panel,
+                {.tag = "surface/scale",
+                 .label = "Metres per unit",
+                 .numbers = range_of<SurfaceShape>("scale"),
+                 .low = 1e-6,
+                 .high = 1e3,
+                 .logarithmic = true},
+                request.scale);
   method_row(panel, request.method);
   checkbox(panel, "surface/automatic_size", "Element size from the size of the surface", request.automatic_size);
   if (!request.automatic_size)
-    number_slider(panel, {"surface/element_size", "Element size", "m", 1e-4, 100, true}, request.element_size);
+    number_slider(panel,
+                  {.tag = "surface/element_size",
+                   .label = "Element size",
+                   .numbers = range_of<SurfaceShape>("element_size"),
+                   .low = 1e-3,
+                   .high = 100,
+                   .logarithmic = true},
+                  request.element_size);
   hint(panel,
        "TetGen keeps every triangle of the surface; the volumetric method takes open and crossing surfaces too.");
   ImGui::Spacing();

@@ -52,18 +52,31 @@ void clock(const Panel& panel) {
   std::snprintf(text, sizeof text, "step %lld", static_cast<long long>(input.frame.step));
   ImGui::TextColored(as_vec4(palette::kTextDim), "%s", text);
   tag_last_item(panel.tags, "toolbar/step", text);
-  if (!panel.state.show_times) return;
-  gap(panel, 14);
-  ImGui::TextColored(as_vec4(palette::kTextDim), "%.1f ms a step, %.0f pictures/s", input.step_milliseconds,
-                     input.frames_per_second);
 }
 
-void pace_warning(const Panel& panel) {
-  if (!panel.state.running || !panel.input.falling_behind) return;
+/// Text behind the last item, where it ends before `end`.
+bool text_before(const Panel& panel, float end, ImU32 color, const char* text) {
   gap(panel, 14);
-  ImGui::TextColored(as_vec4(palette::kWarning), "can't keep up: %.2g of %.3g %%", 100 * panel.input.reached_speed,
-                     100 * panel.state.speed);
+  const bool fits = ImGui::GetCursorPosX() + ImGui::CalcTextSize(text).x <= end;
+  if (fits) ImGui::TextColored(as_vec4(color), "%s", text);
+  return fits;
+}
+
+void pace_warning(const Panel& panel, float end) {
+  if (!panel.state.running || !panel.input.falling_behind) return;
+  char text[64];
+  std::snprintf(text, sizeof text, "can't keep up: %.2g of %.3g %%", 100 * panel.input.reached_speed,
+                100 * panel.state.speed);
+  if (!text_before(panel, end, palette::kWarning, text)) return;
   tooltip("A step takes longer than the time it simulates. Results are not affected; the simulation only runs slower.");
+}
+
+void times(const Panel& panel, float end) {
+  if (!panel.state.show_times) return;
+  char text[64];
+  std::snprintf(text, sizeof text, "%.1f ms a step, %.0f pictures/s", panel.input.step_milliseconds,
+                panel.input.frames_per_second);
+  text_before(panel, end, palette::kTextDim, text);
 }
 
 }  // namespace
@@ -74,10 +87,11 @@ void draw_toolbar(Panel& panel) {
   speed_slider(panel);
   gap(panel, 22);
   clock(panel);
-  pace_warning(panel);
   const float button = 1.25f * ImGui::GetFrameHeight(), spacing = ImGui::GetStyle().ItemSpacing.x;
   const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - 5 * button - 4 * spacing;
-  ImGui::SameLine(std::max(right, ImGui::GetCursorPosX()));
+  pace_warning(panel, right - spacing);
+  times(panel, right - spacing);
+  ImGui::SameLine(right);
   const std::pair<CommandId, Icon> tools[] = {{CommandId::undo, Icon::undo},
                                               {CommandId::redo, Icon::redo},
                                               {CommandId::frame_all, Icon::frame},

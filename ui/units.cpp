@@ -45,8 +45,7 @@ SiPrefix si_prefix(double value, std::string_view unit) {
   return best;
 }
 
-std::string format_quantity(double value, std::string_view unit, int digits) {
-  const SiPrefix prefix = si_prefix(value, unit);
+std::string format_number(double value, const SiPrefix& prefix, int digits) {
   std::array<char, 64> number;
   const double scaled = value / prefix.factor;
   // From 1000 on %g would switch to an exponent for few digits.
@@ -55,7 +54,12 @@ std::string format_quantity(double value, std::string_view unit, int digits) {
   } else {
     std::snprintf(number.data(), number.size(), "%.*g", digits, scaled);
   }
-  std::string text = number.data();
+  return number.data();
+}
+
+std::string format_quantity(double value, std::string_view unit, int digits) {
+  const SiPrefix prefix = si_prefix(value, unit);
+  std::string text = format_number(value, prefix, digits);
   if (unit.empty() || unit == "-") return text;
   if (unit != "°") text += ' ';
   return text.append(prefix.symbol).append(unit);
@@ -67,14 +71,32 @@ std::string direction_text(const Vec3& direction) {
   return text;
 }
 
-std::optional<double> parse_quantity(std::string_view text, std::string_view unit, double bare_factor) {
+std::string_view unit_symbol(const Numbers& numbers) {
+  if (numbers.unit == "degrees") return "°";
+  return numbers.unit == "-" ? "" : numbers.unit;
+}
+
+std::string range_text_with_prefix(const Numbers& numbers) {
+  const std::string_view unit = unit_symbol(numbers);
+  return format_quantity(numbers.minimum, unit) + " to " + format_quantity(numbers.maximum, unit);
+}
+
+std::string clamped_note(double typed, const Numbers& numbers) {
+  const std::string_view unit = unit_symbol(numbers);
+  const bool high = typed > numbers.maximum;
+  return format_quantity(typed, unit, 6) + (high ? " is more than " : " is less than ") +
+         format_quantity(high ? numbers.maximum : numbers.minimum, unit) + " and was set to it: " +
+         range_text_with_prefix(numbers) + " is possible.";
+}
+
+std::optional<double> parse_quantity(std::string_view text, std::string_view unit) {
   text = trimmed(text);
   if (text.starts_with('+')) text.remove_prefix(1);
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   if (error != std::errc() || !std::isfinite(number)) return std::nullopt;
   const std::string_view suffix = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
-  if (suffix.empty()) return number * bare_factor;
+  if (suffix.empty()) return number;
   const std::optional<double> factor = suffix_factor(suffix, unit);
   if (!factor) return std::nullopt;
   return number * *factor;

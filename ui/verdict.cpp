@@ -24,6 +24,11 @@ Verdict overloaded(const NodeReport& report, const Frame& frame, bool fracture) 
   return {Verdict::Kind::overloaded, load + why};
 }
 
+std::string softened_text(const SoftenedImpact& impact) {
+  return "Shown at " + format_quantity(100 * impact.factor * impact.factor, "", 2) +
+         " % of its stiffness: " + reason(impact) + ".";
+}
+
 std::string breaking(const CrackEvent& event, const char* unit) {
   std::string text = "Broke at " + format_quantity(event.time, "s", 3) + " (step " + std::to_string(event.step) +
                      "): the load of " + format_quantity(event.load, unit, 3) + " was " +
@@ -46,17 +51,8 @@ std::string holding(const std::string& what, const NodeReport& report, const Mat
   return text;
 }
 
-}  // namespace
-
-const char* load_unit(const Material& material) {
-  return material.criterion == FractureCriterion::separation_force ? "N" : "Pa";
-}
-
-double load_of(const NodeSeparation& separation, const Material& material) {
-  return material.criterion == FractureCriterion::separation_force ? separation.eigenvalue : separation.stress;
-}
-
-Verdict verdict_on(const NodeReport& report, const Frame& frame, bool fracture) {
+/// But for what stood in for the material.
+Verdict bare_verdict(const NodeReport& report, const Frame& frame, bool fracture) {
   const BodyView& body = frame.bodies[report.body];
   const Material& material = frame.materials[body.scene_body];
   std::string past;
@@ -71,6 +67,40 @@ Verdict verdict_on(const NodeReport& report, const Frame& frame, bool fracture) 
   if (!past.empty()) return {Verdict::Kind::broke, past + " " + holding("What is left holds", report, material)};
   return {report.separation.margin > kNear ? Verdict::Kind::near : Verdict::Kind::holds,
           holding("Holds", report, material)};
+}
+
+}  // namespace
+
+const char* load_unit(const Material& material) {
+  return material.criterion == FractureCriterion::separation_force ? "N" : "Pa";
+}
+
+double load_of(const NodeSeparation& separation, const Material& material) {
+  return material.criterion == FractureCriterion::separation_force ? separation.eigenvalue : separation.stress;
+}
+
+std::string resistance_text(const NodeSeparation& separation, const Material& material) {
+  return std::isfinite(separation.resistance) ? format_quantity(separation.resistance, load_unit(material))
+                                              : "not yet known";
+}
+
+const char* share_unit(const NodeReport& report) { return report.by_tension ? "Pa" : "N"; }
+
+std::string origin_of_load(const NodeReport& report, const Material& material) {
+  const double pull = report.plane.eigenvalue;
+  if (report.by_tension) return "the mean tensile stress of its elements";
+  if (pull <= 0 || report.load <= 0) return "nothing pulls";
+  if (material.criterion == FractureCriterion::separation_force) return "what pulls across the plane";
+  return format_quantity(pull, "N") + " over " + format_quantity(pull / report.load, "m²");
+}
+
+Verdict verdict_on(const NodeReport& report, const Frame& frame, bool fracture) {
+  Verdict verdict = bare_verdict(report, frame, fracture);
+  std::optional<SoftenedImpact> softened = frame.bodies[report.body].softened;
+  if (verdict.kind == Verdict::Kind::broke && frame.crack_events[report.events.back()].softened)
+    softened = frame.crack_events[report.events.back()].softened;
+  if (softened) verdict.text += " " + softened_text(*softened);
+  return verdict;
 }
 
 }  // namespace griffith::ui

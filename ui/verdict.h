@@ -6,6 +6,10 @@
 
 namespace griffith::ui {
 
+/// Why no node can be the most loaded one.
+inline constexpr char kNothingStrained[] =
+    "all pieces move as rigid bodies, without stress, until something strikes them.";
+
 /// Why a node broke, or did not, in a sentence or two.
 struct Verdict {
   enum class Kind { holds, near, overloaded, broke, unknown };
@@ -20,5 +24,12 @@ Verdict verdict_on(const NodeReport& report, const Frame& frame, bool fracture);
 const char* load_unit(const Material& material);
 /// The load that is compared with the resistance [load_unit].
 double load_of(const NodeSeparation& separation, const Material& material);
+/// "60 kPa", or that it is not known yet.
+std::string resistance_text(const NodeSeparation& separation, const Material& material);
+
+/// "N" or "Pa", what the shares of the report's elements are measured in.
+const char* share_unit(const NodeReport& report);
+/// What the load at the frame's time comes from: "2.35 kN over 0.1 m²", "the mean tensile stress of its elements".
+std::string origin_of_load(const NodeReport& report, const Material& material);
 
 }  // namespace griffith::ui

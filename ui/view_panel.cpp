@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <array>
 #include <cfloat>
 #include <vector>
 
 #include "sim/scene/view_quantity.h"
+#include "ui/field_range.h"
+#include "ui/number_slider.h"
 #include "ui/panels.h"
-#include "ui/units.h"
 #include "ui/view_layers.h"
 #include "ui/widgets.h"
 
@@ -30,23 +32,23 @@ void color_map_row(Panel& panel) {
   if (chosen >= 0) panel.state.view.color_map = names[static_cast<std::size_t>(chosen)];
 }
 
-/// Both ends of a locked range, in the quantity's unit with the prefix of the larger one.
+/// Both ends of a locked range, in the quantity's unit.
 void range_rows(Panel& panel) {
   Vec2& range = *panel.state.view.range;
-  const std::string_view unit = panel.input.legend ? std::string_view(panel.input.legend->unit) : "";
-  const SiPrefix prefix = si_prefix(range.cwiseAbs().maxCoeff(), unit);
-  const std::string format = "%.4g " + std::string(prefix.symbol) + std::string(unit);
-  double ends[2] = {range[0] / prefix.factor, range[1] / prefix.factor};
-  const float speed = static_cast<float>((ends[1] - ends[0]) / 200);
-  const char* labels[2] = {"From", "To"};
-  const char* tags[2] = {"view/range_minimum", "view/range_maximum"};
-  for (int i = 0; i < 2; ++i) {
-    row_label(panel, labels[i]);
-    ImGui::DragScalar(("##" + std::string(tags[i])).c_str(), ImGuiDataType_Double, &ends[i], speed, nullptr, nullptr,
-                      format.c_str());
-    tag_last_item(panel.tags, tags[i], format_quantity(range[i], unit));
+  Numbers numbers = range_of<ViewSettings>("range");
+  if (panel.input.legend) numbers.unit = panel.input.legend->unit;
+  constexpr std::array kTags = {"view/range_minimum", "view/range_maximum"}, kLabels = {"From", "To"};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto end = static_cast<Eigen::Index>(i);
+    row_label(panel, kLabels[i]);
+    Vec2 wanted = range;
+    const Edit edit = number_drag(panel, {.tag = kTags[i], .label = kLabels[i], .numbers = numbers}, wanted[end]);
+    if (!edit.changed) continue;
+    if (wanted[0] < wanted[1])
+      range = wanted;
+    else
+      panel.state.field_note = {kTags[i], "The range has to begin below its end: it stays as it was."};
   }
-  if (ends[0] < ends[1]) range = Vec2(ends[0], ends[1]) * prefix.factor;
 }
 
 void range_part(Panel& panel) {
@@ -62,13 +64,13 @@ void range_part(Panel& panel) {
   ImGui::EndDisabled();
 }
 
-/// A slider from `low` to `high` that keeps what lies beyond them.
-void slider_row(Panel& panel, const char* tag, const char* label, double& value, double low, double high,
-                const char* format, bool logarithmic = false) {
-  row_label(panel, label);
-  const ImGuiSliderFlags flags = (logarithmic ? ImGuiSliderFlags_Logarithmic : 0) | ImGuiSliderFlags_AlwaysClamp;
-  ImGui::SliderScalar(("##" + std::string(tag)).c_str(), ImGuiDataType_Double, &value, &low, &high, format, flags);
-  tag_last_item(panel.tags, tag, format_quantity(value, "-"));
+/// A slider for a field of the view, from `low` to `high`, or over all that it takes.
+void view_row(Panel& panel, const std::string& name, const char* label, double& value, double low = 0, double high = 0,
+              bool logarithmic = false) {
+  NumberField field = {
+      .tag = "view/" + name, .label = label, .numbers = range_of<ViewSettings>(name), .logarithmic = logarithmic};
+  if (low < high) field.low = low, field.high = high;
+  number_slider(panel, field, value);
 }
 
 /// Turns the slice to an axis, or to face the eye; it stays where it cuts the middle of the bodies.
@@ -96,8 +98,13 @@ void slice_rows(Panel& panel) {
   SlicePlane& slice = *panel.state.view.slice;
   const Vec3 normal = slice.normal.normalized(), middle = 0.5 * (panel.input.low + panel.input.high);
   const double reach = 0.5 * normal.cwiseAbs().dot(panel.input.high - panel.input.low);
-  slider_row(panel, "view/slice_offset", "Offset", slice.offset, normal.dot(middle) - reach, normal.dot(middle) + reach,
-             "%.4g m");
+  number_slider(panel,
+                {.tag = "view/slice_offset",
+                 .label = "Offset",
+                 .numbers = range_of<SlicePlane>("offset"),
+                 .low = normal.dot(middle) - reach,
+                 .high = normal.dot(middle) + reach},
+                slice.offset);
 }
 
 void element_rows(Panel& panel) {
@@ -109,10 +116,10 @@ void element_rows(Panel& panel) {
   const int chosen =
       combo_row(panel, "view/elements", "Elements", styles, styles[static_cast<std::size_t>(view.elements)]);
   if (chosen >= 0) view.elements = static_cast<ElementStyle>(chosen);
-  slider_row(panel, "view/explode", "Explode", view.explode, 0, 5, "%.2f", true);
-  slider_row(panel, "view/opacity", "Opacity", view.opacity, 0.05, 1, "%.2f");
+  view_row(panel, "explode", "Explode", view.explode, 0, 5);
+  view_row(panel, "opacity", "Opacity", view.opacity);
   slice_rows(panel);
-  slider_row(panel, "view/edge_width", "Edge width", view.edge_width, 0.25, 10, "%.2f", true);
+  view_row(panel, "edge_width", "Edge width", view.edge_width, 0, 0, true);
 }
 
 void layer_entry(Panel& panel, std::size_t index) {
@@ -128,7 +135,7 @@ void layer_rows(Panel& panel) {
   const std::size_t count = panel.state.view.layers.size();
   const std::string text = count == 0 ? "none" : std::to_string(count) + " shown";
   row_label(panel, "Layers");
-  const bool open = ImGui::BeginCombo("##layers", text.c_str(), ImGuiComboFlags_HeightLargest);
+  const bool open = begin_combo("##layers", text.c_str());
   if (open) {
     for (std::size_t i = 0; i < view_layers().size(); ++i) layer_entry(panel, i);
     ImGui::EndCombo();
@@ -136,9 +143,11 @@ void layer_rows(Panel& panel) {
     tag_last_item(panel.tags, "view/layers", text);
   }
   if (count == 0) return;
-  slider_row(panel, "view/glyph_scale", "Size of signs", panel.state.view.glyph_scale, 0.1, 10, "%.2f", true);
-  if (shows_layer(panel.state.view, ViewLayer::fracture_planes))
-    integer_row(panel, "view/fracture_planes", "Planes of last", panel.state.view.fracture_planes, 1, 1000000);
+  view_row(panel, "glyph_scale", "Size of signs", panel.state.view.glyph_scale, 0.1, 10, true);
+  if (!shows_layer(panel.state.view, ViewLayer::fracture_planes)) return;
+  integer_row(panel, "view/fracture_planes", "Planes of last", panel.state.view.fracture_planes,
+              range_of<ViewSettings>("fracture_planes"));
+  field_tooltip(panel, "view/fracture_planes", "Of how many cracks the plane is shown, newest first.");
 }
 
 }  // namespace

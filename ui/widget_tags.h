@@ -14,6 +14,7 @@ struct WidgetTag {
   ImVec2 minimum, maximum;  ///< its rectangle on the screen [pixels]
   std::string value;        ///< as shown
   bool enabled = true;
+  ImU32 color = 0;  ///< of its text, where that says something
 
   ImVec2 center() const { return {(minimum.x + maximum.x) / 2, (minimum.y + maximum.y) / 2}; }
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/style.h"
+#include "ui/units.h"
 
 namespace griffith::ui {
 
@@ -35,22 +36,31 @@ void heading(const Panel& panel, const char* text) {
 
 void row_label(const Panel& panel, const char* label) {
   const float column = std::max(124 * ui_scale(panel), 0.42f * ImGui::GetWindowWidth());
-  const std::string shown = fitted(label, column - ImGui::GetCursorPosX() - 4 * ui_scale(panel));
-  ImGui::AlignTextToFramePadding();
-  ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
-  ImGui::TextUnformatted(shown.c_str());
-  ImGui::PopStyleColor();
-  if (shown != label) tooltip(label);
-  ImGui::SameLine(column);
+  const bool fits = ImGui::GetCursorPosX() + ImGui::CalcTextSize(label).x + 4 * ui_scale(panel) <= column;
+  wide_row_label(panel, label);
+  if (fits) {
+    ImGui::SameLine(column);
+  } else {
+    ImGui::SetCursorPosX(column);
+  }
   ImGui::SetNextItemWidth(-FLT_MIN);
 }
 
+void wide_row_label(const Panel& panel, const char* label) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
+  ImGui::TextUnformatted(label);
+  ImGui::PopStyleColor();
+  panel.tags.push_back({std::string("label/") + label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), label});
+}
+
 void value_row(const Panel& panel, const char* label, const std::string& value, ImU32 color) {
-  const float start = ImGui::GetCursorPosX();
+  const float start = ImGui::GetCursorPosX(), end = start + ImGui::GetContentRegionAvail().x;
+  const float place = end - ImGui::CalcTextSize(value.c_str()).x;
   ImGui::TextColored(as_vec4(palette::kTextDim), "%s", label);
   ImGui::SameLine();
-  const float room = start + ImGui::GetContentRegionAvail().x + (ImGui::GetCursorPosX() - start);
-  ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), room - ImGui::CalcTextSize(value.c_str()).x));
+  if (ImGui::GetCursorPosX() > place) ImGui::NewLine();  // no room for both
+  ImGui::SetCursorPosX(std::max(start, place));
   ImGui::TextColored(as_vec4(color), "%s", value.c_str());
   tag_last_item(panel.tags, std::string("value/") + label, value);
 }
@@ -65,13 +75,15 @@ void hint(const Panel& panel, const std::string& text) {
   ImGui::PopFont();
 }
 
-void tooltip(std::string_view text) {
-  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-  ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
-  ImGui::PopTextWrapPos();
-  ImGui::EndTooltip();
+void field_tooltip(const Panel& panel, std::string_view tag, std::string_view text) {
+  const FieldNote& note = panel.state.field_note;
+  if (note.tag.empty() || note.tag != tag) return tooltip(text);
+  if (!ImGui::IsItemVisible()) return;
+  const float width = ui_scale(panel);
+  ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), palette::kWarning,
+                                      ImGui::GetStyle().FrameRounding, 0, width);
+  draw_bubble(note.text, palette::kWarning);
+  tag_last_item(panel.tags, "field_note", note.text);
 }
 
 void command_button(Panel& panel, CommandId id, Icon icon, bool with_label, bool lit) {
@@ -99,12 +111,22 @@ void command_button(Panel& panel, CommandId id, Icon icon, bool with_label, bool
   tooltip(text);
 }
 
+bool begin_combo(const char* item, const char* preview) {
+  if (!ImGui::BeginCombo(item, preview, ImGuiComboFlags_HeightLargest)) return false;
+  close_on_escape();
+  return true;
+}
+
+void close_on_escape() {
+  const bool pressed_last_frame = ImGui::GetIO().KeysDownDurationPrev[key::kEscape] == 0;
+  if (pressed_last_frame) ImGui::CloseCurrentPopup();
+}
+
 int combo_row(Panel& panel, const char* tag, const char* label, std::span<const std::string> entries,
               std::string_view shown) {
   row_label(panel, label);
   const std::string preview(shown), item = "##" + std::string(tag);
-  const bool open = ImGui::BeginCombo(item.c_str(), preview.c_str(), ImGuiComboFlags_HeightLarge);
-  if (!open) {
+  if (!begin_combo(item.c_str(), preview.c_str())) {
     tag_last_item(panel.tags, tag, preview);
     return -1;
   }
@@ -123,16 +145,18 @@ bool checkbox(Panel& panel, const char* tag, const char* label, bool& value) {
   return toggled;
 }
 
-Edit integer_row(Panel& panel, const char* tag, const char* label, int& value, int minimum, int maximum) {
+Edit integer_row(Panel& panel, const char* tag, const char* label, int& value, const Numbers& numbers) {
   row_label(panel, label);
   const std::string item = "##" + std::string(tag);
   Edit edit;
   int wanted = value;
   ImGui::InputInt(item.c_str(), &wanted, 1, 10);
   edit.finished = ImGui::IsItemDeactivatedAfterEdit();
-  wanted = std::clamp(wanted, minimum, maximum);
-  edit.changed = wanted != value;
-  value = wanted;
+  const int taken = std::clamp(wanted, static_cast<int>(numbers.minimum), static_cast<int>(numbers.maximum));
+  if (wanted != value) panel.state.field_note = {};
+  if (taken != wanted) panel.state.field_note = {tag, clamped_note(wanted, numbers)};
+  edit.changed = taken != value;
+  value = taken;
   tag_last_item(panel.tags, tag, std::to_string(value));
   return edit;
 }

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "sim/scene/field.h"
+#include "ui/bubble.h"
 #include "ui/editor_state.h"
 #include "ui/icons.h"
 
@@ -24,8 +26,12 @@ std::string fitted(std::string_view text, float width);
 /// A panel's heading with a thin line under it.
 void heading(const Panel& panel, const char* text);
 
-/// Begins a row "label: widget" of a panel: label on the left, the next widget fills the rest.
+/// Begins a row "label: widget" of a panel: label on the left, the next widget fills the rest; below a label that is
+/// too long for that. Labels are tagged "label/<text>".
 void row_label(const Panel& panel, const char* label);
+
+/// A label with a line of its own.
+void wide_row_label(const Panel& panel, const char* label);
 
 /// A row "label: value" of plain text.
 void value_row(const Panel& panel, const char* label, const std::string& value, ImU32 color);
@@ -33,8 +39,16 @@ void value_row(const Panel& panel, const char* label, const std::string& value, 
 /// A small grey line that wraps.
 void hint(const Panel& panel, const std::string& text);
 
-/// Shows `text` when the mouse rests on the last item.
-void tooltip(std::string_view text);
+/// Shows what there is to say of the last item: beside it the note on the last edit, where that was one of the field
+/// `tag`, else `text` while the mouse rests on it.
+void field_tooltip(const Panel& panel, std::string_view tag, std::string_view text);
+
+/// Closes the list or menu that is being drawn, a frame after Escape was pressed: so long the dialog around it sees
+/// that the key was meant for something within.
+void close_on_escape();
+
+/// Begins the list of a combo, up to ImGui::EndCombo(), where it is open; Escape closes it.
+bool begin_combo(const char* item, const char* preview);
 
 /// A button for a registered command, tagged "command/<name>"; greyed when the command makes no sense now.
 void command_button(Panel& panel, CommandId id, Icon icon, bool with_label, bool lit = false);
@@ -47,7 +61,7 @@ int combo_row(Panel& panel, const char* tag, const char* label, std::span<const 
 bool checkbox(Panel& panel, const char* tag, const char* label, bool& value);
 
 /// A whole number with minus and plus.
-Edit integer_row(Panel& panel, const char* tag, const char* label, int& value, int minimum, int maximum);
+Edit integer_row(Panel& panel, const char* tag, const char* label, int& value, const Numbers& numbers);
 
 /// A plain button over the full width, or as wide as its text. True when clicked.
 bool text_button(Panel& panel, const char* tag, const char* label, float width = 0);

@@ -30,6 +30,12 @@ bool pair_less(const Allowance& left, const Allowance& right) {
   return std::tie(left.a, left.b) < std::tie(right.a, right.b);
 }
 
+/// Whether this is the ground under a supported body that has just moved: one that stands still loads its supports.
+bool is_held_on_ground(const Object& a, const Object& b) {
+  const bool has_ground = a.kind == Kind::ground || b.kind == Kind::ground;
+  return has_ground && (a.body->isActive() || b.body->isActive());
+}
+
 }  // namespace
 
 bool ContactWorld::Impl::all_at_rest() const {
@@ -38,6 +44,10 @@ bool ContactWorld::Impl::all_at_rest() const {
 }
 
 void ContactWorld::Impl::detect() {
+  for (Object& object : objects) {
+    object.first_velocity = object.state.velocity;
+    object.first_spin = object.state.angular_velocity;
+  }
   delete_retired();
   if (all_at_rest()) {
     contacts.clear();
@@ -92,8 +102,8 @@ void ContactWorld::Impl::list_contacts() {
       return manifold->getBody0() == (*first)->getBody0() && manifold->getBody1() == (*first)->getBody1();
     };
     const auto end = std::find_if_not(first, manifolds.end(), same_pair);
-    if (objects[id_of((*first)->getBody0())].moves() || objects[id_of((*first)->getBody1())].moves())
-      list_pair({first, end});
+    const Object &a = objects[id_of((*first)->getBody0())], &b = objects[id_of((*first)->getBody1())];
+    if (a.moves() || b.moves() || is_held_on_ground(a, b)) list_pair({first, end});
     first = end;
   }
   sort_by_height();

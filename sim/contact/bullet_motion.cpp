@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "sim/contact/bullet_sweep.h"
 #include "sim/contact/bullet_world.h"
+#include "sim/free_turn.h"
 #include "sim/rotation.h"
 
 namespace griffith {
@@ -79,14 +82,30 @@ double turning_speed(const Object& object) {
 }
 
 /// Turns a projectile; its angular momentum stays.
-void turn(Object& object, const Vec3& angle) {
+void turn(Object& object, const Mat3& rotation) {
   RigidState& state = object.state;
   const Quat before = state.pose.rotation;
-  state.pose.rotation = rotated(before, angle);
+  state.pose.rotation = (Quat(rotation) * before).normalized();
   const Vec3 own_spin = before.conjugate() * state.angular_velocity;
   const Quat back = state.pose.rotation.conjugate();
   const Vec3 momentum = before * (object.inverse_inertia.inverse() * own_spin);
   state.angular_velocity = state.pose.rotation * (object.inverse_inertia * (back * momentum));
+}
+
+/// How fast what a projectile met at `center` moves there after a share of the substep [m/s]. Two projectiles, which both
+/// stop there, go on together.
+Vec3 velocity_of_met(const Object& projectile, const Object& met, const Vec3& center, double share, double dt) {
+  const double own = projectile.inverse_mass, other = met.inverse_mass;
+  if (met.kind == Kind::projectile && own + other > 0)
+    return (other * projectile.state.velocity + own * met.state.velocity) / (own + other);
+  return met.state.velocity + met.state.angular_velocity.cross(center - pose_after(met, share, dt).translation);
+}
+
+/// How a projectile turns by its spin in `dt` [s] and by its correction.
+Mat3 turn_of(const Object& object, double dt, double share) {
+  const Mat3 rotation = object.state.pose.rotation.toRotationMatrix();
+  const Mat3 inertia = rotation * object.inverse_inertia.inverse() * rotation.transpose();
+  return rotation_by(share * object.correction.rotation) * free_turn(inertia, object.state.angular_velocity, share * dt);
 }
 
 }  // namespace
@@ -105,25 +124,31 @@ void ContactWorld::Impl::move_projectiles(double dt) {
   std::vector<Vec3> ends;
   for (std::size_t i : projectiles) ends.push_back(swept_end(objects[i], dt));
   for (std::size_t i = 0; i < projectiles.size(); ++i) {
-    objects[projectiles[i]].state.pose.translation = ends[i];
+    RigidState& state = objects[projectiles[i]].state;
+    state.velocity = velocity_after(state.velocity, ends[i] - state.pose.translation, dt);
+    state.pose.translation = ends[i];
     place(objects[projectiles[i]]);
   }
+}
+
+Vec3 ContactWorld::Impl::velocity_after(const Vec3& velocity, const Vec3& way, double dt) const {
+  const double not_fallen = gravity.dot(dt * velocity - way), square = velocity.squaredNorm();
+  return not_fallen > 0 ? Vec3(std::sqrt(std::max(0.0, 1 - 2 * not_fallen / square)) * velocity) : velocity;
 }
 
 /// Turns a projectile as far as nothing is in its way: with the next detection, contacts stop it there.
 void ContactWorld::Impl::turn_free(Object& object, double dt) {
   constexpr double kLargestTurn = 0.2, kLeastTurn = 1e-3;  // [rad]
-  const auto angle = [&] { return Vec3(dt * object.state.angular_velocity + object.correction.rotation); };
   if (is_sphere(object)) {
-    turn(object, angle());
+    turn(object, turn_of(object, dt, 1));
     return place(object);
   }
   const double allowed = std::max<double>(deepest_overlap(object), object.shape.parts.front()->getMargin());
-  const double whole = angle().norm();
+  const double whole = (dt * object.state.angular_velocity + object.correction.rotation).norm();
   double left = 1, share = std::clamp(kLargestTurn / std::max(whole, kLeastTurn), 0.01, 1.0);
   while (left > 0 && share * whole >= std::min(left * whole, kLeastTurn)) {
     const RigidState before = object.state;
-    turn(object, share * angle());
+    turn(object, turn_of(object, dt, share));
     place(object);
     if (deepest_overlap(object) <= allowed) {
       left -= share;
@@ -151,35 +176,54 @@ double ContactWorld::Impl::deepest_overlap(const Object& object) const {
   return deepest;
 }
 
-/// Where a projectile is after `dt` among the others in uniform motion. Slow touches let it slide on along the surface;
-/// what it strikes takes it along for the rest of `dt`, so that the next detection finds both in touch.
+/// Where a projectile is after `dt` among the others in uniform motion. Slow touches let it slide on along the surface.
+/// What it strikes stops it for the rest of `dt`, or pushes it on, no faster than it came, so that the next detection
+/// finds both in touch.
 Vec3 ContactWorld::Impl::swept_end(const Object& projectile, double dt) const {
   Vec3 center = projectile.state.pose.translation, velocity = projectile.state.velocity;
+  const double speed = velocity.norm();
   double share = 0;
+  std::vector<const Object*> parting;
   for (int touches = 0; touches < kMaxTouches; ++touches) {
-    const NextTouch next = next_touch(projectile, center, velocity, share, dt);
+    const NextTouch next = next_touch(projectile, center, velocity, share, dt, parting);
     center += (next.share - share) * dt * velocity;
     share = next.share;
     if (!next.met) break;
     const RigidState& met = next.met->state;
-    const Vec3 arm = center - pose_after(*next.met, share, dt).translation;
-    const double approach = -next.normal.dot(velocity - met.velocity - met.angular_velocity.cross(arm));
+    const double pushed = next.normal.dot(velocity_of_met(projectile, *next.met, center, share, dt));
+    const double approach = pushed - next.normal.dot(velocity);
+    parting.push_back(next.met);
+    if (approach <= 0) continue;
     const double came = share * dt * (projectile.state.velocity - met.velocity).norm();
     const bool just_solved = came < 10 * kTouchShare * projectile.shape.radius;
-    if (approach > kQuietSpeed && !just_solved) return carried_end(projectile, next, center, dt);
-    velocity += std::max(0.0, approach) * next.normal;
+    velocity += approach * next.normal;
+    if (approach > touching_speed(projectile, *next.met, dt) && !just_solved) velocity = pushed * next.normal;
+    velocity *= speed / std::max({velocity.norm(), speed, std::numeric_limits<double>::min()});
   }
   return center;
 }
 
-/// What a projectile in motion meets first after a share of the substep. Each other object is looked at in its own
-/// frame, so that its turning counts.
+/// How far a projectile may get into a stand-in [m]. An elastic body gives way where it was touched, as the solve knows
+/// and its stand-in, which does not deform, does not show.
+double ContactWorld::Impl::allowed_depth(const Object& projectile, const Object& other) const {
+  constexpr double kElasticShare = 0.5;  // of a sphere: its centre stays outside
+  const bool gives_way = other.elastic && std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
+    const Object &a = objects[contact.a], &b = objects[contact.b];
+    return (&a == &projectile && &b == &other) || (&a == &other && &b == &projectile);
+  });
+  if (!gives_way) return kTouchShare * projectile.shape.radius;
+  return is_sphere(projectile) ? kElasticShare * projectile.shape.radius : projectile.shape.parts.front()->getMargin();
+}
+
+/// What a projectile in motion meets first after a share of the substep, but for what it is `parting` from. Each other
+/// object is looked at in its own frame, so that its turning counts.
 ContactWorld::Impl::NextTouch ContactWorld::Impl::next_touch(const Object& projectile, const Vec3& center,
-                                                             const Vec3& velocity, double share, double dt) const {
-  const double gap = -kTouchShare * projectile.shape.radius;
-  NextTouch next{1, nullptr, Vec3::Zero(), Vec3::Zero()};
+                                                             const Vec3& velocity, double share, double dt,
+                                                             std::span<const Object* const> parting) const {
+  NextTouch next{1, nullptr, Vec3::Zero()};
   for (const Object& other : objects) {
-    if (&other == &projectile || !other.body) continue;
+    if (&other == &projectile || !other.body || std::ranges::find(parting, &other) != parting.end()) continue;
+    const double gap = -allowed_depth(projectile, other);
     const Pose& present = other.state.pose;
     const Vec3 start = pose_after(other, share, dt).to_local(center);
     const Vec3 end = pose_after(other, 1, dt).to_local(center + (1 - share) * dt * velocity);
@@ -189,21 +233,10 @@ ContactWorld::Impl::NextTouch ContactWorld::Impl::next_touch(const Object& proje
       const double touch_share = share + touch.fraction * (1 - share);
       if (next.met && touch_share >= next.share) return;
       const Vec3 local_normal = present.rotation.conjugate() * touch.normal;
-      next = {touch_share, &other, pose_after(other, touch_share, dt).rotation * local_normal,
-              start + touch.fraction * (end - start)};
+      next = {touch_share, &other, pose_after(other, touch_share, dt).rotation * local_normal};
     });
   }
   return next;
-}
-
-/// Where a projectile ends up that has struck something at `center`: with it, or with the common velocity of two.
-Vec3 ContactWorld::Impl::carried_end(const Object& projectile, const NextTouch& struck, const Vec3& center,
-                                     double dt) const {
-  const Object& met = *struck.met;
-  if (met.kind != Kind::projectile) return pose_after(met, 1, dt).to_world(struck.local_center);
-  const double own = projectile.inverse_mass, other = met.inverse_mass;
-  const Vec3 common = (other * projectile.state.velocity + own * met.state.velocity) / (own + other);
-  return center + (1 - struck.share) * dt * common;
 }
 
 bool ContactWorld::Impl::would_strike(std::size_t first, std::size_t second, double dt, double minimum_speed) const {

@@ -39,7 +39,7 @@ bool comes_nearer(const Vec3& displacement, const Vec3& normal) {
 
 std::optional<Touch> first_touch(PlacedShape moving, const Vec3& displacement, const PlacedShape& other, double gap) {
   constexpr int kMaxAdvances = 32;
-  const double tolerance = 1e-9 * (1 + std::abs(gap));
+  const double tolerance = 1e-9 * (displacement.norm() + std::abs(gap));
   const btVector3 start = moving.transform.getOrigin();
   Touch touch{0, Vec3::Zero()};
   for (int i = 0; i < kMaxAdvances; ++i) {

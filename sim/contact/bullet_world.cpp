@@ -11,14 +11,23 @@ using namespace contact;
 
 namespace {
 
-constexpr int kMovingGroup = 1, kFixedGroup = 2;
+constexpr int kMovingGroup = 1, kHeldGroup = 2, kGroundGroup = 4;
 constexpr int kRetired = -1;
-/// A held object that is displaced by a smaller share of its radius does not disturb sleepers.
+/// A held object that is displaced by a smaller share of its radius since it last moved does not disturb sleepers.
 constexpr double kNegligibleMove = 1e-5;
 
 [[maybe_unused]] bool is_valid(const RigidState& state) {
   return state.pose.translation.allFinite() && state.pose.rotation.coeffs().allFinite() && state.velocity.allFinite() &&
          state.angular_velocity.allFinite();
+}
+
+/// What may touch what: supported bodies bend and swing down to the ground, but keep out of each other's way.
+int partners_of(int group) {
+  switch (group) {
+    case kMovingGroup: return kMovingGroup | kHeldGroup | kGroundGroup;
+    case kHeldGroup: return kMovingGroup | kGroundGroup;
+    default: return kMovingGroup | kHeldGroup;
+  }
 }
 
 bool is_retired(const btBroadphaseProxy* proxy) {
@@ -106,8 +115,9 @@ void ContactWorld::Impl::attach(ProxyId id, const RigidMass& mass) {
   // A pair is looked at when one of them is active: what cannot move is not.
   object.body->forceActivationState(is_free ? ACTIVE_TAG : ISLAND_SLEEPING);
   place(object);
-  world.addCollisionObject(object.body.get(), is_free ? kMovingGroup : kFixedGroup,
-                           is_free ? kMovingGroup | kFixedGroup : kMovingGroup);
+  const int group = is_free ? kMovingGroup : object.kind == Kind::ground ? kGroundGroup : kHeldGroup;
+  world.addCollisionObject(object.body.get(), group, partners_of(group));
+  object.resting_place = object.state.pose;
   object.fresh = true;
 }
 
@@ -210,8 +220,10 @@ void ContactWorld::set_state(ProxyId object, const RigidState& state) {
   Object& changed = impl_->objects[object];
   assert(changed.kind != Kind::ground && changed.body);
   if (changed.mobility == Mobility::held) {
-    const double moved = (state.pose.translation - changed.state.pose.translation).norm();
-    changed.body->forceActivationState(moved > kNegligibleMove * changed.shape.radius ? ACTIVE_TAG : ISLAND_SLEEPING);
+    const bool moved = has_left(changed.resting_place, state.pose, kNegligibleMove * changed.shape.radius,
+                                changed.shape.radius);
+    changed.body->forceActivationState(moved ? ACTIVE_TAG : ISLAND_SLEEPING);
+    if (moved) changed.resting_place = state.pose;
   }
   changed.state = state;
   impl_->place(changed);
@@ -246,6 +258,9 @@ ContactWorld::Correction ContactWorld::position_correction(ProxyId stand_in) con
 }
 Vec3 ContactWorld::swept_center(ProxyId stand_in, double dt) const {
   return impl_->swept_end(impl_->objects[stand_in], dt);
+}
+Vec3 ContactWorld::velocity_after(const Vec3& velocity, const Vec3& way, double dt) const {
+  return impl_->velocity_after(velocity, way, dt);
 }
 bool ContactWorld::impact_expected(double dt, double minimum_speed) const {
   return impl_->impact_expected(dt, minimum_speed);

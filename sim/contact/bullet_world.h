@@ -18,9 +18,6 @@
 
 namespace griffith::contact {
 
-/// A slower approach does not bounce, so that resting contacts are quiet [m/s].
-inline constexpr double kQuietSpeed = 0.2;
-
 /// Distance less the overlap that is allowed; a gap stays a gap.
 double distance_beyond(double distance, double allowed_overlap);
 
@@ -32,6 +29,7 @@ struct Object {
   Shape shape;
   RigidState state = {};  ///< as its owner set it or, after advance(), with the solved velocities
   SurfaceProperties surface = {};
+  Vec3 first_velocity = Vec3::Zero(), first_spin = Vec3::Zero();  ///< when the substep began
   double inverse_mass = 0;              ///< 0 when held
   Mat3 inverse_inertia = Mat3::Zero();  ///< in its own frame
   ContactWorld::Correction correction = {};
@@ -50,6 +48,9 @@ struct Object {
   /// Whether impulses change its velocities in the present solve.
   bool answers() const { return elastic || moves(); }
 };
+
+/// Whether a point of an object of this radius has gone farther than `distance` [m] from where it was.
+bool has_left(const Pose& then, const Pose& now, double distance, double radius);
 
 /// What is left of an object or a shape that is gone, until Bullet lets go of it.
 struct Retired {
@@ -114,7 +115,9 @@ struct ContactWorld::Impl {
   std::vector<contact::Responder> rigid_responders(double dt) const;
   std::vector<contact::ContactRow> rows(double dt) const;
   double least_speed(const Contact& contact, double dt) const;
+  double rebound_speed(const Contact& contact, double dt) const;
   bool strikes(const Contact& contact, double dt) const;
+  std::vector<std::pair<int, int>> touching_pairs() const;
   std::vector<double> limit_energy(double dt, std::span<const ElasticResponse> elastic);
   void advance(double dt);
   void remember_impulses(double dt);
@@ -123,10 +126,12 @@ struct ContactWorld::Impl {
   };
   std::vector<Momentum> impulse_sums() const;
   void take_impulses(double dt);
-  void correct_positions(const std::vector<contact::ContactRow>& rows);
+  void correct_positions(const std::vector<contact::ContactRow>& rows, double dt);
+  void limit_lift(double dt);
 
   // Rest.
   double quiet_speed(const contact::Object& object) const;
+  double touching_speed(const contact::Object& a, const contact::Object& b, double dt) const;
   void resist_rolling(double dt);
   void fall_asleep(double dt);
   void wake(ProxyId id);
@@ -140,12 +145,12 @@ struct ContactWorld::Impl {
     double share;                ///< of the substep, 1 for nothing
     const contact::Object* met;  ///< null for nothing
     Vec3 normal;                 ///< unit, towards the projectile
-    Vec3 local_center;           ///< of the projectile, in the frame of what it met [m]
   };
   Vec3 swept_end(const contact::Object& projectile, double dt) const;
+  Vec3 velocity_after(const Vec3& velocity, const Vec3& way, double dt) const;
+  double allowed_depth(const contact::Object& projectile, const contact::Object& other) const;
   NextTouch next_touch(const contact::Object& projectile, const Vec3& center, const Vec3& velocity, double share,
-                       double dt) const;
-  Vec3 carried_end(const contact::Object& projectile, const NextTouch& struck, const Vec3& center, double dt) const;
+                       double dt, std::span<const contact::Object* const> parting) const;
   bool would_strike(std::size_t a, std::size_t b, double dt, double minimum_speed) const;
   bool impact_expected(double dt, double minimum_speed) const;
 

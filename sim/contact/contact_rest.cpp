@@ -18,13 +18,6 @@ constexpr double kQuietShare = 0.04;
 /// Up to this multiple of that speed, what touches something stops turning at this rate [1/s].
 constexpr double kRollingShare = 5, kRollingResistance = 3;
 
-/// Whether an object has left the place where it lay.
-bool has_left(const Object& object) {
-  const Pose &now = object.state.pose, &then = object.resting_place;
-  const double turned = 2 * (now.rotation.conjugate() * then.rotation).vec().norm() * object.shape.radius;
-  return (now.translation - then.translation).norm() + turned > kStillShare * object.shape.radius;
-}
-
 void set_asleep(Object& object, bool asleep) {
   object.asleep = asleep;
   object.still_time = asleep ? 0 : kTimeToSleep / 2;  // it may soon fall asleep again
@@ -33,6 +26,11 @@ void set_asleep(Object& object, bool asleep) {
 }
 
 }  // namespace
+
+bool contact::has_left(const Pose& then, const Pose& now, double distance, double radius) {
+  const double turned = 2 * (now.rotation.conjugate() * then.rotation).vec().norm() * radius;
+  return (now.translation - then.translation).norm() + turned > distance;
+}
 
 double ContactWorld::Impl::quiet_speed(const Object& object) const {
   return kQuietShare * std::sqrt(gravity.norm() * object.shape.radius);
@@ -56,7 +54,7 @@ void ContactWorld::Impl::fall_asleep(double dt) {
   if (gravity.isZero(0)) return;  // nothing rests where nothing falls: what drifts slowly goes on
   for (Object& object : objects) {
     if (!object.moves()) continue;
-    if (object.elastic || has_left(object)) {
+    if (object.elastic || has_left(object.resting_place, object.state.pose, kStillShare * object.shape.radius, object.shape.radius)) {
       object.resting_place = object.state.pose;
       object.still_time = 0;
     } else {

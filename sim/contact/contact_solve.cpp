@@ -1,3 +1,4 @@
+#include <Eigen/LU>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -43,6 +44,13 @@ double smaller_radius(const Object& a, const Object& b) {
   return b.kind == Kind::ground ? a.shape.radius : std::min(a.shape.radius, b.shape.radius);
 }
 
+/// Of a free object, if it moved so as it lies [J].
+double kinetic_energy(const Object& object, const Vec3& velocity, const Vec3& spin) {
+  const Vec3 own_spin = object.state.pose.rotation.conjugate() * spin;
+  return 0.5 * (velocity.squaredNorm() / object.inverse_mass +
+                own_spin.dot(object.inverse_inertia.inverse() * own_spin));
+}
+
 Vec3 rigid_velocity(const Responder& responder, const ContactEnd& end) {
   return responder.velocity + responder.angular_velocity.cross(end.arm);
 }
@@ -83,16 +91,36 @@ std::vector<ContactRow> ContactWorld::Impl::rows(double dt) const {
   return made;
 }
 
+/// A slower approach does not strike: that of what falls from rest within a substep, and of a fall through a small share
+/// of the smaller object's size [m/s].
+double ContactWorld::Impl::touching_speed(const Object& a, const Object& b, double dt) const {
+  constexpr double kQuietShare = 0.06;
+  return std::max(2 * dt * gravity.norm(), kQuietShare * std::sqrt(gravity.norm() * smaller_radius(a, b)));
+}
+
 /// A gap that closes in this substep is struck now, at full speed, rather than half now and half in the next one.
 bool ContactWorld::Impl::strikes(const Contact& contact, double dt) const {
-  return contact.approach > kQuietSpeed && contact.approach * dt > contact.distance;
+  return contact.approach > touching_speed(objects[contact.a], objects[contact.b], dt) &&
+         contact.approach * dt > contact.distance;
+}
+
+/// The speed of parting with which what was struck, now instead of when the gap will have closed, comes back to e² of
+/// the height that it fell from. Stepped as here, a fall with g keeps v²/2 + g y + g dt v/2, v downwards.
+double ContactWorld::Impl::rebound_speed(const Contact& contact, double dt) const {
+  const Object &a = objects[contact.a], &b = objects[contact.b];
+  const double restitution = std::min(a.surface.restitution, b.surface.restitution);
+  const Vec3 relative_gravity = (a.is_free() - b.is_free()) * gravity;
+  const double gain = -dt * contact.normal.dot(relative_gravity);  // of the approach, in this substep
+  const double before = contact.approach - gain, climb = 2 * gain / dt * std::max(0.0, contact.distance);
+  const double left = restitution * restitution * (before * before + gain * before + climb) - climb;
+  return left > 0 ? -gain / 2 + std::sqrt(gain * gain / 4 + left) : 0;
 }
 
 double ContactWorld::Impl::least_speed(const Contact& contact, double dt) const {
   if (!strikes(contact, dt)) return -std::max(0.0, contact.distance) / dt;
   const Object &a = objects[contact.a], &b = objects[contact.b];
   if (a.elastic || b.elastic || allowance(contact.a, contact.b) > 0) return 0;
-  return std::min(a.surface.restitution, b.surface.restitution) * contact.approach;
+  return rebound_speed(contact, dt);
 }
 
 int ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elastic, bool again) {
@@ -133,12 +161,17 @@ int ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elasti
   return relaxations;
 }
 
-std::vector<double> ContactWorld::Impl::limit_energy(double dt, std::span<const ElasticResponse> elastic) {
+/// Those whose impulses pass on to others.
+std::vector<std::pair<int, int>> ContactWorld::Impl::touching_pairs() const {
   std::vector<std::pair<int, int>> touching;
   for (const Contact& contact : contacts)
     if (objects[contact.a].answers() && objects[contact.b].answers())
       touching.emplace_back(contact.a.value, contact.b.value);
-  const std::vector<int> groups = connected_groups(static_cast<int>(objects.size()), touching);
+  return touching;
+}
+
+std::vector<double> ContactWorld::Impl::limit_energy(double dt, std::span<const ElasticResponse> elastic) {
+  const std::vector<int> groups = connected_groups(static_cast<int>(objects.size()), touching_pairs());
   // The energy that impulses of s times their size add: s·linear + s²·quadratic. What an implicit step does to an
   // elastic body adds no more than the work at the velocities after it.
   std::vector<double> linear(objects.size(), 0.0), quadratic(objects.size(), 0.0);
@@ -178,7 +211,7 @@ void ContactWorld::Impl::advance(double dt) {
   remember_impulses(dt);
   take_impulses(dt);
   resist_rolling(dt);
-  correct_positions(solved);
+  correct_positions(solved, dt);
   move_projectiles(dt);
 }
 
@@ -208,7 +241,7 @@ void ContactWorld::Impl::take_impulses(double dt) {
 }
 
 /// Displacements that take out a share of the overlaps, as velocities of a solve of their own.
-void ContactWorld::Impl::correct_positions(const std::vector<ContactRow>& rows) {
+void ContactWorld::Impl::correct_positions(const std::vector<ContactRow>& rows, double dt) {
   for (Object& object : objects) object.correction = {};
   std::vector<ContactRow> overlaps = rows;
   bool any = false;
@@ -227,6 +260,28 @@ void ContactWorld::Impl::correct_positions(const std::vector<ContactRow>& rows) 
   solve_impulses(overlaps, moving, kRoughly);
   for (std::size_t i = 0; i < objects.size(); ++i)
     objects[i].correction = {moving[i].velocity, moving[i].angular_velocity};
+  limit_lift(dt);
+}
+
+/// Of each group of objects that touch, corrections lift no more than the substep let fall or slowed down: energy does
+/// not grow.
+void ContactWorld::Impl::limit_lift(double dt) {
+  const std::vector<int> groups = connected_groups(static_cast<int>(objects.size()), touching_pairs());
+  std::vector<double> lifted(objects.size(), 0.0), lost(objects.size(), 0.0);
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const Object& object = objects[i];
+    if (!object.moves()) continue;
+    const double mass = 1 / object.inverse_mass;
+    lifted[groups[i]] -= mass * gravity.dot(object.correction.translation);
+    lost[groups[i]] += kinetic_energy(object, object.first_velocity, object.first_spin) -
+                       kinetic_energy(object, object.state.velocity, object.state.angular_velocity) +
+                       mass * dt * gravity.dot(object.state.velocity);
+  }
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const double lift = lifted[groups[i]], share = lift > 0 ? std::clamp(lost[groups[i]] / lift, 0.0, 1.0) : 1;
+    objects[i].correction.translation *= share;
+    objects[i].correction.rotation *= share;
+  }
 }
 
 }  // namespace griffith

@@ -37,7 +37,8 @@ struct SurfaceProperties {
 /// How an object takes part.
 enum class Mobility {
   free,  ///< contacts move it
-  held,  ///< contacts do not move it: a body with supports; its velocity still counts at the contact
+  held,  ///< contacts do not move it: a body with supports; its velocity still counts at the contact. Where it moves it
+         ///< touches the ground, which its elastic answer may stop, but nothing else that is held
 };
 
 /// A point where two objects touch, or soon will: gaps up to 2 % of the smaller object's radius are listed. Two convex
@@ -70,10 +71,10 @@ struct ElasticResponse {
 /// position_correction().
 ///
 /// The impulses of a free rigid object sum up to its change of momentum, to rounding, linear and angular (at the
-/// contacts' points). Approaches below 0.2 m/s do not bounce, nor does what touches an elastic object, which rebounds
-/// by itself. A gap that closes within `dt` at a higher speed is struck at once with the full approach speed; at a
+/// contacts' points). What touches an elastic object does not bounce, since that rebounds by itself, nor does what comes no faster than
+/// by a fall within two substeps or through a small share of the objects' size. A gap that closes within `dt` at a higher speed is struck at once with the full approach speed; at a
 /// lower one, objects come to touch. Overlap is taken out by a tenth a substep through position_correction(), which
-/// adds no velocity.
+/// adds no velocity and lifts no more than the substep let fall or slowed down: what rests in others stays there.
 ///
 /// The same calls give the same bits. Results depend on the history of contacts (the solver starts from the last
 /// impulses), so a state is restored by repeating the calls that led to it. States must be finite: asserted.
@@ -142,6 +143,9 @@ class ContactWorld {
   /// Where a stand-in's centre of mass is after `dt` [s] at its velocity [m]: short of that where it would pass through
   /// something else, as seen after advance().
   Vec3 swept_center(ProxyId stand_in, double dt) const;
+  /// The velocity of what was to move by `velocity` [m/s] for `dt` [s] and came along `way` [m]: what stopped short has
+  /// not fallen as fast as the whole of its fall would have made it.
+  Vec3 velocity_after(const Vec3& velocity, const Vec3& way, double dt) const;
 
   /// The displacement that removes what is left of an overlap, as a rigid motion (translation [m], rotation vector
   /// [rad] about the centre of mass), from the last advance(). Zero for most.

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "sim/elasticity/principal_stress.h"
-#include "sim/mesh/topology.h"
 
 namespace griffith {
 namespace {
@@ -14,9 +13,18 @@ bool constrained(const SeparationInput& input, NodeId node) {
 }
 
 bool anchored(const SeparationInput& input, TetId tet) {
-  const auto& corners = input.mesh.tets[tet];
+  const auto& corners = input.tets[tet];
   return std::all_of(corners.begin(), corners.end(),
                      [&](NodeId corner) { return input.constraints[corner].is_held(); });
+}
+
+bool counts(const SeparationInput& input, TetId tet, NodeId node) {
+  return !constrained(input, node) || !anchored(input, tet);
+}
+
+int local_corner(const SeparationInput& input, TetId tet, NodeId node) {
+  const auto& corners = input.tets[tet];
+  return static_cast<int>(std::ranges::find(corners, node) - corners.begin());
 }
 
 /// The unit normal n with the largest n·S n / n·T n.
@@ -33,12 +41,11 @@ struct StarSums {
 
 StarSums sum_star(const SeparationInput& input, NodeId node, const Vec3& normal) {
   StarSums sums;
-  const bool held = constrained(input, node);
-  for (TetId tet : input.mesh.stars[node]) {
-    if (held && anchored(input, tet)) continue;
+  for (TetId tet : input.stars[node]) {
+    if (!counts(input, tet, node)) continue;
     const ElementRest& rest = input.rests[tet];
     const ElementState& state = input.states[tet];
-    const Vec3 face = cofactor(state.frame) * rest.shape_gradients.col(local_corner(input.mesh, tet, node));
+    const Vec3 face = cofactor(state.frame) * rest.shape_gradients.col(local_corner(input, tet, node));
     const Mat3 tensile_stress = cauchy_stress(state.frame, state.tensile_stress);
     sums.area += 0.5 * rest.volume * std::abs(face.dot(normal));
     sums.volume += rest.volume;
@@ -56,7 +63,7 @@ Mat3 force_dyad(const Vec3& force) {
 }
 
 SplitForce split_force(const SeparationInput& input, TetId tet, NodeId node) {
-  return split_force(input.rests[tet], input.states[tet], local_corner(input.mesh, tet, node));
+  return split_force(input.rests[tet], input.states[tet], local_corner(input, tet, node));
 }
 
 SplitForce split_force(const ElementRest& rest, const ElementState& state, int corner) {
@@ -68,7 +75,7 @@ SplitForce split_force(const ElementRest& rest, const ElementState& state, int c
 Mat3 separation_tensor(const SeparationInput& input, NodeId node) {
   Mat3 sum = Mat3::Zero();
   SplitForce total;
-  for (TetId tet : input.mesh.stars[node]) {
+  for (TetId tet : input.stars[node]) {
     const SplitForce force = split_force(input, tet, node);
     sum += force_dyad(force.tensile) - force_dyad(force.compressive);
     total.tensile += force.tensile;
@@ -84,8 +91,10 @@ CandidatePlane candidate_plane(const SeparationInput& input, NodeId node, const 
   const double largest_eigenvalue = principal.values[2];
   CandidatePlane plane;
   plane.normal = strength.is_uniform() ? Vec3(principal.directions.col(2)) : weakest_normal(tensor, strength);
+  plane.pulled = plane.normal;
   plane.eigenvalue = plane.normal.dot(tensor * plane.normal);
   const StarSums sums = sum_star(input, node, principal.directions.col(2));
+  plane.volume = sums.volume;
   if (sums.volume == 0) return plane;
   // Where hardly any face meets the plane (a star of one tet, say) the quotient means nothing: no plane can carry more
   // than the stress that is there.
@@ -96,7 +105,21 @@ CandidatePlane candidate_plane(const SeparationInput& input, NodeId node, const 
   const Vec3 normal = weakest_normal(average, strength);
   const double stress = normal.dot(average * normal);
   if (stress * strength.share(plane.normal) <= plane.stress * strength.share(normal)) return plane;
-  return {normal, plane.eigenvalue, stress};
+  return {normal, plane.eigenvalue, stress, true, plane.pulled, sums.volume};
+}
+
+double tension_share(const SeparationInput& input, TetId tet, NodeId node, const CandidatePlane& plane) {
+  if (!counts(input, tet, node)) return 0;
+  const ElementState& state = input.states[tet];
+  const Mat3 tension = cauchy_stress(state.frame, state.tensile_stress);
+  return input.rests[tet].volume / plane.volume * plane.normal.dot(tension * plane.normal);
+}
+
+DirectionalStrength strength_at(const SeparationInput& input, NodeId node, const Weakness& weakness) {
+  Vec3 axis = Vec3::Zero();
+  for (TetId tet : input.stars[node])
+    axis += input.rests[tet].volume * (input.states[tet].frame * weakness.direction);
+  return directional_strength(weakness, axis.normalized());
 }
 
 }  // namespace griffith

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <span>
+#include <vector>
 
 #include "sim/elasticity/element.h"
 #include "sim/fracture/strength_variation.h"
@@ -14,10 +16,11 @@ Mat3 force_dyad(const Vec3& force);
 
 /// What the elements round a node contribute to its separation.
 struct SeparationInput {
-  const TetMesh& mesh;
-  std::span<const ElementRest> rests;           // per tet
-  std::span<const ElementState> states;         // per tet
-  std::span<const NodeConstraint> constraints;  // per node; empty: all are free
+  std::span<const std::array<NodeId, 4>> tets;   // per tet: corners
+  std::span<const std::vector<TetId>> stars;     // per node: its tets
+  std::span<const ElementRest> rests;            // per tet
+  std::span<const ElementState> states;          // per tet
+  std::span<const NodeConstraint> constraints;   // per node; empty: all are free
 };
 
 /// What an element does to one of its nodes, world frame [N].
@@ -39,6 +42,9 @@ struct CandidatePlane {
   Vec3 normal = Vec3::UnitX();  ///< n̂, unit length, world frame
   double eigenvalue = 0;        ///< v⁺ = n̂·ς n̂ [N]: with uniform strength the largest eigenvalue of ς
   double stress = 0;            ///< s [Pa], whatever the mesh
+  bool by_tension = false;      ///< s is that of the mean tensile stress, else it is v⁺ per area
+  Vec3 pulled = Vec3::UnitX();  ///< unit normal of the plane that v⁺ pulls at: n̂ unless by_tension
+  double volume = 0;            ///< of the elements that count [m³]
 };
 
 /// The plane on which the load is largest against the `strength` of that direction, n·ς n / n·T n. The stress across it
@@ -48,5 +54,11 @@ struct CandidatePlane {
 /// part of the anchor and do not count.
 CandidatePlane candidate_plane(const SeparationInput& input, NodeId node, const Mat3& tensor,
                                const DirectionalStrength& strength = {});
+
+/// What an element adds to the mean tensile stress across a plane of its node [Pa]: all together are its stress.
+double tension_share(const SeparationInput& input, TetId tet, NodeId node, const CandidatePlane& plane);
+
+/// The strength of a body with that weakness (unit direction, in rest space) as its elements lie at the node now.
+DirectionalStrength strength_at(const SeparationInput& input, NodeId node, const Weakness& weakness);
 
 }  // namespace griffith

@@ -1,27 +1,14 @@
 #include "sim/mesh/file_cursor.h"
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
 
 #include "sim/error.h"
+#include "sim/read_file.h"
 
 namespace griffith {
-namespace {
-
-std::string read_whole_file(const std::filesystem::path& path) {
-  if (!std::filesystem::is_regular_file(path)) throw InputError(path.string(), "no such file", "check the path");
-  std::ifstream file(path, std::ios::binary);
-  std::string text(std::filesystem::file_size(path), '\0');
-  if (!file.read(text.data(), static_cast<std::streamsize>(text.size())))
-    throw InputError(path.string(), "cannot be read", "check the file's permissions");
-  return text;
-}
-
-}  // namespace
-
 FileCursor::FileCursor(const std::filesystem::path& path, std::string_view separators, char comment)
-    : name_(path.string()), text_(read_whole_file(path)), separators_(separators), comment_(comment) {}
+    : name_(path.string()), text_(read_file(path)), separators_(separators), comment_(comment) {}
 
 bool FileCursor::is_blank(char c) const {
   return c == ' ' || (c >= '\t' && c <= '\r') || separators_.find(c) != std::string::npos;

@@ -1,6 +1,9 @@
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/scene.h>
 
 #include <assimp/Importer.hpp>
+#include <exception>
+#include <new>
 #include <span>
 
 #include "sim/error.h"
@@ -9,6 +12,27 @@
 
 namespace griffith {
 namespace {
+
+/// Knows regular files alone: to open a pipe that a surface names for its materials or buffers could wait for ever.
+class RegularFiles : public Assimp::DefaultIOSystem {
+ public:
+  bool Exists(const char* file) const override {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(file, ignored);
+  }
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    return Exists(file) ? Assimp::DefaultIOSystem::Open(file, mode) : nullptr;
+  }
+};
+
+/// Assimp catches std::bad_alloc as it does its own errors.
+void rethrow_bad_alloc(const Assimp::Importer& importer) try {
+  if (const std::exception_ptr error = importer.GetException()) std::rethrow_exception(error);
+} catch (const std::bad_alloc&) {
+  throw;
+} catch (...) {
+  // The importer's error text tells it.
+}
 
 Vec3 vector_of(const aiVector3D& v) { return Vec3(v.x, v.y, v.z); }
 
@@ -87,7 +111,9 @@ void require_known_vertices(const aiScene& scene, const std::filesystem::path& p
 
 std::vector<SurfaceObject> import_objects(const std::filesystem::path& path) {
   Assimp::Importer importer;
+  importer.SetIOHandler(new RegularFiles);  // the importer owns it
   const aiScene* scene = importer.ReadFile(path.string(), 0);
+  rethrow_bad_alloc(importer);
   if (scene == nullptr || scene->mRootNode == nullptr)
     throw InputError(path.string(), std::string("cannot be read: ") + importer.GetErrorString(),
                      "check that the file's content is what its ending says");

@@ -1,15 +1,15 @@
 #include "sim/meshing/mesh_cache.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <span>
 #include <string_view>
 
 #include "sim/error.h"
 #include "sim/meshing/bytes.h"
+#include "sim/read_file.h"
 #include "sim/replace_file.h"
 
 namespace griffith {
@@ -39,6 +39,26 @@ struct Header {
   std::int32_t method = 0, refusal_length = 0, points = 0, tets = 0;
 };
 
+/// Takes `count` values off the front of `bytes`; false when there are fewer. No memory is asked for before that.
+template <class Values>
+bool take_values(std::string_view& bytes, Values& values, std::int64_t count) {
+  constexpr auto kSize = static_cast<std::int64_t>(sizeof values[0]);
+  if (count < 0 || count > std::ssize(bytes) / kSize) return false;
+  values.resize(static_cast<std::size_t>(count));
+  return take(bytes, values.data(), count);
+}
+
+/// Whether it is something that fill() can have made: the sum of its bytes tells damage, but not intent.
+bool is_possible(const FilledSurface& filled) {
+  const auto points = std::ssize(filled.soup.points);
+  const auto known = [points](const auto& tet) {
+    return std::ranges::all_of(tet, [points](int corner) { return 0 <= corner && corner < points; });
+  };
+  const bool method = filled.method == MeshingMethod::tetgen || filled.method == MeshingMethod::volumetric;
+  return method && !filled.soup.tets.empty() && std::ranges::all_of(filled.soup.tets, known) &&
+         std::ranges::all_of(filled.soup.points, [](const Vec3& point) { return point.allFinite(); });
+}
+
 std::optional<FilledSurface> decode(std::string_view bytes) {
   std::uint64_t sum = 0;
   Header header;
@@ -47,13 +67,10 @@ std::optional<FilledSurface> decode(std::string_view bytes) {
   if (!take(bytes, &sum, 1) || hash(bytes, kStart) != sum || !take(bytes, &header, 1)) return std::nullopt;
   FilledSurface filled;
   filled.method = static_cast<MeshingMethod>(header.method);
-  filled.refusal.resize(header.refusal_length);
-  filled.soup.points.resize(header.points);
-  filled.soup.tets.resize(header.tets);
-  const bool whole = take(bytes, filled.refusal.data(), header.refusal_length) &&
-                     take(bytes, filled.soup.points.data(), header.points) &&
-                     take(bytes, filled.soup.tets.data(), header.tets) && bytes.empty();
-  return whole ? std::optional(std::move(filled)) : std::nullopt;
+  const bool whole = take_values(bytes, filled.refusal, header.refusal_length) &&
+                     take_values(bytes, filled.soup.points, header.points) &&
+                     take_values(bytes, filled.soup.tets, header.tets) && bytes.empty();
+  return whole && is_possible(filled) ? std::optional(std::move(filled)) : std::nullopt;
 }
 
 }  // namespace
@@ -77,10 +94,11 @@ fs::path cache_entry(const fs::path& folder, const TriangleSurface& surface, con
   return folder / name;
 }
 
-std::optional<FilledSurface> read_cache_entry(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  return decode(std::string{std::istreambuf_iterator<char>(file), {}});
+std::optional<FilledSurface> read_cache_entry(const fs::path& path) try {
+  constexpr std::int64_t kMostBytes = 1 << 30;
+  return decode(read_file(path, kMostBytes));
+} catch (const InputError&) {
+  return std::nullopt;
 }
 
 void write_cache_entry(const fs::path& path, const FilledSurface& filled) {

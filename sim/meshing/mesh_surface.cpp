@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "sim/error.h"
+#include "sim/mesh/mesh_limits.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"
 #include "sim/meshing/mesh_cache.h"
@@ -15,7 +16,6 @@
 namespace griffith {
 namespace {
 
-constexpr double kMostTets = 5e6;
 /// A difference in volume from the surface's that is worth a word.
 constexpr double kVolumeTolerance = 0.05;
 
@@ -68,8 +68,17 @@ TetgenResult try_tetgen(const TriangleSurface& surface, const SurfaceReport& rep
 
 void require_reasonable_count(double volume, double element_size, const MeshingSetup& setup) {
   const double tets = 12 * std::abs(volume) / (element_size * element_size * element_size);
-  if (tets > kMostTets)
-    throw InputError(setup.name, "would take more than 5 million tetrahedra", "give a larger element size");
+  if (tets > static_cast<double>(kMostTets))
+    throw InputError(setup.name, std::string("would take more than ") + kMostTetsText, "give a larger element size");
+}
+
+/// Why a problem of the lattice is met at all where TetGen was meant to fill the surface; else empty.
+std::string instead_of_tetgen(const FilledSurface& filled) {
+  return filled.refusal.empty() ? "" : "; the method is volumetric because " + filled.refusal;
+}
+
+std::string with_tetgen_installed(const FilledSurface& filled, const std::string& remedy) {
+  return filled.lasting ? remedy : "install TetGen, or " + remedy;
 }
 
 FilledSurface fill(const TriangleSurface& surface, const SurfaceReport& report, const MeshingOptions& options,
@@ -87,7 +96,8 @@ FilledSurface fill(const TriangleSurface& surface, const SurfaceReport& report, 
     }
     if (options.method == MeshingMethod::tetgen)
       throw InputError(setup.name, "TetGen cannot mesh it: " + result.refusal,
-                       "repair the surface, or take the method volumetric");
+                       result.installed ? "repair the surface, or take the method volumetric"
+                                        : "install it, or take the method volumetric");
     filled.refusal = result.refusal;
     filled.lasting = result.installed;
   }
@@ -95,8 +105,10 @@ FilledSurface fill(const TriangleSurface& surface, const SurfaceReport& report, 
   if (filled.soup.tets.empty()) {
     const bool sound = unsound(report).empty();
     throw InputError(setup.name,
-                     sound ? "is thinner than the elements everywhere" : "has no inside that could be filled",
-                     sound ? "give a smaller element size" : "close its holes, or give it a thickness");
+                     (sound ? "is thinner than the elements everywhere" : "has no inside that could be filled") +
+                         instead_of_tetgen(filled),
+                     sound ? with_tetgen_installed(filled, "give a smaller element size")
+                           : "close its holes, or give it a thickness");
   }
   prepare(filled.soup, setup.name);
   part_pinched_nodes(filled.soup);
@@ -156,7 +168,7 @@ void require_enough_volume(const SurfaceReport& report, const FilledSurface& fil
                 -100 * change);
   std::snprintf(remedy, sizeof remedy, "give an element size below %.2g m, its mean thickness, or the method tetgen",
                 mean_thickness(report));
-  throw InputError(setup.name, problem, remedy);
+  throw InputError(setup.name, problem + instead_of_tetgen(filled), with_tetgen_installed(filled, remedy));
 }
 
 /// What there is to tell about many more tets than their size asks for; empty: nothing. A thin wall needs its many.

@@ -2,12 +2,12 @@
 #include <array>
 #include <cctype>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include "sim/error.h"
 #include "sim/meshing/surface_objects.h"
 #include "sim/meshing/temporary_folder.h"
+#include "sim/read_file.h"
 
 namespace griffith {
 namespace {
@@ -15,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array kFormats = {".obj", ".stl", ".ply", ".off", ".gltf", ".glb"};
+constexpr std::uintmax_t kMostBytes = 1 << 30;
 constexpr char kRemedy[] = "the file is damaged: export the surface again";
 
 /// Assimp's reader of PLY files never ends where the header does not.
@@ -26,16 +27,15 @@ void require_ply_header(const fs::path& path) {
 }
 
 void require_known_file(const fs::path& path) {
-  std::error_code ignored;
-  if (!fs::exists(path, ignored)) throw InputError(path.string(), "no such file", "check the path");
-  if (!fs::is_regular_file(path, ignored))
-    throw InputError(path.string(), "is no file", "name the surface's file itself");
+  require_regular_file(path);
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return std::tolower(c); });
   if (std::find(kFormats.begin(), kFormats.end(), extension) == kFormats.end())
     throw InputError(path.string(), "is no surface format known here", ".obj, .stl, .ply, .off, .gltf or .glb");
-  if (fs::file_size(path, ignored) == 0) throw InputError(path.string(), "is empty", "export the surface again");
+  const std::uintmax_t size = fs::file_size(path);
+  if (size == 0) throw InputError(path.string(), "is empty", "export the surface again");
+  if (size > kMostBytes) throw InputError(path.string(), "is larger than a gigabyte", "export it with fewer triangles");
   if (extension == ".ply") require_ply_header(path);
 }
 
@@ -50,10 +50,11 @@ fs::path reader_program() {
                            beside.parent_path().string());
 }
 
-/// Ten times what the slowest format takes.
+/// Ten times what the slowest format takes, of memory up to what TetGen may take.
 ProcessLimits limits_for(std::uintmax_t file_size) {
   const auto bytes = static_cast<std::int64_t>(file_size);
-  return {20 + 5e-6 * static_cast<double>(bytes), (std::int64_t{2} << 30) + 100 * bytes};
+  return {20 + 5e-6 * static_cast<double>(bytes),
+          std::min((std::int64_t{2} << 30) + 100 * bytes, std::int64_t{8} << 30)};
 }
 
 void require_success(const ProcessOutcome& outcome, const ProcessLimits& limits, const fs::path& path) {
@@ -68,6 +69,10 @@ void require_success(const ProcessOutcome& outcome, const ProcessLimits& limits,
                      kRemedy);
   if (outcome.end != ProcessOutcome::End::exited) throw std::runtime_error("griffith_surface_reader cannot be started");
   if (outcome.code == 0) return;
+  if (outcome.code == kReaderOutOfMemory)
+    throw InputError(path.string(),
+                     "cannot be read with " + std::to_string(limits.memory_bytes >> 20) + " MB of memory, the limit",
+                     "export it with fewer triangles; if it is small, it is damaged");
   const std::size_t line = outcome.output.find('\n');
   const std::string problem = outcome.output.substr(0, line);
   const std::string rest = line == std::string::npos ? "" : outcome.output.substr(line + 1);
@@ -83,11 +88,11 @@ std::vector<SurfaceObject> read_surface_objects(const fs::path& path, const Moni
   const TemporaryFolder folder;
   const fs::path objects = folder.path() / "objects";
   if (!limits) limits = limits_for(fs::file_size(path));
-  const ProcessOutcome outcome = run_process({reader_program().string(), fs::absolute(path).string(), objects.string()},
-                                             *limits, {}, monitor.cancelled);
+  const auto cancelled = [&] { return folder.termination_requested() || monitor.is_cancelled(); };
+  const ProcessOutcome outcome =
+      run_process({reader_program().string(), fs::absolute(path).string(), objects.string()}, *limits, {}, cancelled);
   require_success(outcome, *limits, path);
-  std::ifstream file(objects, std::ios::binary);
-  auto decoded = decode_objects(std::string{std::istreambuf_iterator<char>(file), {}});
+  auto decoded = decode_objects(read_file(objects, limits->memory_bytes));
   if (!decoded) throw std::runtime_error("griffith_surface_reader belongs to another version of this program");
   return std::move(*decoded);
 }

@@ -25,6 +25,9 @@ struct SurfaceObject {
 std::vector<SurfaceObject> read_surface_objects(const std::filesystem::path& path, const Monitor& monitor = {},
                                                 std::optional<ProcessLimits> limits = {});
 
+/// What griffith_surface_reader returns when its limit of memory does not suffice.
+inline constexpr int kReaderOutOfMemory = 3;
+
 /// The objects as bytes, for the way from that program to this, and back; nothing where the bytes are no such objects.
 std::string encode(const std::vector<SurfaceObject>& objects);
 std::optional<std::vector<SurfaceObject>> decode_objects(std::string_view bytes);

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <new>
 
 #include "sim/error.h"
 #include "sim/meshing/surface_objects.h"
@@ -17,6 +18,8 @@ int main(int count, char** arguments) try {
 } catch (const griffith::InputError& error) {
   std::printf("%s\n%s\n", error.problem().c_str(), error.remedy().c_str());
   return 2;
+} catch (const std::bad_alloc&) {
+  return griffith::kReaderOutOfMemory;
 } catch (const std::exception& error) {
   std::printf("%s\n", error.what());
   return 1;

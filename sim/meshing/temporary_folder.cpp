@@ -1,6 +1,8 @@
 #include "sim/meshing/temporary_folder.h"
 
+#include <cerrno>
 #include <cstdlib>
+#include <system_error>
 
 #include "sim/error.h"
 
@@ -9,9 +11,13 @@ namespace griffith {
 namespace fs = std::filesystem;
 
 TemporaryFolder::TemporaryFolder() {
-  std::string name = (fs::temp_directory_path() / "griffith_XXXXXX").string();
+  constexpr char kRemedy[] = "TMPDIR has to name a folder that may be written to and has room; without it that is /tmp";
+  std::error_code error;
+  const fs::path folder = fs::temp_directory_path(error);
+  if (error) throw InputError("TMPDIR", "names no folder for temporary files", kRemedy);
+  std::string name = (folder / "griffith_XXXXXX").string();
   if (mkdtemp(name.data()) == nullptr)
-    throw InputError(name, "cannot be made", "TMPDIR has to name a folder that may be written to and has room");
+    throw InputError(name, "cannot be made: " + std::generic_category().message(errno), kRemedy);
   path_ = name;
 }
 

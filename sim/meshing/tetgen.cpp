@@ -63,7 +63,8 @@ std::optional<std::string> stage_in(const std::string& line) {
 }
 
 std::string refusal_of(const ProcessOutcome& outcome, const std::string& stage) {
-  if (outcome.end == ProcessOutcome::End::not_found) return "TetGen is not installed (Debian's package is tetgen)";
+  if (outcome.end == ProcessOutcome::End::not_found)
+    return "TetGen is not installed or not in PATH (Debian's package is tetgen)";
   const std::string code = std::to_string(outcome.code);
   const bool aborted = outcome.end == ProcessOutcome::End::killed_by_signal && outcome.code == SIGABRT;
   const std::string how = aborted                                      ? "gave up"
@@ -110,7 +111,7 @@ TetgenResult run_tetgen(const TriangleSurface& surface, const MeshingOptions& op
   // Without stdbuf its lines would stay in its buffer until the end, and be lost when it aborts.
   const ProcessOutcome outcome = run_process(
       {"stdbuf", "-oL", "tetgen", switches(options, element_size), (folder.path() / "surface.poly").string()}, limits,
-      on_line, monitor.cancelled);
+      on_line, [&] { return folder.termination_requested() || monitor.is_cancelled(); });
   require_within_limits(outcome, limits, name);
   TetgenResult result;
   const fs::path elements = folder.path() / "surface.1.ele";

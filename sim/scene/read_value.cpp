@@ -57,7 +57,13 @@ std::vector<std::filesystem::path> files_of_mesh(const std::filesystem::path& pa
 }  // namespace
 
 void Place::report(std::string problem, std::string remedy) const {
-  document.problems.emplace_back(json_place(document.file, pointer), std::move(problem), std::move(remedy));
+  constexpr std::size_t kMostProblems = 1000;
+  if (document.problems.size() > kMostProblems) return;
+  if (document.problems.size() == kMostProblems) {
+    document.problems.emplace_back(document.file, "has more problems than these", "correct these first");
+  } else {
+    document.problems.emplace_back(json_place(document.file, pointer), std::move(problem), std::move(remedy));
+  }
 }
 
 void Place::reject(const std::string& expected) const {
@@ -140,10 +146,11 @@ void read(const Place& place, std::filesystem::path& value, MeshPath kind) {
   if (!place.document.look_for_meshes) return;
   for (const auto& tried : files_of_mesh(file_path(place.document.folder, value))) {
     std::error_code ignored;
-    if (std::filesystem::exists(tried, ignored)) continue;
-    place.report(
-        "names the " + std::string(kind.what) + " \"" + text + "\", but there is no \"" + tried.generic_string() + "\"",
-        "put it there or correct the path, which starts at the scene file's folder");
+    if (std::filesystem::is_regular_file(tried, ignored)) continue;
+    const bool there = std::filesystem::exists(tried, ignored);
+    place.report("names the " + std::string(kind.what) + " \"" + text + "\", but " + (there ? "" : "there is no ") +
+                     "\"" + tried.generic_string() + "\"" + (there ? " is no regular file" : ""),
+                 "put it there or correct the path, which starts at the scene file's folder");
     return;
   }
 }

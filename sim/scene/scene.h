@@ -55,6 +55,8 @@ struct ProjectileBurst {
   std::optional<ProjectileShape> shape;  ///< none: a sphere
   Vec3 rotation_degrees = Vec3::Zero();  ///< at launch, about the fixed x, then y, then z axis [degrees]
   Vec3 angular_velocity = Vec3::Zero();  ///< at launch [rad/s]
+  double friction = 0.6;                 ///< Coulomb's
+  double restitution = 0.1;              ///< 1 bounces back fully
   bool operator==(const ProjectileBurst&) const = default;
 };
 
@@ -165,7 +167,9 @@ struct Scene {
   std::vector<Probe> probes;    ///< of different names
   std::vector<Camera> cameras;  ///< the first one is used unless another is named; none: frame everything
   ViewSettings view;
-  std::filesystem::path folder;  ///< relative mesh paths start here; not written to the file
+  std::vector<Material> materials;  ///< the file's own, by different names; bodies hold copies of those they have
+  std::string schema;               ///< path of the file's schema, for text editors; empty: none
+  std::filesystem::path folder;     ///< relative paths start here; not written to the file
   bool operator==(const Scene&) const = default;
 };
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "sim/mesh/mesh_limits.h"
 #include "sim/scene/field.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/shape_fields.h"
@@ -20,6 +21,9 @@ namespace griffith {
 
 /// The format that this program reads and writes.
 inline constexpr int kSceneVersion = 1;
+
+/// Of all bursts of a scene together.
+inline constexpr std::int64_t kMostProjectiles = 10'000;
 
 inline constexpr Numbers kPlace = between(-1e6, 1e6, "m");
 inline constexpr Numbers kDirection = {.minimum = -1e6, .maximum = 1e6, .unit = "-", .nonzero = true};
@@ -224,6 +228,8 @@ void describe(Archive& archive, ProjectileBurst& burst) {
   archive.field("rotation_degrees", burst.rotation_degrees, between(-1e6, 1e6, "degrees"),
                 "Rotation at launch about the fixed x, then y, then z axis");
   archive.field("angular_velocity", burst.angular_velocity, between(-1e4, 1e4, "rad/s"), "Spin at launch");
+  archive.field("friction", burst.friction, between(0, 10, "-"), "Coulomb's coefficient of friction");
+  archive.field("restitution", burst.restitution, between(0, 1, "-"), "Coefficient of restitution: 1 bounces back fully");
   archive.require(!burst.density || burst.mass == ProjectileBurst{}.mass, "density", "stands beside a mass",
                   "take one of them out");
   archive.require(!burst.shape || burst.radius == ProjectileBurst{}.radius, "radius", "stands beside another shape",
@@ -246,9 +252,10 @@ void describe(Archive& archive, SimulationSettings& settings) {
                 "Whether supported bodies start at rest under gravity and their loads at time 0");
   archive.field("impact_substeps", settings.impact_substeps, between(1, 256),
                 "Substeps of a step in which something strikes");
-  archive.field("step_budget", settings.step_budget, between(0.1, 1e6, "ms"),
-                "Work that a step may do in substeps, as time on a usual core; counted, not timed. Impacts that ask for more "
-                "are seen through a softened body");
+  archive.field(
+      "step_budget", settings.step_budget, between(0.1, 1e6, "ms"),
+      "Work that a step may do in substeps, as time on a usual core; counted, not timed. Impacts that ask for more "
+      "are seen through a softened body");
   archive.field("relative_residual", settings.relative_residual, between(1e-12, 0.1, "-"),
                 "The linear solver stops at this residual, relative to the right-hand side");
   archive.field("max_solver_iterations", settings.max_solver_iterations, between(1, 100000),
@@ -344,6 +351,13 @@ void describe(Archive& archive, Scene& scene) {
   archive.field("probes", scene.probes, Parts{}, "What is written down in every frame");
   archive.field("cameras", scene.cameras, Parts{}, "Views; the first is used unless another is named");
   archive.field("view", scene.view, Parts{}, "What is shown at first; nothing here influences the simulation");
+  double tets = 0;
+  for (const BodyDescription& body : scene.bodies) tets += tet_count(body.shape);
+  archive.require(tets <= static_cast<double>(kMostTets), "bodies", "make more than 4 million tetrahedra in all",
+                  "take larger element sizes or fewer bodies");
+  std::int64_t projectiles = 0;
+  for (const ProjectileBurst& burst : scene.projectiles) projectiles += burst.count;
+  archive.require(projectiles <= kMostProjectiles, "projectiles", "are more than 10000 in all", "take smaller counts");
 }
 
 }  // namespace griffith

@@ -1,12 +1,11 @@
 #include "sim/scene/scene_reader.h"
 
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <type_traits>
 #include <utility>
 
+#include "sim/read_file.h"
 #include "sim/scene/json_document.h"
 #include "sim/scene/read_value.h"
 #include "sim/scene/scene_fields.h"
@@ -117,7 +116,9 @@ void check_names(const Place& place, const std::vector<T>& items) {
 
 template <class T>
 void read(const Place& place, std::vector<T>& items, Parts parts) {
+  constexpr std::size_t kMostItems = 10'000;  // a kilobyte each, before anything is made of them
   if (!place.json.is_array()) return place.reject("an array [ ... ]");
+  if (place.json.size() > kMostItems) return place.report("has more than 10000 items", "take fewer");
   items.assign(place.json.size(), T{});
   for (std::size_t i = 0; i < items.size(); ++i) {
     read(place.child(std::to_string(i), place.json[i]), items[i], parts);
@@ -148,13 +149,18 @@ void read(const Place& place, Material& material, MaterialChoice) {
     describe(reader, material);
     return reader.finish();
   }
-  std::vector<std::string_view> names = preset_names();
-  for (const auto& [name, own] : place.document.materials) names.push_back(name);
   if (!place.json.is_string()) return place.reject("a material's name, or an object with its properties");
-  const int index = read_name(place, names);
-  if (index < 0) return;
-  const auto preset = find_material_preset(names[index]);
-  material = preset ? *preset : place.document.materials.find(names[index])->second;
+  const auto& name = place.json.get_ref<const std::string&>();
+  const auto own = place.document.materials.find(name);
+  if (const auto preset = find_material_preset(name)) {
+    material = *preset;
+  } else if (own != place.document.materials.end()) {
+    material = own->second;
+  } else {
+    std::vector<std::string_view> names = preset_names();
+    for (const auto& [known, properties] : place.document.materials) names.push_back(known);
+    read_name(place, names);
+  }
 }
 
 /// The scene's own materials, by name, for its bodies to use.
@@ -209,23 +215,17 @@ Scene read_document(Document& document, std::string_view text) {
   if (!json.is_object()) return place.reject("an object { \"version\": 1, ... }"), scene;
 
   ObjectReader reader(place);
-  std::string schema;  // for editors, which complete and check by it
-  reader.field("$schema", schema, Text{}, "");
+  reader.field("$schema", scene.schema, Text{}, "");
   if (!check_version(place, reader)) return scene;
   read_materials(place, reader);
   describe(reader, scene);
   reader.finish();
+  for (const auto& [name, material] : document.materials) scene.materials.push_back(material);
   return scene;
 }
 
-std::string read_text(const std::filesystem::path& path) {
-  std::error_code ignored;
-  std::ifstream stream(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path, ignored) || !stream) {
-    throw InputError(path.generic_string(), "cannot be read", "name a scene file that exists and may be read");
-  }
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
+/// Scenes name large meshes, and do not hold them.
+constexpr std::int64_t kMostBytes = 16 << 20;
 
 Document document_of_file(const std::filesystem::path& path) {
   Document document;
@@ -243,7 +243,7 @@ Scene first_problem_thrown(Document document, std::string_view text) {
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& path) {
-  return first_problem_thrown(document_of_file(path), read_text(path));
+  return first_problem_thrown(document_of_file(path), read_file(path, kMostBytes));
 }
 
 Scene scene_from_json(std::string_view text, const std::string& where, const std::filesystem::path& folder) {
@@ -255,7 +255,7 @@ Scene scene_from_json(std::string_view text, const std::string& where, const std
 
 std::vector<InputError> check_scene(const std::filesystem::path& path) try {
   Document document = document_of_file(path);
-  read_document(document, read_text(path));
+  read_document(document, read_file(path, kMostBytes));
   return document.problems;
 } catch (const InputError& unreadable) {
   return {unreadable};

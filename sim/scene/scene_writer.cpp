@@ -12,7 +12,7 @@
 namespace griffith {
 namespace {
 
-/// The scene's own materials, as its bodies are written.
+/// The scene's own materials: those of its bodies as these are written, then those that no body has.
 struct Library {
   std::vector<Material> materials;
 };
@@ -110,6 +110,15 @@ Json library_json(const Library& library) {
   return object;
 }
 
+/// Those whose name no body has taken for another.
+void add_others(Library& library, const std::vector<Material>& materials) {
+  for (const Material& material : materials)
+    if (std::ranges::find(library.materials, material.name, &Material::name) == library.materials.end())
+      library.materials.push_back(material);
+}
+
+bool is_address(const std::string& path) { return path.find("://") != std::string::npos; }
+
 /// The path of the file that a shape is made of; null where it is made of none.
 std::filesystem::path* file_of(Shape& shape) {
   if (auto* mesh = std::get_if<MeshFileShape>(&shape)) return &mesh->path;
@@ -117,37 +126,47 @@ std::filesystem::path* file_of(Shape& shape) {
   return nullptr;
 }
 
-/// Makes the paths of a scene's files start at `folder`.
-Scene with_mesh_paths_from(Scene scene, const std::filesystem::path& folder) {
+}  // namespace
+
+Scene with_paths_from(Scene scene, const std::filesystem::path& folder) {
+  if (scene.folder == folder) return scene;
   const auto move = [&](std::filesystem::path& path) {
-    if (path.is_absolute() || scene.folder == folder) return;
+    if (path.is_absolute()) return;
     path = std::filesystem::absolute(scene.folder / path).lexically_normal().lexically_proximate(folder);
   };
+  if (!scene.schema.empty() && !is_address(scene.schema)) {
+    std::filesystem::path schema = scene.schema;
+    move(schema);
+    scene.schema = schema.generic_string();
+  }
   for (BodyDescription& body : scene.bodies) {
     if (std::filesystem::path* file = file_of(body.shape)) move(*file);
     if (!body.splinters) continue;
     if (auto* points = std::get_if<PointSplinters>(&*body.splinters)) move(points->path);
     if (auto* cells = std::get_if<CellSplinters>(&*body.splinters)) move(cells->path);
   }
+  for (ProjectileBurst& burst : scene.projectiles)
+    if (burst.shape)
+      if (auto* surface = std::get_if<SurfaceProjectile>(&*burst.shape)) move(surface->path);
+  scene.folder = folder;
   return scene;
 }
-
-}  // namespace
 
 std::string scene_to_json(const Scene& scene) {
   Library library;
   const Json fields = write(library, scene, Parts{});
-  Json document = {{"version", kSceneVersion}};
-  for (const auto& [name, value] : fields.items()) {
-    if (name == "bodies" && !library.materials.empty()) document["materials"] = library_json(library);
-    document[name] = value;
-  }
+  add_others(library, scene.materials);
+  Json document = Json::object();
+  if (!scene.schema.empty()) document["$schema"] = scene.schema;
+  document["version"] = kSceneVersion;
+  if (!library.materials.empty()) document["materials"] = library_json(library);
+  document.update(fields);
   return pretty_text(document);
 }
 
 void write_scene(const Scene& scene, const std::filesystem::path& path) {
   const auto folder = std::filesystem::absolute(path).lexically_normal().parent_path();
-  const std::string text = scene_to_json(with_mesh_paths_from(scene, folder));
+  const std::string text = scene_to_json(with_paths_from(scene, folder));
   const auto problems = check_scene_text(text, path.generic_string());
   if (!problems.empty()) throw problems.front();
   replace_file(path, text);

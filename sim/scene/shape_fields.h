@@ -23,11 +23,40 @@ void describe_pattern(Archive& archive, BoxPattern& pattern) {
 /// Cell edges along x, y, z of a shape that is swept along z.
 inline Vec3 swept(const Vec2& element_size) { return {element_size.x(), element_size.x(), element_size.y()}; }
 
-/// `extent` is the box round the shape [m].
-template <class Archive>
-void require_cells(Archive& archive, const Vec3& extent, const Vec3& element_size) {
-  archive.require((extent.array() / element_size.array()).round().max(1).prod() <= kMaxShapeCells, "element_size",
-                  "cuts the shape into more than 2 million cells", "take a larger element_size or a smaller shape");
+/// Cells in the box round a shape, whose edges are `extent` [m].
+inline double cells_in(const Vec3& extent, const Vec3& element_size) {
+  return (extent.array() / element_size.array()).round().max(1).prod();
+}
+inline double cell_count(const BoxShape& box) { return cells_in(box.size, box.element_size); }
+inline double cell_count(const CylinderShape& cylinder) {
+  return cells_in({2 * cylinder.radius, 2 * cylinder.radius, cylinder.length}, swept(cylinder.element_size));
+}
+inline double cell_count(const DiscShape& disc) {
+  return cells_in({2 * disc.radius, 2 * disc.radius, disc.thickness}, swept(disc.element_size));
+}
+inline double cell_count(const SphereShape& sphere) {
+  return cells_in(Vec3::Constant(2 * sphere.radius), Vec3::Constant(sphere.element_size));
+}
+inline double cell_count(const PlateWithHoleShape& plate) { return cells_in(plate.size, swept(plate.element_size)); }
+inline double cell_count(const NotchedBeamShape& beam) { return cells_in(beam.size, beam.element_size); }
+
+/// About how many tets a shape is made of; 0 for one whose file tells. At most the tets of the box round it.
+inline double tet_count(const Shape& shape) {
+  const auto count = [](const auto& known) -> double {
+    if constexpr (requires { cell_count(known); }) {
+      constexpr double kTetsPerCell[] = {6, 5, 12};  // by BoxPattern
+      return cell_count(known) * kTetsPerCell[static_cast<int>(known.pattern)];
+    } else {
+      return 0;
+    }
+  };
+  return std::visit(count, shape);
+}
+
+template <class Archive, class AnyShape>
+void require_few_cells(Archive& archive, const AnyShape& shape) {
+  archive.require(cell_count(shape) <= kMaxShapeCells, "element_size", "cuts the shape into more than 2 million cells",
+                  "take a larger element_size or a smaller shape");
 }
 
 template <class Archive>
@@ -36,7 +65,7 @@ void describe(Archive& archive, BoxShape& box) {
   archive.field("element_size", box.element_size, kElementSize,
                 "Wanted cell edge, one number or one each for x, y, z; rounded to fit the box");
   describe_pattern(archive, box.pattern);
-  require_cells(archive, box.size, box.element_size);
+  require_few_cells(archive, box);
 }
 
 template <class Archive>
@@ -46,7 +75,7 @@ void describe(Archive& archive, CylinderShape& cylinder) {
   archive.field("element_size", cylinder.element_size, kElementSize,
                 "Wanted cell edge, one number or one each for across and along the axis");
   describe_pattern(archive, cylinder.pattern);
-  require_cells(archive, {2 * cylinder.radius, 2 * cylinder.radius, cylinder.length}, swept(cylinder.element_size));
+  require_few_cells(archive, cylinder);
 }
 
 template <class Archive>
@@ -56,7 +85,7 @@ void describe(Archive& archive, DiscShape& disc) {
   archive.field("element_size", disc.element_size, kElementSize,
                 "Wanted cell edge, one number or one each for across and through the thickness");
   describe_pattern(archive, disc.pattern);
-  require_cells(archive, {2 * disc.radius, 2 * disc.radius, disc.thickness}, swept(disc.element_size));
+  require_few_cells(archive, disc);
 }
 
 template <class Archive>
@@ -65,7 +94,7 @@ void describe(Archive& archive, SphereShape& sphere) {
   archive.field("element_size", sphere.element_size, between(kElementSize.minimum, kElementSize.maximum, "m"),
                 "Wanted cell edge");
   describe_pattern(archive, sphere.pattern);
-  require_cells(archive, Vec3::Constant(2 * sphere.radius), Vec3::Constant(sphere.element_size));
+  require_few_cells(archive, sphere);
 }
 
 template <class Archive>
@@ -77,7 +106,7 @@ void describe(Archive& archive, PlateWithHoleShape& plate) {
   describe_pattern(archive, plate.pattern);
   archive.require(plate.hole_radius < std::min(plate.size.x(), plate.size.y()) / 2, "hole_radius",
                   "reaches the plate's edge", "take less than half the plate's smaller side");
-  require_cells(archive, plate.size, swept(plate.element_size));
+  require_few_cells(archive, plate);
 }
 
 template <class Archive>
@@ -89,7 +118,7 @@ void describe(Archive& archive, NotchedBeamShape& beam) {
   describe_pattern(archive, beam.pattern);
   archive.require(beam.notch_depth < beam.size.y(), "notch_depth", "cuts the beam through",
                   "take less than the beam's height, size[1]");
-  require_cells(archive, beam.size, beam.element_size);
+  require_few_cells(archive, beam);
 }
 
 template <class Archive>

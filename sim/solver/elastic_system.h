@@ -59,7 +59,7 @@ class ElasticSystem {
   /// Replaces the velocities of the body's nodes by v⁺ under `forces` (elastic plus external, per node of the mesh
   /// [N]); after assemble(). `constraints` block the directions that they blocked at construction, at any speed. The
   /// linear and angular momentum of a free body are exact, whatever residual is left; it is solved in axes that turn
-  /// with it, so its owner moves it by turning (turn_step() in rigid_motion.h), not along tangents.
+  /// with it, so its owner moves it by turning (free_turn()), not along tangents.
   SolveReport solve(const ImplicitStep& step, std::span<const Vec3> positions, std::span<const Vec3> forces,
                     std::span<const double> masses, std::span<const NodeConstraint> constraints,
                     std::span<Vec3> velocities);
@@ -85,6 +85,11 @@ class ElasticSystem {
   /// About J A⁻¹ Jᵀ for these points: by the preconditioner, which is close for what is smooth and within a small factor
   /// for what is not. Weights hold what sliding leaves free; after assemble().
   PointCompliance compliance(std::span<const WeightedRows> points) const { return preconditioner_->compliance(points); }
+  /// The same of a free body's deformation alone: its rigid motion follows from its momentum, exactly.
+  PointCompliance deforming_compliance(std::span<const WeightedRows> points, std::span<const Vec3> positions,
+                                       std::span<const double> masses) const {
+    return preconditioner_->deforming_compliance(points, gather(positions), gather_masses(masses));
+  }
   const BlockSparseMatrix& matrix() const { return rows_.matrix; }
 
  private:

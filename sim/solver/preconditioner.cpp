@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "sim/parallel.h"
@@ -58,6 +59,7 @@ void RigidModePreconditioner::update(const BlockSparseMatrix& matrix, const Node
     center /= static_cast<double>(nodes.size());
     for (int node : nodes) arms_.col(node) = positions.col(node) - center;
   }
+  if (const double square = arms_.squaredNorm(); square > 0) arms_ *= std::sqrt(arms_.cols() / square);
   if (members_.empty()) return lower_.resize(0, 0);  // every node is held
   if (coarse_.cols() != 6 * aggregate_count()) allocate_coarse_matrix();
   assemble_coarse_matrix(matrix);
@@ -180,20 +182,51 @@ void RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) const 
   });
 }
 
-PointCompliance RigidModePreconditioner::compliance(std::span<const WeightedRows> points) const {
-  PointCompliance compliance = node_compliance(points, inverse_diagonal_);
-  if (!has_coarse_space()) return compliance;
-  const Eigen::Index components = 3 * static_cast<Eigen::Index>(points.size());
-  Eigen::MatrixXd modes = Eigen::MatrixXd::Zero(6 * aggregate_count(), components);  // Rᵀ Jᵀ
+/// Rᵀ Jᵀ.
+Eigen::MatrixXd RigidModePreconditioner::coarse_loads(std::span<const WeightedRows> points) const {
+  Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(6 * aggregate_count(), 3 * static_cast<Eigen::Index>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i)
     for (int k = 0; k < 3; ++k)
       if (const int row = points[i].rows[k]; row >= 0)
-        modes.block<6, 3>(6 * aggregates_[row], 3 * static_cast<Eigen::Index>(i)) +=
+        loads.block<6, 3>(6 * aggregates_[row], 3 * static_cast<Eigen::Index>(i)) +=
             rigid_modes(arms_.col(row)).transpose() * points[i].weights[k].transpose();
-  Eigen::MatrixXf half = (coarse_factors_.permutationP() * modes).cast<float>();
+  return loads;
+}
+
+PointCompliance RigidModePreconditioner::compliance(std::span<const WeightedRows> points,
+                                                    const Eigen::MatrixXd& loads) const {
+  PointCompliance compliance = node_compliance(points, inverse_diagonal_);
+  Eigen::MatrixXf half = (coarse_factors_.permutationP() * loads).cast<float>();
   lower_.triangularView<Eigen::Lower>().solveInPlace(half);
   compliance.modes = with_few_rows(std::move(half)).cast<double>();
   return compliance;
+}
+
+PointCompliance RigidModePreconditioner::compliance(std::span<const WeightedRows> points) const {
+  if (!has_coarse_space()) return node_compliance(points, inverse_diagonal_);
+  return compliance(points, coarse_loads(points));
+}
+
+PointCompliance RigidModePreconditioner::deforming_compliance(std::span<const WeightedRows> points,
+                                                              const NodeVectors& positions,
+                                                              const Eigen::VectorXd& masses) const {
+  if (!has_coarse_space()) return node_compliance(points, inverse_diagonal_);
+  const RigidMotion body = rigid_motion(positions, NodeVectors::Zero(3, positions.cols()), masses);
+  const auto modes_of_body = [&](int row) { return rigid_modes(positions.col(row) - body.center); };
+  // What inertia puts against unit accelerations as a whole, and the accelerations that each load causes.
+  Eigen::Matrix<double, Eigen::Dynamic, 6> inertia = Eigen::MatrixXd::Zero(6 * aggregate_count(), 6);
+  for (int row = 0; row < static_cast<int>(masses.size()); ++row)
+    inertia.middleRows<6>(6 * aggregates_[row]) +=
+        masses[row] * rigid_modes(arms_.col(row)).transpose() * modes_of_body(row);
+  Eigen::MatrixXd accelerations = Eigen::MatrixXd::Zero(6, 3 * static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      if (const int row = points[i].rows[k]; row >= 0)
+        accelerations.middleCols<3>(3 * static_cast<Eigen::Index>(i)) +=
+            modes_of_body(row).transpose() * points[i].weights[k].transpose();
+  accelerations.topRows<3>() /= body.mass;
+  accelerations.bottomRows<3>() = body.inertia.inverse() * accelerations.bottomRows<3>();
+  return compliance(points, coarse_loads(points) - inertia * accelerations);
 }
 
 }  // namespace griffith

@@ -13,7 +13,8 @@ namespace griffith {
 /// nodes (additive Schwarz). With it the iteration count depends neither on stiffness nor on cracks. Where the coarse
 /// matrix cannot be factored, because A has broken down, z = D⁻¹ r alone.
 ///   A  the system matrix      D  its 3×3 block diagonal
-///   R  one 3×6 block a node: [I, −[x − c]×], c the aggregate's centre
+///   R  one 3×6 block a node: [I, −[x − c]×/l], c the aggregate's centre, l the mean size of an aggregate, so that all
+///      modes are of a kind whatever the size of the body
 class RigidModePreconditioner {
  public:
   /// Aggregates of about `aggregate_size` nodes on the pattern of `matrix`; values come with update().
@@ -27,6 +28,10 @@ class RigidModePreconditioner {
   void apply(const NodeVectors& r, NodeVectors& z) const;
   /// J P Jᵀ, P what apply() applies, J one row of 3×3 blocks a point [1/kg].
   PointCompliance compliance(std::span<const WeightedRows> points) const;
+  /// The same for a body that nothing holds, without its rigid motion, which its momentum alone determines: the coarse
+  /// part is J Π R (Rᵀ A R)⁻¹ Rᵀ Πᵀ Jᵀ, Π the projector along the rigid motions. One column or entry a node.
+  PointCompliance deforming_compliance(std::span<const WeightedRows> points, const NodeVectors& positions,
+                                       const Eigen::VectorXd& masses) const;
   /// How often update() found the coarse matrix changed enough to factor it anew.
   int factorization_count() const { return factorizations_; }
   int aggregate_count() const { return static_cast<int>(members_.size()); }
@@ -38,11 +43,13 @@ class RigidModePreconditioner {
   void assemble_coarse_matrix(const BlockSparseMatrix& matrix);
   void factor_coarse_matrix();
   Eigen::VectorXd solve_coarse(const NodeVectors& r) const;
+  Eigen::MatrixXd coarse_loads(std::span<const WeightedRows> points) const;
+  PointCompliance compliance(std::span<const WeightedRows> points, const Eigen::MatrixXd& loads) const;
   bool has_coarse_space() const { return lower_.rows() > 0; }
 
   std::vector<int> aggregates_;            // per node
   std::vector<std::vector<int>> members_;  // per aggregate: its nodes, ascending
-  NodeVectors arms_;                       // per node: x − c
+  NodeVectors arms_;                       // per node: (x − c)/l
   std::vector<Mat3> inverse_diagonal_;
   std::vector<std::vector<int>> coarse_rows_;  // per aggregate: itself and its neighbours of a higher number
   std::vector<int> coarse_slots_;              // per block of the matrix: index into the column's coarse_rows_, or -1

@@ -30,8 +30,4 @@ inline RigidModes rigid_modes(const Vec3& arm) {
   return modes;
 }
 
-/// The rotation of a free body with this motion over `dt` [s], second order (implicit midpoint): its angular momentum
-/// stands still while its inertia turns.
-Mat3 turn_step(const RigidMotion& motion, double dt);
-
 }  // namespace griffith

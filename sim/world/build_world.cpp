@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/mesh/mesh_limits.h"
 #include "sim/mesh/topology.h"
 #include "sim/parallel.h"
 #include "sim/scene/body_pose.h"
@@ -160,16 +161,55 @@ void complete(WorldState& world, const Pieces& pieces) {
   }
 }
 
+/// Makes the meshes of all bodies. Throws where they are too large together: files tell only now how many tets they
+/// have.
+void make_meshes(const Scene& scene, ShapeMeshes& shapes, const Monitor& monitor) {
+  std::int64_t tets = 0;
+  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) {
+    if (monitor.is_cancelled()) throw Cancelled();
+    monitor.enter("Meshing body " + std::to_string(i + 1) + " of " + std::to_string(scene.bodies.size()));
+    tets += shapes.of(scene, i, monitor).mesh.tet_count();
+    if (tets > kMostTets)
+      throw InputError("#/bodies/" + std::to_string(i) + "/shape",
+                       std::string("brings the scene to more than ") + kMostTetsText,
+                       "take coarser meshes or fewer bodies");
+  }
+}
+
+Eigen::AlignedBox3d bounds_of(const WorldState& world, const Body& body) {
+  Eigen::AlignedBox3d bounds;
+  for (NodeId node : body.nodes) bounds.extend(world.nodes.positions[node]);
+  return bounds;
+}
+
+/// Contacts grow with the square of a crowd: throws where a great many bodies stand inside one another. Sweeps along x.
+void require_no_crowd(const WorldState& world) {
+  constexpr int kMostPairs = 1'000'000;
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const Body& body : world.bodies) boxes.push_back(bounds_of(world, body));
+  std::ranges::sort(boxes, {}, [](const Eigen::AlignedBox3d& box) { return box.min().x(); });
+  int pairs = 0;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    for (std::size_t j = i + 1; j < boxes.size() && boxes[j].min().x() < boxes[i].max().x(); ++j)
+      if (boxes[i].intersects(boxes[j]) && ++pairs > kMostPairs)
+        throw InputError("#/bodies", "stand inside one another in more than a million pairs", "move them apart");
+}
+
 void add_scene_bodies(WorldState& world, const Monitor& monitor) {
   ShapeMeshes shapes;
   std::vector<Pieces> pieces;
-  for (int i = 0; i < static_cast<int>(world.scene.bodies.size()); ++i)
+  make_meshes(world.scene, shapes, monitor);
+  monitor.enter("Building the bodies");
+  for (int i = 0; i < static_cast<int>(world.scene.bodies.size()); ++i) {
+    if (monitor.is_cancelled()) throw Cancelled();
     pieces.push_back(add_scene_body(world, i, shapes.of(world.scene, i, monitor)));
+  }
   close_splinters(world);
   update_supports(world, world.time, world.scene.simulation.time_step);
   parallel_for(static_cast<int>(pieces.size()), 16, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) complete(world, pieces[i]);
   });
+  require_no_crowd(world);
   add_stand_ins(world, world.bodies);
 }
 
@@ -194,8 +234,8 @@ void build_world(WorldState& world, const Monitor& monitor) {
   if (const auto& ground = world.scene.ground)
     world.contact_world.add_ground(ground->height, {ground->friction, ground->restitution});
   add_scene_bodies(world, monitor);
-  for (std::size_t i = 0; i < world.scene.projectiles.size(); ++i)
-    queue_burst(world, world.scene.projectiles[i], "#/projectiles/" + std::to_string(i));
+  queue_bursts(world);
+  monitor.enter("Finding the start");
   if (world.scene.simulation.static_start && world.scene.analysis == Analysis::dynamic)
     find_equilibrium(world, 0, 0, true);
   place_stand_ins(world);

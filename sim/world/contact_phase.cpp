@@ -91,13 +91,22 @@ SolveReport respond_implicitly(WorldState& world, const Body& body, double dt, c
   return report;
 }
 
+/// Moves the nodes of a body by a share (0..1) of what its contacts did. From their free velocities, whatever was
+/// there before: the momentum that a change of any size takes away is what it brought.
+void set_velocities(WorldState& world, const TouchedBody& touched, double share) {
+  const std::span<const NodeId> nodes = world.bodies[touched.body].system->nodes();
+  for (std::size_t row = 0; row < nodes.size(); ++row)
+    world.nodes.velocities[nodes[row]] = touched.free.col(row) + share * touched.change.col(row);
+}
+
 /// Lets the body's nodes move as the impulses at its contacts want it. `added`: to those that it knows.
 SolveReport respond(WorldState& world, TouchedBody& touched, double dt, const Eigen::Matrix3Xd& impulses,
                     const Eigen::Matrix3Xd& added, std::vector<Vec3>& nodal) {
   const Body& body = world.bodies[touched.body];
-  const std::span<const NodeId> nodes = body.system->nodes();
-  if (touched.change.size() == 0) touched.change = NodeVectors::Zero(3, static_cast<Eigen::Index>(nodes.size()));
-  const NodeVectors before = touched.change;
+  if (touched.change.size() == 0) {
+    touched.free = body.system->gather(world.nodes.velocities);
+    touched.change = NodeVectors::Zero(3, touched.free.cols());
+  }
   SolveReport report;
   if (world.integrates_explicitly()) {
     set_nodal_impulses(world, touched, added, nodal);
@@ -106,8 +115,7 @@ SolveReport respond(WorldState& world, TouchedBody& touched, double dt, const Ei
     set_nodal_impulses(world, touched, impulses, nodal);
     report = respond_implicitly(world, body, dt, nodal, touched.change);
   }
-  for (std::size_t row = 0; row < nodes.size(); ++row)
-    world.nodes.velocities[nodes[row]] += touched.change.col(row) - before.col(row);
+  set_velocities(world, touched, 1);
   return report;
 }
 
@@ -172,9 +180,7 @@ void limit_energy(WorldState& world, TouchedBodies& touched, double dt) {
     world.bodies[touched.bodies[i].body].contact_work = factors[i] * response.impulses.cwiseProduct(velocities).sum();
     if (factors[i] == 1) continue;
     ++world.report.limited_impulses;
-    const std::span<const NodeId> nodes = world.bodies[touched.bodies[i].body].system->nodes();
-    for (std::size_t row = 0; row < nodes.size(); ++row)
-      world.nodes.velocities[nodes[row]] -= (1 - factors[i]) * touched.bodies[i].change.col(row);
+    set_velocities(world, touched.bodies[i], factors[i]);
   }
 }
 

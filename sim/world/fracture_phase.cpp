@@ -94,6 +94,7 @@ CrackEvent describe(const WorldState& world, NodeId node, const std::vector<std:
   event.eigenvalue = separation.eigenvalue;
   event.load = separation.margin * separation.resistance;
   event.resistance = separation.resistance;
+  if (body.softening < 1) event.softened = body.softened;
   const SeparationInput input = separation_input(world);
   const std::vector<TetId>& star = world.mesh.stars[node];
   for (std::size_t i = 0; i < star.size(); ++i)

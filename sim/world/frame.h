@@ -11,12 +11,13 @@
 #include "sim/elasticity/material.h"
 #include "sim/fracture/crack_event.h"
 #include "sim/fracture/node_separation.h"
+#include "sim/fracture/softened_impact.h"
+#include "sim/fracture/strength_variation.h"
 #include "sim/ids.h"
 #include "sim/linear_algebra.h"
 #include "sim/solver/node_constraint.h"
 #include "sim/splinters/splinters.h"
 #include "sim/world/probes.h"
-#include "sim/world/softened_impact.h"
 
 namespace griffith {
 
@@ -109,6 +110,7 @@ struct Frame {
   std::span<const ElementState> states;                 ///< per tet
   std::span<const Mat3> stresses;                       ///< per tet: Cauchy stress, world frame [Pa]
   std::span<const Material> materials;                  ///< per scene body, as in force now
+  std::span<const std::optional<Weakness>> weaknesses;  ///< per scene body: unit direction in the placed rest space
   std::span<const BodyView> bodies;                     ///< one per BodyId; bodies are never removed
   std::span<const Splinter> splinters;                  ///< what is seen instead of tets, where bodies have them
   std::span<const SplinterPart> splinter_parts;         ///< by splinter

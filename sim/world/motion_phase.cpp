@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/free_turn.h"
 #include "sim/parallel.h"
 #include "sim/world/phases.h"
 
@@ -13,7 +14,7 @@ namespace {
 /// angular momentum are kept.
 void move_free(WorldState& world, const Body& body, double dt) {
   const RigidMotion before = motion_of(world, body);
-  const Mat3 turn = turn_step(before, dt);
+  const Mat3 turn = free_turn(before.inertia, before.angular_velocity, dt);
   const Vec3 center = before.center + dt * before.velocity;
   for (NodeId node : body.nodes) {
     Vec3 &position = world.nodes.positions[node], &velocity = world.nodes.velocities[node];
@@ -40,9 +41,11 @@ Vec3 way_of(const WorldState& world, const Body& body, double dt) {
 void move_rigid(WorldState& world, Body& body, double dt) {
   if (body.supported()) return;  // frozen: its supports hold it
   RigidMotion& motion = body.motion;
-  const Mat3 turn = turn_step(motion, dt);
+  const Mat3 turn = free_turn(motion.inertia, motion.angular_velocity, dt);
   const Vec3 angular_momentum = motion.inertia * motion.angular_velocity;
-  motion.center += way_of(world, body, dt);
+  const Vec3 way = way_of(world, body, dt);
+  motion.center += way;
+  motion.velocity = world.contact_world.velocity_after(motion.velocity, way, dt);
   motion.inertia = turn * motion.inertia * turn.transpose();
   motion.angular_velocity = motion.inertia.inverse() * angular_momentum;
   body.orientation = (Quat(turn) * body.orientation).normalized();
@@ -96,6 +99,12 @@ void move_nodes(WorldState& world, const Body& body, double dt) {
   for (NodeId node : body.nodes) world.nodes.positions[node] += dt * world.nodes.velocities[node];
 }
 
+/// What a strain of this size all over a body stores [J].
+double energy_of_strain(const WorldState& world, const Body& body, double strain) {
+  const Material& material = world.material_of(body);
+  return 0.5 * material.young_modulus * strain * strain * body.motion.mass / material.density;
+}
+
 /// Moves an elastic body and takes its stress. Where parts of it turn far in one step, as on a hinge that a crack left,
 /// the linearised step stretches it: then it deforms less, so that it has no more energy than it was given. Whether it
 /// had to.
@@ -107,8 +116,9 @@ bool move_elastic(WorldState& world, const Body& body, const std::vector<Vec3>& 
   move_nodes(world, body, dt);
   update_elements(world, body);
   if (!checked) return false;
+  const double noise = energy_of_strain(world, body, 1e-12);
   const auto gains = [&](double limit) {
-    return mechanical_energy(world, body) > limit + kTolerance * body.energy + 1e-9;
+    return mechanical_energy(world, body) > limit + kTolerance * (body.energy + limit) + noise;
   };
   if (!gains(given)) return false;
   const auto move_with = [&](double share) {

@@ -1,26 +1,54 @@
 #include "sim/world/node_report.h"
 
 #include <algorithm>
+#include <functional>
+#include <optional>
 
 namespace griffith {
 namespace {
 
-int corner_of(const Frame& frame, TetId tet, NodeId node) {
-  const auto& corners = frame.tets[tet];
-  return static_cast<int>(std::find(corners.begin(), corners.end(), node) - corners.begin());
-}
-
 double dyad_across(const Vec3& force, const Vec3& normal) { return normal.dot(force_dyad(force) * normal); }
 
-ElementShare element_share(const Frame& frame, TetId tet, NodeId node, const Vec3& normal) {
+ElementShare element_share(const Frame& frame, const SeparationInput& input, TetId tet, const NodeReport& report) {
+  const Vec3 normal = report.normal();
   ElementShare element;
   element.tet = tet;
   Vec3 middle = Vec3::Zero();
   for (NodeId corner : frame.tets[tet]) middle += frame.positions[corner] / 4;
-  element.above = normal.dot(middle - frame.positions[node]) > 0;
-  element.force = split_force(frame.rests[tet], frame.states[tet], corner_of(frame, tet, node));
-  element.share = 0.5 * (dyad_across(element.force.tensile, normal) - dyad_across(element.force.compressive, normal));
+  element.above = normal.dot(middle - frame.positions[report.node]) > 0;
+  element.force = split_force(input, tet, report.node);
+  element.share = report.by_tension ? tension_share(input, tet, report.node, report.plane)
+                                    : 0.5 * (dyad_across(element.force.tensile, normal) -
+                                             dyad_across(element.force.compressive, normal));
   return element;
+}
+
+/// What the sums of all forces add to v⁺ [N].
+double balance_of(const NodeReport& report) {
+  SplitForce total;
+  for (const ElementShare& element : report.elements) {
+    total.tensile += element.force.tensile;
+    total.compressive += element.force.compressive;
+  }
+  return 0.5 * (dyad_across(total.compressive, report.normal()) - dyad_across(total.tensile, report.normal()));
+}
+
+/// Fills in what the frame's stresses do to the node.
+void strain(const Frame& frame, NodeReport& report) {
+  const SeparationInput input{frame.tets, frame.stars, frame.rests, frame.states, frame.constraints};
+  const int scene_body = frame.bodies[report.body].scene_body;
+  const std::optional<Weakness>& weakness = frame.weaknesses[scene_body];
+  const Mat3 tensor = separation_tensor(input, report.node);
+  report.strained = true;
+  report.principal = principal_values(tensor);
+  report.plane = candidate_plane(input, report.node, tensor,
+                                 weakness ? strength_at(input, report.node, *weakness) : DirectionalStrength());
+  const bool by_stress = frame.materials[scene_body].criterion == FractureCriterion::strength;
+  report.by_tension = by_stress && report.plane.by_tension;
+  report.load = by_stress ? report.plane.stress : report.plane.eigenvalue;
+  for (TetId tet : frame.stars[report.node]) report.elements.push_back(element_share(frame, input, tet, report));
+  if (!report.by_tension && frame.constraints[report.node].is_free()) report.balance = balance_of(report);
+  std::ranges::stable_sort(report.elements, std::greater(), &ElementShare::share);
 }
 
 }  // namespace
@@ -30,19 +58,9 @@ NodeReport node_report(const Frame& frame, NodeId node) {
   report.node = node;
   report.body = frame.tet_bodies[frame.stars[node].front()];
   report.separation = frame.separations[node];
-  report.principal = principal_values(report.separation.tensor);
   report.at_crack_front = frame.at_crack_front[node] != 0;
   report.supported = frame.node_held[node] != 0;
-  const Vec3 normal = report.separation.direction;
-  SplitForce total;
-  for (TetId tet : frame.stars[node]) {
-    report.elements.push_back(element_share(frame, tet, node, normal));
-    total.tensile += report.elements.back().force.tensile;
-    total.compressive += report.elements.back().force.compressive;
-  }
-  if (frame.constraints[node].is_free())
-    report.balance = 0.5 * (dyad_across(total.compressive, normal) - dyad_across(total.tensile, normal));
-  std::ranges::stable_sort(report.elements, std::greater(), &ElementShare::share);
+  if (!frame.bodies[report.body].rigid) strain(frame, report);
   for (std::size_t i = 0; i < frame.crack_events.size(); ++i)
     if (frame.crack_events[i].rest_position == frame.rest_positions[node]) report.events.push_back(static_cast<int>(i));
   return report;

@@ -23,6 +23,8 @@ void close_splinters(WorldState& world);
 /// Queues the shots of a burst, its start counted from now. Throws InputError, about the field `where` of the scene,
 /// for a surface file that cannot be read or has no volume.
 void queue_burst(WorldState& world, const ProjectileBurst& burst, const std::string& where);
+/// All bursts of the scene. Throws InputError where they make a crowd in one place.
+void queue_bursts(WorldState& world);
 /// Puts the shots whose time has come into the contact world.
 void launch_projectiles(WorldState& world);
 

@@ -61,32 +61,68 @@ Projectile sphere(const ProjectileBurst& burst) {
   return projectile;
 }
 
+/// Contacts grow with the square of a crowd: throws where many projectiles start inside one another, as they would if
+/// nothing were in the way of those before.
+void require_no_crowd(const WorldState& world) {
+  constexpr int kMostInside = 32;
+  const std::vector<PendingShot>& shots = world.pending_shots;
+  std::vector<Vec3> velocities;
+  for (const PendingShot& shot : shots) velocities.push_back(shot.burst.speed * shot.burst.direction.normalized());
+  for (std::size_t i = 0; i < shots.size(); ++i) {
+    int inside = 0;
+    for (std::size_t j = 0; j < i && inside <= kMostInside; ++j) {
+      const double t = shots[i].time - shots[j].time;
+      const Vec3 flown = t * velocities[j] + t * t / 2 * world.scene.gravity;
+      const Vec3 apart = shots[i].burst.position - shots[j].burst.position - flown;
+      inside += apart.norm() < shots[i].projectile.radius + shots[j].projectile.radius;
+    }
+    if (inside > kMostInside)
+      throw InputError("#/projectiles", "start inside more than 32 others of them",
+                       "take a longer interval, a higher speed or different positions");
+  }
+}
+
 }  // namespace
 
 void queue_burst(WorldState& world, const ProjectileBurst& burst, const std::string& where) {
   const Projectile projectile =
       burst.shape ? convex_projectile(std::visit(Outline{world.scene.folder, where}, *burst.shape), burst, where)
                   : sphere(burst);
+  ProjectileBurst flight = burst;
+  flight.shape.reset();  // the projectile has it, once for the whole burst
+  std::vector<PendingShot>& pending = world.pending_shots;
+  const std::ptrdiff_t before = std::ssize(pending);
   for (int i = 0; i < burst.count; ++i)
-    world.pending_shots.push_back({world.time + burst.start + i * burst.interval, burst, projectile});
-  std::stable_sort(world.pending_shots.begin(), world.pending_shots.end(),
-                   [](const PendingShot& a, const PendingShot& b) { return a.time < b.time; });
+    pending.push_back({world.time + burst.start + i * burst.interval, flight, projectile});
+  if (before == 0 || pending[before].time >= pending[before - 1].time) return;
+  std::inplace_merge(pending.begin(), pending.begin() + before, pending.end(),
+                     [](const PendingShot& a, const PendingShot& b) { return a.time < b.time; });
+}
+
+void queue_bursts(WorldState& world) {
+  for (std::size_t i = 0; i < world.scene.projectiles.size(); ++i)
+    queue_burst(world, world.scene.projectiles[i], "#/projectiles/" + std::to_string(i));
+  require_no_crowd(world);
 }
 
 void launch_projectiles(WorldState& world) {
   const double rounding = 1e-6 * world.scene.simulation.time_step;
-  while (!world.pending_shots.empty() && world.pending_shots.front().time <= world.time + rounding) {
-    const ProjectileBurst& burst = world.pending_shots.front().burst;
-    Projectile& projectile = world.projectiles.emplace_back(world.pending_shots.front().projectile);
+  std::vector<PendingShot>& pending = world.pending_shots;
+  const auto due =
+      std::ranges::find_if(pending, [&](const PendingShot& shot) { return shot.time > world.time + rounding; });
+  for (auto shot = pending.begin(); shot != due; ++shot) {
+    const ProjectileBurst& burst = shot->burst;
+    Projectile& projectile = world.projectiles.emplace_back(shot->projectile);
     const RigidState state{{burst.position, rotation_of(burst.rotation_degrees)},
                            burst.speed * burst.direction.normalized(),
                            burst.angular_velocity};
-    projectile.object =
-        projectile.hull
-            ? world.contact_world.add_convex(projectile.hull->corners, {projectile.mass, projectile.inertia}, state, {})
-            : world.contact_world.add_sphere(projectile.radius, projectile.mass, state, {});
-    world.pending_shots.erase(world.pending_shots.begin());
+    const SurfaceProperties surface{burst.friction, burst.restitution};
+    projectile.object = projectile.hull
+                            ? world.contact_world.add_convex(projectile.hull->corners,
+                                                             {projectile.mass, projectile.inertia}, state, surface)
+                            : world.contact_world.add_sphere(projectile.radius, projectile.mass, state, surface);
   }
+  pending.erase(pending.begin(), due);
 }
 
 }  // namespace griffith

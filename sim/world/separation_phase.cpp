@@ -15,19 +15,11 @@ double element_size(const WorldState& world, NodeId node) {
   return std::cbrt(6 * volume / static_cast<double>(world.mesh.stars[node].size()));
 }
 
-/// The body's direction of weakness as it lies at a node now.
-DirectionalStrength strength_at(const WorldState& world, const Weakness& weakness, NodeId node) {
-  Vec3 axis = Vec3::Zero();
-  for (TetId tet : world.mesh.stars[node])
-    axis += world.elements.rests[tet].volume * (world.elements.states[tet].frame * weakness.direction);
-  return directional_strength(weakness, axis.normalized());
-}
-
 NodeSeparation evaluate_node(const WorldState& world, const SeparationInput& input, const Body& body, NodeId node,
                              bool averaged) {
   const Material& material = world.material_of(body);
   const std::optional<Weakness>& weakness = world.weaknesses[body.scene_body];
-  const DirectionalStrength strength = weakness ? strength_at(world, *weakness, node) : DirectionalStrength();
+  const DirectionalStrength strength = weakness ? strength_at(input, node, *weakness) : DirectionalStrength();
 
   NodeSeparation separation;
   separation.tensor = separation_tensor(input, node);
@@ -53,7 +45,7 @@ void evaluate_body(WorldState& world, const SeparationInput& input, const Body& 
 }  // namespace
 
 SeparationInput separation_input(const WorldState& world) {
-  return {world.mesh, world.elements.rests, world.elements.states, world.nodes.constraints};
+  return {world.mesh.tets, world.mesh.stars, world.elements.rests, world.elements.states, world.nodes.constraints};
 }
 
 void evaluate_separation(WorldState& world, const Body& body) {

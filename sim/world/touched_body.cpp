@@ -28,37 +28,53 @@ Vec3 stand_in_position(const Body& body, const SurfacePoint& point) {
   return body.motion.center + body.orientation * arm;
 }
 
-/// The compliance of the touched surface points: of the implicit step's system, or of single nodes, which explicit
-/// integration moves before their neighbours answer.
-PointCompliance surface_compliance(const WorldState& world, const Body& body, std::span<const TouchedPoint> points) {
-  const bool of_nodes = world.integrates_explicitly();
+/// The touched surface points by the nodes that carry them, `row_of` each.
+template <class RowOf>
+std::vector<WeightedRows> weighted_rows(const WorldState& world, std::span<const TouchedPoint> points, RowOf row_of) {
   std::vector<WeightedRows> rows(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
     for (int k = 0; k < 3; ++k) {
       const NodeId node = points[i].surface.nodes[k];
-      rows[i].rows[k] = of_nodes ? place_of(body, node) : world.nodes.rows[node];
+      rows[i].rows[k] = row_of(node);
       rows[i].weights[k] = points[i].surface.weights[k] * world.nodes.constraints[node].allowed;
     }
-  if (!of_nodes) return body.system->compliance(rows);
-  std::vector<Mat3> nodes;
-  for (NodeId node : body.nodes) nodes.push_back(Mat3::Identity() / world.nodes.masses[node]);
-  return node_compliance(rows, nodes);
+  return rows;
 }
 
-/// What the offsets of the contacts from the surface add: the rigid answer at the contacts for that at the surface. The
-/// rest holds the latter: the sum stays positive semidefinite.
-void add_offset_compliance(const WorldState& world, const TouchedBody& touched, double dt,
-                           PointCompliance& compliance) {
-  const Body& body = world.bodies[touched.body];
-  if (body.supported()) return;
-  const Mat3 inverse_inertia = body.motion.inertia.inverse() / (1 + dt * world.material_of(body).mass_damping);
-  std::vector<Mat3> contact_arms, surface_arms;
-  for (const TouchedPoint& point : touched.points) {
-    contact_arms.push_back(cross_matrix(point.contact - body.motion.center));
-    surface_arms.push_back(cross_matrix(point.position - body.motion.center));
-  }
-  compliance.add_modes(inverse_inertia, contact_arms, false);
-  compliance.add_modes(inverse_inertia, surface_arms, true);
+/// Cross matrices of the arms from the body's centre of mass to `place` of each point.
+std::vector<Mat3> arm_matrices(const Body& body, std::span<const TouchedPoint> points, Vec3 TouchedPoint::* place) {
+  std::vector<Mat3> arms;
+  for (const TouchedPoint& point : points) arms.push_back(cross_matrix(point.*place - body.motion.center));
+  return arms;
+}
+
+/// Explicit integration moves single nodes before their neighbours answer. What the offsets of the contacts from the
+/// surface add is the rigid answer at the contacts less that at the surface, which the nodes' hold.
+PointCompliance explicit_compliance(const WorldState& world, const Body& body, std::span<const TouchedPoint> points) {
+  std::vector<Mat3> nodes;
+  for (NodeId node : body.nodes) nodes.push_back(Mat3::Identity() / world.nodes.masses[node]);
+  PointCompliance compliance =
+      node_compliance(weighted_rows(world, points, [&](NodeId node) { return place_of(body, node); }), nodes);
+  if (body.supported()) return compliance;
+  const Mat3 inverse_inertia = body.motion.inertia.inverse();
+  compliance.add_modes(inverse_inertia, arm_matrices(body, points, &TouchedPoint::contact), false);
+  compliance.add_modes(inverse_inertia, arm_matrices(body, points, &TouchedPoint::position), true);
+  return compliance;
+}
+
+/// That of the implicit step's system: about what deforms, and of a free body, exactly, how the whole of it moves. A
+/// sum of what is positive semidefinite each: with less, impulses would feed each other.
+PointCompliance implicit_compliance(const WorldState& world, const Body& body, std::span<const TouchedPoint> points,
+                                    double dt) {
+  const auto rows = weighted_rows(world, points, [&](NodeId node) { return world.nodes.rows[node]; });
+  if (body.supported()) return body.system->compliance(rows);
+  PointCompliance compliance = body.system->deforming_compliance(rows, world.nodes.positions, world.nodes.masses);
+  const double damping = 1 + dt * world.material_of(body).mass_damping;
+  const std::vector<Mat3> whole(points.size(), Mat3::Identity());
+  compliance.add_modes(Mat3::Identity() / (damping * body.motion.mass), whole, false);
+  compliance.add_modes(body.motion.inertia.inverse() / damping,
+                       arm_matrices(body, points, &TouchedPoint::contact), false);
+  return compliance;
 }
 
 bool is_elastic(const WorldState& world, ProxyId object) {
@@ -156,9 +172,13 @@ void drop_near_misses(WorldState& world, TouchedBodies& touched, double dt) {
 void prepare_response(const WorldState& world, const TouchedBody& touched, double dt, ElasticResponse& response) {
   response.free_velocities = response.velocities = point_velocities(world, touched);
   response.impulses = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(touched.points.size()));
-  response.compliance = surface_compliance(world, world.bodies[touched.body], touched.points);
-  add_offset_compliance(world, touched, dt, response.compliance);
-  if (!world.integrates_explicitly()) response.compliance.scale(world.bodies[touched.body].compliance_factor);
+  const Body& body = world.bodies[touched.body];
+  if (world.integrates_explicitly()) {
+    response.compliance = explicit_compliance(world, body, touched.points);
+  } else {
+    response.compliance = implicit_compliance(world, body, touched.points, dt);
+    response.compliance.scale(body.compliance_factor);
+  }
 }
 
 Eigen::Matrix3Xd point_velocities(const WorldState& world, const TouchedBody& touched) {

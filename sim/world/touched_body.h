@@ -20,7 +20,8 @@ struct TouchedPoint {
 struct TouchedBody {
   BodyId body;
   std::vector<TouchedPoint> points;  ///< per contact of its response
-  NodeVectors change;                ///< what the contacts did to the velocities of the body's nodes [m/s]
+  NodeVectors free;    ///< velocities of the nodes of its system without the contacts, once it has answered [m/s]
+  NodeVectors change;  ///< what the contacts did to them [m/s]
 };
 
 /// The elastic bodies that touch something, and an empty response of each, by body.

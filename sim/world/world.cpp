@@ -66,6 +66,7 @@ Frame World::frame() const {
   frame.states = world.elements.states;
   frame.stresses = world.elements.stresses;
   frame.materials = world.materials;
+  frame.weaknesses = world.weaknesses;
   frame.bodies = world.body_views;
   frame.splinters = world.splinters.splinters;
   frame.splinter_parts = world.splinters.parts;

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <string>
 #include <vector>
@@ -49,9 +50,8 @@ TEST(CommandLine, BadUsageIsExitCode2WithAMessage) {
 }
 
 TEST(CommandLine, MissingFileIsExitCode2AndNamed) {
-  for (const char* arguments :
-       {"simulate no_such.json --frames 1", "render no_such.json -o a.png", "check no_such.json", "no_such.json",
-        "mesh no_such.json -o a.msh"}) {
+  for (const char* arguments : {"simulate no_such.json --frames 1", "render no_such.json -o a.png",
+                                "check no_such.json", "no_such.json", "mesh no_such.json -o a.msh"}) {
     const Outcome outcome = run_program(arguments);
     EXPECT_EQ(outcome.code, 2) << arguments;
     EXPECT_THAT(outcome.output, HasSubstr("no_such.json")) << arguments;
@@ -87,11 +87,74 @@ TEST(CommandLine, EditorWithoutDisplaySaysWhatToDoInstead) {
   EXPECT_THAT(outcome.output, HasSubstr("griffith render"));
 }
 
-TEST(CommandLine, UnwritableStatsAreNamedAndLeaveNothingBehind) {
-  const Outcome outcome =
-      run_program("simulate --frames 1 --stats /no/such/folder/a.json " + small_wall_file().string());
-  EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.output, HasSubstr("/no/such/folder/a.json"));
+/// A run of so many steps would take hours.
+TEST(CommandLine, AnOutputThatCannotBeWrittenIsToldBeforeTheWork) {
+  const std::string scene = small_wall_file().string();
+  const std::string file = test_file("file", "").string();
+  std::vector<std::string> bad = {"render --frame 9000000 -o /no/such/a.png " + scene,
+                                  "render --frame 9000000 --every 9 -o /no/such/a.png " + scene,
+                                  "simulate --frames 9000000 --export-pieces " + file + "/a " + scene,
+                                  "mesh no_such.obj -o /no/such/a.msh",
+                                  "mesh no_such.obj -o a.msh --report /no/such/a.json"};
+  for (const char* option : {"--stats /no/such/a.json", "--probes /no/such/a.csv", "--events /no/such/a.json",
+                             "--export /no/such/a.vtu", "--stats /dev"})
+    bad.push_back("simulate --frames 9000000 " + std::string(option) + " " + scene);
+  for (const std::string& arguments : bad) {
+    const Outcome outcome = run_program(arguments, "timeout 20");
+    EXPECT_EQ(outcome.code, 2) << arguments << outcome.output;
+    EXPECT_THAT(outcome.output, testing::AnyOf(HasSubstr("/a"), HasSubstr("/dev: is a folder"))) << arguments;
+  }
+}
+
+TEST(CommandLine, AnOutputThatFailsKeepsNoOtherFromBeingWritten) {
+  const auto stats = test_folder() / "stats.json";
+  std::filesystem::remove(stats);
+  const Outcome outcome = run_program("simulate --frames 1 --events /dev/full --stats " + stats.string() + " " +
+                                      small_wall_file().string());
+  EXPECT_EQ(outcome.code, 2) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("/dev/full: cannot be written: No space left on device"));
+  EXPECT_TRUE(std::filesystem::exists(stats));
+}
+
+TEST(CommandLine, AStdoutThatIsFullIsAnError) {
+  const std::string scene = small_wall_file().string();
+  for (const std::string& arguments :
+       {"simulate --frames 1 " + scene, "check " + scene, std::string("--version"), std::string("render --help")}) {
+    EXPECT_EQ(run_program(arguments + " > /dev/full").code, 2) << arguments;
+  }
+  EXPECT_EQ(run_program("check " + scene + " > /dev/null").code, 0);
+}
+
+TEST(CommandLine, PipesAndDevicesAreNoInput) {
+  const auto pipe = test_folder() / "pipe.obj";
+  std::filesystem::remove(pipe);
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const auto scene = test_file("pipe.json", R"({"version": 1, "bodies": [
+      {"name": "a", "shape": {"mesh": {"path": "/dev/zero"}}}, {"name": "b", "shape": {"surface": {"path": "pipe.obj"}}}]})");
+  for (const std::string& arguments :
+       {"check " + pipe.string(), "simulate --frames 1 " + pipe.string(), "check " + scene.string(),
+        std::string("check /dev/zero"), "mesh " + pipe.string() + " -o " + (test_folder() / "a.msh").string()}) {
+    const Outcome outcome = run_program(arguments, "timeout 20");
+    EXPECT_EQ(outcome.code, 2) << arguments;
+    EXPECT_THAT(outcome.output, HasSubstr("is no regular file")) << arguments;
+  }
+}
+
+TEST(CommandLine, AMissingTetgenIsTold) {
+  const auto bin = test_folder() / "bin";
+  std::filesystem::create_directories(bin);
+  if (!std::filesystem::exists(bin / "stdbuf")) std::filesystem::create_symlink("/usr/bin/stdbuf", bin / "stdbuf");
+  const std::string cache = (test_folder() / "cache").string();
+  const Outcome outcome = run_program("check " GRIFFITH_SOURCE_DIR "/scenes/vase_shot.json",
+                                      "PATH=" + bin.string() + " XDG_CACHE_HOME=" + cache);
+  EXPECT_THAT(outcome.output, HasSubstr("TetGen is not installed"));
+}
+
+TEST(CommandLine, AMissingFolderForTemporaryFilesIsTold) {
+  const Outcome outcome = run_program("check " GRIFFITH_SOURCE_DIR "/scenes/vase_shot.json",
+                                      "TMPDIR=/no/such/folder XDG_CACHE_HOME=" + (test_folder() / "cache").string());
+  EXPECT_EQ(outcome.code, 2) << outcome.output;
+  EXPECT_THAT(outcome.output, HasSubstr("TMPDIR: names no folder"));
 }
 
 TEST(CommandLine, NoProgressWhereThereIsNoTerminal) {

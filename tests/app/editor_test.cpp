@@ -8,62 +8,14 @@
 #include <chrono>
 #include <thread>
 
-#include "app/interface.h"
-#include "program.h"
-#include "renderer/egl_context.h"
-#include "renderer/target.h"
+#include "editor_fixture.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/scene_writer.h"
+#include "sim/world/node_report.h"
+#include "ui/units.h"
 
 namespace griffith::app {
 namespace {
-
-/// The editor with graphics but without a window, driven through its widgets.
-class EditorTest : public testing::Test {
- protected:
-  EditorTest() : interface_(1), target_(1200, 800), editor_(small_wall(), "") { draw(3); }
-
-  void draw(int frames = 1) {
-    for (int i = 0; i < frames; ++i) {
-      editor_.draw_picture(1);
-      interface_.begin_frame(target_.width(), target_.height());
-      editor_.draw_panels(interface_.fonts());
-      target_.bind();
-      interface_.end_frame();
-    }
-  }
-
-  void click(const std::string& tag, int button = 0) {
-    const ui::WidgetTag* widget = ui::find_tag(editor_.tags(), tag);
-    ASSERT_NE(widget, nullptr) << tag;
-    ImGuiIO& io = ImGui::GetIO();
-    io.MousePos = widget->center();
-    draw();
-    io.MouseDown[button] = true;
-    draw();
-    io.MouseDown[button] = false;
-    draw(2);
-  }
-
-  /// Draws until nothing is being built, a minute at most.
-  void wait_for_work() {
-    for (int i = 0; i < 6000 && !editor_.state().work.empty(); ++i) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-      draw();
-    }
-    draw(4);  // a dialog needs some to find its place
-  }
-
-  std::string value(const std::string& tag) const {
-    const ui::WidgetTag* widget = ui::find_tag(editor_.tags(), tag);
-    return widget ? widget->value : "no widget " + tag;
-  }
-
-  render::EglContext context_;
-  Interface interface_;
-  render::Target target_;
-  Editor editor_;
-};
 
 TEST_F(EditorTest, WorkThatLastsShowsADialogThatCancelsIt) {
   Scene scene = small_wall();
@@ -296,7 +248,9 @@ TEST_F(EditorTest, SelectionIsExplainedAndSurvivesBreakingAndReset) {
   EXPECT_EQ(editor_.state().selection.rest_position, selected.rest_position);
   EXPECT_NE(value("inspector/verdict").find("resistance"), std::string::npos);
   EXPECT_GE(std::stoi(value("inspector/margin_plot")), 13);
-  EXPECT_NE(value("inspector/element/0").find("N"), std::string::npos);
+  const NodeReport report = node_report(editor_.frame(), editor_.state().selection.node);
+  EXPECT_EQ(value("inspector/element/0"),
+            ui::format_quantity(report.elements.front().share, report.by_tension ? "Pa" : "N", 3));
   click("command/simulation.reset");
   EXPECT_EQ(editor_.state().selection, selected);
 }
@@ -322,6 +276,43 @@ TEST_F(EditorTest, KeysSliceTheBodiesAndSelectTheMostLoadedNode) {
   EXPECT_NE(editor_.state().view.slice->offset, offset);
   press('X');
   EXPECT_FALSE(editor_.state().view.slice);
+}
+
+TEST_F(EditorTest, TheInspectorShowsWhatAddsUpAndTheMaterialOfWhatItExplains) {
+  Scene scene = small_wall();
+  BodyDescription other = scene.bodies[0];
+  other.name = "other";
+  other.position.x() = 4;
+  scene.bodies.insert(scene.bodies.begin(), other);
+  const auto path = test_folder() / "two.json";
+  write_scene(scene, path);
+  editor_.open(path);
+  wait_for_work();
+  for (int i = 0; i < 6; ++i) editor_.step();
+  editor_.state().selected_body = 0;
+  press_key('M');
+  const NodeId node = editor_.state().selection.node;
+  ASSERT_TRUE(node.valid());
+  const NodeReport report = node_report(editor_.frame(), node);
+  EXPECT_EQ(editor_.state().selected_body, editor_.frame().bodies[report.body].scene_body);
+  EXPECT_EQ(editor_.state().selected_body, 1) << "it is the one that was struck";
+  EXPECT_EQ(value("value/Together"), ui::format_quantity(report.sum(), report.by_tension ? "Pa" : "N", 3));
+  EXPECT_EQ(value("value/Load now"), ui::format_quantity(report.load, "Pa"));
+}
+
+TEST_F(EditorTest, TheKeyForTheMostLoadedNodeSaysWhyThereIsNone) {
+  Scene scene = small_wall();
+  scene.projectiles.clear();
+  scene.bodies[0].supports.clear();
+  scene.bodies[0].material.tensile_strength = 1e9;
+  const auto path = test_folder() / "lying.json";
+  write_scene(scene, path);
+  editor_.open(path);
+  wait_for_work();
+  for (int i = 0; i < 60; ++i) editor_.step();
+  press_key('M');
+  EXPECT_FALSE(editor_.state().selection.valid());
+  EXPECT_THAT(value("status/message"), ::testing::HasSubstr("rigid"));
 }
 
 TEST_F(EditorTest, LayersAndElementsAreChosenInTheViewPanel) {

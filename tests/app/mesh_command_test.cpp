@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <csignal>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -76,18 +78,23 @@ TEST(MeshCommand, BadSurfacesAreExitCode2AndDefectsAreWarnings) {
   EXPECT_THAT(filled.output, HasSubstr("3 edges in 1 loop"));
 }
 
-TEST(MeshCommand, CtrlCStopsItAndLeavesNothing) {
+TEST(MeshCommand, AskedToEndItEndsAtOnceAndLeavesNothing) {
   const auto surface = test_file("tetrahedron.off", kTetrahedron);
   const auto folder = test_folder() / "tmp";
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
-  const Outcome outcome = run_program(
-      "mesh " + surface.string() + " --no-cache --element-size 0.008 -o " + (test_folder() / "a.msh").string(),
-      "TMPDIR=" + folder.string() + " timeout --preserve-status -s INT 1");
-  EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.output, HasSubstr("cancelled"));
-  EXPECT_FALSE(std::filesystem::exists(test_folder() / "a.msh"));
-  EXPECT_TRUE(std::filesystem::is_empty(folder));
+  const std::string mesh =
+      "mesh " + surface.string() + " --no-cache --element-size 0.008 -o " + (test_folder() / "a.msh").string();
+  for (const auto& [signal, number] : {std::pair("INT", SIGINT), {"TERM", SIGTERM}, {"HUP", SIGHUP}})
+    for (const char* method : {"tetgen", "volumetric"}) {
+      const auto start = std::chrono::steady_clock::now();
+      const Outcome outcome = run_program(
+          mesh + " --method " + method, "TMPDIR=" + folder.string() + " timeout --preserve-status -s " + signal + " 1");
+      EXPECT_EQ(outcome.code, 128 + number) << method << outcome.output;
+      EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(4)) << signal << ", " << method;
+      EXPECT_FALSE(std::filesystem::exists(test_folder() / "a.msh"));
+      EXPECT_TRUE(std::filesystem::is_empty(folder)) << signal << ", " << method;
+    }
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <set>
 
 #include "program.h"
@@ -68,6 +70,33 @@ TEST(RenderCommand, SequenceIsNumberedAndAgreesWithSinglePictures) {
               rendered("single.png", "--frame " + std::to_string(frame)));
   }
   EXPECT_FALSE(std::filesystem::exists(test_folder() / "s.png"));
+}
+
+/// The limit on file sizes, four kilobytes, stands in for a full disk.
+TEST(RenderCommand, APictureThatFindsNoRoomLeavesTheOldOne) {
+  const auto path = test_file("a.png", "the old picture");
+  const auto files = [] { return std::distance(std::filesystem::directory_iterator(test_folder()), {}); };
+  const std::string scene = small_wall_file().string();
+  const auto before = files();
+  const Outcome outcome = run_program("render " + scene + " --size 640x400 -o " + path.string(),
+                                      "ulimit -f 8; MESA_SHADER_CACHE_DISABLE=true");
+  EXPECT_EQ(outcome.code, 2) << outcome.output;
+  EXPECT_NE(outcome.output.find("a.png: cannot be written: File too large"), std::string::npos) << outcome.output;
+  std::ifstream old(path);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(old), {}), "the old picture");
+  EXPECT_EQ(files(), before);
+}
+
+/// A file that is no library stands in for one that is missing.
+TEST(RenderCommand, AMissingLibraryOfGraphicsIsTold) {
+  const auto folder = test_folder() / "libraries";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "libEGL.so.1") << "no library";
+  const Outcome outcome =
+      run_program("render " + small_wall_file().string() + " -o " + (test_folder() / "a.png").string(),
+                  "LD_LIBRARY_PATH=" + folder.string());
+  EXPECT_EQ(outcome.code, 1) << outcome.output;
+  EXPECT_NE(outcome.output.find("libegl1"), std::string::npos) << outcome.output;
 }
 
 }  // namespace

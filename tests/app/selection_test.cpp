@@ -4,11 +4,13 @@
 
 #include <random>
 
+#include "app/explanation.h"
 #include "app/margin_history.h"
 #include "app/picking.h"
 #include "program.h"
 #include "sim/world/node_report.h"
 #include "sim/world/world.h"
+#include "ui/units.h"
 #include "ui/verdict.h"
 
 namespace griffith::app {
@@ -150,6 +152,35 @@ TEST(Verdict, SaysWhetherAndWhyANodeBroke) {
     EXPECT_EQ(verdict.kind == Kind::overloaded, overloaded);
     EXPECT_EQ(verdict.kind == Kind::broke, !report.events.empty() && !overloaded);
   }
+}
+
+TEST(Verdict, TellsWhatStoodInForTheMaterial) {
+  Scene scene = small_wall();
+  scene.simulation.time_step = 0.02;
+  scene.simulation.impact_substeps = 1;
+  World world(scene);
+  while (world.frame().crack_events.empty() && world.frame().step < 60) world.step();
+  const Frame frame = world.frame();
+  ASSERT_FALSE(frame.crack_events.empty());
+  const CrackEvent& event = frame.crack_events.front();
+  ASSERT_TRUE(event.softened);
+  const double share = 100 * event.softened->factor * event.softened->factor;
+  const std::string told = "Shown at " + ui::format_quantity(share, "", 2) + " % of its stiffness: ";
+  const std::string verdict = ui::verdict_on(node_report(frame, event.node), frame, true).text;
+  EXPECT_NE(verdict.find(told + reason(*event.softened)), std::string::npos) << verdict;
+  EXPECT_NE(explanation(frame, event.node, true).find(told), std::string::npos) << "and so does render --node";
+  while (world.frame().step < event.step + 3) world.step();
+  const NodeReport later = node_report(world.frame(), event.node);
+  EXPECT_NE(ui::verdict_on(later, world.frame(), true).text.find("of its stiffness"), std::string::npos)
+      << "what broke so long ago did break so";
+
+  scene.simulation.time_step = 1e-4;
+  World fine(scene);
+  while (fine.frame().crack_events.empty() && fine.frame().step < 2000) fine.step();
+  ASSERT_FALSE(fine.frame().crack_events.empty());
+  for (const NodeId node : {fine.frame().crack_events.front().node, NodeId(0)})
+    EXPECT_EQ(ui::verdict_on(node_report(fine.frame(), node), fine.frame(), true).text.find("stiffness"),
+              std::string::npos);
 }
 
 TEST(Verdict, KnowsThatTheSceneKeepsItWhole) {

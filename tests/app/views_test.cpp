@@ -8,6 +8,7 @@
 #include "app/draw_scene_from_frame.h"
 #include "app/glyph_shape.h"
 #include "app/named_view.h"
+#include "app/output.h"
 #include "app/picture_options.h"
 #include "app/scene_legend.h"
 #include "app/shown_mesh.h"
@@ -128,7 +129,7 @@ TEST_F(ViewsTest, EveryLayerShowsItsSignsInItsColours) {
   for (const LayerCase& test : cases) {
     const World& world = test.struck ? *struck_ : *broken_;
     const render::Image plain = picture(world, "plain"), image = picture(world, test.name);
-    render::save_png(test_folder() / (std::string(test.name) + ".png"), image);  // for people to look at
+    save_picture(test_folder() / (std::string(test.name) + ".png"), image);  // for people to look at
     EXPECT_GT(pixels_like(image, test.color), pixels_like(plain, test.color) + 15) << test.name;
   }
 }

@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
+#include <vector>
 
 #include "tests/contact/bodies.h"
 
@@ -71,6 +74,65 @@ INSTANTIATE_TEST_SUITE_P(Collisions, SphereCollision,
                          ::testing::Values(Collision{1, 1, 2, 0, 0, 1}, Collision{1, 1, 5, 0, 0, 0},
                                            Collision{2, 7, 3, 0.1, 0, 0.5}, Collision{25, 1, 40, 0.2, 0.6, 0.3},
                                            Collision{0.5, 30, 100, -0.3, 1, 0.8}));
+
+TEST(SphereContact, ABounceRisesToTheSquareOfItsRestitutionAndNeverAbove) {
+  for (double restitution : {0.5, 0.9, 1.0})
+    for (double dt : {1.0 / 30, 1.0 / 60, 1.0 / 120, 1e-3}) {
+      ContactWorld world(Vec3(0, -9.81, 0));
+      world.add_ground(0, {0.6, restitution});
+      const ProxyId ball = world.add_sphere(0.1, 2, at(Vec3(0.3, 1.1, 0)), {0.6, restitution});
+      double drop = 1, top = 0;
+      int bounces = 0;
+      bool rose = false;
+      for (double time = 0; time < 4 && bounces < 5; time += dt) {
+        testing::solve(world, dt);
+        const bool rises = world.state(ball).velocity.y() > 0;
+        if (rises) top = std::max(top, world.state(ball).pose.translation.y() - 0.1);
+        if (rose && !rises) {
+          // In steps, a top lies up to g dt²/8 above that of the parabola.
+          ASSERT_LE(top, restitution * restitution * drop + 9.81 * dt * dt / 8) << "e " << restitution << ", dt " << dt;
+          EXPECT_GE(top, restitution * restitution * drop - 10 * dt * dt - 5 * dt * std::sqrt(drop) * (1 - restitution))
+              << "e " << restitution << ", dt " << dt;
+          drop = top;
+          top = 0;
+          ++bounces;
+        }
+        rose = rises;
+      }
+      EXPECT_GE(bounces, 2);
+    }
+}
+
+TEST(SphereContact, NoneMovesFurtherThanItsSpeedAllows) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int trial = 0; trial < 40; ++trial) {
+    ContactWorld world(Vec3::Zero());
+    std::vector<ProxyId> debris;
+    for (int i = 0; i < 8; ++i) {
+      const Vec3 size(0.05 + 0.3 * std::abs(uniform(random)), 0.4, 0.05);
+      RigidState state = at(0.6 * Vec3(uniform(random), uniform(random), uniform(random)));
+      state.angular_velocity = 60 * Vec3(uniform(random), uniform(random), uniform(random));
+      debris.push_back(world.add_stand_in(box_parts(size), box_mass(size, 0.3), Mobility::free, state, {}));
+    }
+    const ProxyId ball = world.add_sphere(0.1, 5, at(Vec3(0.2 * uniform(random), 0, 2), Vec3(0, 0, -28)), {});
+    double way = 0, due = 0;
+    for (int i = 0; i < 20; ++i) {
+      const RigidState before = world.state(ball);
+      world.detect();
+      const bool touched = world.max_penetration() > 1e-5;
+      world.solve(kDt);
+      world.advance(kDt);
+      for (ProxyId id : debris) testing::advance(world, id, kDt);
+      const RigidState after = world.state(ball);
+      const double moved = (after.pose.translation - before.pose.translation).norm();
+      if (!touched) EXPECT_LE(moved, after.velocity.norm() * kDt * (1 + 1e-6)) << "trial " << trial << ", step " << i;
+      way += moved;
+      due += after.velocity.norm() * kDt;
+    }
+    EXPECT_GT(way, 0.6 * due) << "it does not hang in the debris, trial " << trial;
+  }
+}
 
 TEST(SphereContact, FrictionTurnsASlidingSphereIntoARollingOne) {
   ContactWorld world(Vec3(0, -9.81, 0));

@@ -113,15 +113,40 @@ TEST(StandInContact, AHeldObjectActsWithItsVelocityAndKeepsIt) {
   EXPECT_NEAR(world.state(box).velocity.x(), 4, 1e-5);
 }
 
-TEST(StandInContact, HeldObjectsAndTheGroundIgnoreEachOther) {
+TEST(StandInContact, HeldObjectsMeetTheGroundOnlyWhereTheyMoveAndNeverEachOther) {
   ContactWorld world(Vec3(0, -9.81, 0));
-  world.add_ground(0, {});
+  const ProxyId ground = world.add_ground(0, {});
   const Vec3 size(1, 1, 1);
+  std::vector<ProxyId> held;
   for (double x : {0.0, 0.5})
-    world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::held, at(Vec3(x, 0, 0)), {});
+    held.push_back(world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::held, at(Vec3(x, 0, 0)), {}));
   world.detect();
   EXPECT_TRUE(world.contacts().empty());
   world.solve(kDt);
+  world.set_state(held[0], at(Vec3(0, 0.01, 0)));
+  world.detect();
+  EXPECT_FALSE(world.contacts().empty());
+  for (const Contact& contact : world.contacts()) {
+    EXPECT_TRUE(contact.a == held[0] || contact.b == held[0]);
+    EXPECT_TRUE(contact.a == ground || contact.b == ground);
+  }
+}
+
+TEST(StandInContact, PushingOverlapsApartLiftsNothingThatRests) {
+  ContactWorld world(testing::kGravity);
+  world.add_ground(0, {});
+  const Vec3 size(1, 1, 1);
+  const ProxyId box =
+      world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(0, 0.45, 0)), {});
+  for (int i = 0; i < 20; ++i) {
+    world.detect();
+    testing::accelerate(world, {box}, kDt * testing::kGravity);
+    world.solve(kDt);
+    world.advance(kDt);
+    testing::advance(world, box, kDt);
+  }
+  EXPECT_LE(world.state(box).pose.translation.y(), 0.45 + 1e-6);
+  EXPECT_GE(world.state(box).pose.translation.y(), 0.45 - 1e-4);
 }
 
 TEST(StandInContact, ATiltedBodyFeelsItsFullInertia) {

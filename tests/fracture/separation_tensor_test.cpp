@@ -45,7 +45,7 @@ struct StressedBox {
   static bool is_inside(const Vec3& p) {
     return std::abs(p.x()) < 0.99 && std::abs(p.y()) < 0.49 && std::abs(p.z()) < 0.49;
   }
-  SeparationInput input() const { return {mesh, rests, states, constraints}; }
+  SeparationInput input() const { return {mesh.tets, mesh.stars, rests, states, constraints}; }
   CandidatePlane plane(int node, const DirectionalStrength& strength = {}) const {
     return candidate_plane(input(), NodeId(node), separation_tensor(input(), NodeId(node)), strength);
   }

@@ -3,6 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <limits>
 #include <random>
 
 #include "sim/error.h"
@@ -229,6 +233,41 @@ TEST(MeshSurface, DamagedCacheEntriesAreIgnored) {
   EXPECT_FALSE(again.from_cache);
   EXPECT_EQ(again.soup.points, made.soup.points);
   EXPECT_TRUE(mesh_surface(ball, wanted, setup).from_cache);
+}
+
+/// An entry whose sum is right: what `header` announces, and then `content`.
+void write_crafted_entry(const std::filesystem::path& path, const std::array<std::int32_t, 4>& header,
+                         const std::string& content) {
+  const std::string bytes = std::string(reinterpret_cast<const char*>(header.data()), sizeof header) + content;
+  std::uint64_t sum = 0xcbf29ce484222325u;  // FNV-1a
+  for (const char byte : bytes) sum = (sum ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
+  std::ofstream(path, std::ios::binary) << "griffith mesh 3\n"
+                                        << std::string(reinterpret_cast<const char*>(&sum), sizeof sum) << bytes;
+}
+
+TEST(MeshSurface, CraftedCacheEntriesAreIgnored) {
+  const std::filesystem::path entry = test_folder() / "entry.tets";
+  constexpr int kMethod = static_cast<int>(MeshingMethod::volumetric), kMost = std::numeric_limits<std::int32_t>::max();
+  std::string content(4 * sizeof(Vec3), '\0');
+  const auto append_tet = [&content](std::array<std::int32_t, 4> tet) {
+    content.append(reinterpret_cast<const char*>(tet.data()), sizeof tet);
+  };
+  append_tet({0, 1, 2, 3});
+  write_crafted_entry(entry, {kMethod, 0, 4, 1}, content);
+  EXPECT_TRUE(read_cache_entry(entry));
+  const std::array<std::int32_t, 4> headers[] = {{kMethod, -1, 4, 1},    {kMethod, kMost, 4, 1}, {kMethod, 0, -4, 1},
+                                                 {kMethod, 0, kMost, 1}, {kMethod, 0, 4, -1},    {kMethod, 0, 4, kMost},
+                                                 {0, 0, 4, 1},           {77, 0, 4, 1},          {kMethod, 0, 3, 1}};
+  for (const auto& header : headers) {
+    write_crafted_entry(entry, header, content);
+    EXPECT_FALSE(read_cache_entry(entry)) << header[0] << ' ' << header[1] << ' ' << header[2] << ' ' << header[3];
+  }
+  for (const int corner : {-1, 4, kMost}) {
+    content.resize(4 * sizeof(Vec3));
+    append_tet({0, 1, 2, corner});
+    write_crafted_entry(entry, {kMethod, 0, 4, 1}, content);
+    EXPECT_FALSE(read_cache_entry(entry)) << corner;
+  }
 }
 
 TEST(MeshSurface, RandomTrianglesAreMeshedOrRefused) {

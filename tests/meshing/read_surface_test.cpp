@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <iterator>
 #include <sstream>
@@ -168,7 +169,7 @@ TEST(Polygon, EarsCoverExactlyThePolygon) {
 TEST(ReadSurface, EachUnusableFileHasItsOwnMessage) {
   const auto folder = test_folder();
   EXPECT_THAT(message_of(folder / "none.obj"), HasSubstr("none.obj: no such file"));
-  EXPECT_THAT(message_of(folder), HasSubstr("is no file"));
+  EXPECT_THAT(message_of(folder), HasSubstr("is a folder"));
   EXPECT_THAT(message_of(written(folder / "box.fbx", "x")), HasSubstr("no surface format known here (.obj, .stl"));
   EXPECT_THAT(message_of(written(folder / "empty.ply", "")), HasSubstr("empty.ply: is empty"));
   EXPECT_THAT(message_of(written(folder / "words.ply", "These are words.")), HasSubstr("cannot be read"));
@@ -236,6 +237,24 @@ TEST(ReadSurface, AReaderThatTakesTooLongIsEnded) {
     EXPECT_THAT(error.problem(), HasSubstr("did not come to an end"));
     EXPECT_THAT(error.remedy(), HasSubstr("export the surface again"));
   }
+}
+
+TEST(ReadSurface, AReaderThatNeedsTooMuchMemoryIsToldSo) {
+  try {
+    read_surface_objects(large_file(), {}, ProcessLimits{60, std::int64_t{160} << 20});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.problem(), HasSubstr("160 MB of memory"));
+  }
+}
+
+/// Without that, the reader would wait for the pipe's writer.
+TEST(ReadSurface, APipeThatASurfaceNamesForItsMaterialsIsPassedOver) {
+  const auto folder = test_folder();
+  std::filesystem::remove(folder / "pipe.mtl");
+  ASSERT_EQ(mkfifo((folder / "pipe.mtl").c_str(), 0600), 0);
+  const auto path = written(folder / "a.obj", "mtllib pipe.mtl\n" + obj_of(box_surface(Vec3::Zero(), Vec3::Ones())));
+  EXPECT_EQ(read_surface_objects(path, {}, ProcessLimits{5, std::int64_t{2} << 30}).size(), 1u);
 }
 
 TEST(ReadSurface, CanBeCancelled) {

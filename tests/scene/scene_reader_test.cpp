@@ -374,6 +374,39 @@ TEST(SceneReader, SurvivesRandomDamage) {
   EXPECT_GT(refused, 1000);
 }
 
+/// A list of `count` items, each `item` with its number in place of #.
+std::string list_of(int count, const std::string& item) {
+  std::string text = "[";
+  for (int i = 0; i < count; ++i) {
+    const std::size_t sign = item.find('#');
+    text += (i > 0 ? "," : "") + item.substr(0, sign);
+    if (sign != std::string::npos) text += std::to_string(i) + item.substr(sign + 1);
+  }
+  return text + "]";
+}
+
+TEST(SceneReader, LimitsHoldForTheWholeScene) {
+  const auto with = [](const std::string& field, const std::string& list) {
+    return problems_of("{\"version\": 1, \"" + field + "\": " + list + "}");
+  };
+  const std::string box = R"({"name": "#", "shape": {"box": {"size": [5, 5, 5], "element_size": 0.1}}})";  // 625,000
+  EXPECT_THAT(with("bodies", list_of(6, box)), testing::IsEmpty());
+  EXPECT_THAT(with("bodies", list_of(7, box)).at(0).problem(), HasSubstr("4 million tetrahedra in all"));
+  EXPECT_THAT(with("projectiles", list_of(2, R"({"count": 5000})")), testing::IsEmpty());
+  EXPECT_THAT(with("projectiles", list_of(3, R"({"count": 5000})")).at(0).problem(), HasSubstr("10000 in all"));
+  for (const char* field : {"bodies", "projectiles", "probes", "cameras"}) {
+    const auto problems = with(field, list_of(10'001, "{}"));
+    EXPECT_EQ(places(problems), std::vector{std::string("doc#/") + field});
+    EXPECT_THAT(problems.at(0).problem(), HasSubstr("more than 10000 items"));
+  }
+}
+
+TEST(SceneReader, OfCountlessProblemsTheFirstAreTold) {
+  const auto problems = problems_of("{\"version\": 1, \"bodies\": " + list_of(9000, "0") + "}");
+  EXPECT_EQ(problems.size(), 1001u);
+  EXPECT_THAT(problems.back().problem(), HasSubstr("more problems"));
+}
+
 TEST(SceneReader, RefusesAbsurdNestingAndAcceptsManyFields) {
   EXPECT_THAT(problems_of(std::string(1000000, '['))[0].problem(), HasSubstr("64 levels"));
   std::string text = R"({"version": 1, "materials": {)";

@@ -10,6 +10,7 @@
 #include "sim/scene/scene_writer.h"
 #include "tests/random_values.h"
 #include "ui/body_rows.h"
+#include "ui/field_range.h"
 #include "ui_driver.h"
 
 namespace griffith::ui {
@@ -73,6 +74,61 @@ TEST(ScenePanels, ATypedNumberIsOneEdit) {
   EXPECT_EQ(ui.history.scene(), two_walls());
 }
 
+TEST(ScenePanels, ABareNumberIsInTheUnitItselfWhateverPrefixTheRowShows) {
+  Scene scene = two_walls();
+  std::get<BoxShape>(scene.bodies[0].shape).size = Vec3(1.2, 0.25, 0.4);
+  UiDriver ui(scene);
+  open(ui, {"body", "body/shape"});
+  ui.click("body/shape/box/size/1", 1);
+  ui.type("0.1");
+  ui.click("body/shape/box/size/0", 1);
+  ui.type("0.1");
+  EXPECT_EQ(std::get<BoxShape>(ui.history.scene().bodies[0].shape).size, Vec3(0.1, 0.1, 0.4));
+}
+
+TEST(ScenePanels, ARowOfNumbersHasOnePrefix) {
+  Scene scene = two_walls();
+  BoxShape& box = std::get<BoxShape>(scene.bodies[0].shape);
+  box.size = Vec3(1.2, 0.25, 0.4);
+  box.element_size = Vec3(0.1, 0.0625, 0.02);
+  UiDriver ui(scene);
+  open(ui, {"body", "body/shape"});
+  EXPECT_NE(find_tag(ui.tags, "label/Size [m]"), nullptr);
+  EXPECT_EQ(ui.value("body/shape/box/size/0"), "1.2");
+  EXPECT_EQ(ui.value("body/shape/box/size/1"), "0.25");
+  EXPECT_NE(find_tag(ui.tags, "label/Element size [mm]"), nullptr);
+  EXPECT_EQ(ui.value("body/shape/box/element_size/0"), "100");
+  EXPECT_EQ(ui.value("body/shape/box/element_size/1"), "62.5");
+}
+
+TEST(ScenePanels, WhatANumberTakesInAFileItTakesInItsPanel) {
+  UiDriver ui(two_walls());
+  open(ui, {"body"});
+  const Numbers place = range_of<BodyDescription>("position");
+  ui.click("body/position/0", 1);
+  ui.type("1e6");
+  EXPECT_EQ(ui.history.scene().bodies[0].position.x(), place.maximum);
+  EXPECT_EQ(find_tag(ui.tags, "field_note"), nullptr);
+  ui.click("body/position/0", 1);
+  ui.type("-2e6 m");
+  EXPECT_EQ(ui.history.scene().bodies[0].position.x(), place.minimum);
+  EXPECT_THAT(ui.value("field_note"), ::testing::HasSubstr("less than -1 Mm and was set to it"));
+}
+
+TEST(ScenePanels, WhatIsNotTakenIsToldAtItsField) {
+  UiDriver ui(two_walls());
+  open(ui, {"body", "body/weakness", "body/supports", "body/supports/add", "body/supports/0"});
+  const Scene before = ui.history.scene();
+  ui.click("body/name");
+  ui.press_key('A', true);
+  ui.press_key(259);  // Backspace
+  EXPECT_THAT(ui.value("field_note"), ::testing::HasSubstr("cannot be empty"));
+  EXPECT_EQ(ui.state.field_note.tag, "body/name");
+  ui.click("scene");
+  EXPECT_EQ(find_tag(ui.tags, "field_note"), nullptr) << "it is of an old edit";
+  EXPECT_EQ(ui.history.scene(), before);
+}
+
 TEST(ScenePanels, ShapesAndRegionsChangeTheirKind) {
   UiDriver ui(two_walls());
   open(ui, {"body", "body/shape", "body/shape/kind_of", "body/shape/kind_of/sphere"});
@@ -101,7 +157,7 @@ TEST(ScenePanels, WhatBelongsToAnotherKindOfLoadGoesWithIt) {
   ui.click("body/loads/0/kind/pressure");
   EXPECT_EQ(ui.history.scene().bodies[0].loads[0].kind, LoadKind::pressure);
   EXPECT_NE(find_tag(ui.tags, "body/loads/0/pressure"), nullptr);
-  EXPECT_TRUE(ui.state.field_problem.empty()) << ui.state.field_problem;
+  EXPECT_TRUE(ui.state.field_note.text.empty()) << ui.state.field_note.text;
   expect_valid(ui);
 }
 
@@ -112,11 +168,11 @@ TEST(ScenePanels, WhatBreaksARuleIsNotTakenAndTheRuleIsShown) {
   const Scene before = ui.history.scene();
   ui.click("body/remeshing");
   EXPECT_EQ(ui.history.scene(), before);
-  EXPECT_THAT(ui.state.field_problem, ::testing::HasSubstr("Remeshing is asked for beside splinters"));
+  EXPECT_THAT(ui.value("field_note"), ::testing::HasSubstr("Remeshing is asked for beside splinters"));
   ui.click("body/splinters");
   ui.click("body/remeshing");
   EXPECT_TRUE(ui.history.scene().bodies[0].remeshing);
-  EXPECT_TRUE(ui.state.field_problem.empty());
+  EXPECT_EQ(find_tag(ui.tags, "field_note"), nullptr) << "it is of an old edit";
 }
 
 TEST(ScenePanels, ProbesFollowTheNameOfTheirBody) {

@@ -42,7 +42,8 @@ std::vector<Vec3> Specimen::elastic_forces() const {
 }
 
 Separation Specimen::separation(int node) const {
-  const SeparationInput input{world_.mesh, world_.elements.rests, world_.elements.states, world_.nodes.constraints};
+  const SeparationInput input{world_.mesh.tets, world_.mesh.stars, world_.elements.rests, world_.elements.states,
+                              world_.nodes.constraints};
   const CandidatePlane plane = candidate_plane(input, NodeId(node), separation_tensor(input, NodeId(node)));
   return {plane.stress, plane.normal};
 }

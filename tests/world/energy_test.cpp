@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "sim/world/world.h"
@@ -91,6 +92,83 @@ TEST(Energy, BlocksThatCollideGainNone) {
     }
     expect_no_energy_created(scene, 60, "trial " + std::to_string(trial));
   }
+}
+
+/// Two blocks of random materials, soft and stiff, smooth and rough, that meet in weightless space. `size`: of the blocks
+/// [m].
+Scene meeting_blocks(int seed, double size) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  Scene scene;
+  scene.gravity.setZero();
+  scene.ground.reset();
+  for (double side : {-1.0, 1.0}) {
+    BodyDescription block;
+    block.name = side < 0 ? "left" : "right";
+    block.shape = BoxShape{size * Vec3(1, 0.6, 0.2), Vec3::Constant(0.3 * size), BoxPattern::five_tet};
+    block.position = size * Vec3(0.7 * side, 0.2 * uniform(random), 0.1 * uniform(random));
+    block.rotation_degrees = 90 * Vec3(uniform(random), uniform(random), uniform(random));
+    block.velocity = Vec3(-side * 8, uniform(random), uniform(random));
+    block.material = brick(std::pow(10, uniform(random)));
+    block.material.young_modulus = std::pow(10, 8 + 3 * uniform(random));
+    block.material.friction = 5 + 5 * uniform(random);
+    block.material.element_model = seed % 3 ? ElementModel::green_strain : ElementModel::corotational;
+    scene.bodies.push_back(block);
+  }
+  scene.simulation.time_step = size * (seed % 2 ? 0.03 : 0.005);
+  return scene;
+}
+
+TEST(Energy, BlocksOfAnySizeThatMeetKeepTheirMomentumAndGainNone) {
+  int seed = 0;
+  for (double size : {1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 1e3})
+    for (int trial = 0; trial < 6; ++trial, ++seed) {
+      World world(meeting_blocks(seed, size));
+      const Totals before = world.frame().totals;
+      const double scale = before.mass * 8;
+      double most = before.kinetic_energy;
+      for (int step = 0; step < 25; ++step) {
+        world.step();
+        const Totals now = world.frame().totals;
+        const double energy = now.kinetic_energy + now.elastic_energy;
+        ASSERT_LT((now.momentum - before.momentum).norm(), 1e-9 * scale) << "size " << size << ", seed " << seed;
+        ASSERT_LE(energy, most * (1 + 1e-3)) << "size " << size << ", seed " << seed << ", step " << step;
+        most = std::min(most, energy);
+      }
+    }
+}
+
+// A length scaled by s, with times scaled alike: speeds, stresses and what breaks are the same.
+TEST(Energy, ASceneScaledThroughoutBehavesAlike) {
+  const auto outcome = [](double scale) {
+    Scene scene = meeting_blocks(3, scale);
+    for (BodyDescription& body : scene.bodies) body.material.fracture_toughness *= std::sqrt(scale);
+    World world(scene);
+    for (int step = 0; step < 12; ++step) world.step();
+    return std::pair(world.frame().totals.kinetic_energy / std::pow(scale, 3), world.frame().bodies.size());
+  };
+  const auto [energy, bodies] = outcome(1);
+  for (double scale : {1.0 / 1024, 1024.0}) {
+    EXPECT_NEAR(outcome(scale).first, energy, 1e-6 * energy) << scale;
+    EXPECT_EQ(outcome(scale).second, bodies) << scale;
+  }
+}
+
+TEST(Energy, AWallWhoseDebrisIsShotAgainGainsNone) {
+  Scene scene = testing::shot_wall(Vec3(3, 3, 1), 1.5, brick(0.024));
+  scene.projectiles[0].position = Vec3(0, 2, 6.5);
+  World world(scene);
+  std::size_t launched = 0;
+  double before = 0;
+  for (int step = 0; step < 120; ++step) {
+    world.step();
+    const Frame frame = world.frame();
+    const double now = mechanical_energy(scene, frame);
+    if (frame.projectiles.size() == launched && launched > 0) EXPECT_LE(now, before + 2) << "step " << step;
+    launched = frame.projectiles.size();
+    before = now;
+  }
+  EXPECT_GT(world.frame().bodies.size(), 5u);
 }
 
 TEST(Energy, MomentumAndEnergyStandThroughAThousandStepsWithAnImpactThatBreaks) {

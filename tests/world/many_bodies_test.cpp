@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "sim/error.h"
 #include "sim/parallel.h"
 #include "sim/world/shape_mesh.h"
 #include "sim/world/world.h"
@@ -99,6 +100,57 @@ TEST(ManyBodies, EqualShapesShareAMesh) {
       EXPECT_EQ(meshes[i] == meshes[j], scene.bodies[i].shape == scene.bodies[j].shape) << i << ", " << j;
   EXPECT_TRUE(meshes[0]->slit_tips.empty());
   EXPECT_FALSE(meshes[1]->slit_tips.empty());
+}
+
+std::string problem_of(const Scene& scene) {
+  try {
+    const World world(scene);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+/// A thousand in one place would be half a million contacts.
+TEST(ManyBodies, ACrowdOfProjectilesIsRefused) {
+  Scene scene;
+  ProjectileBurst burst;
+  burst.count = 1000;
+  burst.interval = 0.011;  // .44 m of flight, more than the diameter
+  scene.projectiles = {burst};
+  EXPECT_EQ(problem_of(scene), "none");
+  scene.projectiles[0].interval = 0;
+  EXPECT_TRUE(problem_of(scene).starts_with("#/projectiles: start inside more than 32 others")) << problem_of(scene);
+  scene.projectiles[0].count = 33;
+  EXPECT_EQ(problem_of(scene), "none");
+  scene.projectiles.resize(2, scene.projectiles[0]);
+  EXPECT_NE(problem_of(scene), "none");
+  scene.projectiles[1].start = 0.5;
+  EXPECT_EQ(problem_of(scene), "none");
+}
+
+TEST(ManyBodies, ACrowdOfBodiesIsRefused) {
+  Scene scene;
+  for (int i = 0; i < 1500; ++i) {
+    BodyDescription& body = scene.bodies.emplace_back();
+    body.name = std::to_string(i);
+    body.shape = BoxShape{Vec3::Ones(), Vec3::Ones(), BoxPattern::five_tet};
+    body.position = Vec3(2 * (i % 50), 2 * (i / 50), 0);
+  }
+  EXPECT_EQ(problem_of(scene), "none");
+  for (BodyDescription& body : scene.bodies) body.position = Vec3::Zero();
+  EXPECT_TRUE(problem_of(scene).starts_with("#/bodies: stand inside one another")) << problem_of(scene);
+}
+
+/// Of equal shapes, too, which share their mesh.
+TEST(ManyBodies, TetsOfAllFilesTogetherAreLimited) {
+  Scene scene;
+  for (int i = 0; i < 900; ++i) {
+    BodyDescription& body = scene.bodies.emplace_back();
+    body.name = std::to_string(i);
+    body.shape = BoxShape{Vec3::Ones(), Vec3::Constant(0.1), BoxPattern::five_tet};  // 5000 tets
+  }
+  EXPECT_TRUE(problem_of(scene).starts_with("#/bodies/800/shape: brings the scene to more than 4 million"));
 }
 
 }  // namespace

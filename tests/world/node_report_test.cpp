@@ -11,22 +11,49 @@
 namespace griffith::testing {
 namespace {
 
-TEST(NodeReport, SharesAndBalanceAddUpToTheLoadOnThePlane) {
-  World world(shot_wall(Vec3(2, 2, 0.5), 0.25, brick(20)));
-  for (int step = 0; step < 30; ++step) world.step();
-  const Frame frame = world.frame();
-  double largest = 0;
-  for (std::size_t i = 0; i < frame.positions.size(); ++i) {
-    const NodeReport report = node_report(frame, NodeId(static_cast<std::int64_t>(i)));
-    double sum = report.balance;
-    for (const ElementShare& element : report.elements) sum += element.share;
-    const Vec3 normal = report.separation.direction;
-    const double scale = report.separation.tensor.norm();
-    EXPECT_NEAR(sum, normal.dot(report.separation.tensor * normal), 1e-9 * scale + 1e-9) << i;
-    EXPECT_EQ(report.elements.size(), frame.stars[i].size());
-    largest = std::max(largest, scale);
+TEST(NodeReport, WhatItShowsIsOfOneMomentAndAddsUp) {
+  World world(shot_wall(Vec3(2, 2, 0.5), 0.25, brick(0.5)));
+  int by_tension_alone = 0, after_cracks = 0;
+  for (int step = 0; step < 30; ++step) {
+    world.step();
+    const Frame frame = world.frame();
+    for (std::size_t i = 0; i < frame.positions.size(); ++i) {
+      const NodeReport report = node_report(frame, NodeId(static_cast<std::int64_t>(i)));
+      EXPECT_EQ(report.strained, !frame.bodies[report.body].rigid);
+      if (!report.strained) continue;
+      double sum = report.balance, scale = 1e-6;
+      for (const ElementShare& element : report.elements) {
+        sum += element.share;
+        scale += std::abs(element.share) + element.force.tensile.norm() + element.force.compressive.norm();
+      }
+      EXPECT_NEAR(sum, report.sum(), 1e-9 * scale) << "node " << i << ", step " << step;
+      EXPECT_EQ(report.elements.size(), frame.stars[i].size());
+      EXPECT_EQ(report.load, report.plane.stress);
+      if (report.by_tension) {
+        EXPECT_EQ(report.load, report.sum());
+      } else {
+        EXPECT_TRUE(report.load <= 0 || report.sum() > 0) << "a load comes from a pull";
+        EXPECT_NEAR(report.principal.values[2], report.sum(), 1e-9 * scale) << "no direction is weaker";
+      }
+      by_tension_alone += report.load > 1 && report.principal.values[2] < 1e-9 * report.load;
+      after_cracks += report.load > 1 && frame.separations[i].tensor.isZero(0);
+    }
   }
-  EXPECT_GT(largest, 1);  // it was struck
+  EXPECT_GT(by_tension_alone, 10) << "a star of one element has no tensor";
+  EXPECT_GT(after_cracks, 10) << "nodes that cracked in the last substep";
+}
+
+TEST(NodeReport, ARigidPieceHasNoStressToReport) {
+  Scene scene = shot_wall(Vec3(1, 1, 0.5), 0.25, brick(100));
+  scene.projectiles.clear();
+  scene.bodies[0].supports.clear();
+  World world(scene);
+  for (int step = 0; step < 60 && most_loaded_node(world.frame()).valid(); ++step) world.step();
+  const Frame frame = world.frame();
+  ASSERT_FALSE(most_loaded_node(frame).valid()) << "it lies still";
+  const NodeReport report = node_report(frame, NodeId(0));
+  EXPECT_FALSE(report.strained);
+  EXPECT_TRUE(report.elements.empty());
 }
 
 TEST(NodeReport, ElementsAreRankedByTheirShare) {

@@ -1,4 +1,4 @@
-#include "sim/world/softened_impact.h"
+#include "sim/fracture/softened_impact.h"
 
 #include <cmath>
 #include <cstdio>

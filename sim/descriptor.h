@@ -1,0 +1,28 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <utility>
+
+namespace griffith {
+
+/// An open file of the operating system, closed at the end. Move-free: it lives where it was opened.
+class Descriptor {
+ public:
+  /// `number`: what open() gave; negative where it failed.
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() { close(); }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  bool is_open() const { return number_ >= 0; }
+  int number() const { return number_; }
+  /// Closes it now; false, with errno, where the system reports only here that a write has failed.
+  bool close() { return number_ < 0 || ::close(std::exchange(number_, -1)) == 0 || errno == EINTR; }
+
+ private:
+  int number_;
+};
+
+}  // namespace griffith

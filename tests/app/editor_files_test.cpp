@@ -1,0 +1,272 @@
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "app/autosave.h"
+#include "editor_fixture.h"
+#include "sim/error.h"
+#include "sim/scene/scene_reader.h"
+#include "sim/scene/scene_writer.h"
+#include "ui/dialog_window.h"
+
+namespace griffith::app {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+/// An editor whose scenes and states are in an empty folder of the test's own.
+class EditorFiles : public EditorTest {
+ protected:
+  EditorFiles() {
+    fs::remove_all(test_folder());
+    fs::create_directories(states());
+  }
+  ~EditorFiles() override { fs::remove_all(test_folder()); }
+
+  static fs::path states() { return test_folder() / "states"; }
+
+  bool modified() const { return editor_.title().find('*') != std::string::npos; }
+
+  /// Leaves a copy of edits as a program would that was killed.
+  static void leave_edits(const Scene& scene, const fs::path& file) { Autosave(states()).write(scene, file); }
+
+  static int copies_in(const fs::path& folder) {
+    int count = 0;
+    for (const auto& entry : fs::directory_iterator(folder))
+      count += entry.path().filename().string().find("edits-") != std::string::npos;
+    return count;
+  }
+};
+
+std::string text_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+TEST_F(EditorFiles, ASceneWithoutAFileAsksWhereItIsToBeSaved) {
+  fs::remove("small wall.json");
+  choose_material("concrete");
+  press_key('S', true);
+  draw(4);
+  EXPECT_FALSE(fs::exists("small wall.json")) << "nothing is written unasked";
+  EXPECT_EQ(value("save/name"), "small wall.json");
+  const fs::path wanted = test_folder() / "mine";
+  type(wanted.string());
+  EXPECT_EQ(value("save/path"), wanted.string() + ".json");
+  click("save/save");
+  EXPECT_EQ(read_scene(wanted.string() + ".json").bodies[0].material.name, "concrete");
+  EXPECT_FALSE(modified());
+  choose_material("soda-lime glass");
+  press_key('S', true);  // now it has a file
+  EXPECT_FALSE(modified());
+  EXPECT_EQ(ui::shown_dialog(editor_.state()), ui::Dialog::none);
+}
+
+TEST_F(EditorFiles, AnotherFileIsReplacedOnlyWhenToldSo) {
+  const fs::path own = small_wall_file(), other = test_file("other.json", "not to be lost");
+  editor_.open(own);
+  draw(2);
+  choose_material("concrete");
+  press_key('S', true, true);
+  draw(4);
+  EXPECT_EQ(value("save/name"), "small_wall.json");
+  type("other.json");
+  click("save/save");
+  EXPECT_THAT(value("replace/problem"), HasSubstr("other.json is there already"));
+  click("replace/cancel");
+  draw(4);
+  EXPECT_EQ(text_of(other), "not to be lost");
+  EXPECT_EQ(value("save/name"), "other.json") << "asks for another name";
+  click("save/save");
+  draw(4);
+  click("replace/replace");
+  EXPECT_EQ(read_scene(other).bodies[0].material.name, "concrete");
+  EXPECT_NE(read_scene(own).bodies[0].material.name, "concrete");
+}
+
+TEST_F(EditorFiles, AFileThatAnotherProgramChangedIsNotReplacedUnasked) {
+  const fs::path own = small_wall_file();
+  editor_.open(own);
+  draw(2);
+  choose_material("concrete");
+  test_file("small_wall.json", "changed meanwhile");
+  fs::last_write_time(own, fs::file_time_type::clock::now() + std::chrono::seconds(2));
+  press_key('S', true);
+  draw(4);
+  EXPECT_THAT(value("replace/problem"), HasSubstr("changed by another program"));
+  click("replace/cancel");
+  EXPECT_EQ(text_of(own), "changed meanwhile");
+  press_key('S', true);
+  draw(4);
+  click("replace/replace");
+  EXPECT_EQ(read_scene(own).bodies[0].material.name, "concrete");
+}
+
+TEST_F(EditorFiles, EditsOfASceneWithoutAFileCanBeSavedBeforeQuitting) {
+  choose_material("concrete");
+  editor_.execute({.id = ui::CommandId::quit});
+  draw(4);
+  click("unsaved/save");
+  draw(4);
+  click("save/cancel");
+  EXPECT_FALSE(editor_.wants_to_quit());
+  EXPECT_TRUE(modified());
+  editor_.execute({.id = ui::CommandId::quit});
+  draw(4);
+  click("unsaved/save");
+  draw(4);
+  type((test_folder() / "kept.json").string());
+  click("save/save");
+  EXPECT_TRUE(editor_.wants_to_quit());
+  EXPECT_EQ(read_scene(test_folder() / "kept.json").bodies[0].material.name, "concrete");
+}
+
+TEST_F(EditorFiles, SavingKeepsTheSchemaAndMaterialsThatNoBodyHas) {
+  const fs::path own = test_file("scene.json", R"({"$schema": "scene.schema.json", "version": 1,
+      "materials": {"spare": {"density": 7}}, "bodies": [{"shape": {"box": {}}}]})");
+  editor_.open(own);
+  draw(2);
+  choose_material("concrete");
+  press_key('S', true);
+  EXPECT_FALSE(modified());
+  EXPECT_THAT(text_of(own), HasSubstr("\"$schema\": \"scene.schema.json\""));
+  EXPECT_EQ(read_scene(own).materials.at(0).density, 7);
+}
+
+TEST_F(EditorFiles, EditsAreCopiedOnceAMinuteUntilTheyAreSaved) {
+  const fs::path own = small_wall_file();
+  editor_.open(own);
+  draw(2);
+  editor_.keep_edits_safe(states());
+  editor_.autosave(0);
+  EXPECT_EQ(copies_in(test_folder()), 0) << "nothing is edited";
+  choose_material("concrete");
+  editor_.autosave(1);
+  EXPECT_EQ(copies_in(test_folder()), 1);
+  EXPECT_EQ(copies_in(states()), 1) << "by which it is found from anywhere";
+  const auto copied_material = [] {
+    for (const auto& entry : fs::directory_iterator(states()))
+      return read_scene(entry.path() / "scene.json").bodies[0].material.name;
+    return std::string();
+  };
+  choose_material("soda-lime glass");
+  editor_.autosave(60);
+  EXPECT_EQ(copied_material(), "concrete");
+  editor_.autosave(61);
+  EXPECT_EQ(copied_material(), "soda-lime glass");
+  EXPECT_NE(read_scene(own).bodies[0].material.name, "soda-lime glass") << "the scene's own file is left alone";
+  press_key('S', true);
+  EXPECT_EQ(copies_in(test_folder()) + copies_in(states()), 0);
+}
+
+TEST_F(EditorFiles, CopiesGoWithEditsThatAreNotWanted) {
+  editor_.keep_edits_safe(states());
+  choose_material("concrete");
+  editor_.autosave(1);
+  EXPECT_EQ(copies_in(states()), 1);
+  editor_.execute({.id = ui::CommandId::undo});
+  editor_.autosave(2);
+  EXPECT_EQ(copies_in(states()), 0);
+  choose_material("soda-lime glass");
+  editor_.autosave(100);
+  EXPECT_EQ(copies_in(states()), 1);
+  editor_.execute({.id = ui::CommandId::quit, .discard_edits = true});
+  EXPECT_EQ(copies_in(states()), 0);
+}
+
+TEST_F(EditorFiles, WhatACrashLeftIsRecoveredAndCanBeUndone) {
+  const fs::path own = small_wall_file();
+  test_file("tet.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  Scene edited = read_scene(own);
+  edited.bodies[0].material.name = "mine";
+  edited.projectiles[0].shape = SurfaceProjectile{"tet.off", 1};
+  leave_edits(edited, own);
+  editor_.keep_edits_safe(states());
+  draw(4);
+  EXPECT_THAT(value("left_edits/text"), HasSubstr("small_wall.json"));
+  click("left_edits/recover");
+  wait_for_work();
+  EXPECT_FALSE(editor_.state().error);
+  EXPECT_EQ(editor_.frame().materials[0].name, "mine");
+  EXPECT_TRUE(modified());
+  press_key('S', true);
+  EXPECT_EQ(read_scene(own).bodies[0].material.name, "mine");
+  EXPECT_EQ(std::get<SurfaceProjectile>(*read_scene(own).projectiles[0].shape).path, "tet.off");
+  EXPECT_EQ(copies_in(test_folder()) + copies_in(states()), 0);
+  press_key('Z', true);
+  EXPECT_NE(editor_.frame().materials[0].name, "mine");
+}
+
+TEST_F(EditorFiles, WhatACrashLeftCanBeKeptOrDiscarded) {
+  Scene edited = small_wall();
+  edited.name = "never saved";
+  leave_edits(edited, "");
+  editor_.keep_edits_safe(states());
+  draw(4);
+  EXPECT_THAT(value("left_edits/text"), HasSubstr("a new scene"));
+  click("left_edits/later");
+  EXPECT_EQ(copies_in(states()), 1);
+  editor_.keep_edits_safe(states());
+  draw(4);
+  click("left_edits/discard");
+  EXPECT_EQ(copies_in(states()), 0);
+  EXPECT_EQ(ui::shown_dialog(editor_.state()), ui::Dialog::none);
+}
+
+TEST_F(EditorFiles, OpeningASceneAsksForWhatWasLeftBesideIt) {
+  const fs::path own = small_wall_file();
+  leave_edits(small_wall(), own);
+  for (const auto& entry : fs::directory_iterator(states())) fs::remove(entry.path());
+  editor_.keep_edits_safe(states());
+  EXPECT_TRUE(editor_.state().left_edits.empty());
+  editor_.open(own);
+  wait_for_work();
+  EXPECT_THAT(value("left_edits/text"), HasSubstr("small_wall.json"));
+}
+
+TEST(Autosave, ACopyThatCannotBeReadIsToldAndStays) {
+  const fs::path states = test_folder() / "states";
+  fs::remove_all(states);
+  Autosave(states).write(small_wall(), "");
+  Autosave reader(states);
+  for (const auto& entry : fs::directory_iterator(states)) std::ofstream(entry.path() / "scene.json") << "{";
+  ASSERT_TRUE(reader.find(""));
+  EXPECT_THROW(reader.found_edits(), InputError);
+  reader.leave_found();
+  EXPECT_TRUE(Autosave(states).find(""));
+}
+
+TEST(Autosave, InstancesThatRunLeaveEachOthersCopiesAlone) {
+  const fs::path states = test_folder() / "states", file = small_wall_file();
+  fs::remove_all(states);
+  Autosave second(states);
+  {
+    Autosave first(states);
+    first.write(small_wall(), file);
+    second.write(small_wall(), file);
+    EXPECT_FALSE(Autosave(states).find(file)) << "both are still at work";
+    second.remove();
+    EXPECT_FALSE(second.find(file));
+  }
+  EXPECT_TRUE(second.find(file)) << "the first one is gone";
+  EXPECT_FALSE(Autosave(states).find(file)) << "the second one asks about it";
+  second.adopt_found();
+  EXPECT_FALSE(Autosave(states).find(file));
+  second.remove();
+  EXPECT_FALSE(Autosave(states).find(file));
+}
+
+TEST(Autosave, AFolderThatTakesNoCopyIsNamed) {
+  Autosave autosave(test_folder() / "states");
+  try {
+    autosave.write(small_wall(), test_folder() / "nowhere/scene.json");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.where(), HasSubstr("nowhere"));
+  }
+  EXPECT_THROW(Autosave("").write(small_wall(), ""), InputError);
+}
+
+}  // namespace
+}  // namespace griffith::app

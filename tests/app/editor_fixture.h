@@ -1,0 +1,86 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include <chrono>
+#include <string>
+#include <thread>
+
+#include "app/editor.h"
+#include "app/interface.h"
+#include "program.h"
+#include "renderer/egl_context.h"
+#include "renderer/target.h"
+
+namespace griffith::app {
+
+/// The editor with graphics but without a window, driven through its widgets.
+class EditorTest : public testing::Test {
+ protected:
+  EditorTest() : interface_(1), target_(1200, 800), editor_(small_wall(), "") { draw(3); }
+
+  void draw(int frames = 1) {
+    for (int i = 0; i < frames; ++i) {
+      editor_.draw_picture(1);
+      interface_.begin_frame(target_.width(), target_.height());
+      editor_.draw_panels(interface_.fonts());
+      target_.bind();
+      interface_.end_frame();
+    }
+  }
+
+  void click(const std::string& tag, int button = 0) {
+    const ui::WidgetTag* widget = ui::find_tag(editor_.tags(), tag);
+    ASSERT_NE(widget, nullptr) << tag;
+    ImGuiIO& io = ImGui::GetIO();
+    io.MousePos = widget->center();
+    draw();
+    io.MouseDown[button] = true;
+    draw();
+    io.MouseDown[button] = false;
+    draw(2);
+  }
+
+  /// Draws until nothing is being built, a minute at most.
+  void wait_for_work() {
+    for (int i = 0; i < 6000 && !editor_.state().work.empty(); ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      draw();
+    }
+    draw(4);  // a dialog needs some to find its place
+  }
+
+  std::string value(const std::string& tag) const {
+    const ui::WidgetTag* widget = ui::find_tag(editor_.tags(), tag);
+    return widget ? widget->value : "no widget " + tag;
+  }
+
+  void press_key(int key, bool ctrl = false, bool shift = false) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.KeyCtrl = ctrl;
+    io.KeyShift = shift;
+    io.KeysDown[key] = true;
+    draw();
+    io.KeyCtrl = io.KeyShift = io.KeysDown[key] = false;
+    draw();
+  }
+
+  /// Types into what has the focus.
+  void type(const std::string& text) {
+    for (const char letter : text) ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(letter));
+    draw(2);
+  }
+
+  void choose_material(const std::string& preset) {
+    click("material/preset");
+    click("material/preset/" + preset);
+  }
+
+  render::EglContext context_;
+  Interface interface_;
+  render::Target target_;
+  Editor editor_;
+};
+
+}  // namespace griffith::app
