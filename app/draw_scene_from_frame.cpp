@@ -12,6 +12,7 @@
 #include "app/splinter_picture.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/scene/view_quantity.h"
+#include "ui/view_layers.h"
 
 namespace griffith::app {
 namespace {
@@ -77,17 +78,15 @@ void color_by_material(render::DrawScene& picture, const Frame& frame) {
   }
 }
 
-bool is_scalar(const ViewSettings& view) {
-  const auto found = std::ranges::find(view_quantities(), view.quantity, &ViewQuantity::key);
-  return found != view_quantities().end() && !found->unit.empty();
-}
-
-render::ScalarStyle scalar_style(const Frame& frame, const ViewSettings& view, const QuantityValues& values) {
+/// `automatic`: the range where the view has none.
+render::ScalarStyle scalar_style(const ViewSettings& view, const QuantityValues& values, const Vec2& automatic) {
   constexpr int kBins = 48;
-  Vec2 range = view.range.value_or(automatic_range(frame, view.quantity, values));
-  if (view.symmetric && !view.range) range = symmetric_range(range);
+  const bool parted = ui::parts_at_zero(view);
+  Vec2 range = view.range.value_or(automatic);
+  if ((view.symmetric || parted) && !view.range) range = symmetric_range(range);
   render::ScalarStyle style;
-  style.color_map = render::find_color_map(view.color_map).value_or(render::ColorMap::kViridis);
+  style.color_map = render::find_color_map(view.color_map)
+                        .value_or(parted ? render::ColorMap::kCoolwarm : render::ColorMap::kViridis);
   style.minimum = static_cast<float>(range[0]);
   style.maximum = static_cast<float>(range[1]);
   style.histogram = histogram(values, range, kBins);
@@ -133,7 +132,7 @@ void add_colors(render::DrawScene& picture, const Frame& frame, const EmbeddedDi
     color_by_material(picture, frame);
   } else if (view.quantity == "plain") {
     color_plainly(picture, frame, display);
-  } else if (!is_scalar(view)) {
+  } else if (!is_scalar(view.quantity)) {
     color_by_id(picture, frame, display, view);
   }
 }
@@ -149,12 +148,6 @@ render::EmbeddedSurface embedded_surface(const ShownMesh& shown, const EmbeddedD
   for (const SkinPart& part : display.skin_parts) surface.carriers.push_back(skin_carrier(frame, part).value);
   surface.opened.assign(frame.open_walls.begin(), frame.open_walls.end());
   return surface;
-}
-
-/// A power of ten that puts some ten lines beside the bodies.
-float grid_spacing(const Eigen::AlignedBox3f& box) {
-  const float size = box.isEmpty() ? 1 : std::max(box.diagonal().norm(), 1e-3f);
-  return std::pow(10.0f, std::floor(std::log10(size / 2)));
 }
 
 void mark_node(const ShownMesh& shown, NodeId node, render::DrawScene& picture) {
@@ -190,7 +183,7 @@ void add_hull(const ProjectileView& projectile, render::Surface& surface) {
     }
 }
 
-void add_surroundings(const Frame& frame, const Scene& scene, float grid, render::DrawScene& picture) {
+void add_surroundings(const Frame& frame, const Scene& scene, render::DrawScene& picture) {
   for (const ProjectileView& projectile : frame.projectiles) {
     if (!projectile.corners.empty()) {
       add_hull(projectile, picture.surface);
@@ -202,7 +195,6 @@ void add_surroundings(const Frame& frame, const Scene& scene, float grid, render
   if (!scene.ground) return;
   render::Ground ground;
   ground.height = static_cast<float>(scene.ground->height);
-  ground.grid_spacing = grid;
   picture.ground = ground;
 }
 
@@ -230,14 +222,16 @@ EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene) {
 }
 
 render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDisplay& display, const Scene& scene,
-                                        const ViewSettings& view, const ui::Selection& selection) {
+                                        const ViewSettings& view, const ui::Selection& selection,
+                                        const std::optional<Vec2>& range) {
   render::DrawScene result;
   const ShownMesh shown = shown_mesh(frame, view, selection);
   const TetFilter filter(frame, display, view);
   std::optional<QuantityValues> values;
-  if (is_scalar(view)) {
+  if (is_scalar(view.quantity)) {
     values = quantity_values(frame, view.quantity);
-    result.surface.scalar_style = scalar_style(frame, view, *values);
+    result.surface.scalar_style =
+        scalar_style(view, *values, range ? *range : automatic_range(frame, view.quantity, *values));
   }
   add_elements(shown, filter, values ? &*values : nullptr, selection.tet, result);
   if (filter.shows_embedded()) result.embedded = embedded_surface(shown, display);
@@ -248,10 +242,9 @@ render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDispla
     result.embedded.scalars_per_point = values->place == ValuePlace::node;
     result.embedded.scalars = std::move(values->values);
   }
-  const float spacing = grid_spacing(bounds(result));
   add_layers(shown, result);
   if (selection.valid()) mark_node(shown, selection.node, result);
-  add_surroundings(frame, scene, spacing, result);
+  add_surroundings(frame, scene, result);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/skin.h"
@@ -29,8 +30,10 @@ EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene);
 /// The picture of a frame: bodies as view.elements says, coloured by view.quantity (natural colours for "material", one
 /// for each body, element or splinter for "body", "tet" and "splinter"), cracks and the selection marked, the view's
 /// layers, projectiles, ground. Bodies with splinters or a surface of their own show them if view.splinters says so. A
-/// triangle's id is its tet.
+/// triangle's id is its tet. `range`: of the colours where the view leaves it automatic, as SteadyRange has it; none:
+/// what suits this frame alone.
 render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDisplay& display, const Scene& scene,
-                                        const ViewSettings& view, const ui::Selection& selection);
+                                        const ViewSettings& view, const ui::Selection& selection,
+                                        const std::optional<Vec2>& range = std::nullopt);
 
 }  // namespace griffith::app

@@ -70,7 +70,14 @@ void Editor::restart() {
   pacer_.reset();
   step_seconds_ = 0;
   ++world_count_;
-  picture_ = draw_scene_from_frame(world_.frame(), display_, built_, state_.view, state_.selection);
+  range_.restart();
+  update_picture();
+}
+
+void Editor::update_picture() {
+  const Frame frame = world_.frame();
+  range_.follow(frame, state_.view.quantity);
+  picture_ = draw_scene_from_frame(frame, display_, built_, state_.view, state_.selection, range_.range());
 }
 
 void Editor::remember() {
@@ -96,6 +103,7 @@ void Editor::step() {
   world_.step();
   remember();
   const Frame frame = world_.frame();
+  range_.follow(frame, state_.view.quantity);
   const double seconds = frame.report.milliseconds.step / 1000;
   step_seconds_ = step_seconds_ == 0 ? seconds : step_seconds_ + kSmoothing * (seconds - step_seconds_);
   if (frame.report.non_finite_values > 0) {
@@ -122,7 +130,7 @@ void Editor::draw_picture(int samples) {
   const PictureKey key = picture_key();
   if (key == drawn_) return;
   drawn_ = key;
-  picture_ = draw_scene_from_frame(world_.frame(), display_, built_, state_.view, state_.selection);
+  update_picture();
   renderer_.render(picture_, picture_camera(), picture_options(key.width, key.height, samples, state_.view));
 }
 
@@ -133,6 +141,7 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
   input.fonts = fonts;
   input.picture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(renderer_.color_texture()));
   input.legend = scene_legend(picture_, state_.view.range.has_value());
+  if (input.legend) place_legend(*input.legend, fonts);
   input.labels = scene_labels(picture_, picture_camera(), aspect());
   if (state_.selection.valid()) margins_ = history_of_margins_.samples(input.frame, state_.selection.node);
   input.margins = margins_;
@@ -148,6 +157,20 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
   for (const ui::Command& command : ui::draw_editor(input, state_, history_, tags_)) execute(command);
   follow_edits();
   move_camera();
+}
+
+void Editor::place_legend(ui::Legend& legend, const ui::Fonts& fonts) {
+  legend.corner = legend_corner_;
+  PictureKey key = picture_key();
+  key.step = key.revision = 0;
+  key.projectiles = 0;
+  key.selected = {};
+  if (key != legend_placed_) {
+    const ImVec2 size(static_cast<float>(key.width), static_cast<float>(key.height));
+    const float scale = fonts.small->FontSize / ui::kSmallText;
+    legend_corner_ = legend.corner = legend_corner(picture_, picture_camera(), legend, fonts, size, scale);
+    legend_placed_ = key;
+  }
 }
 
 void Editor::move_camera() {

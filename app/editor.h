@@ -8,6 +8,7 @@
 #include "app/autosave.h"
 #include "app/draw_scene_from_frame.h"
 #include "app/margin_history.h"
+#include "app/steady_range.h"
 #include "app/step_pacer.h"
 #include "app/world_loader.h"
 #include "renderer/camera.h"
@@ -81,6 +82,8 @@ class Editor {
   void log_findings();
   void follow_edits();
   void follow_materials();
+  /// Whether the world could take it; else the edit is taken back.
+  bool follow_material(int scene_body);
   void receive_world();
   /// After work that led to no world: what is shown goes on.
   void give_up_work();
@@ -107,8 +110,12 @@ class Editor {
   void toggle_range_lock();
   void toggle_slice();
   void remember();
+  /// Makes the picture of the world as it is.
+  void update_picture();
   void move_slice(const ui::CameraMotion& motion);
   void move_camera();
+  /// Moves the legend to where it covers nothing, once for each camera, size and view: not because of a step.
+  void place_legend(ui::Legend& legend, const ui::Fonts& fonts);
   float aspect() const;
   /// The camera, opened so far that a narrow view shows as much across as a wide one.
   render::Camera picture_camera() const;
@@ -143,6 +150,9 @@ class Editor {
   render::Camera camera_;
   render::Renderer renderer_;
   render::DrawScene picture_;
+  SteadyRange range_;
+  ui::LegendCorner legend_corner_ = {};
+  PictureKey legend_placed_;  ///< for which picture it was
   PictureKey drawn_;
   MarginHistory history_of_margins_;
   std::vector<ui::MarginSample> margins_;  ///< of the selected node

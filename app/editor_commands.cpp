@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "app/bulk_bounds.h"
 #include "app/editor.h"
 #include "app/picking.h"
 #include "app/shooting.h"
@@ -169,7 +170,10 @@ void Editor::pick(const Vec2& cursor) {
   select(ui::select(frame, TetId(id), nearest_corner(shown, TetId(id), ray)));
 }
 
-void Editor::frame_all() { camera_ = render::frame_bounds(camera_, render::bounds(picture_), aspect()); }
+void Editor::frame_all() {
+  const Eigen::AlignedBox3f bulk = bulk_bounds(shown_mesh(world_.frame(), state_.view, {}));
+  camera_ = render::frame_bounds(camera_, bulk.isEmpty() ? render::bounds(picture_) : bulk, aspect());
+}
 
 void Editor::toggle_slice() {
   if (state_.view.slice) {

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "app/editor.h"
+#include "app/scene_world.h"
 
 namespace griffith::app {
 namespace {
@@ -59,8 +60,21 @@ void Editor::follow_materials() {
   const Frame frame = world_.frame();
   if (frame.materials.size() != bodies.size()) return;  // it comes with the world that is being built
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (frame.materials[i] != bodies[i].material) world_.set_material(static_cast<int>(i), bodies[i].material);
+    if (frame.materials[i] != bodies[i].material && !follow_material(static_cast<int>(i))) return;
     built_.bodies[i].material = bodies[i].material;
+  }
+}
+
+bool Editor::follow_material(int scene_body) {
+  try {
+    world_.set_material(scene_body, history_.scene().bodies[scene_body].material);
+    return true;
+  } catch (const InputError& error) {
+    show_error(in_file(path_, error));
+    const std::span<const Material> in_force = world_.frame().materials;
+    history_.go_to(
+        [&](const Scene& scene) { return std::ranges::equal(scene.bodies, in_force, {}, &BodyDescription::material); });
+    return false;
   }
 }
 

@@ -7,6 +7,14 @@
 
 namespace griffith::app {
 
+/// Pixels of what is written over a picture of this size per design pixel, which is one of 1280×720: small pictures
+/// keep it legible.
+inline float writing_scale(int width, int height) {
+  constexpr float kDesignWidth = 1280, kDesignHeight = 720, kLeastScale = 0.8f;
+  return std::max(std::min(static_cast<float>(width) / kDesignWidth, static_cast<float>(height) / kDesignHeight),
+                  kLeastScale);
+}
+
 /// How to draw a picture of this size [pixels] and view: lines are as thick in proportion to the picture's height,
 /// whatever its resolution, as long as they can be seen.
 inline render::RenderOptions picture_options(int width, int height, int samples, const ViewSettings& view) {

@@ -74,6 +74,10 @@ double element_quality(const Frame& frame, std::size_t tet) {
   return 1 / aspect_ratio(corners);
 }
 
+bool is_scalar(std::string_view key) {
+  return std::ranges::find(kQuantities, key, &Quantity::key) != kQuantities.end();
+}
+
 QuantityValues quantity_values(const Frame& frame, std::string_view key) {
   const auto found = std::ranges::find(kQuantities, key, &Quantity::key);
   assert(found != kQuantities.end());

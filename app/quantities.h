@@ -21,6 +21,9 @@ struct QuantityValues {
 /// How near a tet was at rest to a regular one: 1 over its aspect ratio (mesh_quality.h), 0 flat to 1 regular.
 double element_quality(const Frame& frame, std::size_t tet);
 
+/// Whether the quantity `key` has values, and a unit; false for those that only tell things apart.
+bool is_scalar(std::string_view key);
+
 /// The values of the quantity `key`, one of view_quantities() with a unit; the others are no scalars.
 QuantityValues quantity_values(const Frame& frame, std::string_view key);
 

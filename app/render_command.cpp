@@ -1,5 +1,6 @@
 #include <imgui.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 
@@ -14,6 +15,7 @@
 #include "app/scene_camera.h"
 #include "app/scene_legend.h"
 #include "app/scene_world.h"
+#include "app/steady_range.h"
 #include "renderer/egl_context.h"
 #include "renderer/target.h"
 #include "sim/error.h"
@@ -23,6 +25,8 @@
 namespace griffith::app {
 namespace {
 
+/// The largest scale that letters are made for; beyond it they are stretched.
+constexpr float kLargestFont = 6;
 constexpr int kFramesToLayOut = 3;  // the panels know their sizes only after being drawn
 
 /// From what is looked at to the eye, before there is a picture.
@@ -76,15 +80,15 @@ struct Writing {
   std::vector<ui::PictureLabel> labels;
 };
 
-/// The picture in `texture` with the writing over it.
-render::Image written_over(Interface& interface, const render::Target& target, unsigned texture,
-                           const Writing& writing) {
+/// The picture in `texture` with the writing over it. `scale`: of the writing.
+render::Image written_over(Interface& interface, const render::Target& target, unsigned texture, const Writing& writing,
+                           float scale) {
   interface.begin_frame(target.width(), target.height());
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImDrawList* list = ImGui::GetBackgroundDrawList();
   list->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), {0, 0}, size, {0, 1}, {1, 0});
-  ui::draw_labels(list, writing.labels, interface.fonts(), {0, 0}, size, 1);
-  if (writing.legend) ui::draw_legend(list, *writing.legend, interface.fonts(), {0, 0}, size, 1);
+  ui::draw_labels(list, writing.labels, interface.fonts(), {0, 0}, size, scale);
+  if (writing.legend) ui::draw_legend(list, *writing.legend, interface.fonts(), {{0, 0}, size}, scale);
   target.bind();
   interface.end_frame();
   return target.image();
@@ -95,22 +99,36 @@ void render_plainly(const RenderOptions& options, Scene scene) {
   use_named_view(scene.view, options.view, world.frame(), towards_eye(scene, options.camera));
   const EmbeddedDisplay display = embedded_display(world.frame(), scene);
   render::Renderer renderer;
-  Interface interface(1);
+  const float scale = writing_scale(options.width, options.height);
+  Interface interface(std::min(scale, kLargestFont));
   const render::Target target(options.width, options.height);
+  SteadyRange range;
+  range.follow(world.frame(), scene.view.quantity);
   const auto draw_scene = [&] {
-    return draw_scene_from_frame(world.frame(), display, scene, scene.view, selected(options, world.frame()));
+    const Frame frame = world.frame();
+    return draw_scene_from_frame(frame, display, scene, scene.view, selected(options, frame), range.range());
   };
-  const float aspect = static_cast<float>(options.width) / static_cast<float>(options.height);
-  const render::Camera camera = scene_camera(scene, options.camera, draw_scene(), aspect);
+  const auto step = [&] {
+    world.step();
+    range.follow(world.frame(), scene.view.quantity);
+  };
+  const ImVec2 size(static_cast<float>(options.width), static_cast<float>(options.height));
+  const float aspect = size.x / size.y;
+  const render::DrawScene first = draw_scene();
+  const render::Camera camera = scene_camera(scene, options.camera, first, aspect);
+  // Where the first picture leaves room it stays, so that it does not hop about in a sequence.
+  ui::LegendCorner corner = {};
+  if (const auto legend = scene_legend(first, false))
+    corner = legend_corner(first, camera, *legend, interface.fonts(), size, scale);
   const auto picture = [&] {
     const render::DrawScene drawn = draw_scene();
     renderer.render(drawn, camera, picture_options(options.width, options.height, options.samples, scene.view));
-    const Writing writing{scene_legend(drawn, scene.view.range.has_value()), scene_labels(drawn, camera, aspect)};
+    Writing writing{scene_legend(drawn, scene.view.range.has_value()), scene_labels(drawn, camera, aspect)};
+    if (writing.legend) writing.legend->corner = corner;
     if (!options.legend || (!writing.legend && writing.labels.empty())) return renderer.image();
-    return written_over(interface, target, renderer.color_texture(), writing);
+    return written_over(interface, target, renderer.color_texture(), writing, scale);
   };
-  save_pictures(
-      options, [&world] { world.step(); }, picture);
+  save_pictures(options, step, picture);
   explain(options, world.frame(), scene);
 }
 

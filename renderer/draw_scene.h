@@ -102,10 +102,9 @@ struct Label {
   float rise = 0;  ///< how far its middle is above the place [heights of a line]
 };
 
-/// A horizontal plane with a grid that shows the scale and catches shadows.
+/// A horizontal plane that catches shadows, with a grid that shows the scale (GridLevel).
 struct Ground {
-  float height = 0;        ///< y of the plane [m]
-  float grid_spacing = 1;  ///< between the thin lines [m]; every tenth is stronger
+  float height = 0;  ///< y of the plane [m]
   Rgb color = {0.86f, 0.87f, 0.88f};
 };
 

@@ -1,17 +1,27 @@
 #include "renderer/ground_pass.h"
 
+#include <cmath>
+
 #include "renderer/shaders.h"
 
 namespace griffith::render {
 
+GridLevel grid_level(float view_height) {
+  constexpr float kCoarsest = 0.4f;  // spacing of the finest lines in heights of the view
+  const float level = std::log10(kCoarsest * view_height), whole = std::floor(level);
+  return {std::pow(10.0f, whole), level - whole};
+}
+
 GroundPass::GroundPass() : program_("ground", shaders::ground_vert, shaders::ground_frag) {}
 
-void GroundPass::draw(const Ground& ground, const Eigen::Vector3f& center, float radius, bool from_below) const {
+void GroundPass::draw(const Ground& ground, const GridLevel& grid, const Eigen::Vector3f& center, float radius,
+                      bool from_below) const {
   program_.use();
   program_.set("center", center.x(), ground.height, center.z());
   program_.set("radius", radius);
   program_.set("color", ground.color);
-  program_.set("grid_spacing", ground.grid_spacing);
+  program_.set("grid_spacing", grid.spacing);
+  program_.set("grid_fade", grid.fade);
   program_.set("opacity", from_below ? 0.25f : 1.0f);
   glBindVertexArray(vertices_.id());
   glEnable(GL_BLEND);

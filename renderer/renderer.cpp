@@ -20,13 +20,14 @@
 namespace griffith::render {
 namespace {
 
-/// What matters in the picture: the scene or, if far-flung pieces make it too large, what is around the target.
+/// What matters in the picture: the scene, but for what has flown far from the target.
 Focus focus_of(const Eigen::AlignedBox3f& box, const Camera& camera) {
-  constexpr float kSmallest = 1e-3f, kLargest = 4;  // [m], and in distances to the target
+  constexpr float kSmallest = 1e-3f, kLargest = 2.3f;  // [m], and in distances to the target
   const float limit = kLargest * (camera.position - camera.target).norm();
-  if (box.isEmpty()) return {camera.target, limit};
-  const float radius = std::max(0.5f * box.sizes().norm(), kSmallest);
-  return radius <= limit ? Focus{box.center(), radius} : Focus{camera.target, limit};
+  const Eigen::Vector3f reach = Eigen::Vector3f::Constant(limit);
+  const Eigen::AlignedBox3f near = box.intersection({camera.target - reach, camera.target + reach});
+  if (near.isEmpty()) return {camera.target, limit};
+  return {near.center(), std::max(0.5f * near.sizes().norm(), kSmallest)};
 }
 
 /// The ground fades out at this distance from the focus.
@@ -154,7 +155,7 @@ void Renderer::Passes::draw_picture(const DrawScene& scene, const Camera& camera
   glyphs.draw(Output::kOpaque);
   if (scene.ground) {
     const bool from_below = camera.position.y() < scene.ground->height;
-    ground.draw(*scene.ground, focus.center, ground_radius(focus), from_below);
+    ground.draw(*scene.ground, grid_level(height_at_target(camera)), focus.center, ground_radius(focus), from_below);
   }
   strokes.draw();
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

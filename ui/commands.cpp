@@ -21,7 +21,7 @@ constexpr std::array<CommandInfo, 24> kRegistry = {{
      {'F'},
      "F"},
     {CommandId::pick, "view.pick", "Pick", "Inspect the element under the cursor; left click in the view", {}, ""},
-    {CommandId::frame_all, "view.frame_all", "Frame all", "Bring everything into the picture", {key::kHome}, "Home"},
+    {CommandId::frame_all, "view.frame_all", "Frame all", "Bring everything into the picture, but for shards that flew far", {key::kHome}, "Home"},
     {CommandId::toggle_edges, "view.edges", "Element edges", "Show or hide the edges of the elements", {'E'}, "E"},
     {CommandId::toggle_range_lock,
      "view.lock_range",

@@ -35,7 +35,7 @@ Fonts load_fonts(float scale) {
   Fonts fonts;
   fonts.regular = add_font(griffith_font_regular_begin, griffith_font_regular_end, 16 * scale);
   fonts.bold = add_font(griffith_font_bold_begin, griffith_font_bold_end, 16 * scale);
-  fonts.small = add_font(griffith_font_regular_begin, griffith_font_regular_end, 14 * scale);
+  fonts.small = add_font(griffith_font_regular_begin, griffith_font_regular_end, kSmallText * scale);
   return fonts;
 }
 

@@ -11,6 +11,9 @@ struct Fonts {
   ImFont* small = nullptr;  ///< units, hints, ticks
 };
 
+/// Height of the small typeface in design pixels.
+inline constexpr float kSmallText = 14;
+
 /// Adds the fonts built into the program to the current ImGui context. `scale`: screen pixels per design pixel.
 Fonts load_fonts(float scale);
 

@@ -6,7 +6,7 @@ namespace griffith::ui {
 
 void draw_labels(ImDrawList* list, const std::vector<PictureLabel>& labels, const Fonts& fonts, ImVec2 minimum,
                  ImVec2 maximum, float scale) {
-  const float size = fonts.small->FontSize, pad = 4 * scale;
+  const float size = kSmallText * scale, pad = 4 * scale;
   for (const PictureLabel& label : labels) {
     const ImVec2 extent = fonts.small->CalcTextSizeA(size, FLT_MAX, 0, label.text.c_str());
     const ImVec2 center = {minimum.x + label.x * (maximum.x - minimum.x),

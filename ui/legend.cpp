@@ -10,6 +10,8 @@
 namespace griffith::ui {
 namespace {
 
+constexpr float kPadding = 12;  // design pixels between the card's edge and what is on it
+
 /// 1, 2, 2.5 or 5 times a power of ten, at least `wanted`.
 double round_step(double wanted) {
   const double power = std::pow(10, std::floor(std::log10(wanted)));
@@ -61,7 +63,7 @@ void draw_histogram(ImDrawList* list, const Legend& legend, ImVec2 minimum, ImVe
 /// A sample of the colour that stands for no number.
 void draw_nan_sample(ImDrawList* list, const Legend& legend, const Fonts& fonts, ImVec2 corner, float scale) {
   const auto& color = *legend.nan_color;
-  const float size = fonts.small->FontSize;
+  const float size = kSmallText * scale;
   list->AddRectFilled(corner, {corner.x + 18 * scale, corner.y + size}, IM_COL32(color[0], color[1], color[2], 255));
   list->AddText(fonts.small, size, {corner.x + 28 * scale, corner.y}, palette::kText, "no number");
 }
@@ -71,7 +73,7 @@ void draw_ticks(ImDrawList* list, const Legend& legend, const Fonts& fonts, ImVe
   const double factor = display_factor(legend);
   const std::vector<double> ticks = legend_ticks(legend.minimum / factor, legend.maximum / factor, 5);
   const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : (legend.maximum - legend.minimum) / factor;
-  const float size = fonts.small->FontSize;
+  const float size = kSmallText * scale;
   for (const double tick : ticks) {
     const double t = (tick * factor - legend.minimum) / (legend.maximum - legend.minimum);
     const float y = maximum.y - static_cast<float>(t) * (maximum.y - minimum.y);
@@ -80,6 +82,11 @@ void draw_ticks(ImDrawList* list, const Legend& legend, const Fonts& fonts, ImVe
                   number_text(tick, step).c_str());
   }
 }
+
+std::string written_title(const Legend& legend) { return legend_title(legend) + (legend.locked ? "  locked" : ""); }
+
+/// Of the histogram.
+float bars_width(const Legend& legend, float scale) { return legend.histogram.empty() ? 0 : 44 * scale; }
 
 }  // namespace
 
@@ -97,26 +104,34 @@ std::string legend_title(const Legend& legend) {
   return legend.title + " [" + std::string(si_prefix(largest, legend.unit).symbol) + legend.unit + "]";
 }
 
-ImVec2 draw_legend(ImDrawList* list, const Legend& legend, const Fonts& fonts, ImVec2 minimum, ImVec2 maximum,
-                   float scale) {
-  const std::string title = legend_title(legend) + (legend.locked ? "  locked" : "");
-  const float size = fonts.small->FontSize;
-  const float text_width = fonts.small->CalcTextSizeA(size, FLT_MAX, 0, title.c_str()).x;
-  const float margin = 14 * scale, padding = 12 * scale, bars = legend.histogram.empty() ? 0 : 44 * scale;
-  const float width = std::max(text_width + 2 * padding, 110 * scale + bars);
-  const float height = std::clamp(0.4f * (maximum.y - minimum.y), 90 * scale, 300 * scale);
-  const ImVec2 corner = {maximum.x - margin - width, minimum.y + margin};
-  const ImVec2 end = {corner.x + width, corner.y + height};
+ScreenArea legend_card(const Legend& legend, LegendCorner corner, const Fonts& fonts, const ScreenArea& picture,
+                       float scale) {
+  constexpr float kMargin = 14, kOtherCards = 40;  // design pixels; the others: marks and hints in the editor's view
+  const float text_width =
+      fonts.small->CalcTextSizeA(kSmallText * scale, FLT_MAX, 0, written_title(legend).c_str()).x;
+  const ImVec2 size = {std::max(text_width + 2 * kPadding * scale, 110 * scale + bars_width(legend, scale)),
+                       std::clamp(0.4f * (picture.maximum.y - picture.minimum.y), 90 * scale, 300 * scale)};
+  const bool left = corner == LegendCorner::upper_left || corner == LegendCorner::lower_left;
+  const bool lower = corner == LegendCorner::lower_right || corner == LegendCorner::lower_left;
+  const float margin = kMargin * scale, edge = margin + (left || lower ? kOtherCards * scale : 0);
+  const ImVec2 low = {left ? picture.minimum.x + margin : picture.maximum.x - margin - size.x,
+                      lower ? picture.maximum.y - edge - size.y : picture.minimum.y + edge};
+  return {low, {low.x + size.x, low.y + size.y}};
+}
+
+void draw_legend(ImDrawList* list, const Legend& legend, const Fonts& fonts, const ScreenArea& picture, float scale) {
+  const float size = kSmallText * scale, padding = kPadding * scale;
+  const auto [corner, end] = legend_card(legend, legend.corner, fonts, picture, scale);
   list->AddRectFilled(corner, end, IM_COL32(24, 27, 32, 215), 6 * scale);
-  list->AddText(fonts.small, size, {corner.x + padding, corner.y + padding * 0.75f}, palette::kText, title.c_str());
-  const ImVec2 bar = {corner.x + padding + bars, corner.y + padding * 1.9f + size};
+  list->AddText(fonts.small, size, {corner.x + padding, corner.y + padding * 0.75f}, palette::kText,
+                written_title(legend).c_str());
+  const ImVec2 bar = {corner.x + padding + bars_width(legend, scale), corner.y + padding * 1.9f + size};
   const float below = legend.nan_color ? 1.6f * size : 0;
   const ImVec2 bar_end = {bar.x + 18 * scale, end.y - padding - size * 0.3f - below};
   draw_histogram(list, legend, {corner.x + padding, bar.y}, {bar.x - 2 * scale, bar_end.y});
   draw_color_bar(list, legend, bar, bar_end);
   draw_ticks(list, legend, fonts, bar, bar_end, scale);
   if (legend.nan_color) draw_nan_sample(list, legend, fonts, {bar.x, bar_end.y + 0.6f * size}, scale);
-  return {corner.x, end.y};
 }
 
 }  // namespace griffith::ui

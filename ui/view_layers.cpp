@@ -1,6 +1,9 @@
 #include "ui/view_layers.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "sim/scene/view_quantity.h"
 
 namespace griffith::ui {
 namespace {
@@ -35,6 +38,14 @@ void show_layer(ViewSettings& view, ViewLayer layer, bool show) {
   std::ranges::sort(view.layers);
   if (lies_inside(layer) && view.opacity == 1 && !view.slice && view.elements == ElementStyle::surface)
     view.opacity = kSeeThrough;
+}
+
+bool parts_at_zero(const ViewSettings& view) {
+  constexpr double kSame = 1e-6;  // of a range that was rounded
+  if (view.color_map != "automatic") return false;
+  const auto quantity = std::ranges::find(view_quantities(), view.quantity, &ViewQuantity::key);
+  if (quantity == view_quantities().end() || !quantity->is_signed) return false;
+  return !view.range || std::abs(view.range->sum()) <= kSame * view.range->cwiseAbs().maxCoeff();
 }
 
 SlicePlane middle_slice(const Vec3& low, const Vec3& high, const Vec3& towards_eye) {

@@ -59,9 +59,12 @@ void range_part(Panel& panel) {
   }
   ImGui::EndDisabled();
   if (panel.state.view.range) return range_rows(panel);
-  ImGui::BeginDisabled(!panel.input.legend);
-  checkbox(panel, "view/symmetric", "Symmetric about 0", panel.state.view.symmetric);
+  const bool always = parts_at_zero(panel.state.view);
+  bool symmetric = always || panel.state.view.symmetric;
+  ImGui::BeginDisabled(!panel.input.legend || always);
+  if (checkbox(panel, "view/symmetric", "Symmetric about 0", symmetric)) panel.state.view.symmetric = symmetric;
   ImGui::EndDisabled();
+  if (always) tooltip("Automatic colours of what has a sign part at 0. Choose others for another range.");
 }
 
 /// A slider for a field of the view, from `low` to `high`, or over all that it takes.

@@ -95,7 +95,7 @@ void draw_viewport(Panel& panel) {
   if (panel.input.picture) list->AddImage(panel.input.picture, state.viewport_minimum, end, {0, 1}, {1, 0});
   draw_labels(list, panel.input.labels, panel.input.fonts, state.viewport_minimum, end, ui_scale(panel));
   if (panel.input.legend) {
-    draw_legend(list, *panel.input.legend, panel.input.fonts, state.viewport_minimum, end, ui_scale(panel));
+    draw_legend(list, *panel.input.legend, panel.input.fonts, {state.viewport_minimum, end}, ui_scale(panel));
   }
   draw_hints(panel, state.viewport_minimum, end);
   draw_pause_mark(panel, state.viewport_minimum);

@@ -1,5 +1,6 @@
 uniform vec3 center, color;
 uniform float radius, grid_spacing;  // [m]
+uniform float grid_fade;  // of the finest lines, 0..1: the next become the finest at 1
 uniform float opacity;
 in vec3 position;
 layout(location = 0) out vec4 pixel_color;
@@ -15,7 +16,9 @@ float grid(vec2 place) {
 
 void main() {
   vec2 place = position.xz / grid_spacing;
-  float lines = max(0.45 * grid(place), 0.9 * grid(place / 10.0));
+  float fade_out = smoothstep(0.4, 1.0, grid_fade);
+  float fine = 0.45 * (1.0 - fade_out) * grid(place), medium = mix(0.9, 0.45, fade_out) * grid(place / 10.0);
+  float lines = max(max(fine, medium), 0.9 * grid(place / 100.0));
   float shade = mix(0.55, 1.0, light_visibility(position, vec3(0, 1, 0)));
   vec3 ground = linear_from_srgb(color) * shade * (1.0 - 0.35 * lines);
   float fade = 1.0 - smoothstep(0.2, 1.0, length(position.xz - center.xz) / radius);

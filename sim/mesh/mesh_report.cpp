@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "sim/error.h"
+#include "sim/mesh/number_text.h"
 #include "sim/mesh/topology.h"
 
 namespace griffith {
@@ -76,9 +77,11 @@ void remove_unused_points(TetSoup& soup, MeshReport& report) {
   for (const Tet& tet : soup.tets)
     for (int corner : tet) keep[corner] = 1;
   report.removed_nodes = static_cast<int>(std::count(keep.begin(), keep.end(), 0));
-  report.node_of_point = keep_only(soup.points, keep);
+  const std::vector<int> node_of_point = keep_only(soup.points, keep);
+  for (std::size_t point = 0; point < keep.size(); ++point)
+    if (keep[point]) report.point_of_node.push_back(static_cast<int>(point));
   for (Tet& tet : soup.tets)
-    for (int& corner : tet) corner = report.node_of_point[corner];
+    for (int& corner : tet) corner = node_of_point[corner];
 }
 
 double longest_edge(const std::array<Vec3, 4>& corners) {
@@ -169,16 +172,24 @@ int count_pinched_edges(const TetMesh& mesh) {
   return pinched;
 }
 
-int count_pinched_nodes(const TetMesh& mesh) {
-  int pinched = 0;
-  for (int node = 0; node < mesh.node_count(); ++node) pinched += star_components(mesh, NodeId(node)).size() > 1;
-  return pinched;
+/// Gives each part of a node's star that shares no face there with the rest a node of its own.
+void part_pinched_nodes(TetSoup& soup, const TetMesh& mesh, MeshReport& report) {
+  for (int node = 0; node < mesh.node_count(); ++node) {
+    const std::vector<std::vector<TetId>> parts = star_components(mesh, NodeId(node));
+    if (parts.size() == 1) continue;
+    if (report.pinched_nodes++ == 0) report.first_pinched = soup.points[node];
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+      for (TetId tet : parts[i])
+        soup.tets[tet][local_corner(mesh, tet, NodeId(node))] = static_cast<int>(soup.points.size());
+      soup.points.push_back(Vec3(soup.points[node]));
+      report.point_of_node.push_back(int(report.point_of_node[node]));
+    }
+  }
 }
 
 void measure(const TetSoup& soup, MeshReport& report) {
   report.nodes = static_cast<int>(soup.points.size());
   report.tets = static_cast<int>(soup.tets.size());
-  report.coincident_nodes = count_coincident_points(soup.points);
   report.minimum = report.maximum = soup.points[0];
   for (const Vec3& point : soup.points) {
     report.minimum = report.minimum.cwiseMin(point);
@@ -211,9 +222,11 @@ MeshReport prepare(TetSoup& soup, const std::string& name, TetMesh* mesh) {
   remove_duplicate_tets(soup, report);
   check_faces(soup, name, report);
   remove_unused_points(soup, report);
-  measure(soup, report);
+  report.coincident_nodes = count_coincident_points(soup.points);
   TetMesh built = build_mesh(soup);
-  report.pinched_nodes = count_pinched_nodes(built);
+  part_pinched_nodes(soup, built, report);
+  if (report.pinched_nodes > 0) built = build_mesh(soup);
+  measure(soup, report);
   report.pinched_edges = count_pinched_edges(built);
   report.pieces = static_cast<int>(connected_components(built).size());
   if (mesh != nullptr) *mesh = std::move(built);
@@ -222,7 +235,7 @@ MeshReport prepare(TetSoup& soup, const std::string& name, TetMesh* mesh) {
 
 std::vector<std::string> findings(const MeshReport& report) {
   std::vector<std::string> list;
-  const auto add = [&](int count, const char* what) {
+  const auto add = [&](int count, const std::string& what) {
     if (count > 0) list.push_back(std::to_string(count) + what);
   };
   add(report.reoriented_tets, " tets had their corners in the wrong order; repaired");
@@ -230,7 +243,8 @@ std::vector<std::string> findings(const MeshReport& report) {
   add(report.removed_nodes, " nodes belonged to no tet; removed");
   add(report.coincident_nodes, " nodes lie on another node: a slit, or parts that are not joined");
   add(report.overlapping_faces, " faces have both tets on the same side: matter overlaps");
-  add(report.pinched_nodes, " nodes join parts that share no face there");
+  add(report.pinched_nodes,
+      " nodes joined parts that share no face there; parted, the first at " + place_text(report.first_pinched));
   add(report.pinched_edges, " edges join parts that share no face there");
   add(report.slivers, " slivers: slow to solve, with poor stresses");
   add(report.pieces > 1 ? report.pieces : 0, " separate pieces");

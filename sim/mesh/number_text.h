@@ -1,7 +1,10 @@
 #pragma once
 
 #include <charconv>
+#include <cstdio>
 #include <string>
+
+#include "sim/linear_algebra.h"
 
 namespace griffith {
 
@@ -25,6 +28,13 @@ inline std::string count_text(long long count) {
   const std::size_t first = count < 0 ? 1 : 0;
   for (std::size_t at = digits.size(); at > first + 3;) digits.insert(at -= 3, 1, ',');
   return digits;
+}
+
+/// A place for people: "(1, 0.25, -2)".
+inline std::string place_text(const Vec3& place) {
+  char text[96];
+  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", place.x(), place.y(), place.z());
+  return text;
 }
 
 }  // namespace griffith

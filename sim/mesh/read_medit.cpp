@@ -67,7 +67,11 @@ MeshFile read_medit(const std::filesystem::path& path) {
       const int dimension = cursor.number<int>("the dimension");
       if (dimension != 3) cursor.fail("dimension " + std::to_string(dimension), "expected 3");
     } else {
-      if (is_other_element(keyword)) file.skipped_elements += cursor.number<int>("the number of elements");
+      if (is_other_element(keyword)) {
+        const int count = cursor.number<int>("the number of elements");
+        cursor.require_room(count, 2, 0, "elements");
+        file.skipped_elements += count;
+      }
       skip_numbers(cursor);
     }
   }

@@ -15,7 +15,7 @@ int read_points(FileCursor& cursor, TetSoup& soup) {
   for (int i = 0; i < count; ++i) {
     const int number = cursor.number<int>("a point's number");
     if (i == 0) first = number;
-    if (first < 0 || first > 1 || number != first + i)
+    if (first < 0 || first > 1 || number - first != i)
       cursor.fail("point number " + std::to_string(number), "points are numbered in turn from 0 or 1");
     Vec3 point;
     for (double& coordinate : point) coordinate = cursor.number<double>("x, y, z");
@@ -37,11 +37,11 @@ void read_tets(FileCursor& cursor, int first, TetSoup& soup) {
     cursor.number<int>("a tetrahedron's number");
     std::array<int, 4> tet;
     for (int& corner : tet) {
-      corner = cursor.number<int>("a tetrahedron's corner") - first;
-      if (corner < 0 || corner >= point_count) {
-        cursor.fail("no point " + std::to_string(corner + first),
+      const int number = cursor.number<int>("a tetrahedron's corner");
+      if (number < first || number - first >= point_count)
+        cursor.fail("no point " + std::to_string(number),
                     "points are " + std::to_string(first) + " to " + std::to_string(point_count - 1 + first));
-      }
+      corner = number - first;
     }
     soup.tets.push_back(tet);
     cursor.rest_of_line();

@@ -85,10 +85,13 @@ class VtuReader {
     header_bytes_ = tag.attribute("header_type") == "UInt64" ? 8 : 4;
   }
 
+  /// Not more than the file has bytes.
   std::int64_t count_attribute(const XmlTag& tag, const char* key) {
     std::int64_t count = 0;
-    if (!parse_number(tag.attribute(key), count) || count < 0)
-      cursor_.fail("<" + tag.name + "> has the " + key + " \"" + tag.attribute(key) + "\"", "expected a count");
+    const bool is_count = parse_number(tag.attribute(key), count) && count >= 0;
+    if (!is_count || count > static_cast<std::int64_t>(cursor_.text().size()))
+      cursor_.fail("<" + tag.name + "> has the " + key + " \"" + tag.attribute(key) + "\"",
+                   is_count ? "the file cannot hold so many" : "expected a count");
     return count;
   }
 
@@ -102,7 +105,7 @@ class VtuReader {
   void note_array(const XmlTag& tag, const std::string& section) {
     DataArray array{tag.attribute("type"), tag.attribute("format", "ascii"), tag.end, tag.end, 0};
     if (array.format == "appended") array.offset = count_attribute(tag, "offset");
-    if (!tag.is_empty) array.end = std::min(cursor_.text().find("</DataArray", tag.end), cursor_.text().size());
+    if (!tag.is_empty) array.end = find_array_end(tag);
     if (pieces_.empty()) return;
     Piece& piece = pieces_.back();
     const std::string name = tag.attribute("Name");
@@ -110,6 +113,14 @@ class VtuReader {
     if (section == "Cells" && name == "connectivity") piece.connectivity = array;
     if (section == "Cells" && name == "offsets") piece.offsets = array;
     if (section == "Cells" && name == "types") piece.types = array;
+  }
+
+  /// Moves there, too: values are no tags.
+  std::size_t find_array_end(const XmlTag& tag) {
+    const std::size_t end = cursor_.text().find("</DataArray", tag.end);
+    if (end == std::string_view::npos) cursor_.fail("a <DataArray> has no end", "expected </DataArray>");
+    cursor_.seek(end);
+    return end;
   }
 
   void note_appended_data(const XmlTag& tag) {
@@ -184,6 +195,9 @@ class VtuReader {
     const std::uint64_t length = header_bytes_ == 8 ? decode_number<std::uint64_t>(header.data(), byte_order())
                                                     : decode_number<std::uint32_t>(header.data(), byte_order());
     if (length > source.size()) cursor_.fail("announces " + std::to_string(length) + " bytes", "the file has fewer");
+    decoded_ += length;
+    if (decoded_ > cursor_.text().size())
+      cursor_.fail("the arrays of all pieces are longer than the file", "each array has data of its own");
     std::string bytes = take(header_bytes_ + length);
     if (bytes.size() < header_bytes_ + length)
       cursor_.fail("the data end too early", "expected " + std::to_string(length) + " bytes");
@@ -227,6 +241,7 @@ class VtuReader {
   std::vector<Piece> pieces_;
   bool found_head_ = false, big_endian_ = false, appended_is_raw_ = false;
   std::size_t header_bytes_ = 4;
+  std::uint64_t decoded_ = 0;       ///< bytes of all arrays so far
   std::size_t appended_begin_ = 0;  ///< behind the underscore; 0: there are no appended data
 };
 

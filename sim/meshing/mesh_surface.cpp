@@ -19,19 +19,6 @@ namespace {
 /// A difference in volume from the surface's that is worth a word.
 constexpr double kVolumeTolerance = 0.05;
 
-/// Gives each part of a star that shares no face with the rest a node of its own.
-void part_pinched_nodes(TetSoup& soup) {
-  const TetMesh mesh = build_mesh(soup);
-  for (int node = 0; node < mesh.node_count(); ++node) {
-    const auto components = star_components(mesh, NodeId(node));
-    for (std::size_t i = 1; i < components.size(); ++i) {
-      for (const TetId tet : components[i])
-        soup.tets[tet][local_corner(mesh, tet, NodeId(node))] = static_cast<int>(soup.points.size());
-      soup.points.push_back(Vec3(soup.points[node]));
-    }
-  }
-}
-
 /// TetGen fills cavities, too: what the surface does not wind round is taken out.
 void remove_cavities(TetSoup& soup, const TriangleSurface& surface) {
   const TriangleTree tree(surface);
@@ -91,7 +78,6 @@ FilledSurface fill(const TriangleSurface& surface, const SurfaceReport& report, 
     if (result.refusal.empty()) {
       filled.soup = std::move(result.soup);
       filled.method = MeshingMethod::tetgen;
-      part_pinched_nodes(filled.soup);
       return filled;
     }
     if (options.method == MeshingMethod::tetgen)
@@ -111,7 +97,6 @@ FilledSurface fill(const TriangleSurface& surface, const SurfaceReport& report, 
                            : "close its holes, or give it a thickness");
   }
   prepare(filled.soup, setup.name);
-  part_pinched_nodes(filled.soup);
   return filled;
 }
 

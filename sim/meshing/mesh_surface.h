@@ -24,7 +24,7 @@ struct MeshingSetup {
 
 /// A surface filled with tets.
 struct SurfaceMesh {
-  TetSoup soup;             ///< prepared (mesh_report.h), without pinched nodes
+  TetSoup soup;             ///< prepared (mesh_report.h)
   TriangleSurface surface;  ///< the surface as it was repaired, to be shown in place of the tets' own
   SurfaceReport surface_report;
   MeshingMethod method = MeshingMethod::volumetric;  ///< that made the tets

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "sim/error.h"
+#include "sim/mesh/number_text.h"
 #include "sim/meshing/orient_surface.h"
 #include "sim/meshing/surface_edges.h"
 
@@ -94,12 +95,6 @@ void count_pinched_points(const TriangleSurface& surface, const std::vector<Half
     }
   for (std::size_t i = 0; i < fans_at.size(); ++i)
     if (fans_at[i] > 1 && report.pinched_points++ == 0) report.first_pinched = surface.points[i];
-}
-
-std::string place_text(const Vec3& place) {
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", place.x(), place.y(), place.z());
-  return text;
 }
 
 /// "1 triangle" or "3 triangles".

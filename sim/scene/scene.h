@@ -137,7 +137,7 @@ struct SlicePlane {
 /// What is shown at first; nothing here influences the simulation.
 struct ViewSettings {
   std::string quantity = "von_mises";  ///< one of view_quantities()
-  std::string color_map = "viridis";   ///< viridis, coolwarm or cividis
+  std::string color_map = "automatic";  ///< one of color_map_names()
   std::optional<Vec2> range;           ///< in the quantity's unit; automatic when absent
   bool shading = true;                 ///< off: a scalar's pixel has the legend's colour to the byte
   bool symmetric = false;              ///< the automatic range reaches as far below 0 as above

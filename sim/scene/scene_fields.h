@@ -314,7 +314,8 @@ void describe(Archive& archive, ViewSettings& view) {
   for (const ViewLayerInfo& layer : view_layers()) layers.names.push_back(layer.key);
   const auto maps = color_map_names(), styles = element_style_names();
   archive.field("quantity", view.quantity, quantities, "What the colours show");
-  archive.field("color_map", view.color_map, OneOf{{maps.begin(), maps.end()}}, "Colours from low to high");
+  archive.field("color_map", view.color_map, OneOf{{maps.begin(), maps.end()}},
+                "Colours from low to high; automatic: coolwarm about 0 for what has a sign, else viridis");
   archive.field("range", view.range, range,
                 "Values at the two ends of the colours, in the quantity's unit; null: automatic");
   archive.field("symmetric", view.symmetric, Flag{}, "Whether the automatic range reaches as far below 0 as above");

@@ -8,10 +8,10 @@ std::span<const ViewQuantity> view_quantities() {
   static constexpr std::array<ViewQuantity, 19> kQuantities = {{
       {"margin", "load over resistance", "-"},
       {"von_mises", "von Mises stress", "Pa"},
-      {"max_principal_stress", "largest principal stress", "Pa"},
-      {"mid_principal_stress", "middle principal stress", "Pa"},
-      {"min_principal_stress", "smallest principal stress", "Pa"},
-      {"pressure", "pressure", "Pa"},
+      {"max_principal_stress", "largest principal stress", "Pa", true},
+      {"mid_principal_stress", "middle principal stress", "Pa", true},
+      {"min_principal_stress", "smallest principal stress", "Pa", true},
+      {"pressure", "pressure", "Pa", true},
       {"separation_stress", "separation stress", "Pa"},
       {"separation_eigenvalue", "separation eigenvalue", "N"},
       {"strain_energy", "strain energy density", "J/m³"},
@@ -65,7 +65,7 @@ std::span<const std::string_view> element_style_names() {
 }
 
 std::span<const std::string_view> color_map_names() {
-  static constexpr std::array<std::string_view, 3> kNames = {"viridis", "coolwarm", "cividis"};
+  static constexpr std::array<std::string_view, 4> kNames = {"automatic", "viridis", "coolwarm", "cividis"};
   return kNames;
 }
 

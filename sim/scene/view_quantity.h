@@ -10,6 +10,7 @@ struct ViewQuantity {
   std::string_view key;    ///< as in a scene file: "von_mises"
   std::string_view label;  ///< as in a menu or a legend: "von Mises stress"
   std::string_view unit;   ///< "Pa"; "-" for a ratio, "" for an id
+  bool is_signed = false;  ///< values below 0 mean the opposite of those above
 };
 
 /// Something that a picture can show besides the bodies.
@@ -26,7 +27,7 @@ std::span<const ViewLayerInfo> view_layers();
 std::span<const ViewQuantity> view_quantities();
 /// All ways to draw elements, by ElementStyle.
 std::span<const std::string_view> element_style_names();
-/// All colour maps' names, in the order in which menus show them.
+/// All colour maps' names, in the order in which menus show them; first "automatic", which is the one that suits.
 std::span<const std::string_view> color_map_names();
 
 }  // namespace griffith

@@ -18,10 +18,12 @@ using ModeCombinations = Eigen::Matrix<double, 6, Eigen::Dynamic>;  // one combi
 
 /// The forces on a body's nodes in some configuration, and how far it is from equilibrium.
 struct Balance {
-  std::vector<Vec3> forces;    // per node of the mesh: elastic + loads + inertia [N]
-  std::vector<Vec3> residual;  // the same in the directions that supports leave
+  std::vector<Vec3> loads;     // per node of the mesh, those that follow it too [N]
+  std::vector<Vec3> forces;    // elastic + loads + inertia [N]
+  std::vector<Vec3> external;  // loads + inertia [N]
+  std::vector<Vec3> residual;  // the forces in the directions that supports leave
   double norm = 0;             // of the residual
-  double energy = 0;           // elastic − work of loads and inertia [J]
+  double elastic_energy = 0;   // [J]
 };
 
 class StaticSolver {
@@ -41,6 +43,7 @@ class StaticSolver {
   std::vector<Vec3> newton_step(const Balance& now, std::span<const NodeConstraint> constraints);
   void hold_free_motions(std::vector<Vec3>& step) const;
   void move(const std::vector<Vec3>& start, const std::vector<Vec3>& step, double share);
+  double energy_gained(const Balance& before, const Balance& after, const std::vector<Vec3>& step, double share) const;
   bool search_line(Balance& now, const std::vector<Vec3>& step);
   void finish(const Balance& balance);
 
@@ -144,21 +147,24 @@ std::vector<Vec3> StaticSolver::relieve(const std::vector<Vec3>& loads) const {
 
 Balance StaticSolver::balance() {
   problem_.evaluate(positions_, states_);
-  std::vector<Vec3> forces(positions_.size(), Vec3::Zero());
-  for (NodeId node : nodes_) forces[node] = problem_.loads[node];
   Balance result;
+  result.loads.resize(positions_.size(), Vec3::Zero());
+  for (NodeId node : nodes_) result.loads[node] = problem_.loads[node];
+  if (problem_.add_follower_loads) problem_.add_follower_loads(positions_, result.loads);
+  std::vector<Vec3> forces = result.loads;
   for (TetId tet : problem_.tets) {
     const Corners f = nodal_forces(problem_.rests[tet], states_[tet].frame, states_[tet].stress);
     for (int i = 0; i < 4; ++i) forces[problem_.mesh.tets[tet][i]] += f.col(i);
-    result.energy += problem_.rests[tet].volume * states_[tet].energy_density;
+    result.elastic_energy += problem_.rests[tet].volume * states_[tet].energy_density;
   }
   result.forces = relieve(forces);
+  result.external = result.loads;
   result.residual.resize(forces.size(), Vec3::Zero());
   double squares = 0;
   for (NodeId node : nodes_) {
     result.residual[node] = problem_.constraints[node].allowed * result.forces[node];
     squares += result.residual[node].squaredNorm();
-    result.energy -= (problem_.loads[node] + result.forces[node] - forces[node]).dot(positions_[node] - center_);
+    result.external[node] += result.forces[node] - forces[node];
   }
   result.norm = std::sqrt(squares);
   return result;
@@ -167,7 +173,7 @@ Balance StaticSolver::balance() {
 /// |loads and reactions|: what the unbalanced forces are small against.
 double StaticSolver::scale(const Balance& balance) const {
   double squares = 0;
-  for (NodeId node : nodes_) squares += problem_.loads[node].squaredNorm();
+  for (NodeId node : nodes_) squares += balance.loads[node].squaredNorm();
   for (NodeId node : system_.supports())
     squares += (balance.forces[node] - problem_.constraints[node].allowed * balance.forces[node]).squaredNorm();
   return std::sqrt(squares);
@@ -210,6 +216,14 @@ void StaticSolver::move(const std::vector<Vec3>& start, const std::vector<Vec3>&
   for (NodeId node : nodes_) positions_[node] = start[node] + share * step[node];
 }
 
+/// What the potential energy grows by over a share of a step [J]; loads that follow work by their mean.
+double StaticSolver::energy_gained(const Balance& before, const Balance& after, const std::vector<Vec3>& step,
+                                   double share) const {
+  double work = 0;
+  for (NodeId node : nodes_) work += 0.5 * share * (before.external[node] + after.external[node]).dot(step[node]);
+  return after.elastic_energy - before.elastic_energy - work;
+}
+
 /// Halves the step until the energy falls enough (Armijo 1966) or the forces come closer to balance; false when neither
 /// happens.
 bool StaticSolver::search_line(Balance& now, const std::vector<Vec3>& step) {
@@ -223,7 +237,7 @@ bool StaticSolver::search_line(Balance& now, const std::vector<Vec3>& step) {
     move(start, step, share);
     Balance next = balance();
     const bool closer = next.norm <= (1 - kSufficientShare * share) * now.norm;
-    const bool lower = slope > 0 && next.energy <= now.energy - kSufficientShare * share * slope;
+    const bool lower = slope > 0 && energy_gained(now, next, step, share) <= -kSufficientShare * share * slope;
     if (!closer && !lower) continue;
     now = std::move(next);
     return true;
@@ -260,12 +274,11 @@ void StaticSolver::finish(const Balance& now) {
     report_.supports.push_back(node);
     report_.reaction_forces.push_back(constraint.allowed * now.forces[node] - now.forces[node]);
   }
-  const std::vector<Vec3> loads(problem_.loads.begin(), problem_.loads.end());
-  const std::vector<Vec3> relieved = relieve(loads);
+  const std::vector<Vec3> relieved = relieve(now.loads);
   double accelerating = 0, applied = 0;
   for (NodeId node : nodes_) {
-    accelerating += (relieved[node] - loads[node]).squaredNorm();
-    applied += loads[node].squaredNorm();
+    accelerating += (relieved[node] - now.loads[node]).squaredNorm();
+    applied += now.loads[node].squaredNorm();
   }
   report_.unbalanced_share = applied > 0 ? std::sqrt(accelerating / applied) : 0;
 }

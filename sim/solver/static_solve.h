@@ -17,9 +17,12 @@ struct StaticProblem {
   std::span<const double> masses;  ///< [kg]
   /// What supports block; the known velocities count as displacements to make [m].
   std::span<const NodeConstraint> constraints;
-  std::span<const Vec3> loads;  ///< [N]
+  std::span<const Vec3> loads;  ///< that stay the same wherever the nodes go [N]
   /// Sets the states of the body's tets for these positions, per node and tet of the mesh.
   std::function<void(std::span<const Vec3> positions, std::span<ElementState> states)> evaluate;
+  /// Adds the loads that follow the nodes, such as pressures, at these positions, per node of the mesh [N]; empty:
+  /// none.
+  std::function<void(std::span<const Vec3> positions, std::span<Vec3> loads)> add_follower_loads = {};
 };
 
 struct StaticSettings {
@@ -42,7 +45,8 @@ struct StaticReport {
   std::vector<Vec3> reaction_forces;  ///< per support: the force on the node in its blocked directions [N]
 };
 
-/// Static equilibrium f_elastic(x) + loads = 0 by Newton's method with a line search on the potential energy.
+/// Static equilibrium f_elastic(x) + loads(x) = 0 by Newton's method with a line search on the potential energy. The
+/// derivative of loads that follow the nodes is left out of the matrix: with such it converges linearly.
 /// `positions` [m] hold the start and the answer, `states` the elements' at the answer; both per node or tet of the
 /// mesh, the body's alone are written.
 StaticReport solve_static(const StaticProblem& problem, const StaticSettings& settings, std::span<Vec3> positions,

@@ -2,19 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 #include "sim/error.h"
+#include "sim/mesh/number_text.h"
 
 namespace griffith {
 namespace {
-
-std::string place_text(const Vec3& place) {
-  char text[96];
-  std::snprintf(text, sizeof text, "(%.6g, %.6g, %.6g)", place.x(), place.y(), place.z());
-  return text;
-}
 
 /// The planes of an object's triangles, each once, the largest triangle of each first: it gives the plane best.
 std::vector<HalfSpace> planes_of(const TriangleSurface& surface, const Vec3& center, double tolerance) {

@@ -27,7 +27,7 @@ void append_nodes(WorldState& world, const BodyDescription& body) {
 
 /// Places a copy of the shape's mesh in the world's.
 RestBody append_mesh(WorldState& world, int scene_body, const ShapeMesh& shape) {
-  const RestBody body{shape.soup, shape.node_of_point, shape.mesh, append(world.mesh, shape.mesh)};
+  const RestBody body{shape.soup, shape.point_of_node, shape.mesh, append(world.mesh, shape.mesh)};
   const Pose pose = pose_of(world.scene.bodies[scene_body]);
   std::vector<Vec3>& points = world.mesh.rest_positions;
   for (std::size_t i = body.range.first_node; i < points.size(); ++i) points[i] = pose.to_world(points[i]);
@@ -235,9 +235,9 @@ void build_world(WorldState& world, const Monitor& monitor) {
     world.contact_world.add_ground(ground->height, {ground->friction, ground->restitution});
   add_scene_bodies(world, monitor);
   queue_bursts(world);
+  for (int i = 0; i < static_cast<int>(world.materials.size()); ++i) check_substep_count(world, i, world.materials[i]);
   monitor.enter("Finding the start");
-  if (world.scene.simulation.static_start && world.scene.analysis == Analysis::dynamic)
-    find_equilibrium(world, 0, 0, true);
+  find_static_start(world);
   place_stand_ins(world);
   update_elements(world);
   evaluate_separation(world, false);

@@ -8,7 +8,7 @@ namespace griffith {
 namespace {
 
 StaticProblem problem_of(const WorldState& world, const Body& body, std::span<const NodeConstraint> displacements,
-                         std::span<const Vec3> loads) {
+                         std::span<const Vec3> loads, std::span<const PressedFace> pressed) {
   const ElasticLaw law = elastic_law(world.material_of(body));
   const auto evaluate = [&world, &body, law](std::span<const Vec3> positions, std::span<ElementState> states) {
     const ElementArrays& elements = world.elements;
@@ -21,13 +21,18 @@ StaticProblem problem_of(const WorldState& world, const Body& body, std::span<co
       }
     });
   };
-  return {world.mesh, body.tets, world.elements.rests, law, world.nodes.masses, displacements, loads, evaluate};
+  StaticProblem problem{world.mesh, body.tets, world.elements.rests, law, world.nodes.masses, displacements,
+                        loads,      evaluate};
+  if (!pressed.empty())
+    problem.add_follower_loads = [pressed](std::span<const Vec3> positions, std::span<Vec3> forces) {
+      add_pressure(pressed, positions, forces);
+    };
+  return problem;
 }
 
-void settle(WorldState& world, Body& body, std::span<const NodeConstraint> displacements, std::span<const Vec3> loads) {
-  const StaticProblem problem = problem_of(world, body, displacements, loads);
+void settle(WorldState& world, Body& body, const StaticProblem& problem) {
   const StaticReport report = solve_static(problem, {}, world.nodes.positions, world.elements.states);
-  for (NodeId node : body.nodes) world.nodes.velocities[node].setZero();
+  for (NodeId node : body.nodes) world.nodes.velocities[node] = world.nodes.reactions[node] = Vec3::Zero();
   for (std::size_t i = 0; i < report.supports.size(); ++i)
     world.nodes.reactions[report.supports[i]] = report.reaction_forces[i];
   update_motion(world, body);
@@ -38,18 +43,26 @@ void settle(WorldState& world, Body& body, std::span<const NodeConstraint> displ
 
 }  // namespace
 
-void find_equilibrium(WorldState& world, double time, double displacement_time, bool supported_only) {
+void find_equilibrium(WorldState& world, double time, double displacement_time,
+                      const std::function<bool(const Body&)>& concerns) {
   std::vector<NodeConstraint> displacements = world.nodes.constraints;
   for (NodeConstraint& constraint : displacements) constraint.velocity *= displacement_time;
   std::vector<Vec3> loads(world.nodes.positions.size());
   for (std::size_t i = 0; i < loads.size(); ++i) loads[i] = world.nodes.masses[i] * world.scene.gravity;
-  add_load_forces(world, time, loads);
-  std::ranges::fill(world.nodes.reactions, Vec3::Zero());
+  add_dead_forces(world, time, loads);
+  const std::vector<std::vector<PressedFace>> pressed = pressed_faces(world, time);
   for (Body& body : world.bodies) {
-    if (body.rigid || (supported_only && !body.supported())) continue;
-    settle(world, body, displacements, loads);
+    if (body.rigid || !concerns(body)) continue;
+    settle(world, body, problem_of(world, body, displacements, loads, pressed[body.id]));
     freeze_if_broken_down(world, body);
   }
+}
+
+void find_static_start(WorldState& world, int scene_body) {
+  if (!world.scene.simulation.static_start || world.scene.analysis != Analysis::dynamic) return;
+  find_equilibrium(world, 0, 0, [&](const Body& body) {
+    return body.supported() && (scene_body < 0 || body.scene_body == scene_body);
+  });
 }
 
 }  // namespace griffith

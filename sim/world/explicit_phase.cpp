@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 
 #include "sim/mesh/topology.h"
 #include "sim/parallel.h"
@@ -9,13 +11,22 @@
 namespace griffith {
 namespace {
 
-/// The highest frequency of a body's present shape [rad/s].
-double frequency_of(const WorldState& world, Body& body) {
-  body.system->assemble(MatrixFactors{.mass = 0, .stiffness = 1}, elastic_law(world.material_of(body)),
-                        world.elements.rests, world.elements.states, world.nodes.positions, world.nodes.masses);
+/// The highest frequency that a body's present shape has with a material [rad/s].
+double frequency_of(const WorldState& world, const Body& body, const Material& material) {
+  body.system->assemble(MatrixFactors{.mass = 0, .stiffness = 1}, elastic_law(material), world.elements.rests,
+                        world.elements.states, world.nodes.positions, world.nodes.masses);
+  const double density_ratio = material.density / world.material_of(body).density;
   Eigen::VectorXd masses(body.system->nodes().size());
-  for (Eigen::Index row = 0; row < masses.size(); ++row) masses[row] = world.nodes.masses[body.system->nodes()[row]];
+  for (Eigen::Index row = 0; row < masses.size(); ++row)
+    masses[row] = density_ratio * world.nodes.masses[body.system->nodes()[row]];
   return highest_frequency(body.system->matrix(), masses);
+}
+
+/// The longest substep in which a body of this highest frequency [rad/s] is integrated explicitly [s].
+double stable_substep_at(double frequency, const Material& material) {
+  // Strains of some percent raise frequencies; at half the step of the undeformed body the energy stays within 10 %.
+  constexpr double kShare = 0.5;
+  return kShare * stable_time_step(frequency, material.stiffness_damping);
 }
 
 /// Rayleigh's damping of the stiffness, −beta K v, element by element: the forces of beta times the rate of stress.
@@ -44,17 +55,30 @@ void add_damping_forces(const WorldState& world, const Body& body, std::vector<V
 
 }  // namespace
 
-int stable_substeps(WorldState& world, double time_step) {
-  // Strains of some percent raise frequencies; at half the step of the undeformed body the energy stays within 10 %.
-  constexpr double kShare = 0.5;
-  double stable = time_step;
+double stable_substep(WorldState& world) {
+  double stable = std::numeric_limits<double>::infinity();
   for (Body& body : world.bodies) {
     if (body.rigid) continue;
-    if (body.highest_frequency == 0) body.highest_frequency = frequency_of(world, body);
-    const double limit = stable_time_step(body.highest_frequency, world.material_of(body).stiffness_damping);
-    stable = std::min(stable, kShare * limit);
+    if (body.highest_frequency == 0) body.highest_frequency = frequency_of(world, body, world.material_of(body));
+    stable = std::min(stable, stable_substep_at(body.highest_frequency, world.material_of(body)));
   }
-  return static_cast<int>(std::ceil(time_step / stable));
+  return stable;
+}
+
+void check_substep_count(const WorldState& world, int scene_body, const Material& material) {
+  if (!world.integrates_explicitly()) return;
+  constexpr double kMost = 1e5;
+  const double time_step = world.scene.simulation.time_step;
+  for (const Body& body : world.bodies) {
+    if (body.scene_body != scene_body || (body.rigid && body.tets.size() == 1)) continue;
+    const double substep = stable_substep_at(frequency_of(world, body, material), material);
+    if (time_step <= kMost * substep) continue;  // false for what is not a number, too
+    char problem[120];
+    std::snprintf(problem, sizeof problem, "explicit integration would take %.3g substeps a step", time_step / substep);
+    throw InputError("#/bodies/" + std::to_string(scene_body) + "/material", problem,
+                     "at most 100,000 are made: take the implicit integrator, a shorter time step, less stiffness or "
+                     "less stiffness_damping");
+  }
 }
 
 void predict_explicitly(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt) {

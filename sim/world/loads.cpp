@@ -73,7 +73,7 @@ const char* loaded_things(LoadKind kind) {
 }
 
 /// The outward area vector of a face [m²] with its nodes at `positions`.
-Vec3 area_vector(const std::vector<Vec3>& positions, const std::array<NodeId, 3>& nodes) {
+Vec3 area_vector(std::span<const Vec3> positions, const std::array<NodeId, 3>& nodes) {
   const Vec3& origin = positions[nodes[0]];
   return 0.5 * (positions[nodes[1]] - origin).cross(positions[nodes[2]] - origin);
 }
@@ -87,14 +87,6 @@ void add_traction(const WorldState& world, const PlacedLoad& placed, double fact
   for (const SurfaceFace& face : placed.faces) {
     const std::array<NodeId, 3> nodes = face_nodes(world.mesh, face.tet, face.face);
     const Vec3 share = factor * area_vector(world.mesh.rest_positions, nodes).norm() / 3 * placed.load.traction;
-    for (NodeId node : nodes) forces[node] += share;
-  }
-}
-
-void add_pressure(const WorldState& world, const PlacedLoad& placed, double factor, std::vector<Vec3>& forces) {
-  for (const SurfaceFace& face : placed.faces) {
-    const std::array<NodeId, 3> nodes = face_nodes(world.mesh, face.tet, face.face);
-    const Vec3 share = -factor * placed.load.pressure / 3 * area_vector(world.nodes.positions, nodes);
     for (NodeId node : nodes) forces[node] += share;
   }
 }
@@ -141,6 +133,30 @@ void wake_loaded_bodies(WorldState& world, double before, double time) {
 }
 
 void add_load_forces(const WorldState& world, double time, std::vector<Vec3>& forces) {
+  add_dead_forces(world, time, forces);
+  for (const std::vector<PressedFace>& faces : pressed_faces(world, time))
+    add_pressure(faces, world.nodes.positions, forces);
+}
+
+std::vector<std::vector<PressedFace>> pressed_faces(const WorldState& world, double time) {
+  std::vector<std::vector<PressedFace>> faces(world.bodies.size());
+  for (const PlacedLoad& placed : world.loads) {
+    const double pressure = load_factor(placed.load, time) * placed.load.pressure;
+    if (pressure == 0) continue;
+    for (const SurfaceFace& face : placed.faces)
+      faces[world.elements.bodies[face.tet]].push_back({face_nodes(world.mesh, face.tet, face.face), pressure});
+  }
+  return faces;
+}
+
+void add_pressure(std::span<const PressedFace> faces, std::span<const Vec3> positions, std::span<Vec3> forces) {
+  for (const PressedFace& face : faces) {
+    const Vec3 share = -face.pressure / 3 * area_vector(positions, face.nodes);
+    for (NodeId node : face.nodes) forces[node] += share;
+  }
+}
+
+void add_dead_forces(const WorldState& world, double time, std::vector<Vec3>& forces) {
   for (const PlacedLoad& placed : world.loads) {
     const double factor = load_factor(placed.load, time);
     if (factor == 0) continue;
@@ -152,7 +168,6 @@ void add_load_forces(const WorldState& world, double time, std::vector<Vec3>& fo
         add_traction(world, placed, factor, forces);
         break;
       case LoadKind::pressure:
-        add_pressure(world, placed, factor, forces);
         break;
       case LoadKind::body_force:
         add_body_force(world, placed, factor, forces);

@@ -28,5 +28,17 @@ void wake_loaded_bodies(WorldState& world, double before, double time);
 /// itself, a traction to itself times the undeformed area; a uniform pressure on a closed surface has no resultant. A
 /// face's load goes in equal parts to its corners, which keeps its torque too.
 void add_load_forces(const WorldState& world, double time, std::vector<Vec3>& forces);
+/// The same of the loads that do not depend on the positions: all but pressures.
+void add_dead_forces(const WorldState& world, double time, std::vector<Vec3>& forces);
+
+/// A face on which a pressure acts [Pa].
+struct PressedFace {
+  std::array<NodeId, 3> nodes;
+  double pressure = 0;
+};
+/// Per body, the faces under pressure at `time` [s].
+std::vector<std::vector<PressedFace>> pressed_faces(const WorldState& world, double time);
+/// Adds their forces to `forces` [N] with the nodes at `positions`; both per node of the mesh.
+void add_pressure(std::span<const PressedFace> faces, std::span<const Vec3> positions, std::span<Vec3> forces);
 
 }  // namespace griffith

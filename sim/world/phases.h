@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "sim/fracture/separation_tensor.h"
 #include "sim/meshing/monitor.h"
 #include "sim/world/world_state.h"
@@ -30,10 +32,12 @@ void launch_projectiles(WorldState& world);
 
 /// A step is divided into this many ticks; substeps are whole numbers of them.
 inline constexpr int kTicksPerStep = 4096;
-/// Brings bodies to rest where what acts on them at `time` [s] is in balance; with `supported_only` just those that
-/// supports hold. Prescribed supports go on for `displacement_time` [s]. Free bodies get inertia relief
-/// (solve_static()).
-void find_equilibrium(WorldState& world, double time, double displacement_time, bool supported_only);
+/// Brings the elastic bodies for which `concerns` holds to rest where what acts on them at `time` [s] is in balance.
+/// Prescribed supports go on for `displacement_time` [s]. Free bodies get inertia relief (solve_static()).
+void find_equilibrium(WorldState& world, double time, double displacement_time,
+                      const std::function<bool(const Body&)>& concerns);
+/// Starts supported bodies in equilibrium, if the scene asks for that: the pieces of `scene_body`, or all (−1).
+void find_static_start(WorldState& world, int scene_body = -1);
 
 /// What a substep must cost as things are, as Work counts it.
 double least_work(const WorldState& world);
@@ -100,8 +104,11 @@ ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt)
 void take_reactions(WorldState& world, const Body& body);
 /// Counts what a linear solve for a body needed.
 void count_solve(WorldState& world, const Body& body, const SolveReport& solve);
-/// How many equal substeps keep explicit integration of all elastic bodies stable.
-int stable_substeps(WorldState& world, double time_step);
+/// The longest substep in which explicit integration of all elastic bodies, as they are now, is stable [s].
+double stable_substep(WorldState& world);
+/// Throws InputError where the pieces of a scene body, of this material, would take more substeps a step than explicit
+/// integration makes.
+void check_substep_count(const WorldState& world, int scene_body, const Material& material);
 /// Velocities of a body by explicit integration; `forces` hold the elastic and external ones.
 void predict_explicitly(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt);
 /// Separation tensors, and the margin of every node against the material's resistance. `averaged`: the stress is the

@@ -71,9 +71,9 @@ std::vector<ProbedNode> nodes_at(const RestBody& body, const ProbePoint& place) 
 }
 
 std::vector<ProbedNode> nodes_at(const RestBody& body, const ProbeNode& place) {
-  const bool exists = place.node < static_cast<int>(body.node_of_point.size()) && body.node_of_point[place.node] >= 0;
-  if (!exists) return {};
-  return {probed_node(body, body.node_of_point[place.node], 1)};
+  const auto node = std::ranges::find(body.point_of_node, place.node);
+  if (node == body.point_of_node.end()) return {};
+  return {probed_node(body, static_cast<int>(node - body.point_of_node.begin()), 1)};
 }
 
 std::vector<ProbedNode> nodes_at(const RestBody& body, const Region& region) {
@@ -200,7 +200,7 @@ void place_probes(WorldState& world, int scene_body, const RestBody& body) {
     std::vector<ProbedNode> nodes = std::visit([&](const auto& place) { return nodes_at(body, place); }, probes[i].at);
     if (nodes.empty() && std::holds_alternative<ProbeNode>(probes[i].at)) {
       throw InputError(place_of(i, "at/node"), "is no node of the mesh",
-                       "take one below " + std::to_string(body.node_of_point.size()));
+                       "take one below " + std::to_string(1 + std::ranges::max(body.point_of_node)));
     }
     if (nodes.empty()) {
       world.findings.emplace_back(place_of(i, "at/region"), "holds no node",

@@ -8,10 +8,8 @@ std::vector<std::uint8_t> nodes_in(const RestBody& body, const Region& region) {
   for (const Vec3& point : body.soup.points) bounds.extend(point);
   const double tolerance = kTolerance * bounds.diagonal().norm();
   std::vector<std::uint8_t> inside(body.soup.points.size(), 0);
-  for (std::size_t i = 0; i < body.node_of_point.size(); ++i) {
-    const int node = body.node_of_point[i];
-    if (node >= 0 && contains(region, body.soup.points[node], static_cast<int>(i), tolerance)) inside[node] = 1;
-  }
+  for (std::size_t node = 0; node < inside.size(); ++node)
+    inside[node] = contains(region, body.soup.points[node], body.point_of_node[node], tolerance);
   return inside;
 }
 

@@ -23,7 +23,7 @@ inline NodeId node_at(std::span<const std::array<NodeId, 4>> tets, const TetCorn
 /// A scene body in its rest space, before anything has broken, for its regions to be looked up in.
 struct RestBody {
   const TetSoup& soup;                    ///< prepared
-  const std::vector<int>& node_of_point;  ///< per point as read: its node in the soup, -1 where it was removed
+  const std::vector<int>& point_of_node;  ///< per node of the soup: the point as read that it was
   const TetMesh& mesh;                    ///< of the soup
   AppendedRange range;                    ///< where its nodes and tets are in the world's mesh
 };

@@ -1,6 +1,9 @@
 #include "sim/world/shape_mesh.h"
 
+#include <cstdio>
+
 #include "sim/error.h"
+#include "sim/file_path.h"
 #include "sim/fracture/slit_tips.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"
@@ -22,15 +25,19 @@ std::size_t hash_of(const NotchedBeamShape& beam) { return hash_of(beam.size); }
 std::size_t hash_of(const MeshFileShape& file) { return hash_value(file.path); }
 std::size_t hash_of(const SurfaceShape& surface) { return hash_value(surface.path); }
 
-/// Makes or reads the mesh, telling errors by their place in the scene where that is all they can be told by.
-TetSoup make_body_soup(const Scene& scene, int scene_body, std::vector<std::string>& findings, const Monitor& monitor) {
-  const Shape& shape = scene.bodies[scene_body].shape;
-  try {
-    return make_soup(shape, scene.folder, &findings, monitor);
-  } catch (const InputError& error) {
-    if (!std::holds_alternative<SurfaceShape>(shape)) throw;
-    throw InputError(shape_pointer(scene, scene_body), error.where() + ": " + error.problem(), error.remedy());
-  }
+/// A mesh of another size than bodies have is one in other units.
+void check_size(const MeshReport& report, const std::string& name) {
+  constexpr double kSmallest = 1e-4, kFarthest = 1e6;  // as the fields of a scene allow [m]
+  const double size = (report.maximum - report.minimum).maxCoeff();
+  const double farthest = report.minimum.cwiseAbs().cwiseMax(report.maximum.cwiseAbs()).maxCoeff();
+  char problem[120];
+  if (size < kSmallest)
+    std::snprintf(problem, sizeof problem, "measures %.3g m across", size);
+  else if (farthest > kFarthest)
+    std::snprintf(problem, sizeof problem, "reaches %.3g m from its origin", farthest);
+  else
+    return;
+  throw InputError(name, problem, "bodies measure 0.1 mm at least and lie within 1,000 km: give another scale");
 }
 
 Vec3 center_of_mass(const TetMesh& mesh, double volume) {
@@ -39,18 +46,25 @@ Vec3 center_of_mass(const TetMesh& mesh, double volume) {
   return sum / volume;
 }
 
-ShapeMesh make_mesh(const Scene& scene, int scene_body, const Monitor& monitor) {
-  const BodyDescription& body = scene.bodies[scene_body];
+/// What errors of the mesh name: its file, or what it was to be.
+std::string mesh_name(const Scene& scene, const Shape& shape) {
+  if (const auto* file = std::get_if<MeshFileShape>(&shape)) return file_path(scene.folder, file->path).string();
+  if (const auto* file = std::get_if<SurfaceShape>(&shape)) return file_path(scene.folder, file->path).string();
+  return "the shape";
+}
+
+ShapeMesh make_mesh(const Scene& scene, const Shape& shape, const Monitor& monitor) {
   ShapeMesh made;
-  made.soup = make_body_soup(scene, scene_body, made.findings, monitor);
-  MeshReport report = prepare(made.soup, body.name, &made.mesh);
-  if (std::holds_alternative<MeshFileShape>(body.shape)) made.findings = findings(report);
+  made.soup = make_soup(shape, scene.folder, &made.findings, monitor);
+  MeshReport report = prepare(made.soup, mesh_name(scene, shape), &made.mesh);
+  check_size(report, mesh_name(scene, shape));
+  if (std::holds_alternative<MeshFileShape>(shape)) made.findings = findings(report);
   made.pieces = connected_components(made.mesh);
   if (made.pieces.size() == 1)
     made.convex_parts =
         tet_parts(made.mesh, made.mesh.rest_positions, made.pieces.front(), center_of_mass(made.mesh, report.volume));
   if (report.coincident_nodes > 0) made.slit_tips = slit_tips(made.mesh);
-  made.node_of_point = std::move(report.node_of_point);
+  made.point_of_node = std::move(report.point_of_node);
   return made;
 }
 
@@ -64,12 +78,21 @@ const ShapeMesh& ShapeMeshes::of(const Scene& scene, int scene_body, const Monit
   const Shape& shape = scene.bodies[scene_body].shape;
   const auto known = made_.find(shape);
   if (known != made_.end()) return known->second;
-  return made_.emplace(shape, make_mesh(scene, scene_body, monitor)).first->second;
+  try {
+    return made_.emplace(shape, make_mesh(scene, shape, monitor)).first->second;
+  } catch (const InputError& error) {
+    throw InputError(shape_pointer(scene, scene_body),
+                     "of \"" + scene.bodies[scene_body].name + "\": " + error.where() + ": " + error.problem(),
+                     error.remedy());
+  }
 }
 
 std::string shape_pointer(const Scene& scene, int scene_body) {
-  const bool surface = std::holds_alternative<SurfaceShape>(scene.bodies[scene_body].shape);
-  return "#/bodies/" + std::to_string(scene_body) + "/shape/" + (surface ? "surface" : "mesh");
+  const Shape& shape = scene.bodies[scene_body].shape;
+  const char* kind = std::holds_alternative<MeshFileShape>(shape)  ? "/mesh"
+                     : std::holds_alternative<SurfaceShape>(shape) ? "/surface"
+                                                                   : "";
+  return "#/bodies/" + std::to_string(scene_body) + "/shape" + kind;
 }
 
 }  // namespace griffith

@@ -14,7 +14,7 @@ namespace griffith {
 /// The mesh of a shape in its own frame, and what is known of it: the same for all bodies of the shape.
 struct ShapeMesh {
   TetSoup soup;                            ///< prepared
-  std::vector<int> node_of_point;          ///< per point as read: its node in the soup, -1 where it was removed
+  std::vector<int> point_of_node;          ///< per node of the soup: the point as read that it was
   TetMesh mesh;                            ///< of the soup
   std::vector<std::vector<TetId>> pieces;  ///< what holds together through faces
   std::vector<NodeId> slit_tips;           ///< crack fronts that it has from the start
@@ -25,7 +25,7 @@ struct ShapeMesh {
 /// The meshes of a scene's shapes, each read or made once.
 class ShapeMeshes {
  public:
-  /// The mesh of the body's shape; it stays where it is. Throws InputError, which names the body or the file, for one
+  /// The mesh of the body's shape; it stays where it is. Throws InputError, which names the body and the file, for one
   /// that cannot be simulated, Cancelled when the monitor says so.
   const ShapeMesh& of(const Scene& scene, int scene_body, const Monitor& monitor);
 

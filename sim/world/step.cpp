@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -58,10 +59,15 @@ bool substep(WorldState& world, double dt, const Attempt& attempt) {
   return fracture(world, dt, attempt);
 }
 
+/// In equal substeps; where cracks or cuts leave smaller elements, what is left of the step goes on in shorter ones.
 void step_explicitly(WorldState& world, double time_step) {
-  world.report.substeps = stable_substeps(world, time_step);
-  const double dt = time_step / world.report.substeps;
-  for (int i = 0; i < world.report.substeps; ++i) substep(world, dt, {});
+  constexpr double kRounding = 1e-9;
+  for (double left = time_step; left > 0; ++world.report.substeps) {
+    const double count = std::max(1.0, std::ceil((1 - kRounding) * left / stable_substep(world)));
+    const double dt = left / count;
+    substep(world, dt, {});
+    left = count > 1 ? left - dt : 0;
+  }
   calm_bodies(world);
   rest_bodies(world, time_step);
 }
@@ -120,7 +126,7 @@ void step_statically(WorldState& world, double time_step) {
   for (world.report.substeps = 0; world.report.cracks > cracks_before; ++world.report.substeps) {
     {
       PhaseTimer timer(world.report.milliseconds.elasticity);
-      find_equilibrium(world, world.time, displacement_time, false);
+      find_equilibrium(world, world.time, displacement_time, [](const Body&) { return true; });
       update_elements(world);
     }
     displacement_time = 0;

@@ -23,6 +23,30 @@ class Hash {
   std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
+/// Takes on the material that is in force now.
+void change_bodies(WorldState& world, int scene_body) {
+  for (Body& body : world.bodies) {
+    if (body.scene_body != scene_body) continue;
+    for (NodeId node : body.nodes) world.nodes.masses[node] = node_mass(world, node);
+    rebuild_body(world, body);
+    const Material& material = world.material_of(body);
+    world.contact_world.set_surface(body.stand_in, {material.friction, material.restitution});
+    body.softening = 1;
+  }
+}
+
+/// Before the first step: the undeformed shape again, from which the static start is found.
+void take_back_start(WorldState& world, int scene_body) {
+  for (const Body& body : world.bodies) {
+    if (body.scene_body != scene_body) continue;
+    for (NodeId node : body.nodes) world.nodes.positions[node] = world.mesh.rest_positions[node];
+    for (TetId tet : body.tets) {
+      world.elements.plastic_strains[tet].setZero();
+      world.elements.states[tet] = {};
+    }
+  }
+}
+
 /// Under the material that is in force now; what was put off is forgotten, since another would have to open.
 void judge_anew(WorldState& world, int scene_body) {
   std::erase_if(world.postponed, [&](const PostponedCrack& crack) {
@@ -92,13 +116,13 @@ void World::fire(const ProjectileBurst& burst) { queue_burst(impl_->state, burst
 void World::set_material(int scene_body, const Material& material) {
   WorldState& world = impl_->state;
   assert(scene_body >= 0 && scene_body < static_cast<int>(world.materials.size()));
+  check_substep_count(world, scene_body, material);
   world.materials[scene_body] = material;
-  for (Body& body : world.bodies) {
-    if (body.scene_body != scene_body) continue;
-    for (NodeId node : body.nodes) world.nodes.masses[node] = node_mass(world, node);
-    rebuild_body(world, body);
-    world.contact_world.set_surface(body.stand_in, {material.friction, material.restitution});
-    body.softening = 1;
+  if (world.step == 0) take_back_start(world, scene_body);
+  change_bodies(world, scene_body);
+  if (world.step == 0) {
+    find_static_start(world, scene_body);
+    place_stand_ins(world);
   }
   update_elements(world);
   judge_anew(world, scene_body);

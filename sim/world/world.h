@@ -32,7 +32,9 @@ class World {
   /// Launches `burst`, its start counted from now. Throws InputError for a shape whose file cannot be used.
   void fire(const ProjectileBurst& burst);
   /// Gives the pieces of Scene::bodies[scene_body] other elastic and fracture properties while running. Density takes
-  /// effect as well: velocities stay, momentum changes with the mass.
+  /// effect as well: velocities stay, momentum changes with the mass. Before the first step the body starts as if made
+  /// of the material: supported, in the equilibrium of it. Throws InputError, with nothing changed, for a material with
+  /// which explicit integration would take too many substeps.
   void set_material(int scene_body, const Material& material);
 
   /// A hash of all positions, velocities and topology: the same bits, the same hash.

@@ -71,6 +71,18 @@ TEST(CommandLine, BadSceneIsExitCode2WithThePlaceOfEachProblem) {
   EXPECT_THAT(checked.output, HasSubstr("small_wall.json: good"));
 }
 
+TEST(CommandLine, ABadMeshIsToldWithSceneBodyFileAndLine) {
+  test_file("bad.node", "4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 one 0\n3 0 0 1\n");
+  const auto path = test_file("meshed.json", R"({"version": 1, "bodies": [{"name": "floor"},
+      {"name": "rock", "position": [0, 3, 0], "shape": {"mesh": {"path": "bad.node"}}}]})");
+  for (const std::string& command : {"check ", "simulate --frames 1 "}) {
+    const Outcome outcome = run_program(command + path.string());
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.output, HasSubstr("meshed.json#/bodies/1/shape/mesh: of \"rock\": "));
+    EXPECT_THAT(outcome.output, HasSubstr("bad.node:4: found one"));
+  }
+}
+
 TEST(CommandLine, UnknownQuantityAndCameraListWhatThereIs) {
   const std::string render = "render " + small_wall_file().string() + " -o " + (test_folder() / "a.png").string();
   const Outcome view = run_program(render + " --view beauty");

@@ -2,22 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "enclosed_volume.h"
 #include "program.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/world/world.h"
 
 namespace griffith::app {
 namespace {
-
-/// By the divergence theorem; right only if the surface is closed and faces outwards.
-double enclosed_volume(const render::Surface& surface) {
-  double volume = 0;
-  for (std::size_t i = 0; i < surface.positions.size(); i += 3) {
-    const Vec3 a = surface.positions[i].cast<double>(), b = surface.positions[i + 1].cast<double>();
-    volume += a.dot(b.cross(surface.positions[i + 2].cast<double>())) / 6;
-  }
-  return volume;
-}
 
 TEST(DrawSceneFromFrame, SurfaceEnclosesTheBody) {
   World world(small_wall());
@@ -83,6 +74,37 @@ TEST(DrawSceneFromFrame, SelectionAndLockedRangeAreTakenOver) {
   EXPECT_EQ(surface.scalar_style.color_map, render::ColorMap::kCoolwarm);
   for (std::size_t i = 0; i < surface.flags.size(); ++i) {
     EXPECT_EQ((surface.flags[i] & render::kSelected) != 0, surface.ids[i] == selected.value);
+  }
+}
+
+TEST(DrawSceneFromFrame, ColoursOfWhatHasASignPartAtZeroUnlessOthersAreChosen) {
+  World world(small_wall());
+  for (int step = 0; step < 8; ++step) world.step();
+  const Frame frame = world.frame();
+  const auto style_of = [&](const ViewSettings& view) {
+    return draw_scene_from_frame(frame, embedded_display(frame, small_wall()), small_wall(), view, {})
+        .surface.scalar_style;
+  };
+  for (const char* quantity : {"pressure", "max_principal_stress", "mid_principal_stress", "min_principal_stress"}) {
+    ViewSettings view;
+    view.quantity = quantity;
+    EXPECT_EQ(style_of(view).color_map, render::ColorMap::kCoolwarm) << quantity;
+    EXPECT_EQ(style_of(view).minimum, -style_of(view).maximum) << quantity;
+    const double reach = style_of(view).maximum;
+    view.range = Vec2(-reach, reach);  // locked as it is
+    EXPECT_EQ(style_of(view).color_map, render::ColorMap::kCoolwarm) << quantity;
+    view.range = Vec2(0, 3e6);
+    EXPECT_EQ(style_of(view).color_map, render::ColorMap::kViridis) << quantity;
+    view.range.reset();
+    view.color_map = "cividis";
+    EXPECT_EQ(style_of(view).color_map, render::ColorMap::kCividis) << quantity;
+    EXPECT_NE(style_of(view).minimum, -style_of(view).maximum) << quantity;
+  }
+  for (const char* quantity : {"von_mises", "margin", "speed"}) {
+    ViewSettings view;
+    view.quantity = quantity;
+    EXPECT_EQ(style_of(view).color_map, render::ColorMap::kViridis) << quantity;
+    EXPECT_EQ(style_of(view).minimum, 0) << quantity;
   }
 }
 

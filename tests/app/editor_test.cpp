@@ -414,6 +414,37 @@ TEST_F(EditorTest, RangeLockKeepsWhatIsShown) {
   EXPECT_FALSE(editor_.state().view.range.has_value());
 }
 
+TEST_F(EditorTest, AutomaticRangeIsThatOfAPictureOfTheStepAlone) {
+  World world(small_wall());
+  SteadyRange headless;
+  headless.follow(world.frame(), "von_mises");
+  for (int step = 1; step <= 24; ++step) {
+    editor_.step();
+    if (step % 5 == 0) draw();  // not of every step
+    world.step();
+    headless.follow(world.frame(), "von_mises");
+  }
+  draw(2);
+  editor_.execute({.id = ui::CommandId::toggle_range_lock});
+  EXPECT_EQ(editor_.state().view.range->cast<float>(), headless.range()->cast<float>());
+}
+
+TEST_F(EditorTest, HomeLeavesOutWhatFliesFar) {
+  Scene scene = small_wall();
+  scene.projectiles[0].position = Vec3(3, 2, 0);
+  scene.projectiles[0].direction = Vec3(1, 1, 0);
+  scene.projectiles[0].speed = 100;
+  const auto path = test_folder() / "past.json";
+  write_scene(scene, path);
+  editor_.open(path);
+  for (int step = 0; step < 60; ++step) editor_.step();
+  draw(2);
+  editor_.execute({.id = ui::CommandId::frame_all});
+  draw(2);
+  editor_.execute({.id = ui::CommandId::pick, .cursor = Vec2(0.5, 0.5)});
+  EXPECT_TRUE(editor_.state().selection.valid());  // the wall is in the middle of the view
+}
+
 TEST_F(EditorTest, SavedSceneOpensAsItWasEditedAndShown) {
   const std::filesystem::path path = small_wall_file();
   editor_.open(path);

@@ -25,13 +25,6 @@ double area(const render::Surface& surface) {
   return sum;
 }
 
-double enclosed_volume(const render::Surface& surface) {
-  double sum = 0;
-  for (std::size_t i = 0; i < surface.ids.size(); ++i)
-    sum += corner(surface, i, 0).dot(corner(surface, i, 1).cross(corner(surface, i, 2))) / 6;
-  return sum;
-}
-
 /// The wall is 2 m wide, 2 m high and 0.5 m thick, its middle at (0, 1, 0).
 TEST(ElementPicture, CapsFillTheCrossSectionWhateverThePlane) {
   World world(small_wall());

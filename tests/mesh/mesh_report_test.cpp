@@ -15,6 +15,7 @@
 namespace griffith {
 namespace {
 
+using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using testing::RandomValues;
@@ -94,22 +95,50 @@ TEST(PrepareTest, RepairsRandomlySpoiltMeshesToTheSameShape) {
     EXPECT_EQ(soup.points, original.points);
     EXPECT_NEAR(report.volume, 4, 1e-12);
     EXPECT_THAT(check_invariants(build_mesh(soup)), IsEmpty());
-    for (std::size_t i = 0; i < spoilt.points.size(); ++i) {
-      const int node = report.node_of_point[i];
-      EXPECT_EQ(node < 0 ? Vec3(100, 100, 100) : soup.points[node], spoilt.points[i]);
-    }
+    ASSERT_EQ(report.point_of_node.size(), soup.points.size());
+    for (std::size_t node = 0; node < soup.points.size(); ++node)
+      EXPECT_EQ(soup.points[node], spoilt.points[report.point_of_node[node]]);
   }
 }
 
-TEST(PrepareTest, CountsJointsWithoutAFace) {
-  TetSoup at_node = two_tets_sharing(1), at_edge = two_tets_sharing(2);
-  const MeshReport node = prepare(at_node), edge = prepare(at_edge);
-  EXPECT_EQ(node.pinched_nodes, 1);
-  EXPECT_EQ(node.pinched_edges, 0);
-  EXPECT_EQ(edge.pinched_nodes, 2);
-  EXPECT_EQ(edge.pinched_edges, 1);
-  EXPECT_EQ(node.pieces, 2);
-  EXPECT_EQ(edge.pieces, 2);
+TEST(PrepareTest, PartsWhatMeetsInANodeOrAnEdgeAlone) {
+  for (int shared : {1, 2}) {
+    TetSoup soup = two_tets_sharing(shared);
+    const TetSoup read = soup;
+    TetMesh mesh;
+    const MeshReport report = prepare(soup, "mesh", &mesh);
+    EXPECT_EQ(report.pinched_nodes, shared);
+    EXPECT_EQ(report.first_pinched, Vec3::Zero());
+    EXPECT_EQ(report.pinched_edges, 0);
+    EXPECT_EQ(report.pieces, 2);
+    EXPECT_EQ(report.coincident_nodes, 0) << "those of the file alone";
+    EXPECT_EQ(report.nodes, static_cast<int>(read.points.size()) - (shared == 2) + shared);
+    EXPECT_THAT(check_invariants(mesh), IsEmpty());
+    EXPECT_THAT(findings(report),
+                Contains(HasSubstr(std::to_string(shared) + " nodes joined parts that share no face")));
+    for (std::size_t node = 0; node < soup.points.size(); ++node)
+      EXPECT_EQ(soup.points[node], read.points[report.point_of_node[node]]);
+  }
+}
+
+/// Any of a lattice's tets, which touch in all the ways in which tets can.
+TEST(PrepareTest, MakesAMeshOfAnyOfALatticesTets) {
+  RandomValues random(3);
+  int parted = 0, still_pinched = 0;
+  for (int round = 0; round < 200; ++round) {
+    const BoxPattern pattern = std::array{BoxPattern::kuhn, BoxPattern::five_tet, BoxPattern::bcc}[round % 3];
+    TetSoup soup = make_box(Vec3(2, 2, 2), Vec3::Ones(), pattern);
+    std::erase_if(soup.tets,
+                  [&, share = random.uniform(0.1, 0.9)](const auto&) { return random.uniform(0, 1) > share; });
+    if (soup.tets.empty()) continue;
+    TetMesh mesh;
+    const MeshReport report = prepare(soup, "mesh", &mesh);
+    EXPECT_THAT(check_invariants(mesh), IsEmpty()) << "round " << round;
+    parted += report.pinched_nodes;
+    still_pinched += report.pinched_edges;
+  }
+  EXPECT_GT(parted, 500);
+  EXPECT_GT(still_pinched, 0) << "edges whose ends hold together by faces";
 }
 
 TEST(PrepareTest, CountsCoincidentNodesButNeverMergesThem) {

@@ -69,7 +69,7 @@ DrawScene wall_scene() {
                    {{-1.3f, 0.3f, 1.4f}, 0.3f, {0.85f, 0.40f, 0.25f}, kBallId + 1}};
   scene.lines = {{{0.2f, 1.7f, 0.9f}, {0.2f, 2.0f, 3.0f}, {0.85f, 0.2f, 0.15f}}};
   scene.points = {{{-1.75f, 2.75f, 0.15f}, 9, {0.1f, 0.35f, 0.8f}}};
-  scene.ground = Ground{0, 0.5f};
+  scene.ground = Ground{0};
   return scene;
 }
 

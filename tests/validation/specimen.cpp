@@ -26,7 +26,7 @@ void Specimen::deform(const std::function<Vec3(const Vec3&)>& map) {
 
 void Specimen::equilibrate() {
   world_.report = {};
-  find_equilibrium(world_, 0, 0, false);
+  find_equilibrium(world_, 0, 0, [](const Body&) { return true; });
   if (world_.report.unconverged_solves > 0) throw std::runtime_error(world_.scene.name + ": found no equilibrium");
   update_elements(world_);
 }

@@ -109,7 +109,10 @@ TEST(Breakdown, AMaterialBeyondAllNumbersLosesItsBodyAlone) {
       World world(scene);
       Material absurd = brick(1);
       absurd.young_modulus = 1e306;
-      world.set_material(0, absurd);
+      if (integrator == Integrator::implicit_euler)
+        world.set_material(0, absurd);
+      else
+        EXPECT_THROW(world.set_material(0, absurd), InputError) << "no number of substeps is enough";
       int frozen = 0;
       for (int step = 0; step < 5; ++step) {
         world.step();
@@ -121,6 +124,7 @@ TEST(Breakdown, AMaterialBeyondAllNumbersLosesItsBodyAlone) {
       EXPECT_TRUE(std::isfinite(frame.totals.elastic_energy) && std::isfinite(frame.totals.kinetic_energy));
       EXPECT_FALSE(frame.bodies[1].rigid);
       EXPECT_EQ(frame.bodies[0].rigid, frozen > 0);
+      EXPECT_TRUE(frozen == 0 || integrator == Integrator::implicit_euler);
     }
 }
 

@@ -111,8 +111,54 @@ TEST(Editing, AMeshThatIsMissingIsNamed) {
     World world(scene);
     FAIL() << "the mesh does not exist";
   } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("no/such/mesh"), std::string::npos) << error.what();
+    EXPECT_EQ(error.where(), "#/bodies/0/shape/mesh");
+    EXPECT_NE(error.problem().find("of \"wall\": /nowhere/no/such/mesh: no such file"), std::string::npos)
+        << error.what();
   }
+}
+
+TEST(Editing, BeforeTheFirstStepIsAsIfMadeOfTheMaterial) {
+  Scene scene = quiet_wall();
+  BodyDescription free = scene.bodies[0];
+  free.name = "free";
+  free.supports.clear();
+  free.position = Vec3(8, 20, 0);
+  free.velocity = Vec3(1, 2, 3);
+  free.angular_velocity = Vec3(0.1, 0.2, 0.3);
+  scene.bodies.push_back(free);
+  Material other = brick(1);
+  other.young_modulus = 1e12;
+  other.density *= 1.5;
+  other.yield_strength = 1e5;
+  World edited(scene);
+  Material soft = brick(1);
+  soft.young_modulus = 1e6;
+  soft.yield_strength = 1;
+  for (int body : {0, 1}) {
+    edited.set_material(body, soft);
+    edited.set_material(body, other);
+    scene.bodies[body].material = other;
+  }
+  World made_so(scene);
+  for (int step = 0; step < 3; ++step) {
+    EXPECT_EQ(edited.state_hash(), made_so.state_hash()) << "step " << step;
+    edited.step();
+    made_so.step();
+  }
+}
+
+/// 66 times the stiffness would be 66 times the stress if the wall kept its sag.
+TEST(Editing, StiffeningAStandingWallBeforeTheFirstStepDoesNotCrackIt) {
+  World world(quiet_wall());
+  Material stiff = brick(1);
+  stiff.young_modulus = 1e12;
+  const double margin = world.frame().report.peak_margin;
+  world.set_material(0, stiff);
+  for (int step = 0; step < 10; ++step) {
+    world.step();
+    EXPECT_LT(world.frame().report.peak_margin, 1.1 * margin);
+  }
+  EXPECT_TRUE(world.frame().crack_events.empty());
 }
 
 }  // namespace

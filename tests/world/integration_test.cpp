@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "sim/error.h"
 #include "sim/world/world.h"
 #include "tests/world/scenes.h"
 
@@ -73,6 +74,28 @@ TEST(StaticAnalysis, ADampedDynamicRunEndsThere) {
   EXPECT_NEAR(tip_deflection(world), static_deflection(), 1e-5 * std::abs(static_deflection()));
 }
 
+/// A pressure turns and grows with the face that it acts on; balance is that with the faces as they are in the end.
+TEST(StaticAnalysis, APressureIsInBalanceInItsFirstStep) {
+  Scene scene = beam();
+  scene.analysis = Analysis::equilibrium;
+  Load pressure;
+  pressure.kind = LoadKind::pressure;
+  pressure.region = HalfSpaceRegion{Vec3(0, 0.5, 0), Vec3::UnitY()};
+  pressure.pressure = 1e5;
+  scene.bodies[0].loads = {pressure};
+  World world(scene);
+  world.step();
+  const double first = tip_deflection(world);
+  EXPECT_LT(first, -0.2) << "far enough for the faces to turn";
+  EXPECT_EQ(world.frame().report.unconverged_solves, 0);
+  const Vec3 weight = world.frame().totals.mass * scene.gravity;
+  Vec3 load = Vec3::Zero();
+  for (const Vec3& force : world.frame().load_forces) load += force;
+  EXPECT_LT((total_reaction(world) + weight + load).norm(), 1e-8 * load.norm());
+  for (int step = 0; step < 5; ++step) world.step();
+  EXPECT_NEAR(tip_deflection(world), first, 1e-8 * std::abs(first));
+}
+
 TEST(StaticStart, ASupportedBodyDoesNotRing) {
   World world(beam());
   const double start = tip_deflection(world);
@@ -126,6 +149,48 @@ TEST(ExplicitIntegration, TakesTheSubstepsThatStabilityAsksFor) {
   EXPECT_NEAR(stiff.frame().report.substeps / static_cast<double>(soft.frame().report.substeps), 10, 2.5);
   for (int i = 0; i < 60; ++i) soft.step();
   EXPECT_LT(std::abs(tip_deflection(soft)), 0.1) << "stable";
+}
+
+/// Damping this strong needs 10⁸ substeps: more than an int's worth of them must neither wrap round nor be made.
+TEST(ExplicitIntegration, RefusesMoreSubstepsThanItMakes) {
+  Scene scene = beam();
+  scene.simulation.integrator = Integrator::symplectic_euler;
+  scene.simulation.time_step = 0.1;
+  scene.bodies[0].material.young_modulus = 2e11;
+  Material damped = scene.bodies[0].material;
+  damped.stiffness_damping = 1000;
+  World world(scene);
+  EXPECT_THROW(world.set_material(0, damped), InputError);
+  EXPECT_EQ(world.frame().materials[0], scene.bodies[0].material) << "it goes on with what it had";
+  scene.bodies[0].material = damped;
+  try {
+    World refused(scene);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.where(), "#/bodies/0/material");
+    EXPECT_NE(error.problem().find("substeps a step"), std::string::npos) << error.what();
+  }
+}
+
+/// Pieces and cut elements are stiffer for their mass than what they were part of.
+TEST(ExplicitIntegration, StaysStableWhileAStepCutsElements) {
+  Scene scene = struck_block(brick(0.1));
+  scene.simulation.integrator = Integrator::symplectic_euler;
+  scene.simulation.time_step = 2e-3;
+  scene.projectiles.clear();
+  scene.bodies[0].remeshing = true;
+  scene.bodies[0].angular_velocity = Vec3(1, 2, 60);  // more than it bears
+  World world(scene);
+  scene.simulation.fracture = false;
+  World whole(scene);
+  const double energy = world.frame().totals.kinetic_energy;
+  whole.step();
+  world.step();
+  const Frame frame = world.frame();
+  EXPECT_GT(frame.tets.size(), whole.frame().tets.size());
+  EXPECT_GT(frame.report.substeps, whole.frame().report.substeps);
+  EXPECT_EQ(frame.report.non_finite_values, 0);
+  EXPECT_LT(frame.totals.kinetic_energy + frame.totals.elastic_energy, 1.1 * energy);
 }
 
 TEST(ExplicitIntegration, KeepsMomentumThroughAnImpactThatBreaksABlock) {

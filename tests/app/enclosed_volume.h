@@ -1,0 +1,18 @@
+#pragma once
+
+#include "renderer/draw_scene.h"
+#include "sim/linear_algebra.h"
+
+namespace griffith::app {
+
+/// By the divergence theorem [m³]; right only if the surface is closed and faces outwards.
+inline double enclosed_volume(const render::Surface& surface) {
+  double volume = 0;
+  for (std::size_t i = 0; i < surface.positions.size(); i += 3) {
+    const Vec3 a = surface.positions[i].cast<double>(), b = surface.positions[i + 1].cast<double>();
+    volume += a.dot(b.cross(surface.positions[i + 2].cast<double>())) / 6;
+  }
+  return volume;
+}
+
+}  // namespace griffith::app
