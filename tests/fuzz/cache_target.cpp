@@ -11,8 +11,6 @@
 namespace griffith::fuzz {
 namespace {
 
-constexpr std::size_t kMostTets = 2000;
-
 /// FNV-1a, with which entries begin behind their first line.
 std::uint64_t hash_of(std::string_view bytes) {
   std::uint64_t hash = 0xcbf29ce484222325u;
@@ -60,6 +58,7 @@ class CacheTarget : public Target {
   }
 
  private:
+  static constexpr std::size_t kMostTets = 2000;
   TriangleSurface surface_ = testing::box_surface(Vec3(0, 0, 0), Vec3(2, 1, 1));
   MeshingOptions options_ = {.method = MeshingMethod::volumetric, .element_size = 1};
 };

@@ -11,9 +11,6 @@
 namespace griffith::fuzz {
 namespace {
 
-constexpr std::size_t kMostTets = 2000;
-constexpr int kMostSteps = 2;
-
 /// "a.1.node" becomes "input.node", "folder/verts.csv" "input/verts.csv".
 std::string input_name(const std::string& sample) {
   const std::size_t slash = sample.find('/');
@@ -81,6 +78,8 @@ class MeshTarget : public Target {
     promise(again.points == soup.points && again.tets == soup.tets, "written and read, it is another mesh");
   }
 
+  static constexpr std::size_t kMostTets = 2000;
+  static constexpr int kMostSteps = 2;
   std::vector<TetSoup> soups_ = small_soups();
 };
 

@@ -10,9 +10,6 @@
 namespace griffith::fuzz {
 namespace {
 
-constexpr double kMostWork = 4000;  ///< tets, splinters, projectiles
-constexpr int kMostSteps = 6;
-
 /// Limits what a user may ask for and wait for.
 Scene made_quick(Scene scene) {
   SimulationSettings& settings = scene.simulation;
@@ -47,6 +44,8 @@ class SceneTarget : public Target {
   }
 
  private:
+  static constexpr double kMostWork = 4000;  ///< tets, splinters, projectiles
+  static constexpr int kMostSteps = 6;
   std::vector<Json> scenes_ = small_scenes();
   Vocabulary words_ = scene_vocabulary();
 };

@@ -135,9 +135,11 @@ class SurfaceTarget : public Target {
     TriangleSurface surface = read_surface(folder / input.entry);
     const MeshingOptions options = options_for(input);
     const SurfaceReport report = prepare_surface(surface);
+    MeshingSetup setup;
+    setup.limits = {2, std::int64_t{2} << 30};  // TetGen never ends with some surfaces
     findings(report);
     if (std::abs(report.volume) > kMostVolume || report.size() > kMostSize) return Outcome::too_large;
-    TetSoup soup = mesh_surface(std::move(surface), options).soup;
+    TetSoup soup = mesh_surface(std::move(surface), options, setup).soup;
     TetMesh checked;
     prepare(soup, "surface", &checked);
     promise(check_invariants(checked).empty(), "the mesh of a surface is unsound");
