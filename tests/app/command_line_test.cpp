@@ -75,7 +75,7 @@ TEST(CommandLine, ABadMeshIsToldWithSceneBodyFileAndLine) {
   test_file("bad.node", "4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 one 0\n3 0 0 1\n");
   const auto path = test_file("meshed.json", R"({"version": 1, "bodies": [{"name": "floor"},
       {"name": "rock", "position": [0, 3, 0], "shape": {"mesh": {"path": "bad.node"}}}]})");
-  for (const std::string& command : {"check ", "simulate --frames 1 "}) {
+  for (const std::string command : {"check ", "simulate --frames 1 "}) {
     const Outcome outcome = run_program(command + path.string());
     EXPECT_EQ(outcome.code, 2);
     EXPECT_THAT(outcome.output, HasSubstr("meshed.json#/bodies/1/shape/mesh: of \"rock\": "));

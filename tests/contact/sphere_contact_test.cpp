@@ -125,7 +125,9 @@ TEST(SphereContact, NoneMovesFurtherThanItsSpeedAllows) {
       for (ProxyId id : debris) testing::advance(world, id, kDt);
       const RigidState after = world.state(ball);
       const double moved = (after.pose.translation - before.pose.translation).norm();
-      if (!touched) EXPECT_LE(moved, after.velocity.norm() * kDt * (1 + 1e-6)) << "trial " << trial << ", step " << i;
+      if (!touched) {
+        EXPECT_LE(moved, after.velocity.norm() * kDt * (1 + 1e-6)) << "trial " << trial << ", step " << i;
+      }
       way += moved;
       due += after.velocity.norm() * kDt;
     }

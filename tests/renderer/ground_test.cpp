@@ -55,7 +55,9 @@ TEST_F(GroundTest, DebrisThatFliesAwayChangesNothingAtOnce) {
   for (float way = 3; way < 3000; way *= 1.02f) {
     scene.spheres[1].center = {way, 0.1f, way};  // out of the picture from the start
     const Image now = ground_seen(scene, camera());
-    if (!before.rgba.empty()) ASSERT_LT(difference(before, now), 0.5) << "at " << way << " m";
+    if (!before.rgba.empty()) {
+      ASSERT_LT(difference(before, now), 0.5) << "at " << way << " m";
+    }
     before = now;
   }
 }

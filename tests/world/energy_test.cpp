@@ -190,7 +190,9 @@ TEST(Energy, AWallWhoseDebrisIsShotAgainGainsNone) {
     world.step();
     const Frame frame = world.frame();
     const double now = mechanical_energy(scene, frame);
-    if (frame.projectiles.size() == launched && launched > 0) EXPECT_LE(now, before + 2) << "step " << step;
+    if (frame.projectiles.size() == launched && launched > 0) {
+      EXPECT_LE(now, before + 2) << "step " << step;
+    }
     launched = frame.projectiles.size();
     before = now;
   }
