@@ -184,7 +184,6 @@ TEST(EditorLayout, ShortcutsDoNotReachBehindADialog) {
         state.report = WorkReport{"Added", {}, {}};
       },
       [](EditorState& state) { state.show_open = true; },
-      [](EditorState& state) { state.save_as = save_target("scene.json"); },
       [](EditorState& state) {
         state.replacement = Replacement{{.id = CommandId::save}, "It is there."};
       },
