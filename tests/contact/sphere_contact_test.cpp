@@ -10,8 +10,7 @@ namespace {
 using testing::at;
 using testing::box_mass;
 using testing::box_parts;
-
-constexpr double kDt = 1.0 / 120;
+using testing::kDt;
 
 void step(ContactWorld& world, double dt = kDt) { testing::solve(world, dt); }
 

@@ -9,6 +9,7 @@
 #include "sim/error.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/scene_writer.h"
+#include "text_of.h"
 
 namespace griffith {
 namespace {
@@ -36,11 +37,6 @@ class SceneRoundTrip : public testing::Test {
   const fs::path folder_ = fs::absolute(testing::TempDir()).lexically_normal() /
                            (std::string("griffith_") + testing::UnitTest::GetInstance()->current_test_info()->name());
 };
-
-std::string text_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 TEST_F(SceneRoundTrip, EveryRandomSceneComesBackExactly) {
   for (unsigned seed = 0; seed < 300; ++seed) {
