@@ -103,7 +103,7 @@ void Editor::ask_for_left_edits(bool of_any) {
 
 void Editor::recover() {
   LeftEdits edits = autosave_->found_edits();
-  loader_.start(Work::recover, std::move(edits.scene), std::move(edits.file));
+  loader_.start(Work::recover, std::move(edits.scene), std::move(edits.file), most_tets());
   loader_.wait(kPatience);
   receive_world();
 }

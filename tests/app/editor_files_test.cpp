@@ -13,7 +13,7 @@ namespace griffith::app {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// An editor whose scenes and states are in an empty folder of the test's own.
 class EditorFiles : public EditorTest {

@@ -16,7 +16,7 @@
 namespace griffith::app {
 
 /// The editor with graphics but without a window, driven through its widgets.
-class EditorTest : public testing::Test {
+class EditorTest : public ::testing::Test {
  protected:
   EditorTest() : interface_(1), target_(1200, 1000), editor_(small_wall(), "") { draw(3); }
 

@@ -35,7 +35,7 @@ TEST(CoveredShare, CountsWhatIsSeenInThePartAlone) {
   EXPECT_EQ(covered(0, 0, 1, 1), 0);
 }
 
-class LegendCornerTest : public testing::Test {
+class LegendCornerTest : public ::testing::Test {
  protected:
   /// What share of its card the legend covers of the scene's first picture.
   float covered(const std::string& scene_file, ui::LegendCorner* chosen = nullptr) {
