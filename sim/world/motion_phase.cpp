@@ -208,7 +208,7 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
   parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       Body& body = world.bodies[i];
-      if (body.asleep) continue;
+      if (body.asleep || body.shock) continue;
       if (body.rigid) {
         move_rigid(world, body, dt);
       } else {
@@ -221,7 +221,7 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
     Body& body = world.bodies[i];
     freeze_if_broken_down(world, body);
     world.report.shortened_motions += shortened[i];
-    if (body.rigid) continue;
+    if (!body.sways()) continue;
     for (TetId tet : body.tets) world.report.inverted_tets += world.elements.states[tet].inverted;
   }
   place_stand_ins(world);
@@ -238,7 +238,7 @@ void calm_bodies(WorldState& world) {
   constexpr double kCalmMargin = 0.05;
   constexpr int kCalmSteps = 20;
   for (Body& body : world.bodies) {
-    if (body.rigid || body.supported()) continue;
+    if (!body.sways() || body.supported()) continue;
     const bool calm = std::all_of(body.nodes.begin(), body.nodes.end(),
                                   [&](NodeId node) { return world.nodes.separations[node].margin < kCalmMargin; });
     body.calm_steps = calm ? body.calm_steps + 1 : 0;

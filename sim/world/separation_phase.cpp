@@ -23,6 +23,8 @@ DirectionalStrength strength_at(const WorldState& world, const Weakness& weaknes
   return directional_strength(weakness, axis.normalized());
 }
 
+}  // namespace
+
 NodeSeparation evaluate_node(const WorldState& world, const SeparationInput& input, const Body& body, NodeId node,
                              bool averaged) {
   const Material& material = world.material_of(body);
@@ -42,6 +44,8 @@ NodeSeparation evaluate_node(const WorldState& world, const SeparationInput& inp
   separation.margin = load / separation.resistance;
   return separation;
 }
+
+namespace {
 
 void evaluate_body(WorldState& world, const SeparationInput& input, const Body& body, bool averaged) {
   parallel_for(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
@@ -68,12 +72,12 @@ void evaluate_separation(WorldState& world, bool averaged) {
   parallel_for(static_cast<int>(world.bodies.size()), 16, [&](int first, int last) {
     for (const Body& body : std::span(world.bodies).subspan(first, last - first)) {
       const bool body_averaged = averaged && body.softening == 1 && !body.softened_before;
-      if (!body.rigid) evaluate_body(world, input, body, body_averaged);
+      if (body.sways()) evaluate_body(world, input, body, body_averaged);
     }
   });
   for (const Body& body : world.bodies)
     for (NodeId node : body.nodes)
-      if (!body.rigid)
+      if (body.sways())
         world.report.peak_margin = std::max(world.report.peak_margin, world.nodes.separations[node].margin);
 }
 

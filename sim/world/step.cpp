@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "sim/world/phases.h"
-#include "sim/world/rewind.h"
+#include "sim/world/shock_phase.h"
 #include "sim/world/world.h"
 #include "sim/world/world_impl.h"
 
@@ -35,8 +35,8 @@ bool fracture(WorldState& world, double substep, const Attempt& attempt) {
   return open_cracks(world, substep, attempt);
 }
 
-/// Returns whether it is to be made again.
-bool substep(WorldState& world, double dt, const Attempt& attempt) {
+/// Everything but the bodies in shock.
+void move_quietly(WorldState& world, double dt) {
   StepTimings& timings = world.report.milliseconds;
   std::vector<Vec3> external;
   {
@@ -48,12 +48,16 @@ bool substep(WorldState& world, double dt, const Attempt& attempt) {
   {
     PhaseTimer timer(timings.contact);
     resolve_contacts(world, dt);
-    soften_struck_bodies(world, dt);
   }
   {
     PhaseTimer timer(timings.elasticity);
     move_bodies(world, external, dt);
   }
+}
+
+/// Returns whether it is to be made again.
+bool substep(WorldState& world, double dt, const Attempt& attempt) {
+  move_quietly(world, dt);
   world.time += dt;
   return fracture(world, dt, attempt);
 }
@@ -66,46 +70,55 @@ void step_explicitly(WorldState& world, double time_step) {
   rest_bodies(world, time_step);
 }
 
-/// How many substeps may follow if each costs what the last one did.
-int substeps_left(const WorldState& world, double budget, int made) {
-  const int most = std::max(1, world.scene.simulation.impact_substeps - made);
-  const double expected = least_work(world) + world.work.sum() + world.work.fresh_contacts;
-  return static_cast<int>(std::clamp<double>(budget / expected, 1, most));
+/// How far the step may go on in one piece: up to the next impact, or while waves run in the bodies that were struck.
+/// These are in shock then.
+double next_stretch(WorldState& world, double left) {
+  const double time_step = world.scene.simulation.time_step, tolerance = time_step / 512;
+  if (!in_shock(world)) {
+    const double calm = time_before_impact(world, left, tolerance);
+    if (calm > tolerance || calm == left) return calm;
+  }
+  double window = time_step / 4;
+  for (const Body& body : world.bodies)
+    if (body.shock) window = std::max(window, shock_window(world, body));
+  enter_struck_bodies(world, std::min(left, window));
+  if (!in_shock(world)) return left;
+  for (const Body& body : world.bodies)
+    if (body.shock) window = std::max(window, shock_window(world, body));
+  return std::min(left, window);
 }
 
-bool may_crack(const WorldState& world) {
-  return world.scene.simulation.fracture &&
-         std::any_of(world.bodies.begin(), world.bodies.end(), [](const Body& body) { return !body.rigid; });
+/// Bodies that load has overcome crack as waves let them.
+void judge_swaying_bodies(WorldState& world) {
+  PhaseTimer timer(world.report.milliseconds.separation);
+  evaluate_separation(world, true);
+  if (!world.scene.simulation.fracture) return;
+  for (Body& body : world.bodies) {
+    if (!body.sways()) continue;
+    const bool overloaded = std::ranges::any_of(
+        body.nodes, [&](NodeId node) { return world.nodes.separations[node].margin > 1; });
+    if (overloaded) enter_shock(world, body);
+  }
 }
 
-/// A substep of `ticks`, made again while cracks would have run on in it and the budget, which it lessens, lasts.
-/// Returns how often it was made.
-int substep_with_cracks(WorldState& world, int ticks, bool last, int made, double& budget) {
-  const double dt = world.scene.simulation.time_step * ticks / kTicksPerStep;
-  for (int attempt = 1;; ++attempt) {
-    const bool affordable = substeps_left(world, budget, made + attempt - 1) > (last ? 1 : 2);
-    const std::optional<Moment> start = affordable && may_crack(world) ? std::optional(moment_of(world)) : std::nullopt;
-    world.work = {};
-    const bool again = substep(world, dt, {start ? &*start : nullptr, attempt});
-    budget -= least_work(world) + world.work.sum();
-    if (again) {
-      ++world.report.repeated_substeps;
-      continue;
+void step_dynamically(WorldState& world, double time_step) {
+  world.report.substeps = 0;
+  for (double left = time_step; left > 1e-9 * time_step; ++world.report.substeps) {
+    const double stretch = next_stretch(world, left);
+    const bool shock = in_shock(world);
+    std::vector<shock::Obstacle> obstacles = shock ? obstacles_of_shock(world, stretch) : std::vector<shock::Obstacle>();
+    const double start = world.time;
+    move_quietly(world, stretch);
+    if (shock) {
+      PhaseTimer timer(world.report.milliseconds.shock);
+      run_shock(world, std::move(obstacles), stretch);
+      place_stand_ins(world);
     }
-    world.report.coarse_substeps += !affordable && attempt * world.crack_transit_time < dt;
-    return attempt;
+    world.time = start + stretch;
+    left -= stretch;
+    leave_shock(world);
+    judge_swaying_bodies(world);
   }
-}
-
-void step_implicitly(WorldState& world, double time_step) {
-  double budget = 1e3 * world.scene.simulation.step_budget;
-  int made = 0;
-  for (int ticks_left = kTicksPerStep; ticks_left > 0;) {
-    const int ticks = next_substep(world, ticks_left, substeps_left(world, budget, made));
-    made += substep_with_cracks(world, ticks, ticks == ticks_left, made, budget);
-    ticks_left -= ticks;
-  }
-  world.report.substeps = made - world.report.repeated_substeps;
   calm_bodies(world);
   rest_bodies(world, time_step);
 }
@@ -152,7 +165,7 @@ void advance(WorldState& world) {
     } else if (world.integrates_explicitly()) {
       step_explicitly(world, time_step);
     } else {
-      step_implicitly(world, time_step);
+      step_dynamically(world, time_step);
     }
     ++world.step;
     world.time = static_cast<double>(world.step) * time_step;

@@ -48,6 +48,12 @@ struct ElementArrays {
   std::vector<std::array<double, 4>> opened;  ///< when a crack opened face i [s], else not a number
 };
 
+/// A body whose waves are resolved by microsteps (shock_run.h).
+struct Shock {
+  double similarity = 1;  ///< f: time runs 1/f slower in it, at equal speeds
+  double last_event = 0;  ///< when something struck it hard or cracked in it last [s]
+};
+
 /// A connected piece of elastic material and its stand-in in the contact world.
 struct Body {
   BodyId id, parent;
@@ -76,7 +82,12 @@ struct Body {
   double contact_work = 0;               ///< of the contacts in the substep, at the velocities after it [J]
   double compliance_factor = 1;          ///< true compliance at contacts over the estimated one, as seen last
 
+  std::optional<Shock> shock;
+  double shock_ended = -std::numeric_limits<double>::infinity();  ///< when it left its last shock [s]
+
   bool supported() const { return !system->is_free(); }
+  /// Whether the implicit step moves it.
+  bool sways() const { return !rigid && !shock; }
 };
 
 struct Projectile {
