@@ -14,10 +14,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 5> kPhases = {"step", "contact", "elasticity", "separation", "fracture"};
+constexpr std::array<const char*, 6> kPhases = {"step",  "contact",    "elasticity",
+                                               "shock", "separation", "fracture"};
 
-std::array<double, 5> phase_times(const StepTimings& t) {
-  return {t.step, t.contact, t.elasticity, t.separation, t.fracture};
+std::array<double, 6> phase_times(const StepTimings& t) {
+  return {t.step, t.contact, t.elasticity, t.shock, t.separation, t.fracture};
 }
 
 struct TimeSummary {
@@ -49,6 +50,7 @@ std::string hash_text(std::uint64_t hash) {
 
 void add_counters(Json& json, const StepReport& sums, const StepReport& largest) {
   json["substeps"] = sums.substeps;
+  json["microsteps"] = sums.microsteps;
   json["contacts"] = sums.contacts;
   json["cracks_postponed"] = sums.cracks_postponed;
   json["cracks_suppressed"] = sums.cracks_suppressed;
@@ -90,6 +92,7 @@ RunStatistics::RunStatistics(const Frame& start, double time_step, int threads)
 void RunStatistics::add(const Frame& frame) {
   const StepReport& report = frame.report;
   sums_.substeps += report.substeps;
+  sums_.microsteps += report.microsteps;
   sums_.contacts += report.contacts;
   sums_.cracks_postponed += report.cracks_postponed;
   sums_.cracks_suppressed += report.cracks_suppressed;
@@ -112,7 +115,7 @@ void RunStatistics::add(const Frame& frame) {
     ++softened.impacts;
     if (body.softened->factor < softened.softest.factor) softened = {frame.step, softened.impacts, *body.softened};
   }
-  const std::array<double, 5> times = phase_times(report.milliseconds);
+  const std::array<double, 6> times = phase_times(report.milliseconds);
   for (std::size_t i = 0; i < times.size(); ++i) milliseconds_[i].push_back(times[i]);
 }
 

@@ -23,7 +23,7 @@ class RunStatistics {
   /// One JSON object. SI units, times in milliseconds. Totals describe `frame`, the last one; `max_penetration`,
   /// `max_relative_residual`, `solver_iterations`, `inverted_tets`, `non_finite_values` and `sleeping_bodies` are the
   /// largest of any step,
-  /// `substeps`, `contacts`, `cracks_postponed`, `cracks_suppressed`, `remeshing_refused`, `supports_torn`,
+  /// `substeps`, `microsteps`, `contacts`, `cracks_postponed`, `cracks_suppressed`, `remeshing_refused`, `supports_torn`,
   /// `coarse_substeps`, `repeated_substeps`, `unconverged_solves`, `shortened_motions` and `limited_impulses` sums over
   /// all steps. `softened_impacts` lists for each scene body that an impact found softened (SoftenedImpact) the
   /// softest, with the effective material and the reason.
@@ -43,7 +43,7 @@ class RunStatistics {
     SoftenedImpact softest;
   };
   std::map<int, SoftenedBody> softened_;             ///< by scene body
-  std::array<std::vector<double>, 5> milliseconds_;  ///< of step, contact, elasticity, separation, fracture
+  std::array<std::vector<double>, 6> milliseconds_;  ///< of step, contact, elasticity, shock, separation, fracture
 };
 
 }  // namespace griffith::app

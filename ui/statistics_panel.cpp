@@ -103,6 +103,7 @@ void timing_rows(const Panel& panel) {
   heading(panel, "Time of the last step");
   time_bar(panel, "Contact", t.contact, t.step);
   time_bar(panel, "Elasticity", t.elasticity, t.step);
+  time_bar(panel, "Microsteps", t.shock, t.step);
   time_bar(panel, "Separation", t.separation, t.step);
   time_bar(panel, "Fracture", t.fracture, t.step);
   time_bar(panel, "Step", t.step, t.step);

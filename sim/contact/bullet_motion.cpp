@@ -20,7 +20,7 @@ constexpr double kTouchShare = 1e-6;
 constexpr int kMaxTouches = 4;
 
 /// A motion of `a` as seen from `b`, which stays in its present place.
-struct Encounter {
+struct Sweep {
   const Object &a, &b;
   Vec3 start;         ///< of a's centre [m]
   Vec3 displacement;  ///< [m]
@@ -35,8 +35,8 @@ PlacedShape placed(const Object& object, std::size_t part, const Vec3& center, d
 }
 
 /// Whether the spheres round the two objects come near enough to touch.
-bool may_touch(const Encounter& encounter, double ground_height) {
-  const auto& [a, b, start, displacement, gap] = encounter;
+bool may_touch(const Sweep& sweep, double ground_height) {
+  const auto& [a, b, start, displacement, gap] = sweep;
   if (b.kind == Kind::ground)
     return start.y() + std::min(0.0, displacement.y()) <= ground_height + a.shape.radius + gap;
   const Vec3 apart = start - b.state.pose.translation;
@@ -47,9 +47,9 @@ bool may_touch(const Encounter& encounter, double ground_height) {
 
 /// Calls `use` with the touch of each pair of convex parts that comes near enough.
 template <class Use>
-void for_each_touch(const Encounter& encounter, double ground_height, Use use) {
-  const auto& [a, b, start, displacement, gap] = encounter;
-  if (!may_touch(encounter, ground_height)) return;
+void for_each_touch(const Sweep& sweep, double ground_height, Use use) {
+  const auto& [a, b, start, displacement, gap] = sweep;
+  if (!may_touch(sweep, ground_height)) return;
   const std::size_t b_parts = b.kind == Kind::ground ? 1 : b.shape.parts.size();
   for (std::size_t i = 0; i < a.shape.parts.size(); ++i)
     for (std::size_t j = 0; j < b_parts; ++j) {
@@ -230,9 +230,9 @@ ContactWorld::Impl::NextTouch ContactWorld::Impl::next_touch(const Object& proje
     const Pose& present = other.state.pose;
     const Vec3 start = pose_after(other, share, dt).to_local(center);
     const Vec3 end = pose_after(other, 1, dt).to_local(center + (1 - share) * dt * velocity);
-    const Encounter encounter{projectile, other, present.to_world(start), present.rotation * (end - start), gap};
-    for_each_touch(encounter, ground_height, [&](const Touch& touch) {
-      if (!comes_nearer(encounter.displacement, touch.normal)) return;  // overlaps, and leads out
+    const Sweep sweep{projectile, other, present.to_world(start), present.rotation * (end - start), gap};
+    for_each_touch(sweep, ground_height, [&](const Touch& touch) {
+      if (!comes_nearer(sweep.displacement, touch.normal)) return;  // overlaps, and leads out
       const double touch_share = share + touch.fraction * (1 - share);
       if (next.met && touch_share >= next.share) return;
       const Vec3 local_normal = present.rotation.conjugate() * touch.normal;
@@ -242,7 +242,9 @@ ContactWorld::Impl::NextTouch ContactWorld::Impl::next_touch(const Object& proje
   return next;
 }
 
-bool ContactWorld::Impl::would_strike(std::size_t first, std::size_t second, double dt, double minimum_speed) const {
+/// How fast two objects would meet, 0 if they do not, or too slowly to hurt either.
+double ContactWorld::Impl::striking_speed(std::size_t first, std::size_t second, double dt,
+                                          double minimum_speed) const {
   const Object &a = objects[first], &b = objects[second];
   const double hurting_speed = std::max(minimum_speed, std::min(a.impact_speed, b.impact_speed));
   const auto velocity = [&](const Object& object) {
@@ -250,28 +252,35 @@ bool ContactWorld::Impl::would_strike(std::size_t first, std::size_t second, dou
   };
   const Vec3 relative = velocity(a) - velocity(b);
   const double turning = turning_speed(a) + turning_speed(b);
-  if (relative.norm() + turning <= hurting_speed) return false;
-  bool strikes = false;
-  const Encounter encounter{a, b, a.state.pose.translation, dt * relative, dt * turning};
-  for_each_touch(encounter, ground_height,
-                 [&](const Touch& touch) { strikes |= turning - touch.normal.dot(relative) > hurting_speed; });
-  return strikes;
+  if (relative.norm() + turning <= hurting_speed) return 0;
+  double fastest = 0;
+  const Sweep sweep{a, b, a.state.pose.translation, dt * relative, dt * turning};
+  for_each_touch(sweep, ground_height,
+                 [&](const Touch& touch) { fastest = std::max(fastest, turning - touch.normal.dot(relative)); });
+  return fastest > hurting_speed ? fastest : 0;
 }
 
 /// Sorts the swept extents along x and looks at those that overlap, where at least one object is fast enough.
-bool ContactWorld::Impl::impact_expected(double dt, double minimum_speed) const {
+std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double dt, double minimum_speed,
+                                                                          bool first_alone) const {
   struct Extent {
     std::size_t object;
     double minimum, maximum;
     bool fast;
   };
   std::vector<Extent> extents;
+  std::vector<Encounter> found;
+  const auto look = [&](std::size_t a, std::size_t b) {
+    const double speed = striking_speed(a, b, dt, minimum_speed);
+    if (speed > 0) found.push_back({ProxyId(static_cast<std::int64_t>(a)), ProxyId(static_cast<std::int64_t>(b)), speed});
+    return first_alone && speed > 0;
+  };
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const Object& object = objects[i];
     if (!object.body) continue;
     if (object.kind == Kind::ground) {
       for (std::size_t j = 0; j < objects.size(); ++j)
-        if (objects[j].moves() && would_strike(j, i, dt, minimum_speed)) return true;
+        if (objects[j].moves() && look(j, i)) return found;
       continue;
     }
     const double speed = (object.state.velocity + dt * gravity).norm() + turning_speed(object);
@@ -284,9 +293,9 @@ bool ContactWorld::Impl::impact_expected(double dt, double minimum_speed) const 
     for (auto b = a + 1; b != extents.end() && b->minimum <= a->maximum; ++b) {
       if (!a->fast && !b->fast) continue;
       if (!objects[a->object].moves() && !objects[b->object].moves()) continue;
-      if (would_strike(a->object, b->object, dt, minimum_speed)) return true;
+      if (look(a->object, b->object)) return found;
     }
-  return false;
+  return found;
 }
 
 }  // namespace griffith

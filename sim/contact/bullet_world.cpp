@@ -246,6 +246,7 @@ std::span<const Contact> ContactWorld::contacts() const { return impl_->contacts
 std::vector<int> ContactWorld::drop_near_misses(double dt, std::span<const double> approach) {
   return impl_->drop_near_misses(dt, approach);
 }
+void ContactWorld::drop_contacts_of(const std::vector<bool>& objects) { impl_->drop_contacts_of(objects); }
 int ContactWorld::solve(double dt, std::span<const ElasticResponse> elastic, bool again) {
   return impl_->solve(dt, elastic, again);
 }
@@ -263,7 +264,10 @@ Vec3 ContactWorld::velocity_after(const Vec3& velocity, const Vec3& way, double 
   return impl_->velocity_after(velocity, way, dt);
 }
 bool ContactWorld::impact_expected(double dt, double minimum_speed) const {
-  return impl_->impact_expected(dt, minimum_speed);
+  return !impl_->expected_impacts(dt, minimum_speed, true).empty();
+}
+std::vector<ContactWorld::Encounter> ContactWorld::expected_impacts(double dt, double minimum_speed) const {
+  return impl_->expected_impacts(dt, minimum_speed, false);
 }
 double ContactWorld::max_penetration() const {
   double deepest = 0;

@@ -110,6 +110,7 @@ struct ContactWorld::Impl {
   void list_pair(std::span<btPersistentManifold* const> of_pair);
 
   // Solving.
+  void drop_contacts_of(const std::vector<bool>& dropped);
   std::vector<int> drop_near_misses(double dt, std::span<const double> approach);
   int solve(double dt, std::span<const ElasticResponse> elastic, bool again);
   std::vector<contact::Responder> rigid_responders(double dt) const;
@@ -151,8 +152,8 @@ struct ContactWorld::Impl {
   double allowed_depth(const contact::Object& projectile, const contact::Object& other) const;
   NextTouch next_touch(const contact::Object& projectile, const Vec3& center, const Vec3& velocity, double share,
                        double dt, std::span<const contact::Object* const> parting) const;
-  bool would_strike(std::size_t a, std::size_t b, double dt, double minimum_speed) const;
-  bool impact_expected(double dt, double minimum_speed) const;
+  double striking_speed(std::size_t a, std::size_t b, double dt, double minimum_speed) const;
+  std::vector<ContactWorld::Encounter> expected_impacts(double dt, double minimum_speed, bool first_alone) const;
 
   Vec3 gravity;
   double ground_height = 0;

@@ -128,6 +128,9 @@ class ContactWorld {
   /// half the speed of what strikes either of them, and that did not push in the last substep. Returns the new index of
   /// each contact, or -1. To be called between detect() and solve(), if at all.
   std::vector<int> drop_near_misses(double dt, std::span<const double> approach);
+  /// Leaves the contacts of objects out of contacts(), per ProxyId; those beyond the end stay. To be called right after
+  /// detect(), if at all.
+  void drop_contacts_of(const std::vector<bool>& objects);
   /// Writes the impulses of a substep of `dt` [s] > 0 into contacts(). To be called `again`, with less effort, when more
   /// is known about the responses of what is elastic. Returns how many times a contact was solved, for those who count
   /// work.
@@ -169,6 +172,13 @@ class ContactWorld {
   /// hurt one of them; the reason to take substeps. On the safe side: an object that turns counts as if all of it moved
   /// with its fastest point. Pairs that touch already count if they approach that fast.
   bool impact_expected(double dt, double minimum_speed) const;
+  /// Two objects that may meet.
+  struct Encounter {
+    ProxyId a, b;
+    double approach = 0;  ///< the fastest that they come together [m/s]
+  };
+  /// The pairs behind impact_expected(), each once.
+  std::vector<Encounter> expected_impacts(double dt, double minimum_speed) const;
 
   /// Deepest overlap in contacts(), beyond what fresh cracks are allowed [m], >= 0.
   double max_penetration() const;

@@ -35,4 +35,16 @@ std::vector<int> ContactWorld::Impl::drop_near_misses(double dt, std::span<const
   return index;
 }
 
+void ContactWorld::Impl::drop_contacts_of(const std::vector<bool>& dropped) {
+  const auto is_dropped = [&](ProxyId id) { return static_cast<std::size_t>(id) < dropped.size() && dropped[id]; };
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (is_dropped(contacts[i].a) || is_dropped(contacts[i].b)) continue;
+    contacts[kept] = contacts[i];
+    points[kept++] = points[i];
+  }
+  contacts.resize(kept);
+  points.resize(kept);
+}
+
 }  // namespace griffith

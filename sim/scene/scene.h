@@ -77,6 +77,7 @@ enum class Analysis {
 /// How a body moves through a step.
 enum class Integrator {
   implicit_euler,    ///< a linear system a step: stable at any length
+  hybrid,            ///< implicit, and microsteps at the stable step in bodies that are struck or crack
   symplectic_euler,  ///< no system, but as many substeps as stability asks for
 };
 

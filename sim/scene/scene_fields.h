@@ -246,8 +246,9 @@ void describe(Archive& archive, Ground& ground) {
 template <class Archive>
 void describe(Archive& archive, SimulationSettings& settings) {
   archive.field("time_step", settings.time_step, between(1e-5, 0.1, "s"), "Time step");
-  archive.field("integrator", settings.integrator, OneOf{{"implicit", "explicit"}},
-                "How bodies move through a step: by a linear system, or by as many small steps as stability asks for");
+  archive.field("integrator", settings.integrator, OneOf{{"implicit", "hybrid", "explicit"}},
+                "How bodies move through a step: by a linear system (implicit), by that and by microsteps in bodies that are "
+                "struck or crack (hybrid), or by as many small steps as stability asks for (explicit)");
   archive.field("static_start", settings.static_start, Flag{},
                 "Whether supported bodies start at rest under gravity and their loads at time 0");
   archive.field("impact_substeps", settings.impact_substeps, between(1, 256),

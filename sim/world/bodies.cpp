@@ -175,6 +175,8 @@ void hand_out_tets(WorldState& world, BodyId id, std::vector<std::vector<TetId>>
     piece.scene_body = world.bodies[id].scene_body;
     piece.last_strike = world.bodies[id].last_strike;
     piece.softened = world.bodies[id].softened;
+    piece.shock = world.bodies[id].shock;
+    piece.shock_ended = world.bodies[id].shock_ended;
     piece.softening = world.bodies[id].softening;
     piece.tets = std::move(pieces[i]);
     for (TetId tet : piece.tets) world.elements.bodies[tet] = piece.id;

@@ -269,8 +269,17 @@ std::vector<Vec3> external_forces(const WorldState& world) {
   return forces;
 }
 
+/// What touches a body in shock is left to the microsteps.
+void drop_contacts_of_shocks(WorldState& world) {
+  std::vector<bool> in_shock(world.body_of_proxy.size(), false);
+  for (const Body& body : world.bodies)
+    if (body.shock) in_shock[body.stand_in] = true;
+  world.contact_world.drop_contacts_of(in_shock);
+}
+
 void resolve_contacts(WorldState& world, double dt) {
   world.contact_world.detect();  // before the prediction, by which all that rests is about to fall
+  drop_contacts_of_shocks(world);
   take_sleep(world);
   tell_rigid_velocities(world);
   TouchedBodies touched = solve_contacts(world, dt);

@@ -101,13 +101,13 @@ void update_elements(WorldState& world, const Body& body) {
 
 void update_elements(WorldState& world) {
   for (const Body& body : world.bodies)
-    if (!body.rigid) update_elements(world, body);
+    if (body.sways()) update_elements(world, body);
 }
 
 void assemble_systems(WorldState& world, double dt) {
   parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i)
-      if (!world.bodies[i].rigid) assemble_system(world, world.bodies[i], dt);
+      if (world.bodies[i].sways()) assemble_system(world, world.bodies[i], dt);
   });
 }
 
@@ -136,7 +136,7 @@ void predict_velocities(WorldState& world, std::vector<Vec3> forces, double dt) 
   parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       Body& body = world.bodies[i];
-      if (body.asleep) continue;
+      if (body.asleep || body.shock) continue;
       if (body.rigid) {
         predict_rigid(world, body, forces, dt);
       } else {

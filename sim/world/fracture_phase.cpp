@@ -6,21 +6,12 @@
 #include "sim/fracture/remesh.h"
 #include "sim/fracture/split.h"
 #include "sim/world/phases.h"
+#include "sim/world/cracking.h"
 #include "sim/world/rewind.h"
 #include "sim/world/subdivision.h"
 
 namespace griffith {
 namespace {
-
-/// What open_cracks() did, until the pieces are known.
-struct Opened {
-  std::set<BodyId> bodies;
-  MotionsBefore motions;     ///< of free bodies that were remeshed
-  std::set<NodeId> waiting;  ///< a split relieves its neighbourhood: these wait until their stress is known again
-  std::vector<NodeCopy> copies;
-  std::vector<TetId> parted;  ///< tets that lost a neighbour
-  std::size_t first_event = 0;
-};
 
 /// Cracks that waited for the budget open as they would have then, unless the load has grown since.
 void restore_postponed(WorldState& world) {
@@ -111,7 +102,8 @@ void date_open_faces(WorldState& world, const std::vector<TetId>& parted) {
     }
 }
 
-/// Opens the mesh at one node, or tears it off its support; whether anything was parted.
+}  // namespace
+
 bool crack(WorldState& world, NodeId node, Opened& opened) {
   const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
   const Vec3 normal = world.nodes.separations[node].direction;
@@ -135,6 +127,8 @@ bool crack(WorldState& world, NodeId node, Opened& opened) {
   world.crack_events.push_back(std::move(event));
   return true;
 }
+
+namespace {
 
 /// How far a wave from a crack gets in the substep before a node of this margin would crack by itself [m]. In a
 /// softened one the load takes the time that a wave needs to cross the body, and the node cracks when it passes the
@@ -179,19 +173,31 @@ Opened crack_in_turn(WorldState& world, const std::vector<NodeId>& overloaded, d
   return opened;
 }
 
-/// How long a crack takes to run across an element [s]. In brittle solids it hardly ever passes half the Rayleigh
-/// wave speed (Freund 1990), some quarter to third of the bar's.
-double crack_transit_time(const WorldState& world, const Body& body) {
-  constexpr double kCrackSpeed = 0.3;  // of the wave speed
-  return mean_element_size(world, body.tets) / (kCrackSpeed * bar_wave_speed(world.material_of(body)));
-}
-
 /// The bodies to which the elements of a crack belong, when there is more than one.
 std::vector<BodyId> children_of(const WorldState& world, const CrackEvent& event) {
   std::set<BodyId> bodies;
   for (const CrackElement& element : event.elements) bodies.insert(world.elements.bodies[element.tet]);
   if (bodies.size() < 2) return {};
   return {bodies.begin(), bodies.end()};
+}
+
+}  // namespace
+
+void part_opened(WorldState& world, const Opened& opened) {
+  restore_angular_momentum(world, opened.motions);
+  follow_cracks(world.splinters, world.mesh.neighbours, opened.parted, world.splinter_state);
+  part_bodies(world, std::vector<BodyId>(opened.bodies.begin(), opened.bodies.end()));
+  for (std::size_t i = opened.first_event; i < world.crack_events.size(); ++i)
+    world.crack_events[i].children = children_of(world, world.crack_events[i]);
+}
+
+namespace {
+
+/// How long a crack takes to run across an element [s]. In brittle solids it hardly ever passes half the Rayleigh
+/// wave speed (Freund 1990), some quarter to third of the bar's.
+double crack_transit_time(const WorldState& world, const Body& body) {
+  constexpr double kCrackSpeed = 0.3;  // of the wave speed
+  return mean_element_size(world, body.tets) / (kCrackSpeed * bar_wave_speed(world.material_of(body)));
 }
 
 /// Whether what cracked would have run on in the substep, and can.

@@ -54,13 +54,14 @@ struct ProjectileView {
 
 /// Milliseconds of the phases of one step; for display and statistics, never for decisions.
 struct StepTimings {
-  double step = 0, contact = 0, elasticity = 0, separation = 0, fracture = 0;
+  double step = 0, contact = 0, elasticity = 0, shock = 0, separation = 0, fracture = 0;
 };
 
 /// What happened in a step; every limit that was reached and every number that went wrong is counted here.
 struct StepReport {
   int substeps = 1;
   int repeated_substeps = 0;         ///< beside these: made again, since cracks would have run on in them
+  int microsteps = 0;                ///< of bodies in shock
   int contacts = 0;
   double peak_margin = 0;            ///< highest margin of any node in any substep
   int cracks = 0;                    ///< nodes split

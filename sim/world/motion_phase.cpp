@@ -312,7 +312,7 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
   parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       Body& body = world.bodies[i];
-      if (body.asleep) continue;
+      if (body.asleep || body.shock) continue;
       if (body.rigid) {
         move_rigid(world, body, dt);
       } else {
@@ -325,7 +325,7 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
     Body& body = world.bodies[i];
     freeze_if_broken_down(world, body);
     world.report.shortened_motions += shortened[i];
-    if (body.rigid) continue;
+    if (!body.sways()) continue;
     for (TetId tet : body.tets) world.report.inverted_tets += world.elements.states[tet].inverted;
   }
   place_stand_ins(world);
@@ -341,7 +341,7 @@ void wake(WorldState& world, Body& body) {
 void calm_bodies(WorldState& world) {
   constexpr int kCalmSteps = 20;
   for (Body& body : world.bodies) {
-    if (body.rigid || body.supported()) continue;
+    if (!body.sways() || body.supported()) continue;
     body.calm_steps = is_calm(world, body) ? body.calm_steps + 1 : 0;
     if (body.tets.size() == 1 || body.calm_steps >= kCalmSteps) stiffen(world, body);
   }

@@ -46,6 +46,9 @@ double least_work(const WorldState& world);
 /// than it takes to cross an element. `substeps_left` is kept.
 int next_substep(WorldState& world, int ticks_left, int substeps_left);
 
+/// The longest time in which nothing strikes hard enough to hurt, up to `most` and within `tolerance` [s].
+double time_before_impact(const WorldState& world, double most, double tolerance);
+
 /// How fine time must be to see the stress of an impact on the body [s].
 double impact_substep(const WorldState& world, const Body& body);
 /// No slower approach is an impact [m/s].
@@ -116,6 +119,11 @@ void predict_explicitly(WorldState& world, Body& body, std::vector<Vec3>& forces
 void evaluate_separation(WorldState& world, bool averaged);
 /// The same for one body, of its stress as it is now.
 void evaluate_separation(WorldState& world, const Body& body);
+/// Edge length of the cells round a node: that of a cube of six of its tets [m].
+double element_size_at(const WorldState& world, NodeId node);
+/// The separation of one node of a body under the states of its elements now.
+NodeSeparation evaluate_node(const WorldState& world, const SeparationInput& input, const Body& body, NodeId node,
+                             bool averaged);
 /// What the separation tensors are made of.
 SeparationInput separation_input(const WorldState& world);
 /// Where a substep may be made again: the moment at which it began, or null, and how often it was made, from 1.

@@ -116,7 +116,7 @@ void launch_projectiles(WorldState& world) {
     const RigidState state{{burst.position, rotation_of(burst.rotation_degrees)},
                            burst.speed * burst.direction.normalized(),
                            burst.angular_velocity};
-    const SurfaceProperties surface{burst.friction, burst.restitution};
+    const SurfaceProperties surface = projectile.surface = {burst.friction, burst.restitution};
     projectile.object = projectile.hull
                             ? world.contact_world.add_convex(projectile.hull->corners,
                                                              {projectile.mass, projectile.inertia}, state, surface)

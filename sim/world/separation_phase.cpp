@@ -6,10 +6,8 @@
 #include "sim/world/phases.h"
 
 namespace griffith {
-namespace {
 
-/// Edge length of the cells round a node: that of a cube of six tets.
-double element_size(const WorldState& world, NodeId node) {
+double element_size_at(const WorldState& world, NodeId node) {
   double volume = 0;
   for (TetId tet : world.mesh.stars[node]) volume += world.elements.rests[tet].volume;
   return std::cbrt(6 * volume / static_cast<double>(world.mesh.stars[node].size()));
@@ -29,11 +27,13 @@ NodeSeparation evaluate_node(const WorldState& world, const SeparationInput& inp
   separation.stress = averaged ? 0.5 * (plane.stress + world.nodes.separations[node].stress) : plane.stress;
   separation.resistance =
       strength.share(plane.normal) * resistance(material, world.nodes.at_crack_front[node] != 0,
-                                                element_size(world, node), world.nodes.strength_factors[node]);
+                                                element_size_at(world, node), world.nodes.strength_factors[node]);
   const double load = material.criterion == FractureCriterion::strength ? separation.stress : separation.eigenvalue;
   separation.margin = load / separation.resistance;
   return separation;
 }
+
+namespace {
 
 void evaluate_body(WorldState& world, const SeparationInput& input, const Body& body, bool averaged) {
   parallel_for(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
@@ -60,12 +60,12 @@ void evaluate_separation(WorldState& world, bool averaged) {
   parallel_for(static_cast<int>(world.bodies.size()), 16, [&](int first, int last) {
     for (const Body& body : std::span(world.bodies).subspan(first, last - first)) {
       const bool body_averaged = averaged && body.softening == 1 && !body.softened_before;
-      if (!body.rigid) evaluate_body(world, input, body, body_averaged);
+      if (body.sways()) evaluate_body(world, input, body, body_averaged);
     }
   });
   for (const Body& body : world.bodies)
     for (NodeId node : body.nodes)
-      if (!body.rigid)
+      if (body.sways())
         world.report.peak_margin = std::max(world.report.peak_margin, world.nodes.separations[node].margin);
 }
 

@@ -6,6 +6,7 @@
 
 #include "sim/world/phases.h"
 #include "sim/world/rewind.h"
+#include "sim/world/shock_phase.h"
 #include "sim/world/world.h"
 #include "sim/world/world_impl.h"
 
@@ -36,8 +37,8 @@ bool fracture(WorldState& world, double substep, const Attempt& attempt) {
   return open_cracks(world, substep, attempt);
 }
 
-/// Returns whether it is to be made again.
-bool substep(WorldState& world, double dt, const Attempt& attempt) {
+/// Contacts and motion of everything but the bodies in shock.
+void move(WorldState& world, double dt) {
   StepTimings& timings = world.report.milliseconds;
   std::vector<Vec3> external;
   {
@@ -55,6 +56,11 @@ bool substep(WorldState& world, double dt, const Attempt& attempt) {
     PhaseTimer timer(timings.elasticity);
     move_bodies(world, external, dt);
   }
+}
+
+/// Returns whether it is to be made again.
+bool substep(WorldState& world, double dt, const Attempt& attempt) {
+  move(world, dt);
   world.time += dt;
   return fracture(world, dt, attempt);
 }
@@ -116,6 +122,30 @@ void step_implicitly(WorldState& world, double time_step) {
   rest_bodies(world, time_step);
 }
 
+/// In stretches: up to the next impact, and while waves run in what was struck or cracks. Bodies in shock take
+/// microsteps through a stretch, all else one implicit substep.
+void step_by_stretches(WorldState& world, double time_step) {
+  constexpr double kRounding = 1e-9;
+  for (double left = time_step; left > kRounding * time_step; ++world.report.substeps) {
+    const double start = world.time, stretch = next_stretch(world, left);
+    const std::vector<shock::Obstacle> obstacles = obstacles_of_shock(world, stretch);
+    move(world, stretch);
+    if (in_shock(world)) {
+      PhaseTimer timer(world.report.milliseconds.shock);
+      run_shock(world, obstacles, stretch);
+      place_stand_ins(world);
+    }
+    world.time = start + stretch;
+    left -= stretch;
+    leave_shock(world);
+    PhaseTimer timer(world.report.milliseconds.separation);
+    evaluate_separation(world, true);
+    enter_overloaded_bodies(world);
+  }
+  calm_bodies(world);
+  rest_bodies(world, time_step);
+}
+
 /// Without inertia: from one equilibrium to the next, as loads and supports move on. Each crack changes the balance, so
 /// it is found again until nothing more cracks or the budget ends.
 void step_statically(WorldState& world, double time_step) {
@@ -157,6 +187,9 @@ void advance(WorldState& world) {
       step_statically(world, time_step);
     } else if (world.integrates_explicitly()) {
       step_explicitly(world, time_step);
+    } else if (world.scene.simulation.integrator == Integrator::hybrid) {
+      world.report.substeps = 0;
+      step_by_stretches(world, time_step);
     } else {
       step_implicitly(world, time_step);
     }

@@ -48,6 +48,11 @@ struct ElementArrays {
   std::vector<std::array<double, 4>> opened;  ///< when a crack opened face i [s], else not a number
 };
 
+/// A body whose waves are resolved by microsteps (shock_run.h).
+struct Shock {
+  double last_event = 0;  ///< when something struck it hard or cracked in it last [s]
+};
+
 /// A connected piece of elastic material and its stand-in in the contact world.
 struct Body {
   BodyId id, parent;
@@ -76,7 +81,12 @@ struct Body {
   double contact_work = 0;               ///< of the contacts in the substep, at the velocities after it [J]
   double compliance_factor = 1;          ///< true compliance at contacts over the estimated one, as seen last
 
+  std::optional<Shock> shock;
+  double shock_ended = -std::numeric_limits<double>::infinity();  ///< when it left its last shock [s]
+
   bool supported() const { return !system->is_free(); }
+  /// Whether the implicit step moves it.
+  bool sways() const { return !rigid && !shock; }
 };
 
 struct Projectile {
@@ -84,6 +94,7 @@ struct Projectile {
   double radius = 0, mass = 0;      ///< radius of the sphere round it [m], [kg]
   std::shared_ptr<const ConvexHull> hull;  ///< in its own frame, for all of a burst; null for a sphere
   Mat3 inertia = Mat3::Zero();      ///< in its own frame [kg·m²]
+  SurfaceProperties surface;
 };
 
 /// A shot that has not left yet.

@@ -39,6 +39,7 @@ TEST(Statistics, EveryFieldIsThereAndMakesSense) {
                            "max_relative_residual",
                            "solver_iterations",
                            "substeps",
+                           "microsteps",
                            "contacts",
                            "cracks_postponed",
                            "cracks_suppressed",

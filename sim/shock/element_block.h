@@ -1,0 +1,36 @@
+#pragma once
+
+#include "sim/elasticity/material.h"
+#include "sim/shock/lanes.h"
+
+namespace griffith::shock {
+
+/// Eight linear tetrahedra of one body. Displacements and gradients are seen from a reference placement near the
+/// present one, so that single precision resolves the strains of stiff materials. Symmetric tensors have the entries
+/// xx, yy, zz, xy, yz, xz.
+struct ElementBlock {
+  Lanes gradients[3][3];  ///< of the shape functions of corners 1 to 3 [1/m]
+  Lanes volume;           ///< at rest [m³]; 0 in lanes without a tet, less for slivers (ShockSolid)
+  int nodes[4][kLanes];   ///< indices into the arrays of nodes
+  Lanes offset[6];        ///< strain without stress [-]
+  Lanes strain[6];        ///< as force_elements() saw it last, for its rate [-]
+  Lanes rotation[4];      ///< quaternion x, y, z, w from the reference to now: of the corotational model alone
+};
+
+/// A body's law in the microsteps.
+struct BlockLaw {
+  ElementModel model = ElementModel::corotational;
+  float lambda = 0, mu = 0;  ///< Lamé's constants [Pa]
+  float viscosity = 0;       ///< Rayleigh's β over the length of a microstep [-]
+};
+
+/// The forces of eight tets on their corners [N], forces[4·lane + corner], and beside each force the largest principal
+/// stress of its tet [Pa], 0 in compression: x, y, z, stress. Corotational strain follows its rotation by one Newton
+/// step of the polar decomposition a call: exact for the small turns of a microstep.
+///   displacements  of all nodes from their reference places [m]; the fourth number counts for nothing
+void force_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements, Quad* forces);
+
+/// Lets the rotations and strains of a block follow displacements however large, without forces.
+void settle_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements);
+
+}  // namespace griffith::shock

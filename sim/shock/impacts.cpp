@@ -1,0 +1,288 @@
+#include "sim/shock/impacts.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "sim/mesh/tet_mesh.h"
+
+namespace griffith::shock {
+namespace {
+
+/// Rounds of impulses over all touches of a microstep.
+constexpr int kRounds = 4;
+/// Slower approaches are rounding [m/s].
+constexpr double kNegligibleSpeed = 1e-9;
+
+std::array<int, 3> nodes_of(const Solid& solid, const SurfaceSide& side) {
+  std::array<int, 3> nodes{};
+  for (int i = 0; i < 3; ++i) nodes[i] = solid.corner(side.slot, kTetFaces[side.face][i]);
+  return nodes;
+}
+
+int body_of(const Solid& solid, int slot) { return solid.body_of_slot(slot); }
+
+/// The point of triangle abc nearest to p, as barycentric weights (Ericson 2005, 5.1.5).
+std::array<double, 3> nearest_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+  const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp), d6 = ac.dot(cp);
+  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
+  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
+  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
+  const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
+    const double w = (d4 - d3) / (d4 - d3 + d5 - d6);
+    return {0, 1 - w, w};
+  }
+  const double sum = va + vb + vc;
+  return {va / sum, vb / sum, vc / sum};
+}
+
+Eigen::AlignedBox3d box_of(const Solid& solid, const SurfaceSide& side) {
+  Eigen::AlignedBox3d box;
+  for (const int node : nodes_of(solid, side)) box.extend(solid.position(node));
+  return box;
+}
+
+/// How far a point is outside a convex solid that lies there, at most, and across which face.
+std::pair<double, Vec3> outermost_face(const ConvexSolid& solid, const Vec3& local) {
+  double most = -std::numeric_limits<double>::infinity();
+  Vec3 normal = Vec3::UnitY();
+  for (const HalfSpace& face : solid.faces) {
+    const double distance = face.normal.dot(local) - face.distance;
+    if (distance > most) most = distance, normal = face.normal;
+  }
+  return {most, normal};
+}
+
+}  // namespace
+
+Impacts::Impacts(std::vector<SurfaceSide> surface, std::vector<CrackSides> cracks, std::vector<Obstacle> obstacles,
+                 std::vector<SurfaceLaw> surfaces, double element_size)
+    : surface_(std::move(surface)),
+      cracks_(std::move(cracks)),
+      obstacles_(std::move(obstacles)),
+      surfaces_(std::move(surfaces)),
+      candidates_(obstacles_.size()),
+      element_size_(element_size) {}
+
+void Impacts::open(const CrackSides& sides) {
+  cracks_.push_back(sides);
+  const auto add = [&](int slot, const std::array<int, 3>& corners) {
+    surface_.push_back({slot, 6 - corners[0] - corners[1] - corners[2]});
+  };
+  add(sides.first_slot, sides.first_corners);
+  add(sides.second_slot, sides.second_corners);
+  reach_left_ = -1;
+}
+
+void Impacts::list_near_obstacle(const Solid& solid, const Obstacle& obstacle, double margin,
+                                 Candidates& candidates) const {
+  candidates.sides.clear();
+  candidates.nodes.clear();
+  const double reach = obstacle.radius + margin;
+  const Vec3& center = obstacle.state.pose.translation;
+  for (const SurfaceSide& side : surface_) {
+    if (std::isfinite(reach)) {
+      if (box_of(solid, side).exteriorDistance(center) > reach) continue;
+      candidates.sides.push_back(side);
+    }
+    for (const int node : nodes_of(solid, side)) {
+      const HalfSpace* plane = std::isfinite(reach) ? nullptr : &obstacle.solids[0].faces[0];
+      if (!plane || plane->normal.dot(solid.position(node)) - plane->distance < margin)
+        candidates.nodes.push_back(node);
+    }
+  }
+  std::ranges::sort(candidates.nodes);
+  const auto repeated = std::ranges::unique(candidates.nodes);
+  candidates.nodes.erase(repeated.begin(), repeated.end());
+}
+
+/// Nodes near sides of other bodies, by a sweep along x.
+void Impacts::list_pairs(const Solid& solid, double margin) {
+  pairs_.clear();
+  const auto differs = [&](const SurfaceLaw& surface) { return surface.family != surfaces_.front().family; };
+  if (std::ranges::none_of(surfaces_, differs)) return;
+  struct Placed {
+    double low, high;
+    SurfaceSide side;
+  };
+  std::vector<Placed> sides;
+  std::vector<std::pair<double, int>> nodes;
+  for (const SurfaceSide& side : surface_) {
+    const Eigen::AlignedBox3d box = box_of(solid, side);
+    sides.push_back({box.min().x() - margin, box.max().x() + margin, side});
+    for (const int node : nodes_of(solid, side)) nodes.emplace_back(solid.position(node).x(), node);
+  }
+  std::ranges::sort(nodes);
+  const auto repeated = std::ranges::unique(nodes);
+  nodes.erase(repeated.begin(), repeated.end());
+  for (const Placed& placed : sides) {
+    const int family = surfaces_[body_of(solid, placed.side.slot)].family;
+    const Eigen::AlignedBox3d box = box_of(solid, placed.side);
+    for (auto at = std::ranges::lower_bound(nodes, std::pair(placed.low, -1));
+         at != nodes.end() && at->first <= placed.high; ++at)
+      if (surfaces_[body_of(solid, solid.star(at->second).front() / 4)].family != family &&
+          box.exteriorDistance(solid.position(at->second)) < margin)
+        pairs_.push_back({at->second, placed.side});
+  }
+}
+
+void Impacts::list_candidates(const Solid& solid) {
+  double margin = 0.25 * element_size_;
+  for (const Obstacle& obstacle : obstacles_)
+    if (obstacle.inverse_mass > 0 && std::isfinite(obstacle.radius)) margin = std::max(margin, 0.1 * obstacle.radius);
+  for (std::size_t i = 0; i < obstacles_.size(); ++i) list_near_obstacle(solid, obstacles_[i], margin, candidates_[i]);
+  list_pairs(solid, margin);
+  reach_left_ = margin;
+}
+
+void Impacts::touch_sphere(const Solid& solid, int index) {
+  const Obstacle& sphere = obstacles_[index];
+  const Vec3& center = sphere.state.pose.translation;
+  for (const SurfaceSide& side : candidates_[index].sides) {
+    Touch touch{.nodes = nodes_of(solid, side), .obstacle = index};
+    const Vec3 a = solid.position(touch.nodes[0]), b = solid.position(touch.nodes[1]),
+               c = solid.position(touch.nodes[2]);
+    touch.weights = nearest_weights(center, a, b, c);
+    touch.place = touch.weights[0] * a + touch.weights[1] * b + touch.weights[2] * c;
+    const Vec3 away = center - touch.place;
+    touch.depth = sphere.radius - away.norm();
+    if (touch.depth < 0 || (b - a).cross(c - a).dot(center - a) <= 0) continue;
+    touch.normal = away.normalized();
+    touches_.push_back(touch);
+  }
+}
+
+bool Impacts::is_behind(const Solid& solid, const SurfaceSide& side, const Vec3& point, Touch& touch) const {
+  constexpr double kOutside = -1e-6;
+  touch.nodes = nodes_of(solid, side);
+  const Vec3 a = solid.position(touch.nodes[0]), b = solid.position(touch.nodes[1]), c = solid.position(touch.nodes[2]);
+  const Vec3 normal = (b - a).cross(c - a);
+  const double area = normal.norm();
+  touch.normal = normal / area;
+  touch.depth = -touch.normal.dot(point - a);
+  if (touch.depth < 0 || touch.depth > 0.5 * element_size_) return false;
+  const double u = normal.dot((c - b).cross(point - b)) / (area * area),
+               v = normal.dot((a - c).cross(point - c)) / (area * area);
+  touch.weights = {u, v, 1 - u - v};
+  touch.place = point;
+  return u >= kOutside && v >= kOutside && 1 - u - v >= kOutside;
+}
+
+/// Nodes inside a convex part, and its sample points behind sides.
+void Impacts::touch_convex(const Solid& solid, int index) {
+  const Obstacle& obstacle = obstacles_[index];
+  const Pose& pose = obstacle.state.pose;
+  for (const ConvexSolid& part : obstacle.solids) {
+    for (const int node : candidates_[index].nodes) {
+      const Vec3 place = solid.position(node);
+      const auto [outside, normal] = outermost_face(part, pose.to_local(place));
+      if (outside > 0) continue;
+      Touch touch{.nodes = {node, node, node}, .count = 1, .obstacle = index, .place = place};
+      touch.normal = -(pose.rotation * normal);
+      touch.depth = -outside;
+      touches_.push_back(touch);
+    }
+    for (const Vec3& sample : part.samples) {
+      const Vec3 place = pose.to_world(sample);
+      Touch touch{.obstacle = index}, deepest;
+      bool found = false;
+      for (const SurfaceSide& side : candidates_[index].sides) {
+        if (!is_behind(solid, side, place, touch) || (found && touch.depth >= deepest.depth)) continue;
+        deepest = touch;
+        found = true;
+      }
+      if (found) touches_.push_back(deepest);
+    }
+  }
+}
+
+/// Each node against the side of another body that it lies behind least deep.
+void Impacts::touch_bodies(const Solid& solid) {
+  std::vector<Touch> found;
+  for (const auto& [node, side] : pairs_) {
+    Touch touch;
+    touch.other_node = node;
+    if (is_behind(solid, side, solid.position(node), touch)) found.push_back(touch);
+  }
+  std::ranges::stable_sort(found, [](const Touch& a, const Touch& b) {
+    return a.other_node != b.other_node ? a.other_node < b.other_node : a.depth < b.depth;
+  });
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (i == 0 || found[i].other_node != found[i - 1].other_node) touches_.push_back(found[i]);
+}
+
+void Impacts::find_touches(const Solid& solid) {
+  touches_.clear();
+  for (int i = 0; i < static_cast<int>(obstacles_.size()); ++i)
+    obstacles_[i].is_sphere() ? touch_sphere(solid, i) : touch_convex(solid, i);
+  touch_bodies(solid);
+  std::ranges::stable_sort(touches_, std::ranges::greater(), &Touch::depth);
+}
+
+Vec3 Impacts::approach_of(const Solid& solid, const Touch& touch) const {
+  Vec3 velocity =
+      touch.obstacle >= 0 ? obstacles_[touch.obstacle].velocity_at(touch.place) : solid.velocity(touch.other_node);
+  for (int i = 0; i < touch.count; ++i) velocity -= touch.weights[i] * solid.velocity(touch.nodes[i]);
+  return velocity;
+}
+
+double Impacts::mobility_of(const Solid& solid, const Touch& touch, const Vec3& direction) const {
+  double sum = touch.obstacle >= 0 ? obstacles_[touch.obstacle].mobility(touch.place, direction)
+                                   : solid.mobility(touch.other_node, direction);
+  for (int i = 0; i < touch.count; ++i)
+    sum += touch.weights[i] * touch.weights[i] * solid.mobility(touch.nodes[i], direction);
+  return sum;
+}
+
+double Impacts::friction_of(const Solid& solid, const Touch& touch) const {
+  const double own = surfaces_[body_of(solid, solid.star(touch.nodes[0]).front() / 4)].friction;
+  const double other = touch.obstacle >= 0
+                           ? obstacles_[touch.obstacle].friction
+                           : surfaces_[body_of(solid, solid.star(touch.other_node).front() / 4)].friction;
+  return std::sqrt(own * other);
+}
+
+bool Impacts::push(Solid& solid, const Touch& touch, double least_speed) {
+  const Vec3 velocity = approach_of(solid, touch);
+  const double speed = -velocity.dot(touch.normal), mobility = mobility_of(solid, touch, touch.normal);
+  if (speed <= kNegligibleSpeed || mobility == 0) return false;
+  Vec3 impulse = -speed / mobility * touch.normal;  // on the solid
+  const Vec3 sliding = velocity + speed * touch.normal;
+  const double slip = sliding.norm();
+  if (slip > 0) {
+    const double stopping = slip / mobility_of(solid, touch, sliding / slip);
+    impulse += std::min(friction_of(solid, touch) * speed / mobility, stopping) / slip * sliding;
+  }
+  for (int i = 0; i < touch.count; ++i) solid.push(touch.nodes[i], touch.weights[i] * impulse);
+  touch.obstacle >= 0 ? obstacles_[touch.obstacle].push(touch.place, -impulse) : solid.push(touch.other_node, -impulse);
+  energy_lost_ += impulse.dot(0.5 * (velocity + approach_of(solid, touch)));
+  if (speed > least_speed)
+    blows_.push_back({touch.nodes[0], touch.obstacle, touch.place, touch.normal, impulse, speed});
+  return true;
+}
+
+void Impacts::resolve(Solid& solid, double dt, double least_speed) {
+  blows_.clear();
+  for (Obstacle& obstacle : obstacles_) obstacle.move(dt);
+  if (reach_left_ < 0) list_candidates(solid);
+  find_touches(solid);
+  for (int round = 0; round < kRounds; ++round) {
+    bool any = false;
+    for (const Touch& touch : touches_) any |= push(solid, touch, least_speed);
+    if (!any) break;
+  }
+  double fastest = solid.fastest();
+  for (const Obstacle& obstacle : obstacles_) {
+    const double turning =
+        std::isfinite(obstacle.radius) ? obstacle.state.angular_velocity.norm() * obstacle.radius : 0;
+    fastest = std::max(fastest, obstacle.state.velocity.norm() + turning);
+  }
+  reach_left_ -= 2 * dt * fastest;
+  if (!cracks_.empty()) close_cracks(solid);
+}
+
+}  // namespace griffith::shock

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "sim/shock/obstacle.h"
+#include "sim/shock/solid.h"
+
+namespace griffith::shock {
+
+/// A face of the solid's surface: that opposite a corner of a tet.
+struct SurfaceSide {
+  int slot = 0, face = 0;
+};
+
+/// How a body of the solid meets others.
+struct SurfaceLaw {
+  int family = 0;  ///< pieces of one family touch where cracks parted them alone
+  double friction = 0.6;
+};
+
+/// Two sides of an opened crack, corner by corner in the same places at rest.
+struct CrackSides {
+  int first_slot = 0, second_slot = 0;
+  std::array<int, 3> first_corners{}, second_corners{};
+};
+
+/// What pushes in the microsteps: obstacles against the surface of the solid, bodies of the solid against each other,
+/// and the sides of cracks that close. Impulses act on lumped masses where surfaces overlap and approach; elastic
+/// bodies rebound by themselves.
+class Impacts {
+ public:
+  /// A contact that pushed, for those who ask.
+  struct Blow {
+    int node = 0;         ///< of the solid
+    int obstacle = -1;    ///< index, or -1: another node of the solid
+    Vec3 place, normal;   ///< normal: from the solid to the other
+    Vec3 impulse;         ///< on the solid [N·s]
+    double approach = 0;  ///< [m/s]
+  };
+
+  /// `surfaces`: per body of the solid; `element_size`: mean edge length, for which overlaps are looked for [m].
+  Impacts(std::vector<SurfaceSide> surface, std::vector<CrackSides> cracks, std::vector<Obstacle> obstacles,
+          std::vector<SurfaceLaw> surfaces, double element_size);
+
+  /// After a microstep of `dt`: finds what overlaps and pushes it. Blows faster than `least_speed` are noted.
+  void resolve(Solid& solid, double dt, double least_speed);
+  /// Faces that a crack opened: what else is there may touch them from now on.
+  void open(const CrackSides& sides);
+
+  std::span<Obstacle> obstacles() { return obstacles_; }
+  std::span<const Blow> blows() const { return blows_; }
+  double energy_lost() const { return energy_lost_; }
+
+ private:
+  /// A point of a face, or a node, and what it meets.
+  struct Touch {
+    std::array<int, 3> nodes{};
+    std::array<double, 3> weights{1, 0, 0};
+    int count = 3;                                      ///< of nodes in use: a face or a single node
+    int obstacle = -1;                                  ///< index, or
+    int other_node = -1;                                ///< a node of another body
+    Vec3 place = Vec3::Zero(), normal = Vec3::UnitY();  ///< normal: from the solid to the other
+    double depth = 0;
+  };
+  struct Candidates {
+    std::vector<SurfaceSide> sides;
+    std::vector<int> nodes;
+  };
+  struct NodeAndSide {
+    int node = 0;
+    SurfaceSide side;
+  };
+
+  void list_candidates(const Solid& solid);
+  void list_near_obstacle(const Solid& solid, const Obstacle& obstacle, double margin, Candidates& candidates) const;
+  void list_pairs(const Solid& solid, double margin);
+  void find_touches(const Solid& solid);
+  void touch_sphere(const Solid& solid, int obstacle);
+  void touch_convex(const Solid& solid, int obstacle);
+  void touch_bodies(const Solid& solid);
+  /// Whether a point lies behind a side, no deeper than half an element.
+  bool is_behind(const Solid& solid, const SurfaceSide& side, const Vec3& point, Touch& touch) const;
+  Vec3 approach_of(const Solid& solid, const Touch& touch) const;
+  double mobility_of(const Solid& solid, const Touch& touch, const Vec3& direction) const;
+  double friction_of(const Solid& solid, const Touch& touch) const;
+  bool push(Solid& solid, const Touch& touch, double least_speed);
+  void close_cracks(Solid& solid);
+
+  std::vector<SurfaceSide> surface_;
+  std::vector<CrackSides> cracks_;
+  std::vector<Obstacle> obstacles_;
+  std::vector<SurfaceLaw> surfaces_;    ///< per body of the solid
+  std::vector<Candidates> candidates_;  ///< per obstacle
+  std::vector<NodeAndSide> pairs_;      ///< nodes near sides of other bodies
+  std::vector<Touch> touches_;
+  std::vector<Blow> blows_;
+  double element_size_, reach_left_ = -1, energy_lost_ = 0;
+};
+
+}  // namespace griffith::shock

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/contact/contact_world.h"
+#include "sim/contact/convex_hull.h"
+
+namespace griffith::shock {
+
+/// The side of a plane to which `normal` does not point: normal · x <= distance.
+struct HalfSpace {
+  Vec3 normal = Vec3::UnitY();  ///< unit length
+  double distance = 0;          ///< [m]
+};
+
+/// A convex solid in its own frame [m].
+struct ConvexSolid {
+  std::vector<HalfSpace> faces;  ///< it is what they have in common
+  std::vector<Vec3> samples;     ///< corners, and points along the edges
+};
+
+/// `spacing`: of the points along the edges, at most [m].
+ConvexSolid convex_solid(const ConvexHull& hull, double spacing);
+
+/// Something rigid that the bodies of a shock run into: a projectile, a piece that keeps its shape, the ground.
+struct Obstacle {
+  ProxyId object;                   ///< what it stands for
+  double radius = 0;                ///< of the sphere that it is, or of the one round it [m]; infinite for the ground
+  std::vector<ConvexSolid> solids;  ///< none: a sphere
+  double inverse_mass = 0;          ///< 0: nothing moves it [1/kg]
+  Mat3 inverse_inertia = Mat3::Zero();  ///< in its own frame
+  RigidState state;
+  double friction = 0.6;
+
+  bool is_sphere() const { return solids.empty(); }
+  Vec3 velocity_at(const Vec3& place) const {
+    return state.velocity + state.angular_velocity.cross(place - state.pose.translation);
+  }
+  /// The inverse inertia as it lies now.
+  Mat3 inertia_now() const;
+  void push(const Vec3& place, const Vec3& impulse);
+  /// The velocity change along a unit direction at a place by a unit impulse there [1/kg].
+  double mobility(const Vec3& place, const Vec3& direction) const;
+  /// Moves it by its velocity.
+  void move(double dt);
+};
+
+}  // namespace griffith::shock

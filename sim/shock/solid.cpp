@@ -1,0 +1,225 @@
+#include "sim/shock/solid.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "sim/parallel.h"
+
+namespace griffith::shock {
+namespace {
+
+/// Share of critical damping at the highest frequency: kills what the mesh cannot carry, leaves the rest.
+constexpr double kDampingRatio = 0.06;
+/// A material's own damping counts up to this share of critical damping at the highest frequency.
+constexpr double kMostDamping = 0.5;
+/// This share of a body's elements, its slivers, may be relieved.
+constexpr double kSliverShare = 0.02;
+
+WideQuad wide(const Vec3& v) { return WideQuad{v[0], v[1], v[2], 0}; }
+
+double largest_eigenvalue(const Mat3& symmetric) {
+  Eigen::SelfAdjointEigenSolver<Mat3> solver;
+  return solver.computeDirect(symmetric, Eigen::EigenvaluesOnly).eigenvalues()[2];
+}
+
+/// The highest frequency of a tet with a quarter of its mass at each corner [rad/s]. Along the axes of
+/// A = Σ g_i g_iᵀ, with eigenvalues a_i, shear has the eigenvalues mu (a_i + a_j), and stretch those of
+/// lambda √(a_i a_j) + 2 mu a_i δ_ij; all times 4/ρ.
+double element_frequency(const ElasticLaw& law, double density, const ElementRest& rest) {
+  const Mat3 spread = rest.shape_gradients * rest.shape_gradients.transpose();
+  Eigen::SelfAdjointEigenSolver<Mat3> solver;
+  const Vec3 a = solver.computeDirect(spread, Eigen::EigenvaluesOnly).eigenvalues().cwiseMax(0);
+  const Vec3 roots = a.cwiseSqrt();
+  Mat3 stretch = law.lambda * roots * roots.transpose();
+  stretch.diagonal() += 2 * law.mu * a;
+  const double shear = law.mu * (a[1] + a[2]);
+  return std::sqrt(4 / density * std::max(shear, largest_eigenvalue(stretch)));
+}
+
+}  // namespace
+
+int Solid::add_node(const SolidNodeStart& start) {
+  nodes_.push_back({.inverse_mass = 1 / start.mass});
+  references_.push_back(start.reference);
+  displacements_.push_back({wide(start.displacement)});
+  velocities_.push_back({wide(start.velocity)});
+  accelerations_.push_back({wide(start.acceleration)});
+  return node_count() - 1;
+}
+
+int Solid::copy_node(int node, double mass) {
+  const SolidNodeStart start{references_[node], displacement(node), velocity(node), vector(accelerations_[node].value),
+                             mass};
+  const int copy = add_node(start);
+  if (nodes_[node].constraint >= 0) constrain(copy, NodeConstraint(constraints_[nodes_[node].constraint].constraint));
+  return copy;
+}
+
+void Solid::constrain(int node, const NodeConstraint& constraint) {
+  nodes_[node].constraint = static_cast<int>(constraints_.size());
+  constraints_.push_back({node, constraint});
+}
+
+void Solid::add_body(const ElasticLaw& law, double density, double stiffness_damping,
+                     std::span<const std::array<int, 4>> tets, std::span<const ElementRest> rests,
+                     std::span<const Mat3> offsets) {
+  SolidBody body;
+  body.law = {law.model, static_cast<float>(law.lambda), static_cast<float>(law.mu), 0};
+  body.first_block = static_cast<int>(blocks_.size());
+  body.blocks = static_cast<int>(tets.size() + kLanes - 1) / kLanes;
+  blocks_.resize(blocks_.size() + body.blocks);
+  block_bodies_.resize(blocks_.size(), static_cast<int>(bodies_.size()));
+  const int unused = tets[0][0];
+  for (int i = 0; i < body.blocks * kLanes; ++i) {
+    ElementBlock& block = blocks_[body.first_block + i / kLanes];
+    const int lane = i % kLanes;
+    const bool used = i < static_cast<int>(tets.size());
+    for (int corner = 0; corner < 4; ++corner) block.nodes[corner][lane] = used ? tets[i][corner] : unused;
+    for (int a = 0; a < 4; ++a) block.rotation[a][lane] = a == 3 ? 1.0F : 0.0F;
+    for (int e = 0; e < 6; ++e) block.offset[e][lane] = block.strain[e][lane] = 0;
+    block.volume[lane] = used ? static_cast<float>(rests[i].volume) : 0.0F;
+    for (int k = 0; k < 3; ++k)
+      for (int a = 0; a < 3; ++a)
+        block.gradients[k][a][lane] = used ? static_cast<float>(rests[i].shape_gradients(a, k + 1)) : 0.0F;
+    if (!used) continue;
+    constexpr int kRow[6] = {0, 1, 2, 0, 1, 0}, kColumn[6] = {0, 1, 2, 1, 2, 2};
+    for (int e = 0; e < 6; ++e) block.offset[e][lane] = static_cast<float>(offsets[i](kRow[e], kColumn[e]));
+  }
+  std::vector<double> frequencies(rests.size());
+  for (std::size_t i = 0; i < rests.size(); ++i) frequencies[i] = element_frequency(law, density, rests[i]);
+  std::vector<double> sorted = frequencies;
+  const auto limit = sorted.end() - 1 - static_cast<std::ptrdiff_t>(kSliverShare * static_cast<double>(sorted.size()));
+  std::nth_element(sorted.begin(), limit, sorted.end());
+  body.frequency = *limit;
+  for (std::size_t i = 0; i < rests.size(); ++i) {
+    if (frequencies[i] <= body.frequency) continue;
+    const double share = std::pow(body.frequency / frequencies[i], 2);
+    blocks_[body.first_block + i / kLanes].volume[i % kLanes] *= static_cast<float>(share);
+    ++body.relieved;
+  }
+  body.damping = std::clamp(stiffness_damping, 2 * kDampingRatio / body.frequency, 2 * kMostDamping / body.frequency);
+  bodies_.push_back(body);
+}
+
+void Solid::finish() {
+  forces_.resize(4 * static_cast<std::size_t>(tet_slots()));
+  std::vector<int> fill(nodes_.size(), 0);
+  const auto each_corner = [&](auto use) {
+    for (int slot = 0; slot < tet_slots(); ++slot) {
+      if (blocks_[slot / kLanes].volume[slot % kLanes] == 0) continue;
+      for (int c = 0; c < 4; ++c) use(corner(slot, c), 4 * slot + c);
+    }
+  };
+  each_corner([&](int node, int) { ++nodes_[node].count; });
+  int first = 0;
+  for (SolidNode& node : nodes_) {
+    node.first = first;
+    first += node.count;
+  }
+  stars_.resize(first);
+  each_corner([&](int node, int entry) { stars_[nodes_[node].first + fill[node]++] = entry; });
+  for (std::size_t b = 0; b < blocks_.size(); ++b)
+    settle_elements(bodies_[block_bodies_[b]].law, blocks_[b], &displacements_[0].value);
+}
+
+double Solid::stable_step(double courant) const {
+  double step = std::numeric_limits<double>::infinity();
+  for (const SolidBody& body : bodies_) {
+    const double ratio = body.damping * body.frequency / 2;
+    step = std::min(step, courant * 2 / body.frequency * (std::sqrt(1 + ratio * ratio) - ratio));
+  }
+  return step;
+}
+
+void Solid::set_step(double dt) {
+  dt_ = dt;
+  for (SolidBody& body : bodies_) body.law.viscosity = static_cast<float>(body.damping / dt);
+}
+
+void Solid::compute_forces() {
+  constexpr int kGrain = 256;  // 2,048 tets: fewer are done before another thread could start
+  parallel_for(static_cast<int>(blocks_.size()), kGrain, [&](int begin, int end) {
+    for (int b = begin; b < end; ++b)
+      force_elements(bodies_[block_bodies_[b]].law, blocks_[b], &displacements_[0].value,
+                     &forces_[4 * static_cast<std::size_t>(kLanes) * b].value);
+  });
+}
+
+void Solid::advance(std::vector<int>& flagged) {
+  flagged.clear();
+  advance_nodes(0, node_count(), flagged);
+  for (int i = 0; i < static_cast<int>(constraints_.size()); ++i) hold(i);
+}
+
+void Solid::advance_nodes(int first, int last, std::vector<int>& flagged) {
+  double fastest = 0;
+  for (int i = first; i < last; ++i) {
+    const SolidNode& node = nodes_[i];
+    const int* star = stars_.data() + node.first;
+    Quad even = {}, odd = {}, largest = {};
+    const auto add = [&](int entry, Quad& sum) {
+      const Quad force = forces_[star[entry]].value;
+      sum += force;
+      largest = force > largest ? force : largest;
+    };
+    for (int e = 0; e + 1 < node.count; e += 2) add(e, even), add(e + 1, odd);
+    if (node.count % 2 == 1) add(node.count - 1, even);
+    if (largest[3] > node.threshold) flagged.push_back(i);
+    WideQuad force = __builtin_convertvector(even + odd, WideQuad);
+    force[3] = 0;
+    velocities_[i].value += dt_ * (node.inverse_mass * force + accelerations_[i].value);
+    if (node.constraint < 0) displacements_[i].value += dt_ * velocities_[i].value;
+    fastest = std::max(fastest, velocity(i).squaredNorm());
+  }
+  fastest_ = std::sqrt(fastest);
+}
+
+void Solid::hold(int index) {
+  SolidConstraint& held = constraints_[index];
+  const Vec3 free = velocity(held.node);
+  const Vec3 allowed = held.constraint.allowed * free + held.constraint.velocity;
+  held.impulse += (allowed - free) / nodes_[held.node].inverse_mass;
+  velocities_[held.node].value = wide(allowed);
+  displacements_[held.node].value += dt_ * velocities_[held.node].value;
+}
+
+void Solid::part(int node, std::span<const int> copies, std::span<const std::vector<int>> stars) {
+  int at = nodes_[node].first;
+  for (std::size_t i = 0; i < stars.size(); ++i) {
+    const int owner = i == 0 ? node : copies[i - 1];
+    nodes_[owner].first = at;
+    nodes_[owner].count = static_cast<int>(stars[i].size());
+    for (const int entry : stars[i]) {
+      stars_[at++] = entry;
+      const int slot = entry / 4;
+      blocks_[slot / kLanes].nodes[entry % 4][slot % kLanes] = owner;
+    }
+  }
+}
+
+void Solid::push(int node, const Vec3& impulse) {
+  const SolidNode& pushed = nodes_[node];
+  Vec3 change = pushed.inverse_mass * impulse;
+  if (pushed.constraint >= 0) {
+    SolidConstraint& held = constraints_[pushed.constraint];
+    const Vec3 allowed = held.constraint.allowed * change;
+    held.impulse += (allowed - change) / pushed.inverse_mass;
+    change = allowed;
+  }
+  velocities_[node].value += wide(change);
+}
+
+double Solid::mobility(int node, const Vec3& direction) const {
+  const SolidNode& pushed = nodes_[node];
+  if (pushed.constraint < 0) return pushed.inverse_mass;
+  return pushed.inverse_mass * direction.dot(constraints_[pushed.constraint].constraint.allowed * direction);
+}
+
+double Solid::largest_stress(int node) const {
+  float largest = 0;
+  for (const int entry : star(node)) largest = std::max(largest, forces_[entry].value[3]);
+  return largest;
+}
+
+}  // namespace griffith::shock

@@ -1,0 +1,132 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "sim/elasticity/element.h"
+#include "sim/shock/element_block.h"
+#include "sim/solver/node_constraint.h"
+
+namespace griffith::shock {
+
+/// What the microsteps know of a node beside where it is.
+struct SolidNode {
+  double inverse_mass = 0;                                   ///< [1/kg]
+  int first = 0, count = 0;                                  ///< its part of the list of stars
+  int constraint = -1;                                       ///< index into Solid::constraints(), or -1
+  float threshold = std::numeric_limits<float>::infinity();  ///< [Pa]; see Solid::advance()
+};
+
+/// A node that a support holds in some directions.
+struct SolidConstraint {
+  int node = 0;
+  NodeConstraint constraint;
+  Vec3 impulse = Vec3::Zero();  ///< of the support on the node so far [N·s]
+};
+
+/// What moves in the microsteps.
+struct SolidNodeStart {
+  Vec3 reference = Vec3::Zero();     ///< place without deformation, in the body's present turn [m]
+  Vec3 displacement = Vec3::Zero();  ///< from there [m]
+  Vec3 velocity = Vec3::Zero();      ///< [m/s]
+  Vec3 acceleration = Vec3::Zero();  ///< by external forces [m/s²]
+  double mass = 0;                   ///< [kg], > 0
+};
+
+/// One body of the solid.
+struct SolidBody {
+  BlockLaw law;        ///< its viscosity follows from `damping` and the microstep
+  double damping = 0;  ///< Rayleigh's β [s]
+  int first_block = 0, blocks = 0;
+  double frequency = 0;  ///< the highest that its elements have, after slivers were relieved [rad/s]
+  int relieved = 0;      ///< slivers that act on their nodes with a part of their force, so as not to set the microstep
+};
+
+/// Tetrahedral bodies under explicit dynamics: lumped masses, symplectic Euler, eight elements at a time. State is in
+/// double precision, the elements' arithmetic in single precision on displacements from a placement near the present
+/// one. The same bits for any number of threads.
+class Solid {
+ public:
+  /// Nodes of a body that is added next, or by a crack. Returns its index.
+  int add_node(const SolidNodeStart& start);
+  /// A node that moves as another does, with its own mass [kg], for part().
+  int copy_node(int node, double mass);
+  void constrain(int node, const NodeConstraint& constraint);
+  /// A body of tets with these corners, seen in the body's present turn. Gradients as ElementRest.
+  ///   offsets   strain without stress per tet: plastic strain, in the present turn [-]
+  ///   density   [kg/m³]
+  void add_body(const ElasticLaw& law, double density, double stiffness_damping,
+                std::span<const std::array<int, 4>> tets, std::span<const ElementRest> rests,
+                std::span<const Mat3> offsets);
+  /// Once all bodies are there: stars, slots of forces, rotations.
+  void finish();
+
+  /// The stable microstep [s], the share `courant` of the limit.
+  double stable_step(double courant) const;
+  void set_step(double dt);
+
+  /// Forces of all elements at the present displacements.
+  void compute_forces();
+  /// Moves all nodes by a microstep. `flagged` gets the nodes at which an element's largest principal stress exceeds
+  /// the node's threshold.
+  void advance(std::vector<int>& flagged);
+
+  /// Parts a node: stars[0] stays with it, each other one goes to a new node, which was added for it already. Entries
+  /// are 4·tet + corner, ascending.
+  void part(int node, std::span<const int> copies, std::span<const std::vector<int>> stars);
+
+  int node_count() const { return static_cast<int>(nodes_.size()); }
+  int tet_slots() const { return static_cast<int>(blocks_.size()) * kLanes; }
+  int body_count() const { return static_cast<int>(bodies_.size()); }
+  const SolidBody& body(int index) const { return bodies_[index]; }
+  int body_of_slot(int slot) const { return block_bodies_[slot / kLanes]; }
+  /// The slot of a body's tet in the order in which it was added.
+  int slot(int body, int tet) const { return bodies_[body].first_block * kLanes + tet; }
+  SolidNode& node(int index) { return nodes_[index]; }
+  const SolidNode& node(int index) const { return nodes_[index]; }
+  std::span<const SolidConstraint> constraints() const { return constraints_; }
+  std::span<const int> star(int node) const {
+    return std::span(stars_).subspan(nodes_[node].first, nodes_[node].count);
+  }
+  int corner(int slot, int corner) const { return blocks_[slot / kLanes].nodes[corner][slot % kLanes]; }
+
+  Vec3 reference(int node) const { return references_[node]; }
+  Vec3 displacement(int node) const { return vector(displacements_[node].value); }
+  Vec3 position(int node) const { return references_[node] + displacement(node); }
+  Vec3 velocity(int node) const { return vector(velocities_[node].value); }
+  /// Changes a node's velocity by an impulse [N·s]; where it is held, the support takes it.
+  void push(int node, const Vec3& impulse);
+  /// The velocity change that a unit impulse along `direction` brings along it [1/kg].
+  double mobility(int node, const Vec3& direction) const;
+  /// Of any node, as advance() left it [m/s].
+  double fastest() const { return fastest_; }
+  /// Largest principal stress of the elements round a node at the last forces [Pa].
+  double largest_stress(int node) const;
+
+ private:
+  struct NodeValue {
+    WideQuad value = {};
+  };
+  struct CornerForce {
+    Quad value = {};
+  };
+  static Vec3 vector(const WideQuad& q) { return {q[0], q[1], q[2]}; }
+
+  void advance_nodes(int first, int last, std::vector<int>& flagged);
+  void hold(int constraint);
+
+  std::vector<SolidBody> bodies_;
+  std::vector<SolidNode> nodes_;
+  std::vector<SolidConstraint> constraints_;
+  std::vector<Vec3> references_;
+  std::vector<NodeValue> displacements_, velocities_, accelerations_;
+  std::vector<ElementBlock> blocks_;
+  std::vector<int> block_bodies_;    ///< per block
+  std::vector<CornerForce> forces_;  ///< 4·slot + corner
+  std::vector<int> stars_;
+  double dt_ = 0, fastest_ = 0;
+};
+
+}  // namespace griffith::shock

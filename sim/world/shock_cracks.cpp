@@ -1,0 +1,173 @@
+#include <algorithm>
+#include <map>
+
+#include "sim/fracture/resistance.h"
+#include "sim/mesh/topology.h"
+#include "sim/world/phases.h"
+#include "sim/world/shock_run.h"
+
+namespace griffith {
+namespace {
+
+/// A node opens when its overload has lasted so long, in the time that a wave takes to cross an element.
+constexpr double kOverloadTime = 0.5;
+/// Cracks run no faster than this share of the bar wave's speed: some half of the Rayleigh wave's (Freund 1990).
+constexpr double kCrackSpeed = 0.3;
+/// Elements are screened by the stress of another frame than the nodes are judged by.
+constexpr float kScreeningShare = 0.97F;
+
+}  // namespace
+
+shock::CrackSides crack_sides(const TetMesh& mesh, TetId first, int first_face, TetId second, int first_slot,
+                              int second_slot) {
+  shock::CrackSides sides{first_slot, second_slot, {}, {}};
+  for (int i = 0; i < 3; ++i) {
+    sides.first_corners[i] = kTetFaces[first_face][i];
+    const Vec3& place = mesh.rest_positions[mesh.tets[first][sides.first_corners[i]]];
+    for (int corner = 0; corner < 4; ++corner)
+      if (mesh.rest_positions[mesh.tets[second][corner]] == place) sides.second_corners[i] = corner;
+  }
+  return sides;
+}
+
+/// The stress in an element at a node below which the node cannot be overloaded.
+void ShockRun::update_threshold(int index) {
+  const NodeId node = nodes_[index];
+  const Body& body = body_of(node);
+  const Material& material = world_.material_of(body);
+  shock::SolidNode& target = solid_.node(index);
+  target.threshold = std::numeric_limits<float>::infinity();
+  if (!world_.scene.simulation.fracture) return;
+  if (world_.mesh.stars[node].size() == 1 && world_.nodes.held[node] == 0) return;  // a tip: nothing to part
+  double least = resistance(material, world_.nodes.at_crack_front[node] != 0, element_size_at(world_, node),
+                            world_.nodes.strength_factors[node]);
+  if (const auto& weakness = world_.weaknesses[body.scene_body]) least *= weakness->strength_ratio;
+  if (material.criterion == FractureCriterion::separation_force) {
+    double area = 0;  // v⁺ is at most half the sum of the tensile forces
+    for (const TetId tet : world_.mesh.stars[node])
+      area += world_.elements.rests[tet].volume *
+              world_.elements.rests[tet].shape_gradients.col(local_corner(world_.mesh, tet, node)).norm();
+    least *= 2 / area;
+  }
+  target.threshold = kScreeningShare * static_cast<float>(least);
+}
+
+/// The state of an element as it is now, of which the separation tensors are made.
+void ShockRun::bring_up_to_date(TetId tet) {
+  const int slot = slot_of_tet_[tet];
+  if (seen_[slot] == microsteps_) return;
+  seen_[slot] = microsteps_;
+  Corners corners;
+  for (int i = 0; i < 4; ++i) {
+    const int index = solid_.corner(slot, i);
+    corners.col(i) = world_.nodes.positions[nodes_[index]] = solid_.position(index);
+  }
+  const Body& body = world_.bodies[world_.elements.bodies[tet]];
+  const ElasticLaw law = elastic_law(world_.material_of(body));
+  world_.elements.states[tet] = element_state(law, element_deformation(law.model, world_.elements.rests[tet], corners),
+                                              world_.elements.plastic_strains[tet]);
+}
+
+void ShockRun::look() {
+  ++looks_made_;
+  overloaded_.clear();
+  for (const int index : flagged_) judge(index);
+  std::ranges::sort(overloaded_, [](const Overload& a, const Overload& b) {
+    return a.margin != b.margin ? a.margin > b.margin : a.node < b.node;
+  });
+  for (const Overload& overload : overloaded_) {
+    if (rebuild_) break;  // the others are judged again on the new mesh
+    if (looks_[local(overload.node)].ready <= time_) open(overload);
+  }
+}
+
+void ShockRun::judge(int index) {
+  Look& seen = looks_[index];
+  if (time_ < seen.ready) return;
+  const NodeId node = nodes_[index];
+  for (const TetId tet : world_.mesh.stars[node]) bring_up_to_date(tet);
+  const Body& body = body_of(node);
+  const NodeSeparation separation = evaluate_node(world_, separation_input(world_), body, node, false);
+  world_.nodes.separations[node] = separation;
+  world_.report.peak_margin = std::max(world_.report.peak_margin, separation.margin);
+  if (separation.margin <= 1) return;
+  if (seen.last != looks_made_ - 1 || seen.over_since < 0) seen.over_since = time_;
+  seen.last = looks_made_;
+  const double wait = kOverloadTime * element_size_at(world_, node) / bar_wave_speed(world_.material_of(body));
+  if (time_ - seen.over_since + 1e-3 * dt_ >= wait) overloaded_.push_back({separation.margin, node});
+}
+
+void ShockRun::open(const Overload& overload) {
+  const NodeId node = overload.node;
+  const Body& body = body_of(node);
+  const BodyId id = body.id;
+  const double transit = element_size_at(world_, node) / bar_wave_speed(world_.material_of(body));
+  const bool remeshes = world_.scene.bodies[body.scene_body].remeshing;
+  if (remeshes) write_back();
+  world_.time = time_;
+  const std::vector<TetId> star = world_.mesh.stars[node];
+  std::vector<std::array<TetId, 4>> neighbours;
+  for (const TetId tet : star) neighbours.push_back(world_.mesh.neighbours[tet]);
+  const std::size_t first_copy = opened_.copies.size(), tets = world_.mesh.tets.size();
+  looks_[local(node)].ready = time_ + transit;
+  if (!crack(world_, node, opened_)) {
+    rebuild_ |= world_.mesh.tets.size() > tets;
+    return;
+  }
+  ++world_.report.cracks;
+  opened_.bodies.insert(id);
+  world_.bodies[id].shock->last_event = time_;
+  if (world_.crack_events.back().torn_off) world_.bodies[id].system.reset();
+  if (world_.mesh.tets.size() > tets || world_.crack_events.back().torn_off) {
+    rebuild_ = true;
+    return;
+  }
+  follow(std::span(opened_.copies).subspan(first_copy), star, neighbours);
+  for (const TetId tet : star)
+    for (const NodeId near : world_.mesh.tets[tet]) {
+      Look& waiting = looks_[local(near)];
+      waiting = {time_ + (world_.nodes.at_crack_front[near] ? transit / kCrackSpeed : transit), -1, -2};
+    }
+}
+
+/// Parts the nodes of the solid as those of the mesh were parted.
+void ShockRun::follow(std::span<const NodeCopy> copies, const std::vector<TetId>& star,
+                      const std::vector<std::array<TetId, 4>>& neighbours) {
+  const TetMesh& mesh = world_.mesh;
+  local_of_node_.resize(mesh.rest_positions.size(), -1);
+  std::map<NodeId, std::vector<NodeId>> parted;
+  for (const NodeCopy& copy : copies) parted[copy.original].push_back(copy.copy);
+  const auto entries = [&](NodeId node) {
+    std::vector<int> star_entries;
+    for (const TetId tet : mesh.stars[node])
+      star_entries.push_back(4 * slot_of_tet_[tet] + local_corner(mesh, tet, node));
+    return star_entries;
+  };
+  for (const auto& [original, made] : parted) {
+    const int index = local(original);
+    std::vector<std::vector<int>> stars = {entries(original)};
+    std::vector<int> locals;
+    for (const NodeId copy : made) {
+      stars.push_back(entries(copy));
+      locals.push_back(solid_.copy_node(index, world_.nodes.masses[copy]));
+      local_of_node_[copy] = locals.back();
+      nodes_.push_back(copy);
+      looks_.emplace_back();
+    }
+    solid_.node(index).inverse_mass = 1 / world_.nodes.masses[original];
+    solid_.part(index, locals, stars);
+    update_threshold(index);
+    for (const int copy : locals) update_threshold(copy);
+  }
+  for (std::size_t i = 0; i < star.size(); ++i)
+    for (int face = 0; face < 4; ++face) {
+      const TetId was = neighbours[i][face];
+      if (!was.valid() || mesh.neighbours[star[i]][face].valid() || was < star[i]) continue;
+      impacts_->open(crack_sides(mesh, star[i], face, was, slot_of_tet_[star[i]], slot_of_tet_[was]));
+    }
+  for (const TetId tet : star)
+    for (const NodeId near : mesh.tets[tet])
+      if (world_.nodes.at_crack_front[near]) update_threshold(local(near));
+}
+
+}  // namespace griffith

@@ -1,0 +1,247 @@
+#include "sim/world/shock_phase.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <limits>
+
+#include "sim/world/phases.h"
+#include "sim/world/shock_run.h"
+
+namespace griffith {
+namespace {
+
+/// Waves cross the largest piece so often after the last event.
+constexpr double kTransits = 3;
+
+Eigen::AlignedBox3d reach_of(const WorldState& world, const Body& body, double duration) {
+  Eigen::AlignedBox3d box;
+  for (const NodeId node : body.nodes) {
+    box.extend(world.nodes.positions[node]);
+    box.extend(world.nodes.positions[node] + duration * world.nodes.velocities[node]);
+  }
+  return box;
+}
+
+std::vector<shock::ConvexSolid> solids_of(const std::vector<ConvexPart>& parts, double spacing) {
+  std::vector<shock::ConvexSolid> solids;
+  for (const ConvexPart& part : parts) solids.push_back(shock::convex_solid(convex_hull(part), spacing));
+  return solids;
+}
+
+/// What surrounds the bodies in shock, and how fine their surface is.
+struct Surroundings {
+  std::vector<Eigen::AlignedBox3d> boxes;
+  double element_size = std::numeric_limits<double>::infinity();
+
+  std::vector<std::uint8_t> own;  ///< per scene body: 1 where pieces of it are in shock
+
+  bool may_meet(const Vec3& center, double reach) const {
+    return std::ranges::any_of(boxes, [&](const auto& box) { return box.exteriorDistance(center) <= reach; });
+  }
+};
+
+double radius_of(const Body& body) {
+  double radius = 0;
+  for (const ConvexPart& part : body.collision_parts)
+    for (const Vec3& corner : part) radius = std::max(radius, corner.norm());
+  return radius;
+}
+
+void add_ground(const WorldState& world, std::vector<shock::Obstacle>& obstacles) {
+  if (!world.scene.ground) return;
+  shock::Obstacle ground;
+  ground.radius = std::numeric_limits<double>::infinity();
+  ground.solids = {{{{Vec3::UnitY(), world.scene.ground->height}}, {}}};
+  ground.friction = world.scene.ground->friction;
+  obstacles.push_back(ground);
+}
+
+void add_projectiles(const WorldState& world, const Surroundings& near, double duration,
+                     std::vector<shock::Obstacle>& obstacles) {
+  for (const Projectile& projectile : world.projectiles) {
+    shock::Obstacle obstacle;
+    obstacle.object = projectile.object;
+    obstacle.state = world.contact_world.state(projectile.object);
+    obstacle.radius = projectile.radius;
+    if (!near.may_meet(obstacle.state.pose.translation, projectile.radius + duration * obstacle.state.velocity.norm()))
+      continue;
+    if (projectile.hull) obstacle.solids = {shock::convex_solid(*projectile.hull, near.element_size)};
+    obstacle.inverse_mass = 1 / projectile.mass;
+    obstacle.inverse_inertia = projectile.inertia.inverse();
+    obstacle.friction = projectile.surface.friction;
+    obstacles.push_back(obstacle);
+  }
+}
+
+void add_bodies(const WorldState& world, const Surroundings& near, double duration,
+                std::vector<shock::Obstacle>& obstacles) {
+  for (const Body& body : world.bodies) {
+    if (body.shock || near.own[body.scene_body]) continue;  // pieces of one body touch as rigid ones afterwards
+    shock::Obstacle obstacle;
+    obstacle.object = body.stand_in;
+    obstacle.radius = radius_of(body);
+    obstacle.state = {{body.motion.center, body.orientation}, body.motion.velocity, body.motion.angular_velocity};
+    const double way = duration * (body.motion.velocity.norm() + obstacle.radius * body.motion.angular_velocity.norm());
+    if (!near.may_meet(body.motion.center, obstacle.radius + way)) continue;
+    obstacle.solids = solids_of(body.collision_parts, near.element_size);
+    if (!body.supported()) {
+      obstacle.inverse_mass = 1 / body.motion.mass;
+      const Mat3 back = body.orientation.conjugate().toRotationMatrix();
+      obstacle.inverse_inertia = back * body.motion.inertia.inverse() * back.transpose();
+    } else {
+      obstacle.state.velocity = obstacle.state.angular_velocity = Vec3::Zero();
+    }
+    obstacle.friction = world.material_of(body).friction;
+    obstacles.push_back(obstacle);
+  }
+}
+
+/// The velocities that things around have now, before the microsteps.
+void take_velocities(const WorldState& world, std::vector<shock::Obstacle>& obstacles) {
+  for (shock::Obstacle& obstacle : obstacles) {
+    if (!obstacle.object.valid() || obstacle.inverse_mass == 0) continue;
+    const BodyId id = world.body_of(obstacle.object);
+    if (!id.valid()) {
+      const RigidState state = world.contact_world.state(obstacle.object);
+      obstacle.state.velocity = state.velocity;
+      obstacle.state.angular_velocity = state.angular_velocity;
+    } else {
+      obstacle.state.velocity = world.bodies[id].motion.velocity;
+      obstacle.state.angular_velocity = world.bodies[id].motion.angular_velocity;
+    }
+  }
+}
+
+/// A body that sways is moved and turned as a whole to where the microsteps have brought its stand-in.
+void carry_nodes(WorldState& world, Body& body, const RigidState& state) {
+  const Mat3 turn = (state.pose.rotation * body.orientation.conjugate()).toRotationMatrix();
+  const RigidMotion before = body.motion;
+  const Vec3 velocity = state.velocity - before.velocity, spin = state.angular_velocity - before.angular_velocity;
+  for (const NodeId node : body.nodes) {
+    const Vec3 arm = world.nodes.positions[node] - before.center;
+    world.nodes.velocities[node] += velocity + spin.cross(arm);
+    world.nodes.positions[node] = state.pose.translation + turn * arm;
+    world.nodes.velocities[node] = turn * (world.nodes.velocities[node] - state.velocity) + state.velocity;
+  }
+  update_elements(world, body);
+  update_motion(world, body);
+}
+
+void place_obstacle(WorldState& world, const shock::Obstacle& obstacle) {
+  if (!obstacle.object.valid() || obstacle.inverse_mass == 0) return;
+  world.contact_world.set_state(obstacle.object, obstacle.state);
+  const BodyId id = world.body_of(obstacle.object);
+  if (!id.valid()) return;
+  Body& body = world.bodies[id];
+  if (!body.rigid) return carry_nodes(world, body, obstacle.state);
+  const Mat3 turn = (obstacle.state.pose.rotation * body.orientation.conjugate()).toRotationMatrix();
+  body.motion.center = obstacle.state.pose.translation;
+  body.motion.inertia = turn * body.motion.inertia * turn.transpose();
+  body.motion.velocity = obstacle.state.velocity;
+  body.motion.angular_velocity = obstacle.state.angular_velocity;
+  body.orientation = obstacle.state.pose.rotation;
+  place_rigid_nodes(world, body);
+}
+
+}  // namespace
+
+bool in_shock(const WorldState& world) {
+  return std::ranges::any_of(world.bodies, [](const Body& body) { return body.shock.has_value(); });
+}
+
+void enter_shock(WorldState& world, Body& body) {
+  if (body.shock || body.tets.size() == 1) return;
+  if (body.rigid) {
+    place_rigid_nodes(world, body);
+    wake(world, body);
+  }
+  body.shock = Shock{world.time};
+}
+
+double shock_window(const WorldState& world, const Body& body) {
+  return kTransits * body.extent / bar_wave_speed(world.material_of(body));
+}
+
+/// Whether two pieces of one body have just parted: what they do to each other then is no blow.
+bool have_just_parted(const WorldState& world, BodyId a, BodyId b) {
+  constexpr double kApart = 0.1;  // [s]
+  if (!a.valid() || !b.valid() || world.bodies[a].scene_body != world.bodies[b].scene_body) return false;
+  return world.bodies[a].shock || world.bodies[b].shock ||
+         world.time - std::max(world.bodies[a].shock_ended, world.bodies[b].shock_ended) < kApart;
+}
+
+void enter_struck_bodies(WorldState& world, double duration) {
+  const double least = least_impact_speed(world);
+  for (const auto& [a, b, approach] : world.contact_world.expected_impacts(duration, least)) {
+    if (have_just_parted(world, world.body_of(a), world.body_of(b))) continue;
+    for (const ProxyId side : {a, b}) {
+      const BodyId id = world.body_of(side);
+      if (!id.valid() || world.bodies[id].shock || world.bodies[id].tets.size() == 1) continue;
+      if (approach < hurting_speed(world, world.bodies[id])) continue;
+      enter_shock(world, world.bodies[id]);
+    }
+  }
+}
+
+double next_stretch(WorldState& world, double left) {
+  const double time_step = world.scene.simulation.time_step, tolerance = time_step / 512;
+  if (!in_shock(world)) {
+    const double calm = time_before_impact(world, left, tolerance);
+    if (calm > tolerance || calm == left) return calm;
+  }
+  double window = time_step / 4;
+  for (const Body& body : world.bodies)
+    if (body.shock) window = std::max(window, shock_window(world, body));
+  enter_struck_bodies(world, std::min(left, window));
+  if (!in_shock(world)) return left;
+  for (const Body& body : world.bodies)
+    if (body.shock) window = std::max(window, shock_window(world, body));
+  return std::min(left, window);
+}
+
+void enter_overloaded_bodies(WorldState& world) {
+  if (!world.scene.simulation.fracture) return;
+  for (Body& body : world.bodies) {
+    const auto is_overloaded = [&](NodeId node) { return world.nodes.separations[node].margin > 1; };
+    if (body.sways() && std::ranges::any_of(body.nodes, is_overloaded)) enter_shock(world, body);
+  }
+}
+
+std::vector<shock::Obstacle> obstacles_of_shock(const WorldState& world, double duration) {
+  if (!in_shock(world)) return {};
+  Surroundings near;
+  near.own.resize(world.scene.bodies.size(), 0);
+  for (const Body& body : world.bodies) {
+    if (!body.shock) continue;
+    near.own[body.scene_body] = 1;
+    near.boxes.push_back(reach_of(world, body, duration));
+    near.element_size = std::min(near.element_size, body.element_size);
+  }
+  std::vector<shock::Obstacle> obstacles;
+  add_ground(world, obstacles);
+  add_projectiles(world, near, duration, obstacles);
+  add_bodies(world, near, duration, obstacles);
+  return obstacles;
+}
+
+void run_shock(WorldState& world, std::vector<shock::Obstacle> obstacles, double duration) {
+  take_velocities(world, obstacles);
+  ShockRun run(world, std::move(obstacles));
+  run.run(duration);
+  for (const shock::Obstacle& obstacle : run.obstacles()) place_obstacle(world, obstacle);
+  run.finish(duration);
+}
+
+void leave_shock(WorldState& world) {
+  std::vector<double> windows(world.scene.bodies.size(), 0);
+  for (const Body& body : world.bodies)
+    if (body.shock) windows[body.scene_body] = std::max(windows[body.scene_body], shock_window(world, body));
+  for (Body& body : world.bodies)
+    if (body.shock && world.time - body.shock->last_event > windows[body.scene_body]) {
+      body.shock.reset();
+      body.shock_ended = world.time;
+    }
+}
+
+}  // namespace griffith

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "sim/shock/obstacle.h"
+#include "sim/world/world_state.h"
+
+namespace griffith {
+
+/// Whether any body is in shock.
+bool in_shock(const WorldState& world);
+
+/// From now on the body's waves are resolved.
+void enter_shock(WorldState& world, Body& body);
+
+/// How far the step may go on in one piece, at most `left` [s]: up to the next impact, or for as long as waves are
+/// followed. The bodies that are struck in it are in shock then.
+double next_stretch(WorldState& world, double left);
+
+/// Lets the bodies enter that load has overcome, so that their cracks run as waves let them.
+void enter_overloaded_bodies(WorldState& world);
+
+/// For how long waves are followed after the last blow or crack: until they have crossed the body some times [s].
+double shock_window(const WorldState& world, const Body& body);
+
+/// Lets the bodies enter that something will strike hard enough to hurt within `duration` [s].
+void enter_struck_bodies(WorldState& world, double duration);
+
+/// The rigid things that bodies in shock may run into within `duration` [s], as they are now.
+std::vector<shock::Obstacle> obstacles_of_shock(const WorldState& world, double duration);
+
+/// Takes the bodies in shock through `duration` [s] by microsteps, and with them the obstacles, which move on from
+/// where they were before the others moved, at the velocities that they have now.
+void run_shock(WorldState& world, std::vector<shock::Obstacle> obstacles, double duration);
+
+/// Bodies in which waves have died out sway again.
+void leave_shock(WorldState& world);
+
+}  // namespace griffith

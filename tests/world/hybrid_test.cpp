@@ -1,0 +1,136 @@
+// Impacts with the hybrid integrator: waves by microsteps.
+
+#include <gtest/gtest.h>
+
+#include "scenes.h"
+#include "sim/parallel.h"
+#include "sim/world/world.h"
+
+namespace griffith {
+namespace {
+
+/// A free plate of concrete of 1 m in weightless space that a ball of 5 kg strikes.
+Scene struck_plate(double speed, double time_step, int shot_number = 0) {
+  Scene scene;
+  scene.gravity.setZero();
+  scene.ground.reset();
+  scene.simulation.integrator = Integrator::hybrid;
+  scene.simulation.time_step = time_step;
+  BodyDescription plate;
+  plate.shape = BoxShape{Vec3(1, 1, 0.1), Vec3(0.1, 0.1, 0.05), BoxPattern::five_tet};
+  plate.material = *find_material_preset("concrete");
+  scene.bodies = {plate};
+  ProjectileBurst shot;
+  shot.position = Vec3(0.03 + 0.01 * shot_number, 0.05 - 0.015 * shot_number, 0.16);
+  shot.speed = speed;
+  shot.mass = 5;
+  shot.radius = 0.08;
+  scene.projectiles = {shot};
+  return scene;
+}
+
+double crack_area(const Frame& frame) {
+  double area = 0;
+  for (std::size_t tet = 0; tet < frame.tets.size(); ++tet)
+    for (int face = 0; face < 4; ++face)
+      if (!frame.neighbours[tet][face].valid() && !(frame.first_surface[tet] >> face & 1))
+        area += 1.5 * frame.rests[tet].volume * frame.rests[tet].shape_gradients.col(face).norm();
+  return area;
+}
+
+struct Damage {
+  double pieces = 0;
+  double area = 0;  ///< of cracks [m²]
+  std::uint64_t hash = 0;
+};
+
+Damage damage_of(const Scene& scene, double duration) {
+  World world(scene);
+  for (double time = 0; time < duration; time += scene.simulation.time_step) world.step();
+  return {static_cast<double>(world.frame().bodies.size()), crack_area(world.frame()), world.state_hash()};
+}
+
+/// The mean of some shots near one another: a single one scatters.
+Damage mean_damage(double speed, double time_step) {
+  constexpr int kShots = 4;
+  Damage mean;
+  for (int shot = 0; shot < kShots; ++shot) {
+    const Damage damage = damage_of(struck_plate(speed, time_step, shot), 0.05);
+    mean.pieces += damage.pieces / kShots;
+    mean.area += damage.area / kShots;
+  }
+  return mean;
+}
+
+TEST(Hybrid, WhatBreaksDependsOnTheSpeedAndNotOnTheTimeStep) {
+  Damage slower;
+  for (const double speed : {9.0, 30.0}) {
+    const Damage fine = mean_damage(speed, 1e-3);
+    EXPECT_GT(fine.pieces, 10);
+    EXPECT_GT(fine.pieces, 2 * slower.pieces);
+    EXPECT_GT(fine.area, 1.5 * slower.area);
+    for (const double time_step : {1.0 / 30, 1.0 / 60, 1.0 / 240}) {
+      const Damage coarse = mean_damage(speed, time_step);
+      EXPECT_NEAR(coarse.pieces, fine.pieces, 0.3 * fine.pieces) << speed << " m/s, " << time_step << " s";
+      EXPECT_NEAR(coarse.area, fine.area, 0.2 * fine.area) << speed << " m/s, " << time_step << " s";
+    }
+    slower = fine;
+  }
+}
+
+TEST(Hybrid, MomentumIsKeptAndEnergyNeverGrows) {
+  World world(struck_plate(15, 1.0 / 60));
+  const double momentum = 5 * 15;
+  double energy = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 20; ++i) {
+    world.step();
+    const Totals& totals = world.frame().totals;
+    EXPECT_NEAR(totals.momentum.norm(), momentum, 1e-5 * momentum);
+    EXPECT_LE(totals.kinetic_energy + totals.elastic_energy, energy * (1 + 1e-3));
+    energy = totals.kinetic_energy + totals.elastic_energy;
+  }
+}
+
+TEST(Hybrid, TheNumberOfThreadsChangesNoBit) {
+  std::vector<std::uint64_t> hashes;
+  for (const int threads : {1, 2, 4}) {
+    const ThreadLimit limit(threads);
+    hashes.push_back(damage_of(struck_plate(15, 1.0 / 60), 0.05).hash);
+  }
+  EXPECT_EQ(hashes[1], hashes[0]);
+  EXPECT_EQ(hashes[2], hashes[0]);
+}
+
+TEST(Hybrid, SlowBlowsAndRestNeedNoMicrosteps) {
+  World slow(struck_plate(0.05, 1.0 / 60));
+  for (int i = 0; i < 20; ++i) {
+    slow.step();
+    EXPECT_EQ(slow.frame().report.microsteps, 0);
+  }
+  Scene scene = testing::shot_wall(Vec3(3, 3, 1), 1, testing::brick(1));
+  scene.projectiles.clear();
+  scene.simulation.integrator = Integrator::hybrid;
+  World standing(scene);
+  for (int i = 0; i < 20; ++i) {
+    standing.step();
+    EXPECT_EQ(standing.frame().report.microsteps, 0);
+  }
+  EXPECT_EQ(standing.frame().bodies.size(), 1u);
+}
+
+TEST(Hybrid, AShotWallOnItsFootBreaksAndRests) {
+  Scene scene = testing::shot_wall(Vec3(4, 4, 1), 1, testing::brick(0.02));
+  scene.simulation.integrator = Integrator::hybrid;
+  World world(scene);
+  int microsteps = 0;
+  for (int i = 0; i < 60; ++i) {
+    world.step();
+    microsteps += world.frame().report.microsteps;
+    EXPECT_EQ(world.frame().report.non_finite_values, 0);
+  }
+  EXPECT_GT(microsteps, 0);
+  EXPECT_GT(world.frame().crack_events.size(), 0u);
+}
+
+}  // namespace
+}  // namespace griffith
