@@ -14,8 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 6> kPhases = {"step",  "contact",    "elasticity",
-                                               "shock", "separation", "fracture"};
+constexpr std::array<const char*, 6> kPhases = {"step", "contact", "elasticity", "shock", "separation", "fracture"};
 
 std::array<double, 6> phase_times(const StepTimings& t) {
   return {t.step, t.contact, t.elasticity, t.shock, t.separation, t.fracture};
