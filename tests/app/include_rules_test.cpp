@@ -94,6 +94,7 @@ TEST(IncludeRules, LowerFoldersOfTheSimulationKnowNoHigherOnes) {
       {"sim/fracture", "^sim(/mesh|/elasticity|/solver|/fracture)?$"},
       {"sim/contact", "^sim(/mesh|/contact)?$"},
       {"sim/splinters", "^sim(/mesh|/meshing|/splinters)?$"},
+      {"sim/shock", "^sim(/mesh|/elasticity|/solver|/contact|/shock)?$"},
       {"sim/scene", "^sim(/mesh|/meshing|/elasticity|/solver|/fracture|/splinters|/scene)?$"},
       {"sim/world", "^sim(/.*)?$"},
   };
