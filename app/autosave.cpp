@@ -112,7 +112,8 @@ void Autosave::write(const Scene& scene, const fs::path& file) {
 
 void Autosave::begin_copy(const fs::path& file) {
   if (file.empty() && states_.empty())
-    throw InputError("the edits", "are copied nowhere until the scene is saved", "set HOME or XDG_STATE_HOME, or save it");
+    throw InputError("the edits", "are copied nowhere until the scene is saved",
+                     "set HOME or XDG_STATE_HOME, or save it");
   std::error_code ignored;
   if (!states_.empty()) fs::create_directories(states_, ignored);
   LockedFolder copy = LockedFolder::make(file.empty() ? states_ / kMark : prefix_beside(file));
@@ -135,8 +136,18 @@ void Autosave::remove() {
 
 bool Autosave::find(const fs::path& file) {
   std::vector<fs::path> copies;
+  if (!file.empty()) collect(prefix_beside(file), copies);
+  return take_newest(std::move(copies));
+}
+
+bool Autosave::find_any(const fs::path& file) {
+  std::vector<fs::path> copies;
   if (!states_.empty()) collect(states_ / kMark, copies);
   if (!file.empty()) collect(prefix_beside(file), copies);
+  return take_newest(std::move(copies));
+}
+
+bool Autosave::take_newest(std::vector<fs::path> copies) {
   std::ranges::stable_sort(copies, std::greater(), time_of);
   found_.reset();
   for (const fs::path& copy : copies)
@@ -147,8 +158,8 @@ bool Autosave::find(const fs::path& file) {
 std::string Autosave::found_text() const {
   const fs::path origin = origin_of(found_->path());
   const auto time = std::chrono::file_clock::to_sys(time_of(found_->path()));
-  const std::time_t seconds = std::chrono::system_clock::to_time_t(
-      std::chrono::time_point_cast<std::chrono::system_clock::duration>(time));
+  const std::time_t seconds =
+      std::chrono::system_clock::to_time_t(std::chrono::time_point_cast<std::chrono::system_clock::duration>(time));
   std::tm local;
   char text[64] = "";
   if (localtime_r(&seconds, &local)) std::strftime(text, sizeof text, "%e %B, %H:%M", &local);

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/scene/scene.h"
 
@@ -44,15 +45,16 @@ class Autosave {
   /// `states`: the user's folder for states; also holds links to all copies beside scenes. Empty: there is none.
   explicit Autosave(std::filesystem::path states) : states_(std::move(states)) {}
 
-  /// Writes a copy of the scene, whose file is `file` (absolute, or empty), in place of the last one. Throws InputError when that
-  /// fails.
+  /// Writes a copy of the scene, whose file is `file` (absolute, or empty), in place of the last one. Throws InputError
+  /// when that fails.
   void write(const Scene& scene, const std::filesystem::path& file);
   /// Removes the copy, if there is one: the edits are saved, or not wanted.
   void remove();
 
-  /// Finds the newest copy that nobody holds, of any scene in the user's folder for states or of the one in `file`, and
-  /// holds it.
+  /// Finds the newest copy that nobody holds, of the scene in `file` (absolute, or empty), and holds it.
   bool find(const std::filesystem::path& file);
+  /// The same among those of all scenes that the user's folder for states knows.
+  bool find_any(const std::filesystem::path& file);
   /// Of the copy that was found: "wall.json, 22 November 05:13".
   std::string found_text() const;
   /// What it holds. Throws InputError when it cannot be read.
@@ -65,6 +67,7 @@ class Autosave {
 
  private:
   void begin_copy(const std::filesystem::path& file);
+  bool take_newest(std::vector<std::filesystem::path> copies);
 
   std::filesystem::path states_;
   std::optional<LockedFolder> own_, found_;

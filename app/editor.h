@@ -85,6 +85,8 @@ class Editor {
   /// Whether the world could take it; else the edit is taken back.
   bool follow_material(int scene_body);
   void receive_world();
+  /// So many tetrahedra are built unasked: few, or no many more than there are.
+  double most_tets() const;
   /// After work that led to no world: what is shown goes on.
   void give_up_work();
   void take_world(WorldLoader::Loaded loaded);
@@ -94,12 +96,13 @@ class Editor {
   void fire(const Vec2& cursor);
   void pick(const Vec2& cursor);
   void save(const ui::Command& command);
-  void ask_where_to_save();
+  void ask_where_to_save(std::filesystem::path proposed = {});
   /// Where the scene stands on disk, absolute; empty when nowhere.
   std::filesystem::path own_file() const;
   /// Why the file is not to be written unasked; empty when it may.
   std::string what_saving_would_lose(const std::filesystem::path& file) const;
-  void ask_for_left_edits();
+  /// Asks for the newest: of this scene or, at the start, of any.
+  void ask_for_left_edits(bool of_any);
   void recover();
   void show_recovered(Scene scene, const std::filesystem::path& file);
   /// Ends the program: what is not saved is not wanted.

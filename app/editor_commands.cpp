@@ -43,12 +43,12 @@ void Editor::execute(const ui::Command& command) {
       case CommandId::save:
         return save(command);
       case CommandId::save_dialog:
-        return ask_where_to_save();
+        return ask_where_to_save(command.path);
       case CommandId::recover:
         return recover();
       case CommandId::discard_copy:
         autosave_->remove_found();
-        return ask_for_left_edits();
+        return ask_for_left_edits(true);
       case CommandId::leave_copy:
         return autosave_->leave_found();
       case CommandId::undo:
@@ -86,17 +86,25 @@ void Editor::show_error(const InputError& error) {
   log(ui::LogLevel::error, error.what());
 }
 
+double Editor::most_tets() const {
+  constexpr double kMany = 4e5;
+  return std::max(kMany, 2.0 * static_cast<double>(world_.frame().tets.size()));
+}
+
 void Editor::receive_world() {
   if (state_.cancel_work) {
     loader_.cancel();
     give_up_work();
   }
-  state_.cancel_work = false;
+  if (state_.build_large_mesh) loader_.start_again();
+  state_.cancel_work = state_.build_large_mesh = false;
   try {
     if (std::optional<WorldLoader::Loaded> loaded = loader_.take()) take_world(std::move(*loaded));
   } catch (const InputError& error) {
     give_up_work();
     show_error(error);
+  } catch (const LargeMesh& mesh) {
+    state_.large_mesh = mesh.tets;
   }
   state_.work = loader_.stage();
 }
@@ -117,7 +125,7 @@ void Editor::take_world(WorldLoader::Loaded loaded) {
   if (loaded.work == Work::open) {
     if (autosave_) autosave_->remove();
     show_scene(std::move(loaded.scene), std::move(loaded.path));
-    return ask_for_left_edits();
+    return ask_for_left_edits(false);
   }
   history_.change("Add body", [&](Scene& scene) { scene.bodies = loaded.scene.bodies; });
   history_.finish();

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include "app/editor.h"
@@ -10,9 +11,18 @@ namespace griffith::app {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+fs::path file_named(std::string name) {
+  std::ranges::replace(name, '/', '-');
+  return name.empty() ? "scene.json" : name + ".json";
+}
+
+}  // namespace
+
 void Editor::open(const fs::path& path) {
   try {
-    loader_.start(Work::open, read_scene(path), path);
+    loader_.start(Work::open, read_scene(path), path, most_tets());
     loader_.wait(kPatience);
     receive_world();
   } catch (const InputError& error) {
@@ -22,11 +32,11 @@ void Editor::open(const fs::path& path) {
 
 fs::path Editor::own_file() const { return path_.empty() ? path_ : fs::absolute(path_).lexically_normal(); }
 
-void Editor::ask_where_to_save() {
-  std::string name = history_.scene().name;
-  for (char& letter : name)
-    if (letter == '/') letter = '-';
-  state_.save_as = ui::save_target(path_.empty() ? fs::path(name.empty() ? "scene.json" : name + ".json") : path_);
+void Editor::ask_where_to_save(fs::path proposed) {
+  if (proposed.empty()) proposed = path_.empty() ? file_named(history_.scene().name) : path_;
+  state_.save_as = ui::save_target(proposed);
+  for (const fs::path& file : scenes_in(state_.save_as->folder))
+    state_.save_as->there.push_back(file.filename().string());
 }
 
 std::string Editor::what_saving_would_lose(const fs::path& file) const {
@@ -66,7 +76,7 @@ void Editor::quit() {
 
 void Editor::keep_edits_safe(const fs::path& states) {
   autosave_.emplace(states);
-  ask_for_left_edits();
+  ask_for_left_edits(true);
 }
 
 void Editor::autosave(double now) {
@@ -85,13 +95,15 @@ void Editor::autosave(double now) {
   }
 }
 
-void Editor::ask_for_left_edits() {
-  if (autosave_ && autosave_->find(own_file())) state_.left_edits = autosave_->found_text();
+void Editor::ask_for_left_edits(bool of_any) {
+  if (!autosave_) return;
+  const bool found = of_any ? autosave_->find_any(own_file()) : autosave_->find(own_file());
+  if (found) state_.left_edits = autosave_->found_text();
 }
 
 void Editor::recover() {
   LeftEdits edits = autosave_->found_edits();
-  loader_.start(Work::recover, std::move(edits.scene), std::move(edits.file));
+  loader_.start(Work::recover, std::move(edits.scene), std::move(edits.file), most_tets());
   loader_.wait(kPatience);
   receive_world();
 }

@@ -12,8 +12,8 @@ namespace {
 std::string newtons(double force) { return ui::format_quantity(force, "N"); }
 
 std::string load_line(const NodeReport& report, const Material& material) {
-  return "  now " + ui::format_quantity(report.load, ui::load_unit(material)) + ": " + ui::origin_of_load(report, material) +
-         ", across (" + ui::direction_text(report.normal()) + ")\n";
+  return "  now " + ui::format_quantity(report.load, ui::load_unit(material)) + ": " +
+         ui::origin_of_load(report, material) + ", plane across (" + ui::direction_text(report.normal()) + ")\n";
 }
 
 std::string element_lines(const NodeReport& report) {

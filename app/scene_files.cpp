@@ -14,6 +14,8 @@ bool looks_like_scene(const fs::path& path) {
   return path.extension() == ".json" && path.stem().extension() != ".schema";
 }
 
+}  // namespace
+
 std::vector<fs::path> scenes_in(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
@@ -23,8 +25,6 @@ std::vector<fs::path> scenes_in(const fs::path& folder) {
   std::sort(files.begin(), files.end());
   return files;
 }
-
-}  // namespace
 
 std::vector<fs::path> scene_files(const fs::path& current) {
   std::error_code error;

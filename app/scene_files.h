@@ -9,6 +9,9 @@ namespace griffith::app {
 /// working folder or above the program.
 std::vector<std::filesystem::path> scene_files(const std::filesystem::path& current);
 
+/// Those in a folder, sorted.
+std::vector<std::filesystem::path> scenes_in(const std::filesystem::path& folder);
+
 /// "griffith_0001.png" in the working folder, with the first number that is free.
 std::filesystem::path free_screenshot_path();
 

@@ -1,39 +1,46 @@
 #include "app/world_loader.h"
 
 #include <chrono>
+#include <limits>
 #include <utility>
 
+#include "app/expected_mesh.h"
 #include "app/scene_world.h"
 
 namespace griffith::app {
 
-void WorldLoader::start(Work work, Scene scene, std::filesystem::path path) {
-  start(
-      work, [scene = std::move(scene)](const Monitor&) { return scene; }, std::move(path));
+WorldLoader::Loaded WorldLoader::build(const Order& order, const std::shared_ptr<Shared>& shared) {
+  Monitor monitor;
+  monitor.stage = [shared](std::string_view stage) {
+    const std::lock_guard lock(shared->mutex);
+    shared->stage = stage;
+  };
+  monitor.cancelled = [shared] {
+    const std::lock_guard lock(shared->mutex);
+    return shared->cancelled;
+  };
+  Scene scene = order.make_scene(monitor);
+  if (const double tets = expected_tets(scene, monitor); tets > order.most_tets) throw LargeMesh(tets);
+  World world = make_world(scene, order.path, monitor);
+  EmbeddedDisplay display = embedded_display(world.frame(), scene);
+  return {order.work, std::move(scene), order.path, std::move(world), std::move(display)};
 }
 
-void WorldLoader::start(Work work, MakeScene make_scene, std::filesystem::path path) {
+void WorldLoader::start(Work work, Scene scene, std::filesystem::path path, double most_tets) {
+  start(
+      work, [scene = std::move(scene)](const Monitor&) { return scene; }, std::move(path), most_tets);
+}
+
+void WorldLoader::start(Work work, MakeScene make_scene, std::filesystem::path path, double most_tets) {
   cancel();
-  work_ = work;
+  order_ = {work, std::move(make_scene), std::move(path), most_tets};
   shared_ = std::make_shared<Shared>();
   shared_->stage = "Building the bodies";
-  auto build = [work, shared = shared_, make_scene = std::move(make_scene),
-                path = std::move(path)]() mutable -> Loaded {
-    Monitor monitor;
-    monitor.stage = [shared](std::string_view stage) {
-      const std::lock_guard lock(shared->mutex);
-      shared->stage = stage;
-    };
-    monitor.cancelled = [shared] {
-      const std::lock_guard lock(shared->mutex);
-      return shared->cancelled;
-    };
-    Scene scene = make_scene(monitor);
-    World world = make_world(scene, path, monitor);
-    EmbeddedDisplay display = embedded_display(world.frame(), scene);
-    return {work, std::move(scene), std::move(path), std::move(world), std::move(display)};
-  };
-  result_ = std::async(std::launch::async, std::move(build));
+  result_ = std::async(std::launch::async, build, order_, shared_);
+}
+
+void WorldLoader::start_again() {
+  start(order_.work, order_.make_scene, order_.path, std::numeric_limits<double>::infinity());
 }
 
 bool WorldLoader::wait(double seconds) const {
@@ -52,12 +59,14 @@ std::string WorldLoader::stage() const {
 }
 
 void WorldLoader::cancel() {
+  using std::chrono::seconds;
+  std::erase_if(given_up_, [](const auto& work) { return work.wait_for(seconds(0)) == std::future_status::ready; });
   if (!result_.valid()) return;
   {
     const std::lock_guard lock(shared_->mutex);
     shared_->cancelled = true;
   }
-  std::exchange(result_, {}).wait();
+  given_up_.push_back(std::exchange(result_, {}));
 }
 
 }  // namespace griffith::app

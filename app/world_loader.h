@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <future>
@@ -7,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/draw_scene_from_frame.h"
 #include "sim/world/world.h"
@@ -15,6 +17,12 @@ namespace griffith::app {
 
 /// What a world is built for.
 enum class Work { open, recover, add_body, follow };
+
+/// The mesh that is asked for is so large that it may be a slip.
+struct LargeMesh : std::exception {
+  explicit LargeMesh(double expected) : tets(expected) {}
+  double tets;
+};
 
 /// Builds worlds on a thread of its own, one at a time, so that the window goes on living while a surface is meshed.
 class WorldLoader {
@@ -30,20 +38,24 @@ class WorldLoader {
   /// Gives up what is being built, and waits for that.
   ~WorldLoader() { cancel(); }
 
-  /// Starts to build the world of a scene from the file `path`; what was being built before is given up.
-  void start(Work work, Scene scene, std::filesystem::path path);
+  /// Starts to build the world of a scene from the file `path`; what was being built before is given up. Where about
+  /// more than `most_tets` tetrahedra would be made, take() throws LargeMesh before any is.
+  void start(Work work, Scene scene, std::filesystem::path path, double most_tets);
   /// The same for a scene that takes work itself.
   using MakeScene = std::function<Scene(const Monitor&)>;
-  void start(Work work, MakeScene make_scene, std::filesystem::path path);
+  void start(Work work, MakeScene make_scene, std::filesystem::path path, double most_tets);
+  /// Starts what was started last again, however large it is.
+  void start_again();
   /// Waits for `seconds` at most; whether the result is there to be taken.
   bool wait(double seconds) const;
-  /// The world, once it is built; nothing while there is none. Throws the InputError that kept it from being built.
+  /// The world, once it is built; nothing while there is none. Throws the InputError that kept it from being built, or
+  /// LargeMesh.
   std::optional<Loaded> take();
   /// What the world that was started last is for.
-  Work work() const { return work_; }
+  Work work() const { return order_.work; }
   /// What is being done; empty when nothing is.
   std::string stage() const;
-  /// Gives up what is being built, and waits for that.
+  /// Gives up what is being built. Returns at once: its thread ends by itself when it next asks.
   void cancel();
 
  private:
@@ -54,9 +66,19 @@ class WorldLoader {
     bool cancelled = false;  ///< under `mutex`
   };
 
-  Work work_ = Work::open;
+  /// What is to be built.
+  struct Order {
+    Work work = Work::open;
+    MakeScene make_scene;
+    std::filesystem::path path;
+    double most_tets = 0;
+  };
+  static Loaded build(const Order& order, const std::shared_ptr<Shared>& shared);
+
+  Order order_;
   std::shared_ptr<Shared> shared_;
   std::future<Loaded> result_;
+  std::vector<std::future<Loaded>> given_up_;  ///< whose threads have not ended yet
 };
 
 }  // namespace griffith::app

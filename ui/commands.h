@@ -40,7 +40,7 @@ enum class CommandId {
 /// A request, carried out by the program after the panels are drawn.
 struct Command {
   CommandId id;
-  std::filesystem::path path = {};  ///< open: the scene; save: where, or empty for the scene's own file
+  std::filesystem::path path = {};  ///< open: the scene; save: where, or empty for its own file; save_dialog: proposed
   Vec2 cursor = Vec2(0.5, 0.5);     ///< fire, pick: place in the view, from its top left corner, 0..1
   bool discard_edits = false;       ///< open, quit: even where edits are not saved
   bool replace = false;             ///< save: even where that loses what another has written

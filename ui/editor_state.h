@@ -54,6 +54,7 @@ struct SurfaceRequest {
 struct SaveTarget {
   std::filesystem::path folder;  ///< where relative names start, absolute
   std::array<char, 512> name = {};
+  std::vector<std::string> there;  ///< names of scenes in the folder
 };
 /// With the file's folder and name.
 SaveTarget save_target(const std::filesystem::path& file);

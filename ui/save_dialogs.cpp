@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cfloat>
 
 #include "ui/dialog_window.h"
@@ -8,7 +9,8 @@
 namespace griffith::ui {
 namespace {
 
-constexpr float kButtonWidth = 120;  // design pixels
+constexpr float kButtonWidth = 120;     // design pixels
+constexpr std::size_t kMostLines = 12;  ///< of the list, before it scrolls
 
 void set_name(SaveTarget& target, const std::string& name) {
   target.name = {};
@@ -17,10 +19,10 @@ void set_name(SaveTarget& target, const std::string& name) {
 
 /// The scenes that are there: a click takes the name.
 void name_list(Panel& panel, SaveTarget& target) {
-  ImGui::BeginChild("##scenes", {0, 9 * ImGui::GetTextLineHeightWithSpacing()});
-  for (const std::filesystem::path& path : panel.input.scene_files) {
-    const std::string name = path.filename().string();
-    if (std::filesystem::absolute(path).lexically_normal().parent_path() != target.folder) continue;
+  if (target.there.empty()) return;
+  const auto lines = static_cast<float>(std::min<std::size_t>(target.there.size(), kMostLines));
+  ImGui::BeginChild("##scenes", {0, lines * ImGui::GetTextLineHeightWithSpacing()});
+  for (const std::string& name : target.there) {
     if (ImGui::Selectable(name.c_str(), name == target.name.data())) set_name(target, name);
     tag_last_item(panel.tags, "save/" + name, name);
   }
@@ -36,7 +38,7 @@ void close(bool answered) {
 
 SaveTarget save_target(const std::filesystem::path& file) {
   const std::filesystem::path whole = std::filesystem::absolute(file).lexically_normal();
-  SaveTarget target{whole.parent_path(), {}};
+  SaveTarget target{whole.parent_path(), {}, {}};
   set_name(target, whole.filename().string());
   return target;
 }
@@ -66,7 +68,8 @@ void draw_save_dialog(Panel& panel) {
   const bool saved = (entered || pressed) && named;
   if (saved) issue(panel, {.id = CommandId::save, .path = file});
   ImGui::SameLine();
-  const bool cancelled = text_button(panel, "save/cancel", "Cancel", kButtonWidth * ui_scale(panel)) || escape_pressed();
+  const bool cancelled =
+      text_button(panel, "save/cancel", "Cancel", kButtonWidth * ui_scale(panel)) || escape_pressed();
   if (cancelled) panel.state.after_save.reset();
   if (saved || cancelled) target.reset();
   close(saved || cancelled);
@@ -86,8 +89,9 @@ void draw_replacement_dialog(Panel& panel) {
   }
   ImGui::SameLine();
   const bool cancelled = text_button(panel, "replace/cancel", "Cancel", width) || escape_pressed();
-  if (cancelled && !replacement->command.path.empty()) panel.state.save_as = save_target(replacement->command.path);
-  if (cancelled && replacement->command.path.empty()) panel.state.after_save.reset();
+  const std::filesystem::path file = replacement->command.path;
+  if (cancelled && !file.empty()) issue(panel, {.id = CommandId::save_dialog, .path = file});
+  if (cancelled && file.empty()) panel.state.after_save.reset();
   if (agreed || cancelled) replacement.reset();
   close(agreed || cancelled);
 }

@@ -132,8 +132,11 @@ void ContactWorld::Impl::move_projectiles(double dt) {
 }
 
 Vec3 ContactWorld::Impl::velocity_after(const Vec3& velocity, const Vec3& way, double dt) const {
-  const double not_fallen = gravity.dot(dt * velocity - way), square = velocity.squaredNorm();
-  return not_fallen > 0 ? Vec3(std::sqrt(std::max(0.0, 1 - 2 * not_fallen / square)) * velocity) : velocity;
+  const double not_fallen = gravity.dot(dt * velocity - way);
+  if (!(not_fallen > 0)) return velocity;
+  const Vec3 down = gravity.normalized();
+  const double fall = std::max(0.0, down.dot(velocity));
+  return velocity + (std::sqrt(std::max(0.0, fall * fall - 2 * not_fallen)) - fall) * down;
 }
 
 /// Turns a projectile as far as nothing is in its way: with the next detection, contacts stop it there.

@@ -1,14 +1,19 @@
 #include "sim/contact/bullet_sweep.h"
 
+#include <BulletCollision/CollisionShapes/btUniformScalingShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
 #include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace griffith::contact {
 namespace {
+
+/// Shapes with a thinner margin are small: less than some centimetres [m].
+constexpr double kSmallMargin = 2e-3;
 
 Separation separation_from_ground(const PlacedShape& shape, double height) {
   const btVector3 down(0, -1, 0);
@@ -17,20 +22,40 @@ Separation separation_from_ground(const PlacedShape& shape, double height) {
   return {lowest.y() - height, Vec3::UnitY(), Vec3(lowest.x(), height, lowest.z())};
 }
 
-}  // namespace
-
-Separation separation(const PlacedShape& a, const PlacedShape& b) {
-  if (!b.convex) return separation_from_ground(a, b.ground_height);
+Separation separation(const btConvexShape& a, const btTransform& a_place, const btConvexShape& b,
+                      const btTransform& b_place) {
   btVoronoiSimplexSolver simplex;
   btGjkEpaPenetrationDepthSolver penetration;
-  btGjkPairDetector detector(a.convex, b.convex, &simplex, &penetration);
+  btGjkPairDetector detector(&a, &b, &simplex, &penetration);
   btGjkPairDetector::ClosestPointInput input;
-  input.m_transformA = a.transform;
-  input.m_transformB = b.transform;
+  input.m_transformA = a_place;
+  input.m_transformB = b_place;
   btPointCollector closest;
   detector.getClosestPoints(input, closest, nullptr);
   if (!closest.m_hasResult) return {std::numeric_limits<double>::infinity(), Vec3::UnitY(), Vec3::Zero()};
   return {closest.m_distance, from_bullet(closest.m_normalOnBInWorld), from_bullet(closest.m_pointInWorld)};
+}
+
+/// Bullet's tolerances are lengths, areas and volumes: what is small is looked at through a magnifying glass.
+Separation scaled_separation(const PlacedShape& a, const PlacedShape& b, double scale) {
+  btUniformScalingShape large_a(const_cast<btConvexShape*>(a.convex), scale);
+  btUniformScalingShape large_b(const_cast<btConvexShape*>(b.convex), scale);
+  const btVector3 origin = b.transform.getOrigin();
+  const btTransform a_place(a.transform.getBasis(), scale * (a.transform.getOrigin() - origin));
+  const btTransform b_place(b.transform.getBasis(), btVector3(0, 0, 0));
+  Separation apart = separation(large_a, a_place, large_b, b_place);
+  apart.distance /= scale;
+  apart.point_on_b = apart.point_on_b / scale + from_bullet(origin);
+  return apart;
+}
+
+}  // namespace
+
+Separation separation(const PlacedShape& a, const PlacedShape& b) {
+  if (!b.convex) return separation_from_ground(a, b.ground_height);
+  const double thinner = std::min(a.convex->getMargin(), b.convex->getMargin());
+  return thinner < kSmallMargin ? scaled_separation(a, b, std::exp2(std::ceil(std::log2(kSmallMargin / thinner))))
+                                : separation(*a.convex, a.transform, *b.convex, b.transform);
 }
 
 bool comes_nearer(const Vec3& displacement, const Vec3& normal) {

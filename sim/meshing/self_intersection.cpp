@@ -13,6 +13,7 @@ namespace {
 constexpr double kFoldedSine = 1e-6;
 /// Relative to the longest edge: triangles within it lie in one plane.
 constexpr double kPlaneTolerance = 1e-9;
+constexpr int kMostPairs = 100;  ///< of a triangle with those of higher numbers
 
 using Corners = std::array<Vec3, 3>;
 
@@ -106,21 +107,21 @@ SelfIntersections find_self_intersections(const TriangleSurface& surface) {
     for (int triangle = begin; triangle < end; ++triangle) {
       Eigen::AlignedBox3d box;
       for (const Vec3& corner : corners_of(surface, triangle)) box.extend(corner);
-      tree.visit_box(box, [&, triangle](int other) {
-        if (other <= triangle) return;
+      SelfIntersections& mine = found[triangle];
+      mine.all_known = tree.visit_box(box, [&, triangle](int other) {
+        if (other <= triangle) return true;
         const auto place = common_point(surface, triangle, other);
-        if (!place) return;
-        SelfIntersections& mine = found[triangle];
+        if (!place) return true;
         if (mine.pairs++ == 0 || other < mine.first[1]) mine.first = {triangle, other}, mine.place = *place;
+        return mine.pairs < kMostPairs;
       });
     }
   });
   SelfIntersections sum;
   for (const SelfIntersections& mine : found) {
-    if (sum.pairs == 0 && mine.pairs > 0)
-      sum = mine;
-    else
-      sum.pairs += mine.pairs;
+    if (sum.pairs == 0 && mine.pairs > 0) sum.first = mine.first, sum.place = mine.place;
+    sum.pairs += mine.pairs;
+    sum.all_known = sum.all_known && mine.all_known;
   }
   return sum;
 }

@@ -133,9 +133,10 @@ void add_defects(const SurfaceReport& report, std::vector<std::string>& list) {
                    " one side only, as a Möbius strip, and cannot be oriented");
   const SelfIntersections& crossings = report.self_intersections;
   if (crossings.pairs > 0)
-    list.push_back("the surface passes through itself: " + count_text(crossings.pairs, "pair") +
-                   " of triangles, the first " + std::to_string(crossings.first[0]) + " and " +
-                   std::to_string(crossings.first[1]) + " near " + place_text(crossings.place));
+    list.push_back(std::string("the surface passes through itself: ") + (crossings.all_known ? "" : "at least ") +
+                   count_text(crossings.pairs, "pair") + " of triangles, the first " +
+                   std::to_string(crossings.first[0]) + " and " + std::to_string(crossings.first[1]) + " near " +
+                   place_text(crossings.place));
   if (report.flat_triangles > 0)
     list.push_back(sentence(report.flat_triangles, "triangle", " has", " have") + " next to no area");
 }

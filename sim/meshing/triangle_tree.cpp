@@ -116,19 +116,17 @@ double TriangleTree::solid_angle(int index, const Vec3& point) const {
   return sum;
 }
 
-void TriangleTree::visit_box(const Eigen::AlignedBox3d& box, const std::function<void(int)>& visit) const {
-  if (!nodes_.empty()) visit_box(0, box, visit);
+bool TriangleTree::visit_box(const Eigen::AlignedBox3d& box, const std::function<bool(int)>& visit) const {
+  return nodes_.empty() || visit_box(0, box, visit);
 }
 
-void TriangleTree::visit_box(int index, const Eigen::AlignedBox3d& box, const std::function<void(int)>& visit) const {
+bool TriangleTree::visit_box(int index, const Eigen::AlignedBox3d& box, const std::function<bool(int)>& visit) const {
   const Node& node = nodes_[index];
-  if (!node.box.intersects(box)) return;
-  if (node.left >= 0) {
-    visit_box(node.left, box, visit);
-    return visit_box(node.right, box, visit);
-  }
+  if (!node.box.intersects(box)) return true;
+  if (node.left >= 0) return visit_box(node.left, box, visit) && visit_box(node.right, box, visit);
   for (int i = node.begin; i < node.end; ++i)
-    if (box_of(triangles_[order_[i]]).intersects(box)) visit(order_[i]);
+    if (box_of(triangles_[order_[i]]).intersects(box) && !visit(order_[i])) return false;
+  return true;
 }
 
 Vec3 nearest_point(const std::array<Vec3, 3>& corners, const Vec3& point) {

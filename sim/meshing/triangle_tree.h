@@ -27,8 +27,8 @@ class TriangleTree {
   /// (Barill et al. 2018), which is wrong by 0.03 at most.
   double winding_number(const Vec3& point) const;
 
-  /// Calls visit(triangle) for every triangle whose box meets `box`.
-  void visit_box(const Eigen::AlignedBox3d& box, const std::function<void(int triangle)>& visit) const;
+  /// Calls visit(triangle) for every triangle whose box meets `box`, until it returns false; whether it never did.
+  bool visit_box(const Eigen::AlignedBox3d& box, const std::function<bool(int triangle)>& visit) const;
 
  private:
   struct Node {
@@ -43,7 +43,7 @@ class TriangleTree {
   void set_dipole(Node& node) const;
   void find_nearest(int node, const Vec3& point, Nearest& best) const;
   double solid_angle(int node, const Vec3& point) const;
-  void visit_box(int node, const Eigen::AlignedBox3d& box, const std::function<void(int)>& visit) const;
+  bool visit_box(int node, const Eigen::AlignedBox3d& box, const std::function<bool(int)>& visit) const;
 
   std::vector<std::array<Vec3, 3>> triangles_;  ///< by triangle
   std::vector<int> order_;                      ///< triangles, those of a node next to each other

@@ -4,9 +4,11 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "sim/mesh/topology.h"
 #include "sim/solver/direct_solve.h"
+#include "sim/solver/pivot.h"
 #include "sim/solver/rigid_motion.h"
 
 namespace griffith {
@@ -31,13 +33,54 @@ std::vector<NodeId> number_rows(std::span<const NodeId> body_nodes, std::span<co
 }
 
 /// What spinning does to the shape, seen by a body that turns along: h·m ω×(a×ω) for a node at arm a.
-void add_centrifugal_impulses(const RigidMotion& motion, const NodeVectors& positions, const Eigen::VectorXd& masses,
-                              double dt, NodeVectors& impulses) {
-  const Vec3& spin = motion.angular_velocity;
+void add_centrifugal_impulses(const Vec3& center, const Vec3& spin, const NodeVectors& positions,
+                              const Eigen::VectorXd& masses, double dt, NodeVectors& impulses) {
   for (Eigen::Index row = 0; row < masses.size(); ++row) {
-    const Vec3 arm = positions.col(row) - motion.center;
+    const Vec3 arm = positions.col(row) - center;
     impulses.col(row) += dt * masses[row] * spin.cross(arm.cross(spin));
   }
+}
+
+/// Solves A x = b where the motion that `rigid_field` takes out of velocities follows from momentum balance alone, so
+/// that only the deformation is solved for: no residual can slow a fall or a swing, and convergence is relative to what
+/// is elastic. `add_centrifugal(rigid, impulses)` adds what that motion does to the shape.
+template <class Field, class Centrifugal>
+SolveReport solve_beside(const BlockSparseMatrix& a, const RigidModePreconditioner& preconditioner,
+                         const ImplicitStep& step, const Eigen::VectorXd& masses, const NodeVectors& b,
+                         const Field& rigid_field, const Centrifugal& add_centrifugal, NodeVectors& x) {
+  const Eigen::VectorXd inverse_masses = (masses * (1 + step.dt * step.mass_damping)).cwiseInverse();
+  const NodeVectors rigid = rigid_field(b * inverse_masses.asDiagonal());
+  NodeVectors product;
+  multiply(a, rigid, product);
+  NodeVectors elastic = b - product;
+  add_centrifugal(rigid, elastic);
+
+  // Below the rounding errors of A times the rigid motion there is only noise to solve for.
+  const double noise = 4 * std::numeric_limits<double>::epsilon() * diagonal_product_norm(a, rigid);
+  const double scale = std::max(std::sqrt(dot(elastic, elastic)), noise / step.relative_residual);
+  x -= rigid_field(x);
+  const SolveReport report =
+      conjugate_gradient(a, preconditioner, elastic, x, step.relative_residual, scale, step.max_iterations);
+  x += rigid - rigid_field(x);
+  return report;
+}
+
+/// The same for a body that turns about a pivot.
+SolveReport solve_swinging(const BlockSparseMatrix& a, const RigidModePreconditioner& preconditioner,
+                           const ImplicitStep& step, const Pivot& pivot, const NodeVectors& positions,
+                           const Eigen::VectorXd& masses, const NodeVectors& b, bool turning, NodeVectors& x) {
+  const auto swing = [&](const NodeVectors& velocities) {
+    const Vec3 spin = turning_about(pivot, positions, velocities, masses).spin;
+    NodeVectors field(3, positions.cols());
+    for (Eigen::Index row = 0; row < field.cols(); ++row)
+      field.col(row) = spin.cross(positions.col(row) - pivot.place);
+    return field;
+  };
+  const auto centrifugal = [&](const NodeVectors& rigid, NodeVectors& impulses) {
+    const Vec3 spin = turning_about(pivot, positions, rigid, masses).spin;
+    if (turning) add_centrifugal_impulses(pivot.place, spin, positions, masses, step.dt, impulses);
+  };
+  return solve_beside(a, preconditioner, step, masses, b, swing, centrifugal, x);
 }
 
 }  // namespace
@@ -121,9 +164,16 @@ SolveReport ElasticSystem::solve(const ImplicitStep& step, std::span<const Vec3>
   for (std::size_t i = 0; i < supports().size(); ++i)
     reactions_[i] = -masses[supports()[i]] * velocities[supports()[i]] - step.dt * forces[supports()[i]];
 
-  const SolveReport report = is_free()
-                                 ? solve_free(step, gather(positions), mass, b, true, x)
-                                 : solve_projected(constraints, step.relative_residual, step.max_iterations, b, x);
+  SolveReport report;
+  if (is_free()) {
+    report = solve_free(step, gather(positions), mass, b, true, x);
+  } else if (const std::optional<Pivot> pivot = pivot_of(supports(), constraints, positions)) {
+    project(b);
+    report = solve_swinging(rows_.matrix, *preconditioner_, step, *pivot, gather(positions), mass, b, true, x);
+    project(x);
+  } else {
+    report = solve_projected(constraints, step.relative_residual, step.max_iterations, b, x);
+  }
   for (int row = 0; row < count; ++row) velocities[nodes()[row]] = x.col(row);
   for (NodeId node : supports())
     velocities[node] = constraints[node].velocity + constraints[node].allowed * velocities[node];
@@ -138,8 +188,12 @@ SolveReport ElasticSystem::respond(const ImplicitStep& step, std::span<const Vec
   NodeVectors b = gather(impulses);
   if (is_free()) return solve_free(step, gather(positions), gather_masses(masses), b, false, change);
   project(b);
-  const SolveReport report = conjugate_gradient(rows_.matrix, *preconditioner_, b, change, step.relative_residual,
-                                                std::sqrt(dot(b, b)), step.max_iterations);
+  const std::optional<Pivot> pivot = pivot_of(supports(), constraints, positions);
+  const SolveReport report =
+      pivot ? solve_swinging(rows_.matrix, *preconditioner_, step, *pivot, gather(positions), gather_masses(masses), b,
+                             false, change)
+            : conjugate_gradient(rows_.matrix, *preconditioner_, b, change, step.relative_residual,
+                                 std::sqrt(dot(b, b)), step.max_iterations);
   project(change);
   const BlockSparseMatrix& a = support_rows_.matrix;
   for (int support = 0; support < a.rows(); ++support) {
@@ -203,29 +257,17 @@ void ElasticSystem::balance_supports(double dt, std::span<const NodeConstraint> 
 SolveReport ElasticSystem::solve_free(const ImplicitStep& step, const NodeVectors& positions,
                                       const Eigen::VectorXd& masses, const NodeVectors& b, bool turning,
                                       NodeVectors& x) const {
-  // The rigid motion follows from momentum balance alone, so only the deformation is solved for: no residual can slow
-  // a fall, and convergence is relative to what is elastic.
   const auto rigid_field = [&](const NodeVectors& velocities) {
     const RigidMotion motion = rigid_motion(positions, velocities, masses);
     NodeVectors field(3, positions.cols());
     for (Eigen::Index row = 0; row < field.cols(); ++row) field.col(row) = motion.velocity_at(positions.col(row));
     return field;
   };
-  const Eigen::VectorXd inverse_masses = (masses * (1 + step.dt * step.mass_damping)).cwiseInverse();
-  const NodeVectors rigid = rigid_field(b * inverse_masses.asDiagonal());
-  NodeVectors product;
-  multiply(rows_.matrix, rigid, product);
-  NodeVectors elastic = b - product;
-  if (turning) add_centrifugal_impulses(rigid_motion(positions, rigid, masses), positions, masses, step.dt, elastic);
-
-  // Below the rounding errors of A times the rigid motion there is only noise to solve for.
-  const double noise = 4 * std::numeric_limits<double>::epsilon() * diagonal_product_norm(rows_.matrix, rigid);
-  const double scale = std::max(std::sqrt(dot(elastic, elastic)), noise / step.relative_residual);
-  x -= rigid_field(x);
-  const SolveReport report = conjugate_gradient(rows_.matrix, *preconditioner_, elastic, x, step.relative_residual,
-                                                scale, step.max_iterations);
-  x += rigid - rigid_field(x);
-  return report;
+  const auto centrifugal = [&](const NodeVectors& rigid, NodeVectors& impulses) {
+    const RigidMotion motion = rigid_motion(positions, rigid, masses);
+    if (turning) add_centrifugal_impulses(motion.center, motion.angular_velocity, positions, masses, step.dt, impulses);
+  };
+  return solve_beside(rows_.matrix, *preconditioner_, step, masses, b, rigid_field, centrifugal, x);
 }
 
 }  // namespace griffith

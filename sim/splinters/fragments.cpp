@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <unordered_set>
 
 #include "sim/mesh/topology.h"
 #include "sim/parallel.h"
@@ -42,7 +43,8 @@ std::vector<Fragment> fragments_of_tet(const TetMesh& mesh, const CellPartition&
                                        double tolerance) {
   const std::array<Vec3, 4> corners = rest_corners(mesh, tet);
   std::vector<Fragment> fragments;
-  std::vector<int> waiting = {start}, seen = {start};
+  std::vector<int> waiting = {start};
+  std::unordered_set<int> seen = {start};
   while (!waiting.empty()) {
     const int cell = waiting.back();
     waiting.pop_back();
@@ -51,9 +53,7 @@ std::vector<Fragment> fragments_of_tet(const TetMesh& mesh, const CellPartition&
     fragment.volume = volume(fragment.polyhedron);
     fragments.push_back(std::move(fragment));
     for (const CellWall& wall : cells[cell].walls) {
-      if (wall.neighbour < 0 || std::ranges::find(seen, wall.neighbour) != seen.end()) continue;
-      seen.push_back(wall.neighbour);
-      waiting.push_back(wall.neighbour);
+      if (wall.neighbour >= 0 && seen.insert(wall.neighbour).second) waiting.push_back(wall.neighbour);
     }
   }
   std::ranges::sort(fragments, {}, &Fragment::cell);

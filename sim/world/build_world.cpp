@@ -166,7 +166,6 @@ void complete(WorldState& world, const Pieces& pieces) {
 void make_meshes(const Scene& scene, ShapeMeshes& shapes, const Monitor& monitor) {
   std::int64_t tets = 0;
   for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) {
-    if (monitor.is_cancelled()) throw Cancelled();
     monitor.enter("Meshing body " + std::to_string(i + 1) + " of " + std::to_string(scene.bodies.size()));
     tets += shapes.of(scene, i, monitor).mesh.tet_count();
     if (tets > kMostTets)
@@ -201,8 +200,8 @@ void add_scene_bodies(WorldState& world, const Monitor& monitor) {
   make_meshes(world.scene, shapes, monitor);
   monitor.enter("Building the bodies");
   for (int i = 0; i < static_cast<int>(world.scene.bodies.size()); ++i) {
-    if (monitor.is_cancelled()) throw Cancelled();
     pieces.push_back(add_scene_body(world, i, shapes.of(world.scene, i, monitor)));
+    if (monitor.is_cancelled()) throw Cancelled();
   }
   close_splinters(world);
   update_supports(world, world.time, world.scene.simulation.time_step);
@@ -236,6 +235,7 @@ void build_world(WorldState& world, const Monitor& monitor) {
   add_scene_bodies(world, monitor);
   queue_bursts(world);
   for (int i = 0; i < static_cast<int>(world.materials.size()); ++i) check_substep_count(world, i, world.materials[i]);
+  if (monitor.is_cancelled()) throw Cancelled();
   monitor.enter("Finding the start");
   find_static_start(world);
   place_stand_ins(world);

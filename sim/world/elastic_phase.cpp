@@ -6,6 +6,7 @@
 #include "sim/elasticity/plasticity.h"
 #include "sim/mesh/topology.h"
 #include "sim/parallel.h"
+#include "sim/solver/pivot.h"
 #include "sim/world/phases.h"
 
 namespace griffith {
@@ -44,9 +45,31 @@ void remove_inner_torque(const WorldState& world, const Body& body, const Vec3& 
     forces[node] -= world.nodes.masses[node] * spin.cross(world.nodes.positions[node] - body.motion.center);
 }
 
+/// Lets the forces on a body that swings about a pivot act where it will be half-way through a substep of `dt` [s].
+void turn_forces_half_way(const WorldState& world, const Body& body, double dt, std::vector<Vec3>& forces) {
+  const auto pivot = pivot_of(body.system->supports(), world.nodes.constraints, world.nodes.positions);
+  if (!pivot) return;
+  const auto count = static_cast<Eigen::Index>(body.nodes.size());
+  NodeVectors positions(3, count), velocities(3, count), acting(3, count);
+  Eigen::VectorXd masses(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const NodeId node = body.nodes[i];
+    positions.col(i) = world.nodes.positions[node];
+    velocities.col(i) = world.nodes.velocities[node];
+    acting.col(i) = forces[node];
+    masses[i] = world.nodes.masses[node];
+  }
+  const Vec3 half_turn = 0.5 * dt * turning_about(*pivot, positions, velocities, masses).spin;
+  const Vec3 change = swing_acceleration(*pivot, positions, masses, acting, half_turn) -
+                      swing_acceleration(*pivot, positions, masses, acting, Vec3::Zero());
+  for (NodeId node : body.nodes)
+    forces[node] += world.nodes.masses[node] * change.cross(world.nodes.positions[node] - pivot->place);
+}
+
 SolveReport predict_elastic(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt) {
   const bool spins_freely = !body.supported() && world.material_of(body).yield_strength;
   const Vec3 outer_torque = spins_freely ? wrench_of(world, body, forces).torque : Vec3(Vec3::Zero());
+  if (body.supported() && !world.integrates_explicitly()) turn_forces_half_way(world, body, dt, forces);
   add_elastic_forces(world, body, forces);
   if (spins_freely) remove_inner_torque(world, body, wrench_of(world, body, forces).torque - outer_torque, forces);
   if (world.integrates_explicitly()) {

@@ -1,9 +1,13 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 
 #include "sim/free_turn.h"
 #include "sim/parallel.h"
+#include "sim/rotation.h"
+#include "sim/solver/pivot.h"
 #include "sim/world/phases.h"
 
 namespace griffith {
@@ -26,6 +30,69 @@ void move_free(WorldState& world, const Body& body, double dt) {
   const Vec3 spin = after.inertia.inverse() * (before.inertia * before.angular_velocity);
   for (NodeId node : body.nodes)
     world.nodes.velocities[node] += before.velocity + spin.cross(world.nodes.positions[node] - center);
+}
+
+std::optional<Pivot> pivot_of(const WorldState& world, const Body& body) {
+  return pivot_of(body.system->supports(), world.nodes.constraints, world.nodes.positions);
+}
+
+NodeVectors of_nodes(const Body& body, const std::vector<Vec3>& values) {
+  NodeVectors columns(3, body.nodes.size());
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) columns.col(i) = values[body.nodes[i]];
+  return columns;
+}
+
+Eigen::VectorXd masses_of(const WorldState& world, const Body& body) {
+  Eigen::VectorXd masses(body.nodes.size());
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) masses[i] = world.nodes.masses[body.nodes[i]];
+  return masses;
+}
+
+Turning turning_of(const WorldState& world, const Body& body, const Pivot& pivot) {
+  return turning_about(pivot, of_nodes(body, world.nodes.positions), of_nodes(body, world.nodes.velocities),
+                       masses_of(world, body));
+}
+
+/// The mean spin of a body in a substep of `dt` [s] after which it has `spin` [rad/s]: with half of what `external`
+/// forces gave it, so that it swings without gain or loss (position Verlet). What touches something
+/// moves by the velocity with which it does not get into it.
+Vec3 mean_spin(const WorldState& world, const Body& body, const Pivot& pivot, const Vec3& spin,
+               const std::vector<Vec3>& external, double dt) {
+  if (body.contact_work != 0) return spin;
+  constexpr int kIterations = 3;
+  const NodeVectors positions = of_nodes(body, world.nodes.positions), forces = of_nodes(body, external);
+  const Eigen::VectorXd masses = masses_of(world, body);
+  Vec3 gained = Vec3::Zero();
+  for (int i = 0; i < kIterations; ++i)
+    gained = dt * swing_acceleration(pivot, positions, masses, forces, 0.5 * dt * (spin - gained));
+  return spin - 0.5 * gained;
+}
+
+/// The same for a supported body that turns about a pivot; its angular momentum about it is kept.
+void move_swinging(WorldState& world, const Body& body, const Pivot& pivot, const std::vector<Vec3>& external,
+                   double dt) {
+  const Turning before = turning_of(world, body, pivot);
+  const Vec3 mean = mean_spin(world, body, pivot, before.spin, external, dt);
+  const Mat3 turn = pivot.axes.cols() == 3 ? free_turn(before.inertia, mean, dt)
+                                           : rotation_by(dt * mean).toRotationMatrix();
+  for (NodeId node : body.nodes) {
+    Vec3 &position = world.nodes.positions[node], &velocity = world.nodes.velocities[node];
+    const Vec3 from = position, deforming = velocity - before.spin.cross(position - pivot.place);
+    position = pivot.place + turn * (position - pivot.place + dt * deforming);
+    velocity = turn * deforming;
+    const NodeConstraint& constraint = world.nodes.constraints[node];
+    position = from + constraint.allowed * (position - from);
+  }
+  const Turning after = turning_of(world, body, pivot);
+  const Mat3 turned = pivot.axes.cols() == 3 ? Mat3(Mat3::Identity()) : turn;
+  const Eigen::MatrixXd inertia = pivot.axes.transpose() * after.inertia * pivot.axes;
+  const Vec3 spin =
+      pivot.axes * (inertia.inverse() * (pivot.axes.transpose() * (turned * (before.inertia * before.spin))));
+  for (NodeId node : body.nodes) {
+    Vec3& velocity = world.nodes.velocities[node];
+    velocity = world.nodes.constraints[node].allowed *
+               (velocity + spin.cross(world.nodes.positions[node] - pivot.place));
+  }
 }
 
 /// How far a rigid body gets [m]. What is fast stops at what it meets, or it would pass through thin bodies.
@@ -78,6 +145,19 @@ Snapshot snapshot(const WorldState& world, const Body& body) {
   return taken;
 }
 
+/// What of a node's velocity does not deform the body: of its motion as a whole, its swinging or its supports.
+std::function<Vec3(NodeId)> rigid_velocity_of(const WorldState& world, const Body& body) {
+  if (!body.supported())
+    return [&world, motion = motion_of(world, body)](NodeId node) {
+      return motion.velocity_at(world.nodes.positions[node]);
+    };
+  if (const std::optional<Pivot> pivot = pivot_of(world, body))
+    return [&world, place = pivot->place, spin = turning_of(world, body, *pivot).spin](NodeId node) {
+      return Vec3(spin.cross(world.nodes.positions[node] - place));
+    };
+  return [&world](NodeId node) { return world.nodes.constraints[node].velocity; };
+}
+
 /// Back to a snapshot, with `share` of the velocities that deform the body.
 void restore(WorldState& world, const Body& body, const Snapshot& taken, double share) {
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
@@ -86,16 +166,18 @@ void restore(WorldState& world, const Body& body, const Snapshot& taken, double 
   }
   for (std::size_t i = 0; i < taken.plastic_strains.size(); ++i)
     world.elements.plastic_strains[body.tets[i]] = taken.plastic_strains[i];
-  const RigidMotion rigid = motion_of(world, body);
+  const std::function<Vec3(NodeId)> rigid_velocity = rigid_velocity_of(world, body);
   for (NodeId node : body.nodes) {
-    const NodeConstraint& constraint = world.nodes.constraints[node];
-    const Vec3 kept = body.supported() ? constraint.velocity : rigid.velocity_at(world.nodes.positions[node]);
+    const Vec3 kept = rigid_velocity(node);
     world.nodes.velocities[node] = kept + share * (world.nodes.velocities[node] - kept);
   }
 }
 
-void move_nodes(WorldState& world, const Body& body, double dt) {
-  if (!body.supported() && !world.integrates_explicitly()) return move_free(world, body, dt);
+void move_nodes(WorldState& world, const Body& body, const std::vector<Vec3>& external, double dt) {
+  if (!world.integrates_explicitly()) {
+    if (!body.supported()) return move_free(world, body, dt);
+    if (const std::optional<Pivot> pivot = pivot_of(world, body)) return move_swinging(world, body, *pivot, external, dt);
+  }
   for (NodeId node : body.nodes) world.nodes.positions[node] += dt * world.nodes.velocities[node];
 }
 
@@ -113,7 +195,7 @@ bool move_elastic(WorldState& world, const Body& body, const std::vector<Vec3>& 
   const bool checked = !world.integrates_explicitly();
   const double given = checked ? body.energy + work_done(world, body, external, dt) : 0;
   const Snapshot before = checked ? snapshot(world, body) : Snapshot{};
-  move_nodes(world, body, dt);
+  move_nodes(world, body, external, dt);
   update_elements(world, body);
   if (!checked) return false;
   const double noise = energy_of_strain(world, body, 1e-12);
@@ -123,7 +205,7 @@ bool move_elastic(WorldState& world, const Body& body, const std::vector<Vec3>& 
   if (!gains(given)) return false;
   const auto move_with = [&](double share) {
     restore(world, body, before, share);
-    move_nodes(world, body, dt);
+    move_nodes(world, body, external, dt);
     update_elements(world, body);
   };
   move_with(0);  // as a rigid body: what its turning alone gains is not for the deformation to make up for
@@ -157,6 +239,18 @@ void stiffen(WorldState& world, Body& body) {
   const Mat3 back = body.orientation.conjugate().toRotationMatrix();
   for (std::size_t i = 0; i < body.nodes.size(); ++i)
     body.reference_arms.col(i) = back * (world.nodes.positions[body.nodes[i]] - body.motion.center);
+}
+
+/// Whether neither stress nor waves come near what could hurt a free body. A wave of stress σ moves nodes by σ/(ρc), in
+/// compression as in tension, while it has not yet come to where it could part the body.
+bool is_calm(const WorldState& world, const Body& body) {
+  constexpr double kCalmMargin = 0.05, kCalmSpeed = 0.1;
+  const RigidMotion motion = motion_of(world, body);
+  const double fastest = kCalmSpeed * hurting_speed(world, body);
+  return std::ranges::all_of(body.nodes, [&](NodeId node) {
+    const Vec3 deforming = world.nodes.velocities[node] - motion.velocity_at(world.nodes.positions[node]);
+    return world.nodes.separations[node].margin < kCalmMargin && deforming.norm() < fastest;
+  });
 }
 
 }  // namespace
@@ -245,13 +339,10 @@ void wake(WorldState& world, Body& body) {
 }
 
 void calm_bodies(WorldState& world) {
-  constexpr double kCalmMargin = 0.05;
   constexpr int kCalmSteps = 20;
   for (Body& body : world.bodies) {
     if (body.rigid || body.supported()) continue;
-    const bool calm = std::all_of(body.nodes.begin(), body.nodes.end(),
-                                  [&](NodeId node) { return world.nodes.separations[node].margin < kCalmMargin; });
-    body.calm_steps = calm ? body.calm_steps + 1 : 0;
+    body.calm_steps = is_calm(world, body) ? body.calm_steps + 1 : 0;
     if (body.tets.size() == 1 || body.calm_steps >= kCalmSteps) stiffen(world, body);
   }
 }

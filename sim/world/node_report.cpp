@@ -17,9 +17,10 @@ ElementShare element_share(const Frame& frame, const SeparationInput& input, Tet
   for (NodeId corner : frame.tets[tet]) middle += frame.positions[corner] / 4;
   element.above = normal.dot(middle - frame.positions[report.node]) > 0;
   element.force = split_force(input, tet, report.node);
-  element.share = report.by_tension ? tension_share(input, tet, report.node, report.plane)
-                                    : 0.5 * (dyad_across(element.force.tensile, normal) -
-                                             dyad_across(element.force.compressive, normal));
+  element.share =
+      report.by_tension
+          ? tension_share(input, tet, report.node, report.plane)
+          : 0.5 * (dyad_across(element.force.tensile, normal) - dyad_across(element.force.compressive, normal));
   return element;
 }
 

@@ -56,7 +56,9 @@ std::string mesh_name(const Scene& scene, const Shape& shape) {
 ShapeMesh make_mesh(const Scene& scene, const Shape& shape, const Monitor& monitor) {
   ShapeMesh made;
   made.soup = make_soup(shape, scene.folder, &made.findings, monitor);
+  if (monitor.is_cancelled()) throw Cancelled();
   MeshReport report = prepare(made.soup, mesh_name(scene, shape), &made.mesh);
+  if (monitor.is_cancelled()) throw Cancelled();
   check_size(report, mesh_name(scene, shape));
   if (std::holds_alternative<MeshFileShape>(shape)) made.findings = findings(report);
   made.pieces = connected_components(made.mesh);

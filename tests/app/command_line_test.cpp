@@ -10,8 +10,8 @@
 namespace griffith::app {
 namespace {
 
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 TEST(CommandLine, HelpAndVersionSucceed) {
   for (const char* arguments : {"--help", "render --help", "simulate --help", "check --help", "mesh --help"}) {
@@ -21,7 +21,7 @@ TEST(CommandLine, HelpAndVersionSucceed) {
   }
   const Outcome version = run_program("--version");
   EXPECT_EQ(version.code, 0);
-  EXPECT_THAT(version.output, testing::MatchesRegex("griffith [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+  EXPECT_THAT(version.output, ::testing::MatchesRegex("griffith [0-9]+\\.[0-9]+\\.[0-9]+\n"));
 }
 
 TEST(CommandLine, BadUsageIsExitCode2WithAMessage) {
@@ -75,7 +75,7 @@ TEST(CommandLine, ABadMeshIsToldWithSceneBodyFileAndLine) {
   test_file("bad.node", "4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 one 0\n3 0 0 1\n");
   const auto path = test_file("meshed.json", R"({"version": 1, "bodies": [{"name": "floor"},
       {"name": "rock", "position": [0, 3, 0], "shape": {"mesh": {"path": "bad.node"}}}]})");
-  for (const std::string& command : {"check ", "simulate --frames 1 "}) {
+  for (const std::string command : {"check ", "simulate --frames 1 "}) {
     const Outcome outcome = run_program(command + path.string());
     EXPECT_EQ(outcome.code, 2);
     EXPECT_THAT(outcome.output, HasSubstr("meshed.json#/bodies/1/shape/mesh: of \"rock\": "));
@@ -114,7 +114,7 @@ TEST(CommandLine, AnOutputThatCannotBeWrittenIsToldBeforeTheWork) {
   for (const std::string& arguments : bad) {
     const Outcome outcome = run_program(arguments, "timeout 20");
     EXPECT_EQ(outcome.code, 2) << arguments << outcome.output;
-    EXPECT_THAT(outcome.output, testing::AnyOf(HasSubstr("/a"), HasSubstr("/dev: is a folder"))) << arguments;
+    EXPECT_THAT(outcome.output, ::testing::AnyOf(HasSubstr("/a"), HasSubstr("/dev: is a folder"))) << arguments;
   }
 }
 

@@ -13,7 +13,7 @@ namespace griffith::app {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 /// An editor whose scenes and states are in an empty folder of the test's own.
 class EditorFiles : public EditorTest {
@@ -73,11 +73,13 @@ TEST_F(EditorFiles, AnotherFileIsReplacedOnlyWhenToldSo) {
   EXPECT_EQ(value("save/name"), "small_wall.json");
   type("other.json");
   click("save/save");
+  draw(4);
   EXPECT_THAT(value("replace/problem"), HasSubstr("other.json is there already"));
   click("replace/cancel");
   draw(4);
   EXPECT_EQ(text_of(other), "not to be lost");
   EXPECT_EQ(value("save/name"), "other.json") << "asks for another name";
+  EXPECT_EQ(value("save/small_wall.json"), "small_wall.json") << "tells which are there";
   click("save/save");
   draw(4);
   click("replace/replace");
@@ -225,16 +227,26 @@ TEST_F(EditorFiles, OpeningASceneAsksForWhatWasLeftBesideIt) {
   EXPECT_THAT(value("left_edits/text"), HasSubstr("small_wall.json"));
 }
 
+TEST_F(EditorFiles, OpeningASceneAsksForNoOthers) {
+  leave_edits(small_wall(), "");
+  editor_.keep_edits_safe(states());
+  draw(4);
+  click("left_edits/later");
+  editor_.open(small_wall_file());
+  wait_for_work();
+  EXPECT_TRUE(editor_.state().left_edits.empty());
+}
+
 TEST(Autosave, ACopyThatCannotBeReadIsToldAndStays) {
   const fs::path states = test_folder() / "states";
   fs::remove_all(states);
   Autosave(states).write(small_wall(), "");
   Autosave reader(states);
   for (const auto& entry : fs::directory_iterator(states)) std::ofstream(entry.path() / "scene.json") << "{";
-  ASSERT_TRUE(reader.find(""));
+  ASSERT_TRUE(reader.find_any(""));
   EXPECT_THROW(reader.found_edits(), InputError);
   reader.leave_found();
-  EXPECT_TRUE(Autosave(states).find(""));
+  EXPECT_TRUE(Autosave(states).find_any(""));
 }
 
 TEST(Autosave, InstancesThatRunLeaveEachOthersCopiesAlone) {

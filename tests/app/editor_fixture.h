@@ -16,9 +16,9 @@
 namespace griffith::app {
 
 /// The editor with graphics but without a window, driven through its widgets.
-class EditorTest : public testing::Test {
+class EditorTest : public ::testing::Test {
  protected:
-  EditorTest() : interface_(1), target_(1200, 800), editor_(small_wall(), "") { draw(3); }
+  EditorTest() : interface_(1), target_(1200, 1000), editor_(small_wall(), "") { draw(3); }
 
   void draw(int frames = 1) {
     for (int i = 0; i < frames; ++i) {
@@ -49,6 +49,13 @@ class EditorTest : public testing::Test {
       draw();
     }
     draw(4);  // a dialog needs some to find its place
+  }
+
+  /// Answers the question whether so large a mesh is meant.
+  void insist() {
+    wait_for_work();
+    click("large_mesh/build");
+    draw(3);
   }
 
   std::string value(const std::string& tag) const {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/draw_scene_from_frame.h"
+#include "enclosed_volume.h"
 #include "program.h"
 #include "sim/world/world.h"
 

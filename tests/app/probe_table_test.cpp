@@ -13,8 +13,8 @@
 namespace griffith::app {
 namespace {
 
-using testing::HasSubstr;
-using testing::StartsWith;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 Scene probed_wall() {
   Scene scene = small_wall();

@@ -25,8 +25,8 @@ Outcome run_program(const std::string& arguments, const std::string& before) {
 }
 
 std::filesystem::path test_folder() {
-  const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) /
+  const ::testing::TestInfo* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) /
                                        ("griffith_" + std::string(test->test_suite_name()) + "_" + test->name());
   std::filesystem::create_directories(folder);
   return folder;

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::AlignedBox2f, Eigen::Vector2f;
 
-constexpr ImVec2 kSize = {1280, 720};
+const ImVec2 kSize = {1280, 720};
 
 TEST(CoveredShare, CountsWhatIsSeenInThePartAlone) {
   const render::Camera camera = {{0, 0, 5}, {0, 0, 0}, 90};  // sees 10 m by 10 m through its target
@@ -35,7 +35,7 @@ TEST(CoveredShare, CountsWhatIsSeenInThePartAlone) {
   EXPECT_EQ(covered(0, 0, 1, 1), 0);
 }
 
-class LegendCornerTest : public testing::Test {
+class LegendCornerTest : public ::testing::Test {
  protected:
   /// What share of its card the legend covers of the scene's first picture.
   float covered(const std::string& scene_file, ui::LegendCorner* chosen = nullptr) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "app/quantities.h"
 #include "program.h"
 #include "sim/world/world.h"
@@ -38,7 +40,7 @@ TEST(SteadyRange, HangsOnStepsNotOnHowOftenItIsAsked) {
   for (int step = 0; step < 20; ++step) {
     once.follow(world.frame(), "pressure");
     for (int i = 0; i <= step % 3; ++i) often.follow(world.frame(), "pressure");
-    EXPECT_EQ(*once.range(), *often.range());
+    EXPECT_TRUE(*once.range() == *often.range()) << step;
     world.step();
   }
 }
@@ -49,10 +51,10 @@ TEST(SteadyRange, AnotherQuantityOrWorldStartsAnew) {
   SteadyRange steady;
   steady.follow(world.frame(), "speed");
   steady.follow(world.frame(), "von_mises");
-  EXPECT_EQ(*steady.range(), range_now(world.frame(), "von_mises"));
+  EXPECT_TRUE(*steady.range() == range_now(world.frame(), "von_mises"));
   const World fresh(small_wall());
   steady.follow(fresh.frame(), "von_mises");
-  EXPECT_EQ(*steady.range(), range_now(fresh.frame(), "von_mises"));
+  EXPECT_TRUE(*steady.range() == range_now(fresh.frame(), "von_mises"));
   steady.follow(fresh.frame(), "body");
   EXPECT_FALSE(steady.range());
 }

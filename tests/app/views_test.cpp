@@ -43,7 +43,7 @@ Scene rich_wall() {
   return scene;
 }
 
-class ViewsTest : public testing::Test {
+class ViewsTest : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     context_ = std::make_unique<render::EglContext>();

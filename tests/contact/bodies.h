@@ -10,6 +10,8 @@
 
 namespace griffith::testing {
 
+inline constexpr double kDt = 1.0 / 120;  // of a substep [s]
+
 /// A box round its centre.
 inline ConvexPart box_part(const Vec3& size) {
   ConvexPart corners;

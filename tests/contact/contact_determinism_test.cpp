@@ -12,7 +12,6 @@ using namespace testing;
 
 /// All coordinates of a heap of chunks under fire, in which objects come, go and change, after a second.
 std::vector<double> random_heap(unsigned seed) {
-  constexpr double kDt = 1.0 / 120;
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-1, 1);
   ContactWorld world(Vec3(0, -9.81, 0));

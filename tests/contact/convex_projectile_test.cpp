@@ -13,8 +13,7 @@ namespace {
 using testing::box_mass;
 using testing::box_part;
 using testing::box_parts;
-
-constexpr double kDt = 1.0 / 120;
+using testing::kDt;
 
 /// A tet, a cube, a long box and a thin one.
 std::vector<ConvexPart> shapes() {

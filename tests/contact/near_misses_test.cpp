@@ -7,7 +7,6 @@ namespace {
 
 using namespace testing;
 
-constexpr double kDt = 1.0 / 120;
 const Vec3 kSize(1, 1, 1);  // 8.7 mm of reach
 
 /// Cubes in a row along x with these gaps between them and these velocities, weightless.

@@ -9,7 +9,7 @@ namespace {
 
 using namespace testing;
 
-constexpr double kDt = 1.0 / 240;
+constexpr double kHalfDt = kDt / 2;
 
 /// Distance that a box slides in a second on a plane tilted by this angle, along a horizontal direction.
 double sliding_distance(double angle, double heading, double friction) {
@@ -20,7 +20,7 @@ double sliding_distance(double angle, double heading, double friction) {
   const Vec3 size(1, 0.4, 1);
   const ProxyId box =
       world.add_stand_in(box_parts(size), box_mass(size, 10), Mobility::free, at(Vec3(0, 0.2, 0)), {friction, 0});
-  for (int i = 0; i < 240; ++i) substep(world, {box}, kDt, gravity);
+  for (int i = 0; i < 240; ++i) substep(world, {box}, kHalfDt, gravity);
   return world.state(box).pose.translation.dot(downhill);
 }
 
@@ -44,7 +44,7 @@ TEST(StandInContact, ABarThatTurnsIsSeenToStrikeWhereverItsCentreGoes) {
       state.angular_velocity = Vec3(0, 0, 100);  // its end comes down by 0.4 m
       world.set_impact_speed(world.add_stand_in(box_parts(size), box_mass(size, 1), Mobility::free, state, {}), 1);
       world.detect();
-      EXPECT_EQ(world.impact_expected(kDt, 0.2), height < 1) << climb;
+      EXPECT_EQ(world.impact_expected(kHalfDt, 0.2), height < 1) << climb;
     }
 }
 
@@ -61,7 +61,7 @@ TEST(StandInContact, AFreshCrackStaysQuiet) {
     halves.push_back(world.add_stand_in(box_parts(half), box_mass(half, 5), Mobility::free, state, {}));
   }
   for (int i = 0; i < 100; ++i) {
-    substep(world, halves, kDt);
+    substep(world, halves, kHalfDt);
     for (int k = 0; k < 2; ++k) {
       EXPECT_LT(world.state(halves[k]).velocity.norm(), 1e-13);
       EXPECT_LT(world.state(halves[k]).angular_velocity.norm(), 1e-13);
@@ -79,7 +79,7 @@ TEST(StandInContact, OverlapIsAllowedWhereACrackLeftItAndNowhereElse) {
       boxes.push_back(world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(x, 0, 0)), {}));
     world.detect();
     world.set_state(boxes[1], at(Vec3(0.49, 0, 0)));
-    for (int i = 0; i < 60; ++i) substep(world, boxes, kDt);
+    for (int i = 0; i < 60; ++i) substep(world, boxes, kHalfDt);
     const double apart = (world.state(boxes[1]).pose.translation - world.state(boxes[0]).pose.translation).norm();
     EXPECT_NEAR(apart, fresh ? 0.98 : 1.0, 1e-3);
     EXPECT_LT(world.state(boxes[0]).velocity.norm() + world.state(boxes[1]).velocity.norm(), 1e-9);
@@ -108,7 +108,7 @@ TEST(StandInContact, AHeldObjectActsWithItsVelocityAndKeepsIt) {
       world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::held, at(Vec3::Zero(), Vec3(2, 0, 0)), {0, 1});
   const ProxyId box =
       world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(1.001, 0, 0)), {0, 1});
-  substep(world, {wall, box}, kDt);
+  substep(world, {wall, box}, kHalfDt);
   EXPECT_EQ(world.state(wall).velocity, Vec3(2, 0, 0));
   EXPECT_NEAR(world.state(box).velocity.x(), 4, 1e-5);
 }
@@ -122,7 +122,7 @@ TEST(StandInContact, HeldObjectsMeetTheGroundOnlyWhereTheyMoveAndNeverEachOther)
     held.push_back(world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::held, at(Vec3(x, 0, 0)), {}));
   world.detect();
   EXPECT_TRUE(world.contacts().empty());
-  world.solve(kDt);
+  world.solve(kHalfDt);
   world.set_state(held[0], at(Vec3(0, 0.01, 0)));
   world.detect();
   EXPECT_FALSE(world.contacts().empty());
@@ -140,10 +140,10 @@ TEST(StandInContact, PushingOverlapsApartLiftsNothingThatRests) {
       world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(0, 0.45, 0)), {});
   for (int i = 0; i < 20; ++i) {
     world.detect();
-    testing::accelerate(world, {box}, kDt * testing::kGravity);
-    world.solve(kDt);
-    world.advance(kDt);
-    testing::advance(world, box, kDt);
+    testing::accelerate(world, {box}, kHalfDt * testing::kGravity);
+    world.solve(kHalfDt);
+    world.advance(kHalfDt);
+    testing::advance(world, box, kHalfDt);
   }
   EXPECT_LE(world.state(box).pose.translation.y(), 0.45 + 1e-6);
   EXPECT_GE(world.state(box).pose.translation.y(), 0.45 - 1e-4);
@@ -161,7 +161,7 @@ TEST(StandInContact, ATiltedBodyFeelsItsFullInertia) {
   const ProxyId body = world.add_stand_in(std::vector<ConvexPart>{part}, mass, Mobility::free, {}, {0.5, 0.3});
   const Vec3 target = turn * Vec3(0.3, 0.3, 0.1);
   world.add_sphere(0.1, 2, at(target + turn * Vec3(0, 0.1, 0), Vec3(1, -9, 2)), {0.5, 0.3});
-  solve(world, kDt);
+  solve(world, kHalfDt);
   ASSERT_EQ(world.contacts().size(), 1u);
   const Contact& contact = world.contacts()[0];
   const Vec3 impulse = contact.a == body ? contact.impulse : Vec3(-contact.impulse);
@@ -182,7 +182,7 @@ TEST(StandInContact, AFaceThatStrikesAFaceDoesNotTurnIt) {
     state.pose.rotation = turn;
     boxes.push_back(world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, state, {0.5, 0.5}));
   }
-  solve(world, kDt);
+  solve(world, kHalfDt);
   EXPECT_EQ(world.contacts().size(), 4u);
   constexpr double kTolerance = 1e-5 * 8;  // the solver's, of the speed of the blow
   for (int i = 0; i < 2; ++i) {
@@ -263,7 +263,7 @@ TEST(StandInContact, ATowerStands) {
   for (int i = 0; i < 8; ++i)
     boxes.push_back(
         world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(0, 0.1 + 0.2 * i, 0)), {}));
-  for (int i = 0; i < 480; ++i) substep(world, boxes, kDt, kGravity);
+  for (int i = 0; i < 480; ++i) substep(world, boxes, kHalfDt, kGravity);
   for (int i = 0; i < 8; ++i) {
     EXPECT_LT((world.state(boxes[i]).pose.translation - Vec3(0, 0.1 + 0.2 * i, 0)).norm(), 5e-3) << i;
     EXPECT_LT(world.state(boxes[i]).velocity.norm(), 1e-2) << i;
@@ -276,14 +276,14 @@ TEST(StandInContact, RemovedAndReshapedObjectsLeaveNoContactBehind) {
   const Vec3 size(1, 1, 1), smaller(1, 0.5, 1);
   const ProxyId lower = world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(0, 0.5, 0)), {});
   const ProxyId upper = world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(0, 1.5, 0)), {});
-  substep(world, {lower, upper}, kDt, kGravity);
+  substep(world, {lower, upper}, kHalfDt, kGravity);
   EXPECT_FALSE(world.contacts().empty());
   world.reshape(lower, box_parts(smaller), box_mass(smaller, 2.5), Mobility::free, at(Vec3(0, 0.25, 0)));
   world.detect();
   for (const Contact& contact : world.contacts()) EXPECT_TRUE(contact.a != upper && contact.b != upper);
   world.remove(lower);
   EXPECT_TRUE(world.contacts().empty());
-  for (int i = 0; i < 480; ++i) substep(world, {upper}, kDt, kGravity);
+  for (int i = 0; i < 480; ++i) substep(world, {upper}, kHalfDt, kGravity);
   EXPECT_NEAR(world.state(upper).pose.translation.y(), 0.5, 1e-3);
 }
 

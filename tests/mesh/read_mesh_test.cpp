@@ -193,7 +193,7 @@ TEST(ReadMeshTest, AFileThatIsTooLargeIsRefusedUnread) {
   TemporaryFolder folder;
   folder.write("a.mesh", "MeshVersionFormatted 2\n");
   std::filesystem::resize_file(folder.path() / "a.mesh", std::uintmax_t(1) << 40);
-  EXPECT_THAT(error_of(folder.path() / "a.mesh"), HasSubstr("a.mesh: is larger than 2 GiB"));
+  EXPECT_THAT(error_of(folder.path() / "a.mesh"), HasSubstr("a.mesh: is larger than 2047 MB"));
 }
 
 TEST(ReadMeshTest, ManyOpenArraysAreAnsweredAtOnce) {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "sim/error.h"
+#include "sim/meshing/self_intersection.h"
 #include "sim/meshing/triangle_tree.h"
 #include "surfaces.h"
 
@@ -195,6 +196,22 @@ TEST(TriangleTree, HalfASphereWindsHalfRoundItsCentre) {
     return half.points[t[0]].z() + half.points[t[1]].z() + half.points[t[2]].z() < 0;
   });
   EXPECT_NEAR(TriangleTree(half).winding_number(Vec3::Zero()), 0.5, 0.01);
+}
+
+/// All pairs of so many triangles would be half a billion.
+TEST(SurfaceReport, ATangleIsToldWithoutCountingEveryPair) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  TriangleSurface tangle;
+  for (int i = 0; i < 30'000; ++i) {
+    tangle.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    for (int corner = 0; corner < 3; ++corner)
+      tangle.points.emplace_back(uniform(random), uniform(random), uniform(random));
+  }
+  const SelfIntersections found = find_self_intersections(tangle);
+  EXPECT_FALSE(found.all_known);
+  EXPECT_GT(found.pairs, 2'000'000);
+  EXPECT_LE(found.pairs, 3'000'000);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "sim/error.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/scene_writer.h"
+#include "text_of.h"
 
 namespace griffith {
 namespace {
@@ -45,11 +46,6 @@ bool is_what_was_written(const Scene& back, Scene scene) {
   }
   scene.materials = back.materials;
   return back == scene;
-}
-
-std::string text_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 TEST_F(SceneRoundTrip, EveryRandomSceneComesBackExactly) {

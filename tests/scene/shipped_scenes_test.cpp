@@ -8,6 +8,7 @@
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/scene_schema.h"
 #include "sim/scene/scene_writer.h"
+#include "text_of.h"
 
 namespace griffith {
 namespace {
@@ -25,11 +26,6 @@ std::vector<fs::path> shipped_scenes() {
   }
   std::ranges::sort(paths);
   return paths;
-}
-
-std::string text_of(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 std::vector<std::string> shipped_names() {

@@ -10,7 +10,7 @@ using testing::Damage;
 using testing::ElasticBox;
 using testing::Load;
 
-constexpr ImplicitStep kStep{.dt = 1.0 / 120, .relative_residual = 1e-3};
+constexpr ImplicitStep kFrameStep{.dt = 1.0 / 120, .relative_residual = 1e-3};
 
 /// The most iterations that a body of a wall of about 10,000 tets needs under any load.
 int most_iterations(BoxPattern pattern, Damage damage, double young_modulus, bool held) {
@@ -22,10 +22,10 @@ int most_iterations(BoxPattern pattern, Damage damage, double young_modulus, boo
   int most = 0;
   for (const std::vector<TetId>& piece : connected_components(wall.mesh, wall.tets)) {
     ElasticSystem system(wall.mesh, piece, wall.constraints, wall.rows);
-    wall.assemble(system, kStep);
+    wall.assemble(system, kFrameStep);
     for (Load load : {Load::impact, Load::random_velocities, Load::gravity}) {
       testing::apply(wall, load);
-      const SolveReport report = wall.solve(system, kStep);
+      const SolveReport report = wall.solve(system, kFrameStep);
       EXPECT_TRUE(report.converged);
       most = std::max(most, report.iterations);
     }

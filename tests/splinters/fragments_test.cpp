@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <fstream>
 
 #include "sim/error.h"
@@ -170,6 +171,18 @@ TEST(Patterns, GrainStretchesShards) {
       across += (1 - share) / 2;
     }
   EXPECT_LT(along, across / 4);
+}
+
+/// Work grows with the number of cells in a tet, not with its square, which would take a minute here.
+TEST(ManyFragments, OfOneTetTakeNoQuadraticWork) {
+  const TetMesh mesh = build_mesh(make_box(Vec3::Ones(), Vec3::Ones(), BoxPattern::five_tet));
+  BrickSplinters bricks;
+  bricks.size = Vec3::Constant(0.018);
+  bricks.mortar = 0;
+  const CellPartition cells = make_cells(bricks, testing::bounds(mesh));
+  const std::clock_t start = std::clock();  // of the processor, not of the wall
+  EXPECT_GT(make_fragments(mesh, cells).size(), 300'000u);
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 10);
 }
 
 }  // namespace

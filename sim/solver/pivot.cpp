@@ -1,0 +1,63 @@
+#include "sim/solver/pivot.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "sim/rotation.h"
+
+namespace griffith {
+
+std::optional<Pivot> pivot_of(std::span<const NodeId> supports, std::span<const NodeConstraint> constraints,
+                              std::span<const Vec3> positions) {
+  constexpr double kStill = 1e-9;  // square of the share of the size by which what turns may move what is held
+  Pivot pivot;
+  int held = 0;
+  for (NodeId node : supports) {
+    if (!constraints[node].velocity.isZero(0)) return std::nullopt;
+    if (!constraints[node].is_held()) continue;
+    pivot.place += positions[node];
+    ++held;
+  }
+  if (held == 0) return std::nullopt;
+  pivot.place /= held;
+  Mat3 resistance = Mat3::Zero();  // of the supports against turns: the sum of (blocked part of ω × arm)²
+  double largest = 0;
+  for (NodeId node : supports) {
+    const Mat3 arm = cross_matrix(positions[node] - pivot.place);
+    resistance += arm.transpose() * (Mat3::Identity() - constraints[node].allowed) * arm;
+    largest = std::max(largest, (positions[node] - pivot.place).squaredNorm());
+  }
+  const Eigen::SelfAdjointEigenSolver<Mat3> eigen(resistance);
+  const auto free_axes = (eigen.eigenvalues().array() <= kStill * largest).count();
+  if (free_axes != 1 && free_axes != 3) return std::nullopt;
+  pivot.axes = eigen.eigenvectors().leftCols(free_axes);
+  return pivot;
+}
+
+Turning turning_about(const Pivot& pivot, const NodeVectors& positions, const NodeVectors& velocities,
+                      const Eigen::VectorXd& masses) {
+  Turning turning;
+  for (Eigen::Index node = 0; node < masses.size(); ++node) {
+    const Vec3 arm = positions.col(node) - pivot.place;
+    turning.inertia += masses[node] * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
+    turning.momentum += masses[node] * arm.cross(velocities.col(node));
+  }
+  const Eigen::MatrixXd about_axes = pivot.axes.transpose() * turning.inertia * pivot.axes;
+  turning.spin = pivot.axes * (about_axes.inverse() * (pivot.axes.transpose() * turning.momentum));
+  return turning;
+}
+
+Vec3 swing_acceleration(const Pivot& pivot, const NodeVectors& positions, const Eigen::VectorXd& masses,
+                        const NodeVectors& forces, const Vec3& half_turn) {
+  NodeVectors changes(3, forces.cols());  // of velocity, per second
+  NodeVectors places(3, forces.cols());
+  for (Eigen::Index node = 0; node < masses.size(); ++node) {
+    const Vec3 arm = positions.col(node) - pivot.place;
+    places.col(node) = positions.col(node) + half_turn.cross(arm);
+    changes.col(node) = forces.col(node) / masses[node];
+  }
+  return turning_about(pivot, places, changes, masses).spin;
+}
+
+}  // namespace griffith
