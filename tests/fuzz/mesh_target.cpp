@@ -67,7 +67,7 @@ class MeshTarget : public Target {
     findings(report);
     promise(report.volume > 0, "a mesh without volume is called good");
     write_and_read(soup, folder);
-    run_world(scene_of(path, report), kMostSteps);
+    run_world(scene_of(path, report), kMostSteps, report.slivers > 0);
     return Outcome::ran;
   }
 
