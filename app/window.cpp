@@ -46,9 +46,7 @@ class Window {
     if (!window_) fail();
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
-    const float pixels = scale();
-    glfwSetWindowSizeLimits(window_, static_cast<int>(kLeastWidth * pixels), static_cast<int>(kLeastHeight * pixels),
-                            GLFW_DONT_CARE, GLFW_DONT_CARE);
+    fit_screen();
   }
   ~Window() {
     glfwDestroyWindow(window_);
@@ -70,6 +68,19 @@ class Window {
   }
 
  private:
+  /// Lets the window be no larger than the screen has room for, and no smaller than it is of use there.
+  void fit_screen() {
+    int width = 0, height = 0, room_across = 0, room_down = 0;
+    glfwGetWindowSize(window_, &width, &height);
+    glfwGetMonitorWorkarea(glfwGetPrimaryMonitor(), nullptr, nullptr, &room_across, &room_down);
+    if (room_across <= 0 || room_down <= 0) return;
+    glfwSetWindowSize(window_, std::min(width, room_across), std::min(height, room_down));
+    const float pixels = scale();
+    glfwSetWindowSizeLimits(window_, std::min(static_cast<int>(kLeastWidth * pixels), room_across),
+                            std::min(static_cast<int>(kLeastHeight * pixels), room_down), GLFW_DONT_CARE,
+                            GLFW_DONT_CARE);
+  }
+
   [[noreturn]] static void fail() {
     const char* reason = nullptr;
     glfwGetError(&reason);

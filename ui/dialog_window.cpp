@@ -40,4 +40,8 @@ bool escape_pressed() {
   return ImGui::IsKeyPressed(key::kEscape, false) && !list_is_open && !types;
 }
 
+bool escape_left_untyped() {
+  return ImGui::IsKeyPressed(key::kEscape, false) && ImGui::IsItemDeactivated() && !ImGui::IsItemDeactivatedAfterEdit();
+}
+
 }  // namespace griffith::ui

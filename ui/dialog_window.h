@@ -22,4 +22,7 @@ bool begin_dialog(const Panel& panel, const char* title, bool wanted, float desi
 /// Whether Escape was pressed, and not for a list or a text field of the dialog.
 bool escape_pressed();
 
+/// Whether Escape has just left the text field drawn last, with nothing typed in it: the key then means the dialog.
+bool escape_left_untyped();
+
 }  // namespace griffith::ui

@@ -91,12 +91,14 @@ void open_dialog(Panel& panel) {
   const bool entered =
       ImGui::InputTextWithHint("##path", "path of a scene file, or drop it on the window", state.path_text.data(),
                                state.path_text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool left = escape_left_untyped();
   tag_last_item(panel.tags, "open/path", state.path_text.data());
   ImGui::Spacing();
   const bool pressed = text_button(panel, "open/open", "Open", 120 * ui_scale(panel));
   if ((entered || pressed) && state.path_text[0] != '\0') open_scene(panel, state.path_text.data());
   ImGui::SameLine();
-  if (text_button(panel, "open/cancel", "Cancel", 120 * ui_scale(panel)) || escape_pressed()) state.show_open = false;
+  if (text_button(panel, "open/cancel", "Cancel", 120 * ui_scale(panel)) || escape_pressed() || left)
+    state.show_open = false;
   if (!state.show_open) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
 }

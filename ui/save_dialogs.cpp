@@ -58,6 +58,7 @@ void draw_save_dialog(Panel& panel) {
   const bool entered =
       ImGui::InputTextWithHint("##name", "name of the file", target->name.data(), target->name.size(),
                                ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  const bool left = escape_left_untyped();
   tag_last_item(panel.tags, "save/name", target->name.data());
   const bool named = target->name[0] != '\0';
   const std::filesystem::path file = file_of(*target);
@@ -69,7 +70,7 @@ void draw_save_dialog(Panel& panel) {
   if (saved) issue(panel, {.id = CommandId::save, .path = file});
   ImGui::SameLine();
   const bool cancelled =
-      text_button(panel, "save/cancel", "Cancel", kButtonWidth * ui_scale(panel)) || escape_pressed();
+      text_button(panel, "save/cancel", "Cancel", kButtonWidth * ui_scale(panel)) || escape_pressed() || left;
   if (cancelled) panel.state.after_save.reset();
   if (saved || cancelled) target.reset();
   close(saved || cancelled);

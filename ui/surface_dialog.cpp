@@ -46,6 +46,7 @@ void draw_surface_dialog(Panel& panel) {
   const bool entered =
       ImGui::InputTextWithHint("##surface", "path of an OBJ, STL, PLY, OFF or glTF file", request.path.data(),
                                request.path.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool left = escape_left_untyped();
   tag_last_item(panel.tags, "surface/path", request.path.data());
   number_slider(panel,
                 {.tag = "surface/scale",
@@ -72,7 +73,7 @@ void draw_surface_dialog(Panel& panel) {
   const bool pressed = text_button(panel, "surface/fill", "Fill", 120 * ui_scale(panel));
   if ((entered || pressed) && request.path[0] != '\0') fill(panel);
   ImGui::SameLine();
-  if (text_button(panel, "surface/cancel", "Cancel", 120 * ui_scale(panel)) || escape_pressed())
+  if (text_button(panel, "surface/cancel", "Cancel", 120 * ui_scale(panel)) || escape_pressed() || left)
     state.show_surface = false;
   if (!state.show_surface) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();

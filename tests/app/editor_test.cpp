@@ -492,6 +492,18 @@ TEST_F(EditorTest, HomeLeavesOutWhatFliesFar) {
   EXPECT_TRUE(editor_.state().selection.valid());  // the wall is in the middle of the view
 }
 
+TEST_F(EditorTest, HomeFillsANarrowPicture) {
+  editor_.execute({.id = ui::CommandId::frame_all});
+  draw(2);
+  int hits = 0;
+  for (int i = 0; i < 100; ++i) {
+    editor_.execute({.id = ui::CommandId::pick, .cursor = Vec2((i + 0.5) / 100, 0.5)});
+    hits += editor_.state().selection.valid();
+  }
+  EXPECT_GT(hits, 50);
+  EXPECT_LT(hits, 100);
+}
+
 TEST_F(EditorTest, SavedSceneOpensAsItWasEditedAndShown) {
   const std::filesystem::path path = small_wall_file();
   editor_.open(path);

@@ -22,5 +22,16 @@ TEST(Window, OpensDrawsAndLeavesAPictureOfItself) {
   EXPECT_GT(image.pixel(700, 100)[2], 150);
 }
 
+TEST(Window, IsNoLargerThanTheScreen) {
+  if (std::system("command -v xvfb-run > /dev/null") != 0) GTEST_SKIP() << "xvfb-run is not installed";
+  const std::filesystem::path path = test_folder() / "small_window.png";
+  const Outcome outcome = run_program(small_wall_file().string() + " --exit-after 6 --screenshot " + path.string(),
+                                      "xvfb-run -a -s '-screen 0 1280x720x24'");
+  ASSERT_EQ(outcome.code, 0) << outcome.output;
+  const render::Image image = render::load_png(path);
+  EXPECT_EQ(image.width, 1280);
+  EXPECT_EQ(image.height, 720);
+}
+
 }  // namespace
 }  // namespace griffith::app

@@ -334,6 +334,15 @@ TEST(EditorLayout, EscapeClosesListsAndMenusAndNotTheDialogAroundThem) {
   EXPECT_FALSE(ui.state.show_surface);
 }
 
+TEST(EditorLayout, EscapeInAnUntouchedFieldLeavesTheDialog) {
+  UiDriver ui(two_walls());
+  ui.state.save_as = save_target("a.json");
+  for (int i = 0; i < 3; ++i) ui.frame();
+  ASSERT_TRUE(ImGui::GetIO().WantTextInput);
+  ui.press_key(key::kEscape);
+  EXPECT_FALSE(ui.state.save_as);
+}
+
 TEST(EditorLayout, OpenDialogTakesATypedPath) {
   UiDriver ui(two_walls());
   ui.state.show_open = true;
