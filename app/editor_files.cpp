@@ -85,11 +85,11 @@ void Editor::autosave(double now) {
   const bool due = now - copied_at_ >= kAutosaveInterval && history_.revision() != copied_revision_;
   if (!due || history_.editing()) return;
   copied_at_ = now;
-  copied_revision_ = history_.revision();
   try {
     Scene scene = history_.scene();
     scene.view = state_.view;
     autosave_->write(scene, own_file());
+    copied_revision_ = history_.revision();
   } catch (const InputError& error) {
     log(ui::LogLevel::warning, error.what());
   }
@@ -98,10 +98,11 @@ void Editor::autosave(double now) {
 void Editor::ask_for_left_edits(bool of_any) {
   if (!autosave_) return;
   const bool found = of_any ? autosave_->find_any(own_file()) : autosave_->find(own_file());
-  if (found) state_.left_edits = autosave_->found_text();
+  state_.left_edits = found ? autosave_->found_text() : "";
 }
 
 void Editor::recover() {
+  if (!autosave_ || !autosave_->has_found()) return;
   LeftEdits edits = autosave_->found_edits();
   loader_.start(Work::recover, std::move(edits.scene), std::move(edits.file), most_tets());
   loader_.wait(kPatience);

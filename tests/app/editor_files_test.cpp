@@ -237,6 +237,34 @@ TEST_F(EditorFiles, OpeningASceneAsksForNoOthers) {
   EXPECT_TRUE(editor_.state().left_edits.empty());
 }
 
+TEST_F(EditorFiles, ASceneOpenedInPlaceOfAnAnswerLeavesWhatACrashLeft) {
+  leave_edits(small_wall(), "");
+  editor_.keep_edits_safe(states());
+  EXPECT_FALSE(editor_.state().left_edits.empty());
+  editor_.execute({.id = ui::CommandId::open, .path = small_wall_file()});  // as one dropped on the window is
+  wait_for_work();
+  EXPECT_TRUE(editor_.state().left_edits.empty());
+  editor_.execute({.id = ui::CommandId::recover});
+  EXPECT_EQ(editor_.frame().materials[0].name, small_wall().bodies[0].material.name);
+  EXPECT_EQ(copies_in(states()), 1);
+}
+
+TEST_F(EditorFiles, ACopyThatFailedIsTriedAgain) {
+  fs::create_directories(test_folder() / "away");
+  const fs::path own = test_folder() / "away/wall.json";
+  fs::copy_file(small_wall_file(), own);
+  editor_.open(own);
+  draw(2);
+  editor_.keep_edits_safe(states());
+  fs::rename(own.parent_path(), test_folder() / "moved");
+  choose_material("concrete");
+  editor_.autosave(1);
+  EXPECT_EQ(copies_in(states()), 0);
+  fs::rename(test_folder() / "moved", own.parent_path());
+  editor_.autosave(62);
+  EXPECT_EQ(copies_in(own.parent_path()), 1);
+}
+
 TEST(Autosave, ACopyThatCannotBeReadIsToldAndStays) {
   const fs::path states = test_folder() / "states";
   fs::remove_all(states);
