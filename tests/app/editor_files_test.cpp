@@ -193,6 +193,9 @@ TEST_F(EditorFiles, WhatACrashLeftIsRecoveredAndCanBeUndone) {
   EXPECT_EQ(editor_.frame().materials[0].name, "mine");
   EXPECT_TRUE(modified());
   press_key('S', true);
+  draw(4);
+  EXPECT_THAT(value("replace/problem"), HasSubstr("may be newer"));
+  click("replace/replace");
   EXPECT_EQ(read_scene(own).bodies[0].material.name, "mine");
   EXPECT_EQ(std::get<SurfaceProjectile>(*read_scene(own).projectiles[0].shape).path, "tet.off");
   EXPECT_EQ(copies_in(test_folder()) + copies_in(states()), 0);
@@ -295,6 +298,20 @@ TEST(Autosave, InstancesThatRunLeaveEachOthersCopiesAlone) {
   EXPECT_FALSE(Autosave(states).find(file));
   second.remove();
   EXPECT_FALSE(Autosave(states).find(file));
+}
+
+TEST(Autosave, ACopyWhoseFolderVanishedIsBegunAnew) {
+  const fs::path states = test_folder() / "states", file = small_wall_file();
+  fs::remove_all(states);
+  {
+    Autosave autosave(states);
+    autosave.write(small_wall(), file);
+    for (const auto& link : fs::directory_iterator(states)) fs::remove_all(fs::read_symlink(link));
+    autosave.write(small_wall(), file);
+  }
+  Autosave reader(states);
+  EXPECT_TRUE(reader.find_any(""));
+  reader.remove_found();
 }
 
 TEST(Autosave, AFolderThatTakesNoCopyIsNamed) {
