@@ -42,7 +42,8 @@ void remove_copy(const LockedFolder& copy, const fs::path& states) {
   fs::remove_all(copy.path(), ignored);
 }
 
-/// What stands in `folder` under a name that begins like `prefix`'s; links are followed, broken ones removed.
+/// What stands in `folder` under a name that begins like `prefix`'s; links are followed, broken
+/// ones removed, save where the folder of the copy is away: a drive that is not there now.
 void collect(const fs::path& prefix, std::vector<fs::path>& copies) {
   std::error_code error;
   for (fs::directory_iterator entry(prefix.parent_path(), error), end; !error && entry != end; entry.increment(error)) {
@@ -51,7 +52,7 @@ void collect(const fs::path& prefix, std::vector<fs::path>& copies) {
     const fs::path copy = entry->is_symlink(ignored) ? fs::read_symlink(entry->path(), ignored) : entry->path();
     if (fs::is_regular_file(copy / kScene, ignored)) {
       copies.push_back(copy);
-    } else if (entry->is_symlink(ignored)) {
+    } else if (entry->is_symlink(ignored) && fs::is_directory(copy.parent_path(), ignored)) {
       fs::remove(entry->path(), ignored);
     }
   }
@@ -105,9 +106,13 @@ LockedFolder::~LockedFolder() {
 }
 
 void Autosave::write(const Scene& scene, const fs::path& file) {
-  if (own_ && own_file_ != file) remove();
+  std::error_code ignored;
+  if (own_ && (own_file_ != file || !fs::is_directory(own_->path(), ignored))) remove();
   if (!own_) begin_copy(file);
   write_scene(scene, own_->path() / kScene);
+  // Only now: others remove links to copies that hold nothing.
+  if (!file.empty() && !states_.empty())
+    fs::create_directory_symlink(own_->path(), link_to(own_->path(), states_), ignored);
 }
 
 void Autosave::begin_copy(const fs::path& file) {
@@ -123,8 +128,6 @@ void Autosave::begin_copy(const fs::path& file) {
     remove_copy(copy, states_);
     throw;
   }
-  if (!file.empty() && !states_.empty())
-    fs::create_directory_symlink(copy.path(), link_to(copy.path(), states_), ignored);
   own_ = std::move(copy);
   own_file_ = file;
 }

@@ -55,6 +55,7 @@ class Autosave {
   bool find(const std::filesystem::path& file);
   /// The same among those of all scenes that the user's folder for states knows.
   bool find_any(const std::filesystem::path& file);
+  bool has_found() const { return found_.has_value(); }
   /// Of the copy that was found: "wall.json, 22 November 05:13".
   std::string found_text() const;
   /// What it holds. Throws InputError when it cannot be read.

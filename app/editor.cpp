@@ -37,7 +37,10 @@ void set_bounds(ui::EditorInput& input) {
 }  // namespace
 
 Editor::Editor(Scene scene, std::filesystem::path path)
-    : history_(scene), world_(make_world(scene, path)), display_(embedded_display(world_.frame(), scene)) {
+    : history_(scene),
+      file_time_(time_of_file(path)),
+      world_(make_world(scene, path)),
+      display_(embedded_display(world_.frame(), scene)) {
   show_scene(std::move(scene), std::move(path));
 }
 
@@ -54,8 +57,6 @@ void Editor::show_scene(Scene scene, std::filesystem::path path, const Scene* ed
   }
   copied_revision_ = -1;
   path_ = std::move(path);
-  std::error_code none;
-  file_time_ = std::filesystem::last_write_time(path_, none);
   scene_files_ = scene_files(path_);
   restart();
   use_camera("");

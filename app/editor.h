@@ -139,7 +139,9 @@ class Editor {
   ui::EditorState state_;
   ui::WidgetTags tags_;
   std::filesystem::path path_;
-  std::filesystem::file_time_type file_time_;  ///< of its file, when it was read or written last
+  /// Of its file, before it was read or when it was written last; the earliest where edits were recovered.
+  std::filesystem::file_time_type file_time_;
+  std::filesystem::file_time_type opened_time_;  ///< of the file that is being opened, before it was read
   std::vector<std::filesystem::path> scene_files_;
   World world_;
   EmbeddedDisplay display_;  ///< of the world
@@ -147,9 +149,9 @@ class Editor {
   std::optional<Autosave> autosave_;
   double copied_at_ = -kAutosaveInterval;  ///< when edits were copied last, by the clock of autosave()
   std::int64_t copied_revision_ = -1;      ///< of the scene
-  Scene built_;                      ///< what the world was built from, with the materials that it has now
-  std::int64_t seen_revision_ = -1;  ///< of the scene, when it was last compared with that
-  std::int64_t world_count_ = 0;     ///< worlds made so far
+  Scene built_;                            ///< what the world was built from, with the materials that it has now
+  std::int64_t seen_revision_ = -1;        ///< of the scene, when it was last compared with that
+  std::int64_t world_count_ = 0;           ///< worlds made so far
   render::Camera camera_;
   render::Renderer renderer_;
   render::DrawScene picture_;

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <new>
+#include <stdexcept>
 
 #include "app/bulk_bounds.h"
 #include "app/editor.h"
@@ -105,6 +107,13 @@ void Editor::receive_world() {
     show_error(error);
   } catch (const LargeMesh& mesh) {
     state_.large_mesh = mesh.tets;
+  } catch (const std::bad_alloc&) {
+    give_up_work();
+    show_error(InputError("the scene", "cannot be built: the memory does not suffice",
+                          "take larger elements or fewer bodies"));
+  } catch (const std::runtime_error& error) {
+    give_up_work();
+    show_error(InputError("the scene", std::string("cannot be built: ") + error.what(), ""));
   }
   state_.work = loader_.stage();
 }
@@ -124,6 +133,7 @@ void Editor::take_world(WorldLoader::Loaded loaded) {
   if (loaded.work == Work::recover) return show_recovered(std::move(loaded.scene), loaded.path);
   if (loaded.work == Work::open) {
     if (autosave_) autosave_->remove();
+    file_time_ = opened_time_;
     show_scene(std::move(loaded.scene), std::move(loaded.path));
     return ask_for_left_edits(false);
   }

@@ -22,6 +22,7 @@ fs::path file_named(std::string name) {
 
 void Editor::open(const fs::path& path) {
   try {
+    opened_time_ = time_of_file(path);
     loader_.start(Work::open, read_scene(path), path, most_tets());
     loader_.wait(kPatience);
     receive_world();
@@ -44,7 +45,9 @@ std::string Editor::what_saving_would_lose(const fs::path& file) const {
   const bool there = fs::exists(fs::symlink_status(file, error));
   if (!there) return {};
   if (path_.empty() || !fs::equivalent(file, path_, error)) return file.string() + " is there already.";
-  if (fs::last_write_time(file, error) == file_time_) return {};
+  if (time_of_file(file) == file_time_) return {};
+  if (file_time_ == fs::file_time_type::min())
+    return file.string() + " may be newer than the edits that were recovered.";
   return file.string() + " has been changed by another program since it was opened.";
 }
 
@@ -61,8 +64,7 @@ void Editor::save(const ui::Command& command) {
   write_scene(history_.scene(), file);
   history_.mark_saved();
   path_ = file;
-  std::error_code none;
-  file_time_ = fs::last_write_time(path_, none);
+  file_time_ = time_of_file(path_);
   scene_files_ = scene_files(path_);
   if (autosave_) autosave_->remove();
   log(ui::LogLevel::info, "Saved " + path_.string());
@@ -85,11 +87,11 @@ void Editor::autosave(double now) {
   const bool due = now - copied_at_ >= kAutosaveInterval && history_.revision() != copied_revision_;
   if (!due || history_.editing()) return;
   copied_at_ = now;
-  copied_revision_ = history_.revision();
   try {
     Scene scene = history_.scene();
     scene.view = state_.view;
     autosave_->write(scene, own_file());
+    copied_revision_ = history_.revision();
   } catch (const InputError& error) {
     log(ui::LogLevel::warning, error.what());
   }
@@ -98,10 +100,11 @@ void Editor::autosave(double now) {
 void Editor::ask_for_left_edits(bool of_any) {
   if (!autosave_) return;
   const bool found = of_any ? autosave_->find_any(own_file()) : autosave_->find(own_file());
-  if (found) state_.left_edits = autosave_->found_text();
+  state_.left_edits = found ? autosave_->found_text() : "";
 }
 
 void Editor::recover() {
+  if (!autosave_ || !autosave_->has_found()) return;
   LeftEdits edits = autosave_->found_edits();
   loader_.start(Work::recover, std::move(edits.scene), std::move(edits.file), most_tets());
   loader_.wait(kPatience);
@@ -116,6 +119,7 @@ void Editor::show_recovered(Scene scene, const fs::path& file) {
     log(ui::LogLevel::warning, error.what());
   }
   autosave_->adopt_found();
+  file_time_ = fs::file_time_type::min();
   show_scene(std::move(saved), file, &scene);
   log(ui::LogLevel::info, "Recovered the edits. They are not saved yet: Ctrl+S.");
 }

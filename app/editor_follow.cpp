@@ -46,9 +46,10 @@ void Editor::log_findings() {
 
 void Editor::follow_edits() {
   if (history_.revision() == seen_revision_) return;
+  const std::int64_t revision = history_.revision();
   follow_materials();
   if (history_.editing()) return;
-  seen_revision_ = history_.revision();
+  seen_revision_ = revision;  // what an edit was taken back to is looked at next
   state_.selected_body =
       std::clamp(state_.selected_body, 0, std::max(0, static_cast<int>(history_.scene().bodies.size()) - 1));
   if (start_of(history_.scene()) == start_of(built_)) return;
@@ -68,12 +69,14 @@ void Editor::follow_materials() {
 bool Editor::follow_material(int scene_body) {
   try {
     world_.set_material(scene_body, history_.scene().bodies[scene_body].material);
+    range_.restart();
     return true;
   } catch (const InputError& error) {
     show_error(in_file(path_, error));
     const std::span<const Material> in_force = world_.frame().materials;
-    history_.go_to(
+    const bool found = history_.go_to(
         [&](const Scene& scene) { return std::ranges::equal(scene.bodies, in_force, {}, &BodyDescription::material); });
+    if (!found) history_.undo();  // some bodies have taken what one refused
     return false;
   }
 }

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <variant>
+#include <vector>
 
+#include "sim/error.h"
 #include "sim/file_path.h"
 #include "sim/meshing/surface.h"
 #include "sim/scene/shape_fields.h"
@@ -28,6 +31,7 @@ double tets_per_cell(BoxPattern pattern) {
 struct Estimate {
   const std::filesystem::path& folder;
   const Monitor& monitor;
+  std::vector<std::pair<const SurfaceShape*, double>> surfaces = {};  ///< already counted; to read one takes long
 
   static double in_cells(double volume, const Vec3& cell, BoxPattern pattern) {
     return tets_per_cell(pattern) * std::max(volume / cell.prod(), 1.0);
@@ -54,14 +58,21 @@ struct Estimate {
     return in_cells(beam.size.prod(), beam.element_size, beam.pattern);
   }
   double operator()(const MeshFileShape&) const { return 0; }
-  double operator()(const SurfaceShape& shape) const {
+  double operator()(const SurfaceShape& shape) {
     if (!shape.meshing.element_size) return 0;  // a twentieth of the diagonal: never many
+    const auto known = std::ranges::find_if(surfaces, [&](const auto& counted) { return *counted.first == shape; });
+    if (known != surfaces.end()) return known->second;
+    return surfaces.emplace_back(&shape, in_surface(shape)).second;
+  }
+  double in_surface(const SurfaceShape& shape) const try {
     const TriangleSurface surface = read_surface(file_path(folder, shape.path), shape.scale, monitor);
     constexpr double kTetsPerCube = 8.5;  // of regular tets, in a cube as wide as their edge
     // The box round it is right where holes leave the volume without a meaning.
     const double box = bounds(surface).volume(), enclosed = std::abs(enclosed_volume(surface));
     const double volume = enclosed > 0.01 * box && enclosed <= box ? enclosed : box;
     return kTetsPerCube * volume / std::pow(*shape.meshing.element_size * shape.meshing.grading, 3);
+  } catch (const InputError&) {
+    return 0;  // whoever builds the body tells it, with its place in the scene
   }
 };
 
@@ -69,7 +80,8 @@ struct Estimate {
 
 double expected_tets(const Scene& scene, const Monitor& monitor) {
   double sum = 0;
-  for (const BodyDescription& body : scene.bodies) sum += std::visit(Estimate{scene.folder, monitor}, body.shape);
+  Estimate estimate{scene.folder, monitor};
+  for (const BodyDescription& body : scene.bodies) sum += std::visit(estimate, body.shape);
   return sum;
 }
 

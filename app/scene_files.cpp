@@ -47,4 +47,9 @@ fs::path free_screenshot_path() {
   }
 }
 
+std::filesystem::file_time_type time_of_file(const std::filesystem::path& path) {
+  std::error_code error;
+  return std::filesystem::last_write_time(path, error);
+}
+
 }  // namespace griffith::app

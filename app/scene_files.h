@@ -15,4 +15,7 @@ std::vector<std::filesystem::path> scenes_in(const std::filesystem::path& folder
 /// "griffith_0001.png" in the working folder, with the first number that is free.
 std::filesystem::path free_screenshot_path();
 
+/// When the file was written last; the earliest time where there is none.
+std::filesystem::file_time_type time_of_file(const std::filesystem::path& path);
+
 }  // namespace griffith::app

@@ -193,6 +193,9 @@ TEST_F(EditorFiles, WhatACrashLeftIsRecoveredAndCanBeUndone) {
   EXPECT_EQ(editor_.frame().materials[0].name, "mine");
   EXPECT_TRUE(modified());
   press_key('S', true);
+  draw(4);
+  EXPECT_THAT(value("replace/problem"), HasSubstr("may be newer"));
+  click("replace/replace");
   EXPECT_EQ(read_scene(own).bodies[0].material.name, "mine");
   EXPECT_EQ(std::get<SurfaceProjectile>(*read_scene(own).projectiles[0].shape).path, "tet.off");
   EXPECT_EQ(copies_in(test_folder()) + copies_in(states()), 0);
@@ -237,6 +240,34 @@ TEST_F(EditorFiles, OpeningASceneAsksForNoOthers) {
   EXPECT_TRUE(editor_.state().left_edits.empty());
 }
 
+TEST_F(EditorFiles, ASceneOpenedInPlaceOfAnAnswerLeavesWhatACrashLeft) {
+  leave_edits(small_wall(), "");
+  editor_.keep_edits_safe(states());
+  EXPECT_FALSE(editor_.state().left_edits.empty());
+  editor_.execute({.id = ui::CommandId::open, .path = small_wall_file()});  // as one dropped on the window is
+  wait_for_work();
+  EXPECT_TRUE(editor_.state().left_edits.empty());
+  editor_.execute({.id = ui::CommandId::recover});
+  EXPECT_EQ(editor_.frame().materials[0].name, small_wall().bodies[0].material.name);
+  EXPECT_EQ(copies_in(states()), 1);
+}
+
+TEST_F(EditorFiles, ACopyThatFailedIsTriedAgain) {
+  fs::create_directories(test_folder() / "away");
+  const fs::path own = test_folder() / "away/wall.json";
+  fs::copy_file(small_wall_file(), own);
+  editor_.open(own);
+  draw(2);
+  editor_.keep_edits_safe(states());
+  fs::rename(own.parent_path(), test_folder() / "moved");
+  choose_material("concrete");
+  editor_.autosave(1);
+  EXPECT_EQ(copies_in(states()), 0);
+  fs::rename(test_folder() / "moved", own.parent_path());
+  editor_.autosave(62);
+  EXPECT_EQ(copies_in(own.parent_path()), 1);
+}
+
 TEST(Autosave, ACopyThatCannotBeReadIsToldAndStays) {
   const fs::path states = test_folder() / "states";
   fs::remove_all(states);
@@ -267,6 +298,20 @@ TEST(Autosave, InstancesThatRunLeaveEachOthersCopiesAlone) {
   EXPECT_FALSE(Autosave(states).find(file));
   second.remove();
   EXPECT_FALSE(Autosave(states).find(file));
+}
+
+TEST(Autosave, ACopyWhoseFolderVanishedIsBegunAnew) {
+  const fs::path states = test_folder() / "states", file = small_wall_file();
+  fs::remove_all(states);
+  {
+    Autosave autosave(states);
+    autosave.write(small_wall(), file);
+    for (const auto& link : fs::directory_iterator(states)) fs::remove_all(fs::read_symlink(link));
+    autosave.write(small_wall(), file);
+  }
+  Autosave reader(states);
+  EXPECT_TRUE(reader.find_any(""));
+  reader.remove_found();
 }
 
 TEST(Autosave, AFolderThatTakesNoCopyIsNamed) {

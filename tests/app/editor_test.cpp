@@ -476,6 +476,15 @@ TEST_F(EditorTest, AutomaticRangeIsThatOfAPictureOfTheStepAlone) {
   EXPECT_TRUE(editor_.state().view.range->cast<float>() == headless.range()->cast<float>());
 }
 
+TEST_F(EditorTest, AutomaticRangeStartsAnewWithAnotherMaterial) {
+  for (int step = 0; step < 24; ++step) editor_.step();
+  choose_material("concrete");
+  SteadyRange alone;
+  alone.follow(editor_.frame(), "von_mises");
+  editor_.execute({.id = ui::CommandId::toggle_range_lock});
+  EXPECT_TRUE(editor_.state().view.range->cast<float>() == alone.range()->cast<float>());
+}
+
 TEST_F(EditorTest, HomeLeavesOutWhatFliesFar) {
   Scene scene = small_wall();
   scene.projectiles[0].position = Vec3(3, 2, 0);

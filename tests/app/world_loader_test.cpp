@@ -7,6 +7,7 @@
 
 #include "app/expected_mesh.h"
 #include "program.h"
+#include "sim/error.h"
 #include "sim/world/shapes.h"
 
 namespace griffith::app {
@@ -59,6 +60,21 @@ TEST(WorldLoader, AMeshLargerThanWantedIsMadeWhenAskedForAgain) {
   loader.start_again();
   ASSERT_TRUE(loader.wait(60));
   EXPECT_EQ(loader.take()->world.frame().tets.size(), 40u);
+}
+
+TEST(WorldLoader, ASurfaceThatCannotBeReadIsToldWithItsBody) {
+  SurfaceShape surface;
+  surface.path = test_folder() / "missing.off";
+  surface.meshing.element_size = 0.05;
+  WorldLoader loader;
+  loader.start(Work::open, scene_of(surface), "scene.json", kAnyMany);
+  ASSERT_TRUE(loader.wait(60));
+  try {
+    loader.take();
+    FAIL() << "there is no such file";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("scene.json#/bodies/0"), std::string::npos) << error.what();
+  }
 }
 
 TEST(ExpectedTets, AreAboutAsManyAsAreMade) {
