@@ -76,7 +76,7 @@ struct StepReport {
   int shortened_motions = 0;         ///< deformations cut short, whose linearised step would have added energy
   int limited_impulses = 0;          ///< bodies whose contact impulses were cut, which would have added energy
   int sleeping_bodies = 0;
-  int non_finite_values = 0;         ///< bodies frozen because a value was not finite
+  int non_finite_values = 0;         ///< bodies frozen because a value was not finite or substeps too short
   double max_penetration = 0;        ///< [m]
   StepTimings milliseconds;
 };
