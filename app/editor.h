@@ -147,9 +147,9 @@ class Editor {
   std::optional<Autosave> autosave_;
   double copied_at_ = -kAutosaveInterval;  ///< when edits were copied last, by the clock of autosave()
   std::int64_t copied_revision_ = -1;      ///< of the scene
-  Scene built_;                      ///< what the world was built from, with the materials that it has now
-  std::int64_t seen_revision_ = -1;  ///< of the scene, when it was last compared with that
-  std::int64_t world_count_ = 0;     ///< worlds made so far
+  Scene built_;                            ///< what the world was built from, with the materials that it has now
+  std::int64_t seen_revision_ = -1;        ///< of the scene, when it was last compared with that
+  std::int64_t world_count_ = 0;           ///< worlds made so far
   render::Camera camera_;
   render::Renderer renderer_;
   render::DrawScene picture_;

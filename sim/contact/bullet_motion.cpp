@@ -92,8 +92,8 @@ void turn(Object& object, const Mat3& rotation) {
   state.angular_velocity = state.pose.rotation * (object.inverse_inertia * (back * momentum));
 }
 
-/// How fast what a projectile met at `center` moves there after a share of the substep [m/s]. Two projectiles, which both
-/// stop there, go on together.
+/// How fast what a projectile met at `center` moves there after a share of the substep [m/s]. Two projectiles, which
+/// both stop there, go on together.
 Vec3 velocity_of_met(const Object& projectile, const Object& met, const Vec3& center, double share, double dt) {
   const double own = projectile.inverse_mass, other = met.inverse_mass;
   if (met.kind == Kind::projectile && own + other > 0)
@@ -105,7 +105,8 @@ Vec3 velocity_of_met(const Object& projectile, const Object& met, const Vec3& ce
 Mat3 turn_of(const Object& object, double dt, double share) {
   const Mat3 rotation = object.state.pose.rotation.toRotationMatrix();
   const Mat3 inertia = rotation * object.inverse_inertia.inverse() * rotation.transpose();
-  return rotation_by(share * object.correction.rotation) * free_turn(inertia, object.state.angular_velocity, share * dt);
+  return rotation_by(share * object.correction.rotation) *
+         free_turn(inertia, object.state.angular_velocity, share * dt);
 }
 
 }  // namespace

@@ -176,7 +176,8 @@ void restore(WorldState& world, const Body& body, const Snapshot& taken, double 
 void move_nodes(WorldState& world, const Body& body, const std::vector<Vec3>& external, double dt) {
   if (!world.integrates_explicitly()) {
     if (!body.supported()) return move_free(world, body, dt);
-    if (const std::optional<Pivot> pivot = pivot_of(world, body)) return move_swinging(world, body, *pivot, external, dt);
+    if (const std::optional<Pivot> pivot = pivot_of(world, body))
+      return move_swinging(world, body, *pivot, external, dt);
   }
   for (NodeId node : body.nodes) world.nodes.positions[node] += dt * world.nodes.velocities[node];
 }
