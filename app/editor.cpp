@@ -108,7 +108,8 @@ void Editor::step() {
   const double seconds = frame.report.milliseconds.step / 1000;
   step_seconds_ = step_seconds_ == 0 ? seconds : step_seconds_ + kSmoothing * (seconds - step_seconds_);
   if (frame.report.non_finite_values > 0) {
-    log(ui::LogLevel::error, "Step " + std::to_string(frame.step) + ": values are not finite, bodies were frozen.");
+    log(ui::LogLevel::error,
+        "Step " + std::to_string(frame.step) + ": values are not finite or substeps too short, bodies were frozen.");
   }
 }
 

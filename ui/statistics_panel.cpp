@@ -65,7 +65,8 @@ void solver_rows(const Panel& panel) {
   trouble_row(panel, "Inverted tetrahedra", report.inverted_tets, palette::kWarning,
               "Elements turned inside out: use more substeps or stiffer material.");
   trouble_row(panel, "Values not finite", report.non_finite_values, palette::kError,
-              "Bodies frozen because a value was not finite: reset, and use a smaller time step.");
+              "Bodies frozen because a value was not finite, or because they would take more than 100,000 explicit "
+              "substeps a step: reset, and use a smaller time step.");
   trouble_row(panel, "Cracks postponed", report.cracks_postponed, palette::kWarning,
               "Over the budget of cracks a step; they follow in the next steps.");
   trouble_row(panel, "Cracks suppressed", report.cracks_suppressed, palette::kWarning,

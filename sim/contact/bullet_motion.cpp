@@ -45,7 +45,7 @@ bool may_touch(const Sweep& sweep, double ground_height) {
   return (apart + nearest * displacement).norm() <= a.shape.radius + b.shape.radius + gap;
 }
 
-/// Calls `use` with the touch of each pair of convex parts that comes near enough.
+/// Calls `use` with the touch of each pair of convex parts that comes near enough, and b's part.
 template <class Use>
 void for_each_touch(const Sweep& sweep, double ground_height, Use use) {
   const auto& [a, b, start, displacement, gap] = sweep;
@@ -54,7 +54,7 @@ void for_each_touch(const Sweep& sweep, double ground_height, Use use) {
   for (std::size_t i = 0; i < a.shape.parts.size(); ++i)
     for (std::size_t j = 0; j < b_parts; ++j) {
       const PlacedShape other = placed(b, j, b.state.pose.translation, ground_height);
-      if (const auto touch = first_touch(placed(a, i, start, ground_height), displacement, other, gap)) use(*touch);
+      if (const auto touch = first_touch(placed(a, i, start, ground_height), displacement, other, gap)) use(*touch, j);
     }
 }
 
@@ -92,8 +92,8 @@ void turn(Object& object, const Mat3& rotation) {
   state.angular_velocity = state.pose.rotation * (object.inverse_inertia * (back * momentum));
 }
 
-/// How fast what a projectile met at `center` moves there after a share of the substep [m/s]. Two projectiles, which both
-/// stop there, go on together.
+/// How fast what a projectile met at `center` moves there after a share of the substep [m/s]. Two projectiles, which
+/// both stop there, go on together.
 Vec3 velocity_of_met(const Object& projectile, const Object& met, const Vec3& center, double share, double dt) {
   const double own = projectile.inverse_mass, other = met.inverse_mass;
   if (met.kind == Kind::projectile && own + other > 0)
@@ -105,7 +105,8 @@ Vec3 velocity_of_met(const Object& projectile, const Object& met, const Vec3& ce
 Mat3 turn_of(const Object& object, double dt, double share) {
   const Mat3 rotation = object.state.pose.rotation.toRotationMatrix();
   const Mat3 inertia = rotation * object.inverse_inertia.inverse() * rotation.transpose();
-  return rotation_by(share * object.correction.rotation) * free_turn(inertia, object.state.angular_velocity, share * dt);
+  return rotation_by(share * object.correction.rotation) *
+         free_turn(inertia, object.state.angular_velocity, share * dt);
 }
 
 }  // namespace
@@ -179,6 +180,11 @@ double ContactWorld::Impl::deepest_overlap(const Object& object) const {
   return deepest;
 }
 
+bool ContactWorld::Impl::LeftSurface::is(const Object& other, std::size_t other_part, const Vec3& other_normal) const {
+  constexpr double kSameNormal = 0.999;  // the cosine
+  return object == &other && (part == other_part || normal.dot(other_normal) > kSameNormal);
+}
+
 /// Where a projectile is after `dt` among the others in uniform motion. Slow touches let it slide on along the surface.
 /// What it strikes stops it for the rest of `dt`, or pushes it on, no faster than it came, so that the next detection
 /// finds both in touch.
@@ -186,7 +192,7 @@ Vec3 ContactWorld::Impl::swept_end(const Object& projectile, double dt) const {
   Vec3 center = projectile.state.pose.translation, velocity = projectile.state.velocity;
   const double speed = velocity.norm();
   double share = 0;
-  std::vector<const Object*> parting;
+  std::vector<LeftSurface> parting;
   for (int touches = 0; touches < kMaxTouches; ++touches) {
     const NextTouch next = next_touch(projectile, center, velocity, share, dt, parting);
     center += (next.share - share) * dt * velocity;
@@ -195,7 +201,7 @@ Vec3 ContactWorld::Impl::swept_end(const Object& projectile, double dt) const {
     const RigidState& met = next.met->state;
     const double pushed = next.normal.dot(velocity_of_met(projectile, *next.met, center, share, dt));
     const double approach = pushed - next.normal.dot(velocity);
-    parting.push_back(next.met);
+    parting.push_back({next.met, next.part, pose_after(*next.met, share, dt).rotation.conjugate() * next.normal});
     if (approach <= 0) continue;
     const double came = share * dt * (projectile.state.velocity - met.velocity).norm();
     const bool just_solved = came < 10 * kTouchShare * projectile.shape.radius;
@@ -218,25 +224,27 @@ double ContactWorld::Impl::allowed_depth(const Object& projectile, const Object&
   return is_sphere(projectile) ? kElasticShare * projectile.shape.radius : projectile.shape.parts.front()->getMargin();
 }
 
-/// What a projectile in motion meets first after a share of the substep, but for what it is `parting` from. Each other
-/// object is looked at in its own frame, so that its turning counts.
+/// What a projectile in motion meets first after a share of the substep, but for surfaces that it is `parting` from.
+/// Each other object is looked at in its own frame, so that its turning counts.
 ContactWorld::Impl::NextTouch ContactWorld::Impl::next_touch(const Object& projectile, const Vec3& center,
                                                              const Vec3& velocity, double share, double dt,
-                                                             std::span<const Object* const> parting) const {
+                                                             std::span<const LeftSurface> parting) const {
   NextTouch next{1, nullptr, Vec3::Zero()};
   for (const Object& other : objects) {
-    if (&other == &projectile || !other.body || std::ranges::find(parting, &other) != parting.end()) continue;
+    if (&other == &projectile || !other.body) continue;
     const double gap = -allowed_depth(projectile, other);
     const Pose& present = other.state.pose;
     const Vec3 start = pose_after(other, share, dt).to_local(center);
     const Vec3 end = pose_after(other, 1, dt).to_local(center + (1 - share) * dt * velocity);
     const Sweep sweep{projectile, other, present.to_world(start), present.rotation * (end - start), gap};
-    for_each_touch(sweep, ground_height, [&](const Touch& touch) {
+    for_each_touch(sweep, ground_height, [&](const Touch& touch, std::size_t part) {
       if (!comes_nearer(sweep.displacement, touch.normal)) return;  // overlaps, and leads out
       const double touch_share = share + touch.fraction * (1 - share);
       if (next.met && touch_share >= next.share) return;
       const Vec3 local_normal = present.rotation.conjugate() * touch.normal;
-      next = {touch_share, &other, pose_after(other, touch_share, dt).rotation * local_normal};
+      if (std::ranges::any_of(parting, [&](const LeftSurface& left) { return left.is(other, part, local_normal); }))
+        return;
+      next = {touch_share, &other, pose_after(other, touch_share, dt).rotation * local_normal, part};
     });
   }
   return next;
@@ -255,8 +263,9 @@ double ContactWorld::Impl::striking_speed(std::size_t first, std::size_t second,
   if (relative.norm() + turning <= hurting_speed) return 0;
   double fastest = 0;
   const Sweep sweep{a, b, a.state.pose.translation, dt * relative, dt * turning};
-  for_each_touch(sweep, ground_height,
-                 [&](const Touch& touch) { fastest = std::max(fastest, turning - touch.normal.dot(relative)); });
+  for_each_touch(sweep, ground_height, [&](const Touch& touch, std::size_t) {
+    fastest = std::max(fastest, turning - touch.normal.dot(relative));
+  });
   return fastest > hurting_speed ? fastest : 0;
 }
 

@@ -146,12 +146,21 @@ struct ContactWorld::Impl {
     double share;                ///< of the substep, 1 for nothing
     const contact::Object* met;  ///< null for nothing
     Vec3 normal;                 ///< unit, towards the projectile
+    std::size_t part = 0;        ///< of what is met
+  };
+  /// A surface that a projectile has touched and is sliding or moving off.
+  struct LeftSurface {
+    const contact::Object* object;
+    std::size_t part;
+    Vec3 normal;  ///< in the object's frame
+    /// Parts whose surfaces go on from one another are one.
+    bool is(const contact::Object& other, std::size_t other_part, const Vec3& other_normal) const;
   };
   Vec3 swept_end(const contact::Object& projectile, double dt) const;
   Vec3 velocity_after(const Vec3& velocity, const Vec3& way, double dt) const;
   double allowed_depth(const contact::Object& projectile, const contact::Object& other) const;
   NextTouch next_touch(const contact::Object& projectile, const Vec3& center, const Vec3& velocity, double share,
-                       double dt, std::span<const contact::Object* const> parting) const;
+                       double dt, std::span<const LeftSurface> parting) const;
   double striking_speed(std::size_t a, std::size_t b, double dt, double minimum_speed) const;
   std::vector<ContactWorld::Encounter> expected_impacts(double dt, double minimum_speed, bool first_alone) const;
 

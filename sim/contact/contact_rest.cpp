@@ -54,7 +54,8 @@ void ContactWorld::Impl::fall_asleep(double dt) {
   if (gravity.isZero(0)) return;  // nothing rests where nothing falls: what drifts slowly goes on
   for (Object& object : objects) {
     if (!object.moves()) continue;
-    if (object.elastic || has_left(object.resting_place, object.state.pose, kStillShare * object.shape.radius, object.shape.radius)) {
+    if (object.elastic ||
+        has_left(object.resting_place, object.state.pose, kStillShare * object.shape.radius, object.shape.radius)) {
       object.resting_place = object.state.pose;
       object.still_time = 0;
     } else {

@@ -91,8 +91,8 @@ std::vector<ContactRow> ContactWorld::Impl::rows(double dt) const {
   return made;
 }
 
-/// A slower approach does not strike: that of what falls from rest within a substep, and of a fall through a small share
-/// of the smaller object's size [m/s].
+/// A slower approach does not strike: that of what falls from rest within a substep, and of a fall through a small
+/// share of the smaller object's size [m/s].
 double ContactWorld::Impl::touching_speed(const Object& a, const Object& b, double dt) const {
   constexpr double kQuietShare = 0.06;
   return std::max(2 * dt * gravity.norm(), kQuietShare * std::sqrt(gravity.norm() * smaller_radius(a, b)));

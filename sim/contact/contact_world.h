@@ -66,15 +66,16 @@ struct ElasticResponse {
 /// Finds and solves the contacts of everything. Bullet, in double precision, finds them.
 ///
 /// A substep is: add, reshape() and remove(), set_state() of all stand-ins, detect(), solve(), advance(), impulses out
-/// of contacts(). Spheres and convex projectiles are moved by advance(), and gravity acts on them there; stand-ins are not: their owner sets
-/// velocities that hold all external forces already, and places them with the next set_state(), after adding
-/// position_correction().
+/// of contacts(). Spheres and convex projectiles are moved by advance(), and gravity acts on them there; stand-ins are
+/// not: their owner sets velocities that hold all external forces already, and places them with the next set_state(),
+/// after adding position_correction().
 ///
 /// The impulses of a free rigid object sum up to its change of momentum, to rounding, linear and angular (at the
-/// contacts' points). What touches an elastic object does not bounce, since that rebounds by itself, nor does what comes no faster than
-/// by a fall within two substeps or through a small share of the objects' size. A gap that closes within `dt` at a higher speed is struck at once with the full approach speed; at a
-/// lower one, objects come to touch. Overlap is taken out by a tenth a substep through position_correction(), which
-/// adds no velocity and lifts no more than the substep let fall or slowed down: what rests in others stays there.
+/// contacts' points). What touches an elastic object does not bounce, since that rebounds by itself, nor does what
+/// comes no faster than by a fall within two substeps or through a small share of the objects' size. A gap that closes
+/// within `dt` at a higher speed is struck at once with the full approach speed; at a lower one, objects come to touch.
+/// Overlap is taken out by a tenth a substep through position_correction(), which adds no velocity and lifts no more
+/// than the substep let fall or slowed down: what rests in others stays there.
 ///
 /// The same calls give the same bits. Results depend on the history of contacts (the solver starts from the last
 /// impulses), so a state is restored by repeating the calls that led to it. States must be finite: asserted.
@@ -131,16 +132,16 @@ class ContactWorld {
   /// Leaves the contacts of objects out of contacts(), per ProxyId; those beyond the end stay. To be called right after
   /// detect(), if at all.
   void drop_contacts_of(const std::vector<bool>& objects);
-  /// Writes the impulses of a substep of `dt` [s] > 0 into contacts(). To be called `again`, with less effort, when more
-  /// is known about the responses of what is elastic. Returns how many times a contact was solved, for those who count
-  /// work.
+  /// Writes the impulses of a substep of `dt` [s] > 0 into contacts(). To be called `again`, with less effort, when
+  /// more is known about the responses of what is elastic. Returns how many times a contact was solved, for those who
+  /// count work.
   int solve(double dt, std::span<const ElasticResponse> elastic = {}, bool again = false);
   /// Scales the impulses down in each group of objects that touch where they would add energy: where `velocities`, now
   /// exact under these impulses, show that `compliance` was too small. Returns the factor of each response, mostly 1.
   std::vector<double> limit_energy(double dt, std::span<const ElasticResponse> elastic);
-  /// Gives the rigid objects the velocities that follow from the impulses in contacts() and moves the projectiles (swept,
-  /// so that none passes through a thin body). Elastic objects of the last solve() keep the velocity that their owner
-  /// set since.
+  /// Gives the rigid objects the velocities that follow from the impulses in contacts() and moves the projectiles
+  /// (swept, so that none passes through a thin body). Elastic objects of the last solve() keep the velocity that their
+  /// owner set since.
   void advance(double dt);
 
   /// Where a stand-in's centre of mass is after `dt` [s] at its velocity [m]: short of that where it would pass through

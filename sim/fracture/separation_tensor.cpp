@@ -117,8 +117,7 @@ double tension_share(const SeparationInput& input, TetId tet, NodeId node, const
 
 DirectionalStrength strength_at(const SeparationInput& input, NodeId node, const Weakness& weakness) {
   Vec3 axis = Vec3::Zero();
-  for (TetId tet : input.stars[node])
-    axis += input.rests[tet].volume * (input.states[tet].frame * weakness.direction);
+  for (TetId tet : input.stars[node]) axis += input.rests[tet].volume * (input.states[tet].frame * weakness.direction);
   return directional_strength(weakness, axis.normalized());
 }
 

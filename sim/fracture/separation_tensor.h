@@ -16,11 +16,11 @@ Mat3 force_dyad(const Vec3& force);
 
 /// What the elements round a node contribute to its separation.
 struct SeparationInput {
-  std::span<const std::array<NodeId, 4>> tets;   // per tet: corners
-  std::span<const std::vector<TetId>> stars;     // per node: its tets
-  std::span<const ElementRest> rests;            // per tet
-  std::span<const ElementState> states;          // per tet
-  std::span<const NodeConstraint> constraints;   // per node; empty: all are free
+  std::span<const std::array<NodeId, 4>> tets;  // per tet: corners
+  std::span<const std::vector<TetId>> stars;    // per node: its tets
+  std::span<const ElementRest> rests;           // per tet
+  std::span<const ElementState> states;         // per tet
+  std::span<const NodeConstraint> constraints;  // per node; empty: all are free
 };
 
 /// What an element does to one of its nodes, world frame [N].

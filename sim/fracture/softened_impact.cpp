@@ -6,6 +6,7 @@
 #include "sim/mesh/number_text.h"
 
 namespace griffith {
+
 double softening_factor(double wave_speed, double extent, double substep, double wanted_substep) {
   const auto factor = [&](double dt) { return 1 / std::hypot(1, wave_speed * dt / extent); };
   return substep > wanted_substep ? factor(substep) / factor(wanted_substep) : 1;

@@ -7,6 +7,7 @@
 #include "sim/read_file.h"
 
 namespace griffith {
+
 FileCursor::FileCursor(const std::filesystem::path& path, std::string_view separators, char comment)
     : name_(path.string()), text_(read_file(path)), separators_(separators), comment_(comment) {}
 

@@ -4,7 +4,8 @@
 
 namespace griffith {
 
-/// More tets than this in a scene, or in a mesh for one, are refused: a world takes about a kilobyte of memory for each.
+/// More tets than this in a scene, or in a mesh for one, are refused: a world takes about a kilobyte of memory for
+/// each.
 inline constexpr std::int64_t kMostTets = 4'000'000;
 inline constexpr char kMostTetsText[] = "4 million tetrahedra";
 

@@ -31,4 +31,13 @@ bool take(std::string_view& bytes, T* values, std::int64_t count) {
   return true;
 }
 
+/// Takes `count` values off the front of `bytes`; false when there are fewer. No memory is asked for before that.
+template <class Values>
+bool take_values(std::string_view& bytes, Values& values, std::int64_t count) {
+  constexpr auto kSize = static_cast<std::int64_t>(sizeof values[0]);
+  if (count < 0 || count > std::ssize(bytes) / kSize) return false;
+  values.resize(static_cast<std::size_t>(count));
+  return take(bytes, values.data(), count);
+}
+
 }  // namespace griffith

@@ -13,10 +13,7 @@ void append(std::string& bytes, const std::vector<T>& values) {
 template <class Values>
 bool take_all(std::string_view& bytes, Values& values) {
   std::int64_t count = 0;
-  constexpr auto kSize = static_cast<std::int64_t>(sizeof values[0]);
-  if (!take(bytes, &count, 1) || count < 0 || count > std::ssize(bytes) / kSize) return false;
-  values.resize(static_cast<std::size_t>(count));
-  return take(bytes, values.data(), count);
+  return take(bytes, &count, 1) && take_values(bytes, values, count);
 }
 
 }  // namespace

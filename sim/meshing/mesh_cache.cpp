@@ -39,15 +39,6 @@ struct Header {
   std::int32_t method = 0, refusal_length = 0, points = 0, tets = 0;
 };
 
-/// Takes `count` values off the front of `bytes`; false when there are fewer. No memory is asked for before that.
-template <class Values>
-bool take_values(std::string_view& bytes, Values& values, std::int64_t count) {
-  constexpr auto kSize = static_cast<std::int64_t>(sizeof values[0]);
-  if (count < 0 || count > std::ssize(bytes) / kSize) return false;
-  values.resize(static_cast<std::size_t>(count));
-  return take(bytes, values.data(), count);
-}
-
 /// Whether it is something that fill() can have made: the sum of its bytes tells damage, but not intent.
 bool is_possible(const FilledSurface& filled) {
   const auto points = std::ssize(filled.soup.points);

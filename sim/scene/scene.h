@@ -137,11 +137,11 @@ struct SlicePlane {
 
 /// What is shown at first; nothing here influences the simulation.
 struct ViewSettings {
-  std::string quantity = "von_mises";  ///< one of view_quantities()
+  std::string quantity = "von_mises";   ///< one of view_quantities()
   std::string color_map = "automatic";  ///< one of color_map_names()
-  std::optional<Vec2> range;           ///< in the quantity's unit; automatic when absent
-  bool shading = true;                 ///< off: a scalar's pixel has the legend's colour to the byte
-  bool symmetric = false;              ///< the automatic range reaches as far below 0 as above
+  std::optional<Vec2> range;            ///< in the quantity's unit; automatic when absent
+  bool shading = true;                  ///< off: a scalar's pixel has the legend's colour to the byte
+  bool symmetric = false;               ///< the automatic range reaches as far below 0 as above
   bool edges = true;
   double edge_width = 1.1;  ///< of element edges, in pixels of a picture 720 pixels high, 0.25..10
   bool splinters = true;    ///< shown in place of tets where a body has them

@@ -359,7 +359,7 @@ void describe(Archive& archive, Scene& scene) {
                   "take larger element sizes or fewer bodies");
   std::int64_t projectiles = 0;
   for (const ProjectileBurst& burst : scene.projectiles) projectiles += burst.count;
-  archive.require(projectiles <= kMostProjectiles, "projectiles", "are more than 10000 in all", "take smaller counts");
+  archive.require(projectiles <= kMostProjectiles, "projectiles", "are more than 10,000 in all", "take smaller counts");
 }
 
 }  // namespace griffith

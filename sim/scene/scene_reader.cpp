@@ -118,7 +118,7 @@ template <class T>
 void read(const Place& place, std::vector<T>& items, Parts parts) {
   constexpr std::size_t kMostItems = 10'000;  // a kilobyte each, before anything is made of them
   if (!place.json.is_array()) return place.reject("an array [ ... ]");
-  if (place.json.size() > kMostItems) return place.report("has more than 10000 items", "take fewer");
+  if (place.json.size() > kMostItems) return place.report("has more than 10,000 items", "take fewer");
   items.assign(place.json.size(), T{});
   for (std::size_t i = 0; i < items.size(); ++i) {
     read(place.child(std::to_string(i), place.json[i]), items[i], parts);

@@ -175,22 +175,30 @@ void make_meshes(const Scene& scene, ShapeMeshes& shapes, const Monitor& monitor
   }
 }
 
-Eigen::AlignedBox3d bounds_of(const WorldState& world, const Body& body) {
-  Eigen::AlignedBox3d bounds;
-  for (NodeId node : body.nodes) bounds.extend(world.nodes.positions[node]);
-  return bounds;
-}
+/// A little less than the bounds of a body, so that those that touch do not overlap.
+struct InnerBounds {
+  InnerBounds(const WorldState& world, const Body& body) : scene_body(body.scene_body) {
+    constexpr double kMargin = 1e-6;  // of the size
+    for (NodeId node : body.nodes) box.extend(world.nodes.positions[node]);
+    const Vec3 margin = kMargin * box.sizes();
+    box = {box.min() + margin, box.max() - margin};
+  }
 
-/// Contacts grow with the square of a crowd: throws where a great many bodies stand inside one another. Sweeps along x.
+  int scene_body;
+  Eigen::AlignedBox3d box;
+};
+
+/// Contacts grow with the square of a crowd: throws where a great many bodies stand inside one another. The pieces of
+/// one body, which may be of any shape, fit together. Sweeps along x.
 void require_no_crowd(const WorldState& world) {
   constexpr int kMostPairs = 1'000'000;
-  std::vector<Eigen::AlignedBox3d> boxes;
-  for (const Body& body : world.bodies) boxes.push_back(bounds_of(world, body));
-  std::ranges::sort(boxes, {}, [](const Eigen::AlignedBox3d& box) { return box.min().x(); });
+  std::vector<InnerBounds> all;
+  for (const Body& body : world.bodies) all.emplace_back(world, body);
+  std::ranges::sort(all, {}, [](const InnerBounds& bounds) { return bounds.box.min().x(); });
   int pairs = 0;
-  for (std::size_t i = 0; i < boxes.size(); ++i)
-    for (std::size_t j = i + 1; j < boxes.size() && boxes[j].min().x() < boxes[i].max().x(); ++j)
-      if (boxes[i].intersects(boxes[j]) && ++pairs > kMostPairs)
+  for (auto a = all.begin(); a != all.end(); ++a)
+    for (auto b = a + 1; b != all.end() && b->box.min().x() < a->box.max().x(); ++b)
+      if (a->scene_body != b->scene_body && a->box.intersects(b->box) && ++pairs > kMostPairs)
         throw InputError("#/bodies", "stand inside one another in more than a million pairs", "move them apart");
 }
 

@@ -11,6 +11,9 @@
 namespace griffith {
 namespace {
 
+/// No more are made in a step.
+constexpr double kMostSubsteps = 1e5;
+
 /// The highest frequency that a body's present shape has with a material [rad/s].
 double frequency_of(const WorldState& world, const Body& body, const Material& material) {
   body.system->assemble(MatrixFactors{.mass = 0, .stiffness = 1}, elastic_law(material), world.elements.rests,
@@ -48,8 +51,8 @@ void add_damping_forces(const WorldState& world, const Body& body, std::vector<V
   parallel_for(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
     for (int i = begin; i < end; ++i)
       for (TetId tet : world.mesh.stars[body.nodes[i]])
-        forces[body.nodes[i]] += damping_force(world, law, material.stiffness_damping, tet,
-                                               local_corner(world.mesh, tet, body.nodes[i]));
+        forces[body.nodes[i]] +=
+            damping_force(world, law, material.stiffness_damping, tet, local_corner(world.mesh, tet, body.nodes[i]));
   });
 }
 
@@ -60,19 +63,23 @@ double stable_substep(WorldState& world) {
   for (Body& body : world.bodies) {
     if (body.rigid) continue;
     if (body.highest_frequency == 0) body.highest_frequency = frequency_of(world, body, world.material_of(body));
-    stable = std::min(stable, stable_substep_at(body.highest_frequency, world.material_of(body)));
+    const double substep = stable_substep_at(body.highest_frequency, world.material_of(body));
+    if (world.scene.simulation.time_step <= kMostSubsteps * substep) {
+      stable = std::min(stable, substep);
+    } else {
+      freeze(world, body);
+    }
   }
   return stable;
 }
 
 void check_substep_count(const WorldState& world, int scene_body, const Material& material) {
   if (!world.integrates_explicitly()) return;
-  constexpr double kMost = 1e5;
   const double time_step = world.scene.simulation.time_step;
   for (const Body& body : world.bodies) {
     if (body.scene_body != scene_body || (body.rigid && body.tets.size() == 1)) continue;
     const double substep = stable_substep_at(frequency_of(world, body, material), material);
-    if (time_step <= kMost * substep) continue;  // false for what is not a number, too
+    if (time_step <= kMostSubsteps * substep) continue;  // false for what is not a number, too
     char problem[120];
     std::snprintf(problem, sizeof problem, "explicit integration would take %.3g substeps a step", time_step / substep);
     throw InputError("#/bodies/" + std::to_string(scene_body) + "/material", problem,

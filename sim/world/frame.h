@@ -23,16 +23,16 @@ namespace griffith {
 
 /// A connected piece.
 struct BodyView {
-  BodyId id, parent;             ///< parent: the body that it broke off, invalid for an original
-  int scene_body = 0;            ///< index into Scene::bodies of its origin
+  BodyId id, parent;   ///< parent: the body that it broke off, invalid for an original
+  int scene_body = 0;  ///< index into Scene::bodies of its origin
   int tets = 0;
-  double mass = 0;               ///< [kg]
+  double mass = 0;  ///< [kg]
   Vec3 center_of_mass, velocity, angular_velocity;
   Quat orientation = Quat::Identity();                 ///< from the shape that it had when it came to be
   std::span<const std::vector<Vec3>> collision_parts;  ///< corners of the convex parts, in the body's own frame [m]
-  bool supported = false;        ///< has nodes held in place
-  bool rigid = false;            ///< moves as a whole: its stress is not computed until something strikes it
-  bool asleep = false;           ///< lies still until something strikes it
+  bool supported = false;                              ///< has nodes held in place
+  bool rigid = false;                      ///< moves as a whole: its stress is not computed until something strikes it
+  bool asleep = false;                     ///< lies still until something strikes it
   std::optional<SoftenedImpact> softened;  ///< when an impact in the last step had longer substeps than it asks for
 };
 
@@ -47,9 +47,9 @@ struct ContactView {
 struct ProjectileView {
   Vec3 position, velocity;
   Quat rotation;
-  double radius = 0, mass = 0;  ///< radius of a sphere, or of the one round it [m], [kg]
-  std::span<const Vec3> corners;              ///< of a convex one, in its own frame [m]; none for a sphere
-  std::span<const std::vector<int>> faces;    ///< convex polygons of corners, counter-clockwise from outside
+  double radius = 0, mass = 0;              ///< radius of a sphere, or of the one round it [m], [kg]
+  std::span<const Vec3> corners;            ///< of a convex one, in its own frame [m]; none for a sphere
+  std::span<const std::vector<int>> faces;  ///< convex polygons of corners, counter-clockwise from outside
 };
 
 /// Milliseconds of the phases of one step; for display and statistics, never for decisions.
@@ -60,8 +60,8 @@ struct StepTimings {
 /// What happened in a step; every limit that was reached and every number that went wrong is counted here.
 struct StepReport {
   int substeps = 1;
-  int repeated_substeps = 0;         ///< beside these: made again, since cracks would have run on in them
-  int microsteps = 0;                ///< of bodies in shock
+  int repeated_substeps = 0;  ///< beside these: made again, since cracks would have run on in them
+  int microsteps = 0;         ///< of bodies in shock
   int contacts = 0;
   double peak_margin = 0;            ///< highest margin of any node in any substep
   int cracks = 0;                    ///< nodes split
@@ -74,11 +74,11 @@ struct StepReport {
   double max_relative_residual = 0;  ///< largest in any body and substep
   int unconverged_solves = 0;        ///< stopped by the iteration limit
   int inverted_tets = 0;
-  int shortened_motions = 0;         ///< deformations cut short, whose linearised step would have added energy
-  int limited_impulses = 0;          ///< bodies whose contact impulses were cut, which would have added energy
+  int shortened_motions = 0;  ///< deformations cut short, whose linearised step would have added energy
+  int limited_impulses = 0;   ///< bodies whose contact impulses were cut, which would have added energy
   int sleeping_bodies = 0;
-  int non_finite_values = 0;         ///< bodies frozen because a value was not finite
-  double max_penetration = 0;        ///< [m]
+  int non_finite_values = 0;   ///< bodies frozen because a value was not finite or substeps too short
+  double max_penetration = 0;  ///< [m]
   StepTimings milliseconds;
 };
 
@@ -120,10 +120,10 @@ struct Frame {
   std::span<const std::uint8_t> attached_parts;         ///< per part: 1 carried by its own tet, 0 by the owner
   std::span<const int> open_walls;                      ///< faces between splinters that cracks have opened
   std::span<const ProjectileView> projectiles;
-  std::span<const ContactView> contacts;                ///< of the last step, those that carried an impulse
-  std::span<const PlacedProbe> probes;                  ///< the scene's, to be read with probe_values()
-  std::span<const CrackEvent> crack_events;             ///< all so far, oldest first
-  int fragments = 0;                                    ///< connected pieces beyond the scene's own bodies
+  std::span<const ContactView> contacts;     ///< of the last step, those that carried an impulse
+  std::span<const PlacedProbe> probes;       ///< the scene's, to be read with probe_values()
+  std::span<const CrackEvent> crack_events;  ///< all so far, oldest first
+  int fragments = 0;                         ///< connected pieces beyond the scene's own bodies
   Totals totals;
   StepReport report;
 };

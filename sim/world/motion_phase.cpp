@@ -176,7 +176,8 @@ void restore(WorldState& world, const Body& body, const Snapshot& taken, double 
 void move_nodes(WorldState& world, const Body& body, const std::vector<Vec3>& external, double dt) {
   if (!world.integrates_explicitly()) {
     if (!body.supported()) return move_free(world, body, dt);
-    if (const std::optional<Pivot> pivot = pivot_of(world, body)) return move_swinging(world, body, *pivot, external, dt);
+    if (const std::optional<Pivot> pivot = pivot_of(world, body))
+      return move_swinging(world, body, *pivot, external, dt);
   }
   for (NodeId node : body.nodes) world.nodes.positions[node] += dt * world.nodes.velocities[node];
 }
@@ -292,7 +293,6 @@ void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>&
 
 void freeze_if_broken_down(WorldState& world, Body& body) {
   if (body.asleep || is_sound(world, body)) return;
-  ++world.report.non_finite_values;
   if (!is_placed(world, body)) {
     const Pose last = world.contact_world.state(body.stand_in).pose;
     body.motion.center = last.translation;
@@ -302,6 +302,13 @@ void freeze_if_broken_down(WorldState& world, Body& body) {
   for (NodeId node : body.nodes) world.nodes.velocities[node] = world.nodes.reactions[node] = Vec3::Zero();
   for (TetId tet : body.tets)
     if (!world.elements.plastic_strains[tet].allFinite()) world.elements.plastic_strains[tet].setZero();
+  freeze(world, body);
+}
+
+void freeze(WorldState& world, Body& body) {
+  ++world.report.non_finite_values;
+  if (body.supported())
+    for (NodeId node : body.nodes) world.nodes.velocities[node] = world.nodes.reactions[node] = Vec3::Zero();
   clear_stress(world, body);
   body.motion = motion_of(world, body);
   stiffen(world, body);

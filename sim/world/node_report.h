@@ -44,8 +44,8 @@ struct NodeReport {
   std::vector<int> events;  ///< indices into Frame::crack_events: where this node separated before
 };
 
-/// The report on a node of the frame. A node is known again by its place in rest space: copies that cracks made have the
-/// same events.
+/// The report on a node of the frame. A node is known again by its place in rest space: copies that cracks made have
+/// the same events.
 NodeReport node_report(const Frame& frame, NodeId node);
 
 /// The node nearest to separating; invalid where there are none. Nodes of rigid pieces do not count: nothing is known

@@ -27,6 +27,9 @@ void close_splinters(WorldState& world);
 void queue_burst(WorldState& world, const ProjectileBurst& burst, const std::string& where);
 /// All bursts of the scene. Throws InputError where they make a crowd in one place.
 void queue_bursts(WorldState& world);
+/// A burst while the scene runs. Throws InputError, with nothing queued, as queue_burst() does, for a crowd, and where
+/// there would be more projectiles than a scene may have.
+void fire_burst(WorldState& world, const ProjectileBurst& burst);
 /// Puts the shots whose time has come into the contact world.
 void launch_projectiles(WorldState& world);
 
@@ -94,6 +97,8 @@ void clear_stress(WorldState& world, const Body& body);
 /// its positions are lost too, it has the shape again that it had when it was made or last turned rigid, in the place
 /// of its stand-in. A supported one stays there for good.
 void freeze_if_broken_down(WorldState& world, Body& body);
+/// Makes a body rigid from now on, its stress gone. A free one keeps its momentum, a supported one stands still.
+void freeze(WorldState& world, Body& body);
 /// The sum of nodal forces on a body [N], and their torque about its centre of mass [N·m].
 struct Wrench {
   Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
@@ -107,7 +112,8 @@ ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt)
 void take_reactions(WorldState& world, const Body& body);
 /// Counts what a linear solve for a body needed.
 void count_solve(WorldState& world, const Body& body, const SolveReport& solve);
-/// The longest substep in which explicit integration of all elastic bodies, as they are now, is stable [s].
+/// The longest substep in which explicit integration of all elastic bodies, as they are now, is stable [s]. Freezes
+/// bodies that would take more substeps a step than it makes, as those may that have slivers.
 double stable_substep(WorldState& world);
 /// Throws InputError where the pieces of a scene body, of this material, would take more substeps a step than explicit
 /// integration makes.

@@ -6,6 +6,7 @@
 #include "sim/file_path.h"
 #include "sim/meshing/surface.h"
 #include "sim/scene/body_pose.h"
+#include "sim/scene/scene_fields.h"
 #include "sim/world/phases.h"
 
 namespace griffith {
@@ -61,23 +62,22 @@ Projectile sphere(const ProjectileBurst& burst) {
   return projectile;
 }
 
-/// Contacts grow with the square of a crowd: throws where many projectiles start inside one another, as they would if
-/// nothing were in the way of those before.
-void require_no_crowd(const WorldState& world) {
+/// Contacts grow with the square of a crowd: throws, about the field `where`, where many projectiles start inside one
+/// another, as they would if nothing were in the way of those before.
+void require_no_crowd(const std::vector<PendingShot>& shots, const Vec3& gravity, const std::string& where) {
   constexpr int kMostInside = 32;
-  const std::vector<PendingShot>& shots = world.pending_shots;
   std::vector<Vec3> velocities;
   for (const PendingShot& shot : shots) velocities.push_back(shot.burst.speed * shot.burst.direction.normalized());
   for (std::size_t i = 0; i < shots.size(); ++i) {
     int inside = 0;
     for (std::size_t j = 0; j < i && inside <= kMostInside; ++j) {
       const double t = shots[i].time - shots[j].time;
-      const Vec3 flown = t * velocities[j] + t * t / 2 * world.scene.gravity;
+      const Vec3 flown = t * velocities[j] + t * t / 2 * gravity;
       const Vec3 apart = shots[i].burst.position - shots[j].burst.position - flown;
       inside += apart.norm() < shots[i].projectile.radius + shots[j].projectile.radius;
     }
     if (inside > kMostInside)
-      throw InputError("#/projectiles", "start inside more than 32 others of them",
+      throw InputError(where, "start inside more than 32 others of them",
                        "take a longer interval, a higher speed or different positions");
   }
 }
@@ -102,7 +102,21 @@ void queue_burst(WorldState& world, const ProjectileBurst& burst, const std::str
 void queue_bursts(WorldState& world) {
   for (std::size_t i = 0; i < world.scene.projectiles.size(); ++i)
     queue_burst(world, world.scene.projectiles[i], "#/projectiles/" + std::to_string(i));
-  require_no_crowd(world);
+  require_no_crowd(world.pending_shots, world.scene.gravity, "#/projectiles");
+}
+
+void fire_burst(WorldState& world, const ProjectileBurst& burst) {
+  const std::int64_t before = std::ssize(world.projectiles) + std::ssize(world.pending_shots);
+  if (before + burst.count > kMostProjectiles)
+    throw InputError("shot", "brings the scene to more than 10,000 projectiles", "start it again, or fire fewer");
+  std::vector<PendingShot> pending = world.pending_shots;
+  try {
+    queue_burst(world, burst, "shot");
+    require_no_crowd(world.pending_shots, world.scene.gravity, "shot");
+  } catch (const InputError&) {
+    world.pending_shots = std::move(pending);
+    throw;
+  }
 }
 
 void launch_projectiles(WorldState& world) {

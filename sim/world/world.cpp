@@ -111,7 +111,7 @@ Frame World::frame() const {
 
 const std::vector<InputError>& World::findings() const { return impl_->state.findings; }
 
-void World::fire(const ProjectileBurst& burst) { queue_burst(impl_->state, burst, "shot"); }
+void World::fire(const ProjectileBurst& burst) { fire_burst(impl_->state, burst); }
 
 void World::set_material(int scene_body, const Material& material) {
   WorldState& world = impl_->state;

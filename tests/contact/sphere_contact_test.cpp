@@ -206,6 +206,25 @@ TEST(SphereContact, NothingPassesThroughAThinPlate) {
   }
 }
 
+/// Touching one wall of a hollow body does not open the way into its others.
+TEST(SphereContact, NothingThatSlidesAlongOneWallEntersTheNext) {
+  constexpr double kRadius = 0.1, kWall = 1;
+  std::vector<ConvexPart> corner = {testing::box_part(Vec3(4, 0.2, 2)), testing::box_part(Vec3(0.2, 4, 2))};
+  for (Vec3& point : corner[0]) point.y() -= 0.1;          // a floor with its top at y = 0
+  for (Vec3& point : corner[1]) point.x() += kWall + 0.1;  // a wall from x = kWall on
+  for (const double way : {0.02, 0.05, 0.1, 0.15})
+    for (const double height : {0.0, 1e-4, 1e-3, 5e-3}) {
+      ContactWorld world(Vec3(0, -9.81, 0));
+      world.add_stand_in(corner, box_mass(Vec3::Ones(), 80), Mobility::held, {}, {0, 0});
+      const Vec3 start(kWall - kRadius - way, kRadius + height, 0);
+      const ProxyId ball = world.add_sphere(kRadius, 1, at(start, Vec3(20, -2 * height / kDt, 0)), {0, 0});
+      for (int i = 0; i < 3; ++i) {
+        step(world);
+        EXPECT_LT(world.state(ball).pose.translation.x(), kWall - 0.99 * kRadius) << way << " m off, step " << i;
+      }
+    }
+}
+
 TEST(SphereContact, SpheresThatCrossInOneSubstepCollide) {
   ContactWorld world(Vec3::Zero());
   const ProxyId a = world.add_sphere(0.05, 1, at(Vec3(-0.5, 0, 0), Vec3(100, 0, 0)), {0, 1});

@@ -393,11 +393,11 @@ TEST(SceneReader, LimitsHoldForTheWholeScene) {
   EXPECT_THAT(with("bodies", list_of(6, box)), testing::IsEmpty());
   EXPECT_THAT(with("bodies", list_of(7, box)).at(0).problem(), HasSubstr("4 million tetrahedra in all"));
   EXPECT_THAT(with("projectiles", list_of(2, R"({"count": 5000})")), testing::IsEmpty());
-  EXPECT_THAT(with("projectiles", list_of(3, R"({"count": 5000})")).at(0).problem(), HasSubstr("10000 in all"));
+  EXPECT_THAT(with("projectiles", list_of(3, R"({"count": 5000})")).at(0).problem(), HasSubstr("10,000 in all"));
   for (const char* field : {"bodies", "projectiles", "probes", "cameras"}) {
     const auto problems = with(field, list_of(10'001, "{}"));
     EXPECT_EQ(places(problems), std::vector{std::string("doc#/") + field});
-    EXPECT_THAT(problems.at(0).problem(), HasSubstr("more than 10000 items"));
+    EXPECT_THAT(problems.at(0).problem(), HasSubstr("more than 10,000 items"));
   }
 }
 

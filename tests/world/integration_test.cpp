@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "sim/error.h"
+#include "sim/world/phases.h"
 #include "sim/world/world.h"
 #include "tests/world/scenes.h"
 
@@ -170,6 +172,31 @@ TEST(ExplicitIntegration, RefusesMoreSubstepsThanItMakes) {
     EXPECT_EQ(error.where(), "#/bodies/0/material");
     EXPECT_NE(error.problem().find("substeps a step"), std::string::npos) << error.what();
   }
+}
+
+/// Slivers that cracks or cuts leave can ask for any number of them.
+TEST(ExplicitIntegration, FreezesABodyThatComesToNeedMoreSubstepsThanItMakes) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double frequency : {1e12, kInfinity})
+    for (const bool supported : {true, false}) {
+      Scene scene = beam();
+      scene.simulation.integrator = Integrator::symplectic_euler;
+      scene.bodies.resize(2, scene.bodies[0]);
+      scene.bodies[1].position.z() = 5;
+      scene.bodies[1].velocity.x() = 3;
+      if (!supported) scene.bodies[1].supports.clear();
+      WorldState world(scene);
+      build_world(world);
+      world.bodies[1].highest_frequency = frequency;
+      advance(world);
+      EXPECT_EQ(world.report.non_finite_values, 1);
+      EXPECT_LT(world.report.substeps, 100);
+      EXPECT_TRUE(world.bodies[1].rigid);
+      EXPECT_FALSE(world.bodies[0].rigid);
+      EXPECT_NEAR(world.bodies[1].motion.velocity.x(), supported ? 0 : 3, 1e-9);
+      advance(world);
+      EXPECT_EQ(world.report.non_finite_values, 0) << "once and for all";
+    }
 }
 
 /// Pieces and cut elements are stiffer for their mass than what they were part of.

@@ -129,6 +129,35 @@ TEST(ManyBodies, ACrowdOfProjectilesIsRefused) {
   EXPECT_EQ(problem_of(scene), "none");
 }
 
+/// Refused while it runs as in a file, and then as if it had not been fired.
+TEST(ManyBodies, ACrowdOfShotsIsRefused) {
+  World world((Scene()));
+  ProjectileBurst burst;
+  burst.interval = 0;
+  burst.count = 1000;
+  EXPECT_THROW(world.fire(burst), InputError);
+  burst.count = 20;
+  world.fire(burst);
+  EXPECT_THROW(world.fire(burst), InputError) << "with those that wait there";
+  world.step();
+  EXPECT_EQ(world.frame().projectiles.size(), 20u);
+}
+
+TEST(ManyBodies, MoreShotsThanASceneMayHaveAreRefused) {
+  Scene scene;
+  ProjectileBurst burst;
+  burst.count = 6000;
+  burst.interval = 1;
+  scene.projectiles = {burst};
+  World world(scene);
+  world.step();
+  burst.count = 4001;
+  burst.start = 1e4;
+  EXPECT_THROW(world.fire(burst), InputError);
+  burst.count = 4000;
+  EXPECT_NO_THROW(world.fire(burst));
+}
+
 TEST(ManyBodies, ACrowdOfBodiesIsRefused) {
   Scene scene;
   for (int i = 0; i < 1500; ++i) {
@@ -140,6 +169,21 @@ TEST(ManyBodies, ACrowdOfBodiesIsRefused) {
   EXPECT_EQ(problem_of(scene), "none");
   for (BodyDescription& body : scene.bodies) body.position = Vec3::Zero();
   EXPECT_TRUE(problem_of(scene).starts_with("#/bodies: stand inside one another")) << problem_of(scene);
+}
+
+/// A thousand rods lie on a thousand across them: a million pairs touch.
+TEST(ManyBodies, BodiesThatTouchAreNoCrowd) {
+  constexpr int kRods = 1001;
+  Scene scene;
+  for (int i = 0; i < 2 * kRods; ++i) {
+    BodyDescription& body = scene.bodies.emplace_back();
+    body.name = std::to_string(i);
+    const double aside = i / 2 - kRods / 2;
+    const Vec3 size = i % 2 ? Vec3(kRods, 1, 1) : Vec3(1, 1, kRods);
+    body.shape = BoxShape{size, size, BoxPattern::five_tet};
+    body.position = i % 2 ? Vec3(0, 1.5, aside) : Vec3(aside, 0.5, 0);
+  }
+  EXPECT_EQ(problem_of(scene), "none");
 }
 
 /// Of equal shapes, too, which share their mesh.
