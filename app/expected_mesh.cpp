@@ -16,18 +16,6 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-double tets_per_cell(BoxPattern pattern) {
-  switch (pattern) {
-    case BoxPattern::kuhn:
-      return 6;
-    case BoxPattern::five_tet:
-      return 5;
-    case BoxPattern::bcc:
-      return 12;
-  }
-  return 0;
-}
-
 struct Estimate {
   const std::filesystem::path& folder;
   const Monitor& monitor;

@@ -40,12 +40,23 @@ inline double cell_count(const SphereShape& sphere) {
 inline double cell_count(const PlateWithHoleShape& plate) { return cells_in(plate.size, swept(plate.element_size)); }
 inline double cell_count(const NotchedBeamShape& beam) { return cells_in(beam.size, beam.element_size); }
 
+inline double tets_per_cell(BoxPattern pattern) {
+  switch (pattern) {
+    case BoxPattern::kuhn:
+      return 6;
+    case BoxPattern::five_tet:
+      return 5;
+    case BoxPattern::bcc:
+      return 12;
+  }
+  return 0;
+}
+
 /// About how many tets a shape is made of; 0 for one whose file tells. At most the tets of the box round it.
 inline double tet_count(const Shape& shape) {
   const auto count = [](const auto& known) -> double {
     if constexpr (requires { cell_count(known); }) {
-      constexpr double kTetsPerCell[] = {6, 5, 12};  // by BoxPattern
-      return cell_count(known) * kTetsPerCell[static_cast<int>(known.pattern)];
+      return cell_count(known) * tets_per_cell(known.pattern);
     } else {
       return 0;
     }
