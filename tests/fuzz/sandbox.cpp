@@ -28,8 +28,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kFailed = 77;
-/// A blocked process uses no processor time; one among many others gets little of it.
-constexpr double kMostRealTime = 12;  ///< times the limit of processor time
+/// A process that sleeps so long is blocked; one among many others is ready to run and waits its turn [s].
+constexpr double kLongestSleep = 60;
 
 double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
@@ -45,17 +45,24 @@ double own_processor_seconds() {
   return sum;
 }
 
-/// With that of its own children that have ended; 0 when the process is gone.
-double processor_seconds_of(int process) {
+/// What /proc tells of a process: whether it is ready to run, and its processor time with that of its own children that
+/// have ended [s].
+struct ProcessState {
+  bool runs = false;
+  double processor_seconds = 0;
+};
+
+ProcessState state_of(int process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
   std::string text;
   std::getline(file, text);
   std::istringstream fields(text.substr(std::min(text.size(), text.rfind(')') + 1)));
-  std::string skipped;
-  for (int i = 0; i < 11; ++i) fields >> skipped;
+  std::string letter, skipped;
+  fields >> letter;
+  for (int i = 0; i < 10; ++i) fields >> skipped;
   double ticks = 0, sum = 0;
   for (int i = 0; i < 4 && fields >> ticks; ++i) sum += ticks;
-  return sum / static_cast<double>(sysconf(_SC_CLK_TCK));
+  return {letter == "R", sum / static_cast<double>(sysconf(_SC_CLK_TCK))};
 }
 
 std::int64_t resident_bytes_of(int process) {
@@ -154,7 +161,7 @@ void Sandbox::limit_and_work(const std::function<void()>& work) {
 
 std::optional<Failure> Sandbox::overrun(int child) const {
   const std::uint64_t input = report_->input;
-  const double used = processor_seconds_of(child) - report_->processor_seconds;
+  const double used = state_of(child).processor_seconds - report_->processor_seconds;
   if (report_->input != input) return {};
   if (used > limits_.seconds) return Failure{Failure::Kind::hang, "more than the allowed processor time"};
   if (resident_bytes_of(child) > limits_.memory_bytes) return Failure{Failure::Kind::memory, "resident memory"};
@@ -168,10 +175,10 @@ std::optional<Failure> Sandbox::watch(int child) {
   for (auto since = Clock::now();;) {
     int status = 0;
     if (waitpid(child, &status, WNOHANG) == child) return status == 0 ? std::optional<Failure>{} : failure_of(status);
-    if (report_->input != input) input = report_->input, since = Clock::now();
+    if (report_->input != input || state_of(child).runs) input = report_->input, since = Clock::now();
     std::optional<Failure> failure = overrun(child);
-    const std::chrono::duration<double> real = Clock::now() - since;
-    if (real.count() > kMostRealTime * limits_.seconds) failure = Failure{Failure::Kind::hang, "it waits for ever"};
+    const std::chrono::duration<double> asleep = Clock::now() - since;
+    if (asleep.count() > kLongestSleep) failure = Failure{Failure::Kind::hang, "it waits for ever"};
     if (failure) {
       kill(child, SIGKILL);
       waitpid(child, &status, 0);

@@ -120,7 +120,9 @@ class Watch {
   /// Whether nothing outside acts on the bodies.
   bool is_isolated() const {
     return is_left_alone(scene_) && scene_.gravity.isZero(0) && !scene_.ground &&
-           std::ranges::all_of(scene_.bodies, [](const BodyDescription& body) { return body.supports.empty(); });
+           std::ranges::all_of(scene_.bodies, [](const BodyDescription& body) {
+             return body.supports.empty() && body.material.mass_damping == 0;
+           });
   }
 
   void check_momentum(const Frame& frame) {
