@@ -246,6 +246,11 @@ double Impacts::friction_of(const Solid& solid, const Touch& touch) const {
   return std::sqrt(own * other);
 }
 
+void Impacts::act(Solid& solid, const Touch& touch, const Vec3& impulse) {
+  for (int i = 0; i < touch.count; ++i) solid.push(touch.nodes[i], touch.weights[i] * impulse);
+  touch.obstacle >= 0 ? obstacles_[touch.obstacle].push(touch.place, -impulse) : solid.push(touch.other_node, -impulse);
+}
+
 bool Impacts::push(Solid& solid, const Touch& touch, double least_speed) {
   const Vec3 velocity = approach_of(solid, touch);
   const double speed = -velocity.dot(touch.normal), mobility = mobility_of(solid, touch, touch.normal);
@@ -257,9 +262,17 @@ bool Impacts::push(Solid& solid, const Touch& touch, double least_speed) {
     const double stopping = slip / mobility_of(solid, touch, sliding / slip);
     impulse += std::min(friction_of(solid, touch) * speed / mobility, stopping) / slip * sliding;
   }
-  for (int i = 0; i < touch.count; ++i) solid.push(touch.nodes[i], touch.weights[i] * impulse);
-  touch.obstacle >= 0 ? obstacles_[touch.obstacle].push(touch.place, -impulse) : solid.push(touch.other_node, -impulse);
-  energy_lost_ += impulse.dot(0.5 * (velocity + approach_of(solid, touch)));
+  act(solid, touch, impulse);
+  Vec3 after = approach_of(solid, touch);
+  // Friction and the levers of light things may turn a push into a gain: then it goes no further than where it takes
+  // most.
+  if (impulse.dot(velocity + after) < 0) {
+    const double share = impulse.dot(velocity) / impulse.dot(velocity - after);
+    act(solid, touch, (share - 1) * impulse);
+    impulse *= share;
+    after = approach_of(solid, touch);
+  }
+  energy_lost_ += impulse.dot(0.5 * (velocity + after));
   if (speed > least_speed)
     blows_.push_back({touch.nodes[0], touch.obstacle, touch.place, touch.normal, impulse, speed});
   return true;

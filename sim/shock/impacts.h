@@ -44,7 +44,8 @@ class Impacts {
   Impacts(std::vector<SurfaceSide> surface, std::vector<CrackSides> cracks, std::vector<Obstacle> obstacles,
           std::vector<SurfaceLaw> surfaces, double element_size);
 
-  /// After a microstep of `dt`: finds what overlaps and pushes it. Blows faster than `least_speed` are noted.
+  /// Between the forces and the motion of a microstep of `dt`: finds what overlaps and pushes it, then moves the
+  /// obstacles. Blows faster than `least_speed` are noted.
   void resolve(Solid& solid, double dt, double least_speed);
   /// Faces that a crack opened: what else is there may touch them from now on.
   void open(const CrackSides& sides);
@@ -85,6 +86,8 @@ class Impacts {
   Vec3 approach_of(const Solid& solid, const Touch& touch) const;
   double mobility_of(const Solid& solid, const Touch& touch, const Vec3& direction) const;
   double friction_of(const Solid& solid, const Touch& touch) const;
+  /// An impulse on the solid, and its opposite on the other [N·s].
+  void act(Solid& solid, const Touch& touch, const Vec3& impulse);
   bool push(Solid& solid, const Touch& touch, double least_speed);
   void close_cracks(Solid& solid);
 

@@ -11,8 +11,6 @@ namespace {
 
 /// Share of critical damping at the highest frequency: kills what the mesh cannot carry, leaves the rest.
 constexpr double kDampingRatio = 0.06;
-/// A material's own damping counts up to this share of critical damping at the highest frequency.
-constexpr double kMostDamping = 0.5;
 /// This share of a body's elements, its slivers, may be relieved.
 constexpr double kSliverShare = 0.02;
 
@@ -61,9 +59,8 @@ void Solid::constrain(int node, const NodeConstraint& constraint) {
   constraints_.push_back({node, constraint});
 }
 
-void Solid::add_body(const ElasticLaw& law, double density, double stiffness_damping,
-                     std::span<const std::array<int, 4>> tets, std::span<const ElementRest> rests,
-                     std::span<const Mat3> offsets) {
+void Solid::add_body(const ElasticLaw& law, double density, std::span<const std::array<int, 4>> tets,
+                     std::span<const ElementRest> rests, std::span<const Mat3> offsets) {
   SolidBody body;
   body.law = {law.model, static_cast<float>(law.lambda), static_cast<float>(law.mu), 0};
   body.first_block = static_cast<int>(blocks_.size());
@@ -98,7 +95,7 @@ void Solid::add_body(const ElasticLaw& law, double density, double stiffness_dam
     blocks_[body.first_block + i / kLanes].volume[i % kLanes] *= static_cast<float>(share);
     ++body.relieved;
   }
-  body.damping = std::clamp(stiffness_damping, 2 * kDampingRatio / body.frequency, 2 * kMostDamping / body.frequency);
+  body.damping = 2 * kDampingRatio / body.frequency;
   bodies_.push_back(body);
 }
 

@@ -57,9 +57,8 @@ class Solid {
   /// A body of tets with these corners, seen in the body's present turn. Gradients as ElementRest.
   ///   offsets   strain without stress per tet: plastic strain, in the present turn [-]
   ///   density   [kg/m³]
-  void add_body(const ElasticLaw& law, double density, double stiffness_damping,
-                std::span<const std::array<int, 4>> tets, std::span<const ElementRest> rests,
-                std::span<const Mat3> offsets);
+  void add_body(const ElasticLaw& law, double density, std::span<const std::array<int, 4>> tets,
+                std::span<const ElementRest> rests, std::span<const Mat3> offsets);
   /// Once all bodies are there: stars, slots of forces, rotations.
   void finish();
 

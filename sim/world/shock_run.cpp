@@ -87,7 +87,7 @@ void ShockRun::add_body(const Body& body, const std::vector<Vec3>& external) {
     rests.push_back({turn * world_.elements.rests[tet].shape_gradients, world_.elements.rests[tet].volume});
     plastic_strains.push_back(turn * world_.elements.plastic_strains[tet] * turn.transpose());
   }
-  solid_.add_body(elastic_law(material), material.density, material.stiffness_damping, tets, rests, plastic_strains);
+  solid_.add_body(elastic_law(material), material.density, tets, rests, plastic_strains);
   const int first = solid_.slot(solid_.body_count() - 1, 0);
   tets_.resize(solid_.tet_slots());
   for (std::size_t i = 0; i < body.tets.size(); ++i) {

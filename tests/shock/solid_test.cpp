@@ -35,8 +35,7 @@ struct Box {
       const Vec3& rest = mesh.rest_positions[i];
       solid.add_node({rest, place(rest) - rest, velocity(rest), Vec3::Zero(), masses[i]});
     }
-    solid.add_body(elastic_law(material), material.density, material.stiffness_damping, tets, rests,
-                   std::vector<Mat3>(tets.size(), Mat3::Zero()));
+    solid.add_body(elastic_law(material), material.density, tets, rests, std::vector<Mat3>(tets.size(), Mat3::Zero()));
     solid.finish();
     solid.set_step(solid.stable_step(0.9));
   }
@@ -147,7 +146,7 @@ TEST(ShockSolid, ASliverDoesNotSetTheStepOfAllAndKeepsItsMass) {
     for (const auto& tet : mesh.tets) tets.push_back({tet[0], tet[1], tet[2], tet[3]});
     for (std::size_t i = 0; i < box.masses.size(); ++i)
       solid.add_node({mesh.rest_positions[i], Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), box.masses[i]});
-    solid.add_body(elastic_law(Material()), Material().density, 0, tets, rests,
+    solid.add_body(elastic_law(Material()), Material().density, tets, rests,
                    std::vector<Mat3>(tets.size(), Mat3::Zero()));
     return std::pair(solid.stable_step(0.9), solid.body(0).relieved);
   };
