@@ -59,7 +59,6 @@ void Impacts::close_cracks(Solid& solid) {
       solid.push(sides.first[i], impulse);
       solid.push(sides.second[i], -impulse);
     }
-    energy_lost_ += 0.5 * speed * speed / mobility;
   }
 }
 

@@ -20,8 +20,6 @@ std::array<int, 3> nodes_of(const Solid& solid, const SurfaceSide& side) {
   return nodes;
 }
 
-int body_of(const Solid& solid, int slot) { return solid.body_of_slot(slot); }
-
 /// The point of triangle abc nearest to p, as barycentric weights (Ericson 2005, 5.1.5).
 std::array<double, 3> nearest_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
@@ -100,6 +98,10 @@ void Impacts::list_near_obstacle(const Solid& solid, const Obstacle& obstacle, d
   candidates.nodes.erase(repeated.begin(), repeated.end());
 }
 
+const SurfaceLaw& Impacts::surface_at(const Solid& solid, int node) const {
+  return surfaces_[solid.body_of_slot(solid.star(node).front() / 4)];
+}
+
 /// Nodes near sides of other bodies, by a sweep along x.
 void Impacts::list_pairs(const Solid& solid, double margin) {
   pairs_.clear();
@@ -120,12 +122,11 @@ void Impacts::list_pairs(const Solid& solid, double margin) {
   const auto repeated = std::ranges::unique(nodes);
   nodes.erase(repeated.begin(), repeated.end());
   for (const Placed& placed : sides) {
-    const int family = surfaces_[body_of(solid, placed.side.slot)].family;
+    const int family = surfaces_[solid.body_of_slot(placed.side.slot)].family;
     const Eigen::AlignedBox3d box = box_of(solid, placed.side);
     for (auto at = std::ranges::lower_bound(nodes, std::pair(placed.low, -1));
          at != nodes.end() && at->first <= placed.high; ++at)
-      if (surfaces_[body_of(solid, solid.star(at->second).front() / 4)].family != family &&
-          box.exteriorDistance(solid.position(at->second)) < margin)
+      if (surface_at(solid, at->second).family != family && box.exteriorDistance(solid.position(at->second)) < margin)
         pairs_.push_back({at->second, placed.side});
   }
 }
@@ -239,10 +240,9 @@ double Impacts::mobility_of(const Solid& solid, const Touch& touch, const Vec3& 
 }
 
 double Impacts::friction_of(const Solid& solid, const Touch& touch) const {
-  const double own = surfaces_[body_of(solid, solid.star(touch.nodes[0]).front() / 4)].friction;
-  const double other = touch.obstacle >= 0
-                           ? obstacles_[touch.obstacle].friction
-                           : surfaces_[body_of(solid, solid.star(touch.other_node).front() / 4)].friction;
+  const double own = surface_at(solid, touch.nodes[0]).friction;
+  const double other =
+      touch.obstacle >= 0 ? obstacles_[touch.obstacle].friction : surface_at(solid, touch.other_node).friction;
   return std::sqrt(own * other);
 }
 
@@ -263,16 +263,14 @@ bool Impacts::push(Solid& solid, const Touch& touch, double least_speed) {
     impulse += std::min(friction_of(solid, touch) * speed / mobility, stopping) / slip * sliding;
   }
   act(solid, touch, impulse);
-  Vec3 after = approach_of(solid, touch);
+  const Vec3 after = approach_of(solid, touch);
   // Friction and the levers of light things may turn a push into a gain: then it goes no further than where it takes
   // most.
   if (impulse.dot(velocity + after) < 0) {
     const double share = impulse.dot(velocity) / impulse.dot(velocity - after);
     act(solid, touch, (share - 1) * impulse);
     impulse *= share;
-    after = approach_of(solid, touch);
   }
-  energy_lost_ += impulse.dot(0.5 * (velocity + after));
   if (speed > least_speed)
     blows_.push_back({touch.nodes[0], touch.obstacle, touch.place, touch.normal, impulse, speed});
   return true;

@@ -52,7 +52,6 @@ class Impacts {
 
   std::span<Obstacle> obstacles() { return obstacles_; }
   std::span<const Blow> blows() const { return blows_; }
-  double energy_lost() const { return energy_lost_; }
 
  private:
   /// A point of a face, or a node, and what it meets.
@@ -74,6 +73,7 @@ class Impacts {
     SurfaceSide side;
   };
 
+  const SurfaceLaw& surface_at(const Solid& solid, int node) const;
   void list_candidates(const Solid& solid);
   void list_near_obstacle(const Solid& solid, const Obstacle& obstacle, double margin, Candidates& candidates) const;
   void list_pairs(const Solid& solid, double margin);
@@ -99,7 +99,7 @@ class Impacts {
   std::vector<NodeAndSide> pairs_;      ///< nodes near sides of other bodies
   std::vector<Touch> touches_;
   std::vector<Blow> blows_;
-  double element_size_, reach_left_ = -1, energy_lost_ = 0;
+  double element_size_, reach_left_ = -1;
 };
 
 }  // namespace griffith::shock

@@ -213,10 +213,4 @@ double Solid::mobility(int node, const Vec3& direction) const {
   return pushed.inverse_mass * direction.dot(constraints_[pushed.constraint].constraint.allowed * direction);
 }
 
-double Solid::largest_stress(int node) const {
-  float largest = 0;
-  for (const int entry : star(node)) largest = std::max(largest, forces_[entry].value[3]);
-  return largest;
-}
-
 }  // namespace griffith::shock

@@ -101,8 +101,6 @@ class Solid {
   double mobility(int node, const Vec3& direction) const;
   /// Of any node, as advance() left it [m/s].
   double fastest() const { return fastest_; }
-  /// Largest principal stress of the elements round a node at the last forces [Pa].
-  double largest_stress(int node) const;
 
  private:
   struct NodeValue {

@@ -52,6 +52,11 @@ void ShockRun::update_threshold(int index) {
   target.threshold = kScreeningShare * static_cast<float>(least);
 }
 
+/// How long a wave takes to cross an element at the node [s].
+double ShockRun::transit_time(NodeId node) const {
+  return element_size_at(world_, node) / bar_wave_speed(world_.material_of(body_of(node)));
+}
+
 /// The state of an element as it is now, of which the separation tensors are made.
 void ShockRun::bring_up_to_date(TetId tet) {
   const int slot = slot_of_tet_[tet];
@@ -93,7 +98,7 @@ void ShockRun::judge(int index) {
   if (separation.margin <= 1) return;
   if (seen.last != looks_made_ - 1 || seen.over_since < 0) seen.over_since = time_;
   seen.last = looks_made_;
-  const double wait = kOverloadTime * element_size_at(world_, node) / bar_wave_speed(world_.material_of(body));
+  const double wait = kOverloadTime * transit_time(node);
   if (time_ - seen.over_since + 1e-3 * dt_ >= wait) overloaded_.push_back({separation.margin, node});
 }
 
@@ -101,7 +106,7 @@ void ShockRun::open(const Overload& overload) {
   const NodeId node = overload.node;
   const Body& body = body_of(node);
   const BodyId id = body.id;
-  const double transit = element_size_at(world_, node) / bar_wave_speed(world_.material_of(body));
+  const double transit = transit_time(node);
   const bool remeshes = world_.scene.bodies[body.scene_body].remeshing;
   if (remeshes) write_back();
   world_.time = time_;

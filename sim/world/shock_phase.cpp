@@ -159,6 +159,9 @@ void enter_shock(WorldState& world, Body& body) {
   body.shock = Shock{world.time};
 }
 
+namespace {
+
+/// For how long waves are followed after the last blow or crack: until they have crossed the body some times [s].
 double shock_window(const WorldState& world, const Body& body) {
   return kTransits * body.extent / bar_wave_speed(world.material_of(body));
 }
@@ -171,6 +174,7 @@ bool have_just_parted(const WorldState& world, BodyId a, BodyId b) {
          world.time - std::max(world.bodies[a].shock_ended, world.bodies[b].shock_ended) < kApart;
 }
 
+/// Lets the bodies enter that something will strike hard enough to hurt within `duration` [s].
 void enter_struck_bodies(WorldState& world, double duration) {
   const double least = least_impact_speed(world);
   for (const auto& [a, b, approach] : world.contact_world.expected_impacts(duration, least)) {
@@ -183,6 +187,8 @@ void enter_struck_bodies(WorldState& world, double duration) {
     }
   }
 }
+
+}  // namespace
 
 double next_stretch(WorldState& world, double left) {
   const double time_step = world.scene.simulation.time_step, tolerance = time_step / 512;

@@ -18,12 +18,6 @@ double next_stretch(WorldState& world, double left);
 /// Lets the bodies enter that load has overcome, so that their cracks run as waves let them.
 void enter_overloaded_bodies(WorldState& world);
 
-/// For how long waves are followed after the last blow or crack: until they have crossed the body some times [s].
-double shock_window(const WorldState& world, const Body& body);
-
-/// Lets the bodies enter that something will strike hard enough to hurt within `duration` [s].
-void enter_struck_bodies(WorldState& world, double duration);
-
 /// The rigid things that bodies in shock may run into within `duration` [s], as they are now.
 std::vector<shock::Obstacle> obstacles_of_shock(const WorldState& world, double duration);
 

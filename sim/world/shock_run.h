@@ -55,6 +55,7 @@ class ShockRun {
   int local(NodeId node) const { return local_of_node_[node]; }
   const Body& body_of(NodeId node) const;
   double transit_time(const Body& body) const;
+  double transit_time(NodeId node) const;
 
   WorldState& world_;
   shock::Solid solid_;

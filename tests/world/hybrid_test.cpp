@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "crack_area.h"
 #include "scenes.h"
 #include "sim/parallel.h"
 #include "sim/world/world.h"
@@ -29,15 +30,6 @@ Scene struck_plate(double speed, double time_step, int shot_number = 0) {
   return scene;
 }
 
-double crack_area(const Frame& frame) {
-  double area = 0;
-  for (std::size_t tet = 0; tet < frame.tets.size(); ++tet)
-    for (int face = 0; face < 4; ++face)
-      if (!frame.neighbours[tet][face].valid() && !(frame.first_surface[tet] >> face & 1))
-        area += 1.5 * frame.rests[tet].volume * frame.rests[tet].shape_gradients.col(face).norm();
-  return area;
-}
-
 struct Damage {
   double pieces = 0;
   double area = 0;  ///< of cracks [m²]
@@ -47,7 +39,7 @@ struct Damage {
 Damage damage_of(const Scene& scene, double duration) {
   World world(scene);
   for (double time = 0; time < duration; time += scene.simulation.time_step) world.step();
-  return {static_cast<double>(world.frame().bodies.size()), crack_area(world.frame()), world.state_hash()};
+  return {static_cast<double>(world.frame().bodies.size()), testing::crack_area(world.frame()), world.state_hash()};
 }
 
 /// The mean of some shots near one another: a single one scatters.

@@ -4,23 +4,12 @@
 #include <random>
 
 #include "sim/mesh/topology.h"
+#include "crack_area.h"
 #include "sim/world/world.h"
 #include "tests/world/scenes.h"
 
 namespace griffith {
 namespace {
-
-/// What cracks have opened [m²]: both faces of a crack count half.
-double crack_area(const Frame& frame) {
-  double area = 0;
-  for (std::size_t tet = 0; tet < frame.tets.size(); ++tet)
-    for (int face = 0; face < 4; ++face) {
-      if (frame.neighbours[tet][face].valid() || (frame.first_surface[tet] >> face & 1)) continue;
-      const auto corner = [&](int i) { return frame.rest_positions[frame.tets[tet][kTetFaces[face][i]]]; };
-      area += 0.25 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
-    }
-  return area;
-}
 
 /// A wall of 6 × 6 × 1 m that a sphere of 25 kg strikes near the middle.
 Scene struck_wall(const Material& material, double speed, std::mt19937& random) {
@@ -46,7 +35,7 @@ double damage(const Material& material, double speed) {
   for (int shot = 0; shot < kShots; ++shot) {
     World world(struck_wall(material, speed, random));
     for (int step = 0; step < 60; ++step) world.step();
-    sum += crack_area(world.frame());
+    sum += testing::crack_area(world.frame());
   }
   return sum / kShots;
 }
