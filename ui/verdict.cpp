@@ -24,9 +24,9 @@ Verdict overloaded(const NodeReport& report, const Frame& frame, bool fracture) 
   return {Verdict::Kind::overloaded, load + why};
 }
 
-std::string softened_text(const SoftenedImpact& impact) {
+std::string scaled_text(const ScaledImpact& impact) {
   return "Shown at " + format_quantity(100 * impact.factor * impact.factor, "", 2) +
-         " % of its stiffness: " + reason(impact) + ".";
+         " % of its stiffness, " + format_quantity(1 / impact.factor, "", 2) + " times slower: " + reason(impact) + ".";
 }
 
 std::string breaking(const CrackEvent& event, const char* unit) {
@@ -96,10 +96,10 @@ std::string origin_of_load(const NodeReport& report, const Material& material) {
 
 Verdict verdict_on(const NodeReport& report, const Frame& frame, bool fracture) {
   Verdict verdict = bare_verdict(report, frame, fracture);
-  std::optional<SoftenedImpact> softened = frame.bodies[report.body].softened;
-  if (verdict.kind == Verdict::Kind::broke && frame.crack_events[report.events.back()].softened)
-    softened = frame.crack_events[report.events.back()].softened;
-  if (softened) verdict.text += " " + softened_text(*softened);
+  std::optional<ScaledImpact> scaled = frame.bodies[report.body].scaled;
+  if (verdict.kind == Verdict::Kind::broke && frame.crack_events[report.events.back()].scaled)
+    scaled = frame.crack_events[report.events.back()].scaled;
+  if (scaled) verdict.text += " " + scaled_text(*scaled);
   return verdict;
 }
 

@@ -1,4 +1,5 @@
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "sim/shock/impacts.h"
 
@@ -18,17 +19,17 @@ Sides nodes_of(const Solid& solid, const CrackSides& crack) {
   return sides;
 }
 
-/// Three times the mean gap between two sides; they had the same place at rest.
-Vec3 gap(const Solid& solid, const Sides& sides) {
-  Vec3 sum = Vec3::Zero();
-  for (int i = 0; i < 3; ++i) sum += solid.displacement(sides.second[i]) - solid.displacement(sides.first[i]);
-  return sum;
+Vec3 center_of(const Solid& solid, const std::array<int, 3>& nodes) {
+  return (solid.position(nodes[0]) + solid.position(nodes[1]) + solid.position(nodes[2])) / 3;
 }
 
-Vec3 opening_speed(const Solid& solid, const Sides& sides) {
-  Vec3 sum = Vec3::Zero();
-  for (int i = 0; i < 3; ++i) sum += solid.velocity(sides.second[i]) - solid.velocity(sides.first[i]);
-  return sum;
+/// Where a point projects into a triangle, as barycentric weights.
+std::array<double, 3> weights_in(const Solid& solid, const std::array<int, 3>& nodes, const Vec3& point) {
+  const Vec3 a = solid.position(nodes[0]), b = solid.position(nodes[1]), c = solid.position(nodes[2]);
+  const Vec3 normal = (b - a).cross(c - a);
+  const double square = normal.squaredNorm();
+  const double u = normal.dot((c - b).cross(point - b)) / square, v = normal.dot((a - c).cross(point - c)) / square;
+  return {u, v, 1 - u - v};
 }
 
 /// The area vector of the first side, out of it: its corners are counter-clockwise seen from outside.
@@ -39,25 +40,27 @@ Vec3 area_of(const Solid& solid, const Sides& sides) {
 
 }  // namespace
 
-/// The sides of a crack that close on each other meet without rebound, face by face, where they parted. Those that have
-/// slid apart by more than their size are left to the contacts of whole pieces.
+/// The sides of a crack that close on each other meet without rebound, at the centre of the first, so that no torque is
+/// made. Those that have slid further apart are left to the contacts of whole pieces.
 void Impacts::close_cracks(Solid& solid) {
   for (const CrackSides& crack : cracks_) {
     const Sides sides = nodes_of(solid, crack);
-    const Vec3 apart = gap(solid, sides), area = area_of(solid, sides);
-    if (apart.dot(area) > 0) continue;
-    const double size = area.norm();
-    const Vec3 normal = area / size;
-    const double speed = opening_speed(solid, sides).dot(normal);
-    if (speed >= 0 || apart.squaredNorm() > size) continue;
-    double mobility = 0;
-    for (int i = 0; i < 3; ++i)
-      mobility += solid.mobility(sides.first[i], normal) + solid.mobility(sides.second[i], normal);
-    if (mobility == 0) continue;
+    const Vec3 area = area_of(solid, sides), center = center_of(solid, sides.first);
+    const Vec3 normal = area.normalized();
+    const std::array<double, 3> weights = weights_in(solid, sides.second, center);
+    if (*std::ranges::min_element(weights) < 0) continue;
+    double gap = -normal.dot(center), speed = 0, mobility = 0;
+    for (int i = 0; i < 3; ++i) {
+      gap += weights[i] * normal.dot(solid.position(sides.second[i]));
+      speed += normal.dot(weights[i] * solid.velocity(sides.second[i]) - solid.velocity(sides.first[i]) / 3);
+      mobility += solid.mobility(sides.first[i], normal) / 9 +
+                  weights[i] * weights[i] * solid.mobility(sides.second[i], normal);
+    }
+    if (gap > 0 || gap * gap > area.norm() || speed >= 0 || mobility == 0) continue;
     const Vec3 impulse = speed / mobility * normal;
     for (int i = 0; i < 3; ++i) {
-      solid.push(sides.first[i], impulse);
-      solid.push(sides.second[i], -impulse);
+      solid.push(sides.first[i], impulse / 3);
+      solid.push(sides.second[i], -weights[i] * impulse);
     }
   }
 }

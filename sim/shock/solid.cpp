@@ -13,6 +13,9 @@ namespace {
 constexpr double kDampingRatio = 0.06;
 /// This share of a body's elements, its slivers, may be relieved.
 constexpr double kSliverShare = 0.02;
+/// And all whose frequency is higher than this many bar waves' speeds over the mean edge length: that of elements of
+/// good shape is below 10.
+constexpr double kSliverFrequency = 20;
 
 WideQuad wide(const Vec3& v) { return WideQuad{v[0], v[1], v[2], 0}; }
 
@@ -35,7 +38,31 @@ double element_frequency(const ElasticLaw& law, double density, const ElementRes
   return std::sqrt(4 / density * std::max(shear, largest_eigenvalue(stretch)));
 }
 
+std::vector<double> element_frequencies(const ElasticLaw& law, double density, std::span<const ElementRest> rests) {
+  std::vector<double> frequencies;
+  frequencies.reserve(rests.size());
+  for (const ElementRest& rest : rests) frequencies.push_back(element_frequency(law, density, rest));
+  return frequencies;
+}
+
+/// The highest frequency that is left to elements.
+double relieved_limit(const ElasticLaw& law, double density, std::span<const ElementRest> rests,
+                      std::vector<double> frequencies) {
+  const auto relieved = static_cast<std::ptrdiff_t>(kSliverShare * static_cast<double>(frequencies.size()));
+  const auto limit = frequencies.end() - 1 - relieved;
+  std::nth_element(frequencies.begin(), limit, frequencies.end());
+  double volume = 0;
+  for (const ElementRest& rest : rests) volume += rest.volume;
+  const double edge = std::cbrt(6 * volume / static_cast<double>(rests.size()));
+  const double young_modulus = law.mu * (3 * law.lambda + 2 * law.mu) / (law.lambda + law.mu);
+  return std::min(*limit, kSliverFrequency * std::sqrt(young_modulus / density) / edge);
+}
+
 }  // namespace
+
+double highest_frequency(const ElasticLaw& law, double density, std::span<const ElementRest> rests) {
+  return relieved_limit(law, density, rests, element_frequencies(law, density, rests));
+}
 
 int Solid::add_node(const SolidNodeStart& start) {
   nodes_.push_back({.inverse_mass = 1 / start.mass});
@@ -83,12 +110,8 @@ void Solid::add_body(const ElasticLaw& law, double density, std::span<const std:
     constexpr int kRow[6] = {0, 1, 2, 0, 1, 0}, kColumn[6] = {0, 1, 2, 1, 2, 2};
     for (int e = 0; e < 6; ++e) block.offset[e][lane] = static_cast<float>(offsets[i](kRow[e], kColumn[e]));
   }
-  std::vector<double> frequencies(rests.size());
-  for (std::size_t i = 0; i < rests.size(); ++i) frequencies[i] = element_frequency(law, density, rests[i]);
-  std::vector<double> sorted = frequencies;
-  const auto limit = sorted.end() - 1 - static_cast<std::ptrdiff_t>(kSliverShare * static_cast<double>(sorted.size()));
-  std::nth_element(sorted.begin(), limit, sorted.end());
-  body.frequency = *limit;
+  const std::vector<double> frequencies = element_frequencies(law, density, rests);
+  body.frequency = relieved_limit(law, density, rests, frequencies);
   for (std::size_t i = 0; i < rests.size(); ++i) {
     if (frequencies[i] <= body.frequency) continue;
     const double share = std::pow(body.frequency / frequencies[i], 2);

@@ -44,6 +44,9 @@ struct SolidBody {
   int relieved = 0;      ///< slivers that act on their nodes with a part of their force, so as not to set the microstep
 };
 
+/// The highest frequency of a body with these elements, once its slivers are relieved [rad/s].
+double highest_frequency(const ElasticLaw& law, double density, std::span<const ElementRest> rests);
+
 /// Tetrahedral bodies under explicit dynamics: lumped masses, symplectic Euler, eight elements at a time. State is in
 /// double precision, the elements' arithmetic in single precision on displacements from a placement near the present
 /// one. The same bits for any number of threads.

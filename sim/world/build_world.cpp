@@ -23,6 +23,7 @@ void append_nodes(WorldState& world, const BodyDescription& body) {
   nodes.rows.resize(placed.size(), -1);
   nodes.separations.resize(placed.size());
   nodes.reactions.resize(placed.size(), Vec3::Zero());
+  nodes.similarity_starts.resize(placed.size(), Vec3::Zero());
 }
 
 /// Places a copy of the shape's mesh in the world's.
@@ -65,8 +66,8 @@ void append_elements(WorldState& world, TetId first) {
   }
   elements.states.resize(world.mesh.tets.size());
   elements.plastic_strains.resize(world.mesh.tets.size(), Mat3::Zero());
+  elements.similarity_strains.resize(world.mesh.tets.size(), Mat3::Zero());
   elements.stresses.resize(world.mesh.tets.size(), Mat3::Zero());
-  elements.stresses_before.resize(world.mesh.tets.size(), Mat3::Zero());
   elements.bodies.resize(world.mesh.tets.size());
   constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
   elements.opened.resize(world.mesh.tets.size(), {kNever, kNever, kNever, kNever});
@@ -233,7 +234,6 @@ double node_mass(const WorldState& world, NodeId node) {
 
 void build_world(WorldState& world, const Monitor& monitor) {
   check_probes(world.scene);
-  world.substep_ticks = kTicksPerStep;
   for (const BodyDescription& body : world.scene.bodies) {
     world.materials.push_back(body.material);
     world.weaknesses.push_back(place_weakness(body));
@@ -241,6 +241,9 @@ void build_world(WorldState& world, const Monitor& monitor) {
   if (const auto& ground = world.scene.ground)
     world.contact_world.add_ground(ground->height, {ground->friction, ground->restitution});
   add_scene_bodies(world, monitor);
+  world.extents.resize(world.scene.bodies.size(), 0);
+  for (const Body& body : world.bodies)
+    world.extents[body.scene_body] = std::max(world.extents[body.scene_body], body.extent);
   queue_bursts(world);
   for (int i = 0; i < static_cast<int>(world.materials.size()); ++i) check_substep_count(world, i, world.materials[i]);
   if (monitor.is_cancelled()) throw Cancelled();

@@ -18,13 +18,6 @@ bool could_hurt(const WorldState& world, const Body& body, double force) {
   return stress > kWakingShare * least_breaking_stress(world, body, true);
 }
 
-/// Of a contact on a body in a substep of `dt` [N].
-double peak_force(const WorldState& world, const Body& body, const Contact& contact, double dt) {
-  const double mean = contact.impulse.norm() / dt;
-  const bool smoothed = world.coarse_impact && strikes(world, contact, body);
-  return smoothed ? mean / softening_factor(world, body, dt) : mean;
-}
-
 /// Makes rigid bodies elastic where the impulses found could hurt them; whether there were any.
 bool wake_struck_bodies(WorldState& world, double dt) {
   bool any = false;
@@ -32,7 +25,7 @@ bool wake_struck_bodies(WorldState& world, double dt) {
     for (ProxyId side : {contact.a, contact.b}) {
       const BodyId id = world.body_of(side);
       if (!id.valid() || !world.bodies[id].rigid || world.bodies[id].supported()) continue;
-      if (!could_hurt(world, world.bodies[id], peak_force(world, world.bodies[id], contact, dt))) continue;
+      if (!could_hurt(world, world.bodies[id], contact.impulse.norm() / dt)) continue;
       place_rigid_nodes(world, world.bodies[id]);
       wake(world, world.bodies[id]);
       world.bodies[id].energy = mechanical_energy(world, world.bodies[id]);
@@ -163,7 +156,7 @@ bool answer_all(WorldState& world, TouchedBodies& touched, double dt) {
   });
   bool foreseen = true;
   for (std::size_t i = 0; i < answers.size(); ++i) {
-    count_solve(world, world.bodies[touched.bodies[i].body], answers[i].solve);
+    count_solve(world, answers[i].solve);
     foreseen &= answers[i].foreseen;
   }
   return foreseen;
@@ -210,7 +203,7 @@ void take_sleep(WorldState& world) {
 }
 
 void solve_impulses(WorldState& world, const TouchedBodies& touched, double dt, bool again) {
-  world.work.contacts += Work::kPerRelaxation * world.contact_world.solve(dt, touched.responses, again);
+  world.contact_world.solve(dt, touched.responses, again);
 }
 
 /// Impulses by what is known of elastic bodies before they answer.
@@ -283,8 +276,6 @@ void resolve_contacts(WorldState& world, double dt) {
   take_sleep(world);
   tell_rigid_velocities(world);
   TouchedBodies touched = solve_contacts(world, dt);
-  for (const TouchedBody& body : touched.bodies)
-    world.work.contacts += Work::kPerTouchedPoint * static_cast<double>(body.points.size());
   limit_energy(world, touched, dt);
   tell_rigid_velocities(world);
   world.contact_world.advance(dt);
@@ -292,7 +283,6 @@ void resolve_contacts(WorldState& world, double dt) {
   apply_corrections(world);
   note_contacts(world);
   const int contacts = static_cast<int>(world.contact_world.contacts().size());
-  world.work.contacts += Work::kPerContact * contacts;
   world.report.contacts = std::max(world.report.contacts, contacts);
   world.report.max_penetration = std::max(world.report.max_penetration, world.contact_world.max_penetration());
 }

@@ -234,14 +234,6 @@ bool is_sound(const WorldState& world, const Body& body) {
          body.motion.angular_velocity.allFinite();
 }
 
-/// Takes the shape as it is now for that of a rigid body.
-void stiffen(WorldState& world, Body& body) {
-  body.rigid = true;
-  const Mat3 back = body.orientation.conjugate().toRotationMatrix();
-  for (std::size_t i = 0; i < body.nodes.size(); ++i)
-    body.reference_arms.col(i) = back * (world.nodes.positions[body.nodes[i]] - body.motion.center);
-}
-
 /// Whether neither stress nor waves come near what could hurt a free body. A wave of stress σ moves nodes by σ/(ρc), in
 /// compression as in tension, while it has not yet come to where it could part the body.
 bool is_calm(const WorldState& world, const Body& body) {
@@ -270,6 +262,13 @@ double mechanical_energy(const WorldState& world, const Body& body) {
   for (NodeId node : body.nodes) energy += 0.5 * world.nodes.masses[node] * world.nodes.velocities[node].squaredNorm();
   for (TetId tet : body.tets) energy += world.elements.rests[tet].volume * world.elements.states[tet].energy_density;
   return energy;
+}
+
+void stiffen(WorldState& world, Body& body) {
+  body.rigid = true;
+  const Mat3 back = body.orientation.conjugate().toRotationMatrix();
+  for (std::size_t i = 0; i < body.nodes.size(); ++i)
+    body.reference_arms.col(i) = back * (world.nodes.positions[body.nodes[i]] - body.motion.center);
 }
 
 void place_rigid_nodes(WorldState& world, const Body& body) {

@@ -5,6 +5,7 @@
 #include "sim/mesh/topology.h"
 #include "sim/world/phases.h"
 #include "sim/world/shock_run.h"
+#include "sim/world/similarity.h"
 
 namespace griffith {
 namespace {
@@ -49,12 +50,13 @@ void ShockRun::update_threshold(int index) {
               world_.elements.rests[tet].shape_gradients.col(local_corner(world_.mesh, tet, node)).norm();
     least *= 2 / area;
   }
-  target.threshold = kScreeningShare * static_cast<float>(least);
+  target.threshold = kScreeningShare * static_cast<float>(body.shock->similarity * least);
 }
 
 /// How long a wave takes to cross an element at the node [s].
 double ShockRun::transit_time(NodeId node) const {
-  return element_size_at(world_, node) / bar_wave_speed(world_.material_of(body_of(node)));
+  const Body& body = body_of(node);
+  return element_size_at(world_, node) / (body.shock->similarity * bar_wave_speed(world_.material_of(body)));
 }
 
 /// The state of an element as it is now, of which the separation tensors are made.
@@ -68,9 +70,10 @@ void ShockRun::bring_up_to_date(TetId tet) {
     corners.col(i) = world_.nodes.positions[nodes_[index]] = solid_.position(index);
   }
   const Body& body = world_.bodies[world_.elements.bodies[tet]];
-  const ElasticLaw law = elastic_law(world_.material_of(body));
-  world_.elements.states[tet] = element_state(law, element_deformation(law.model, world_.elements.rests[tet], corners),
-                                              world_.elements.plastic_strains[tet]);
+  const ElasticLaw law = law_in_shock(world_, body);
+  const Mat3 offset = world_.elements.plastic_strains[tet] + world_.elements.similarity_strains[tet];
+  world_.elements.states[tet] =
+      element_state(law, element_deformation(law.model, world_.elements.rests[tet], corners), offset);
 }
 
 void ShockRun::look() {
@@ -80,9 +83,14 @@ void ShockRun::look() {
   std::ranges::sort(overloaded_, [](const Overload& a, const Overload& b) {
     return a.margin != b.margin ? a.margin > b.margin : a.node < b.node;
   });
+  world_.report.cracks_postponed = 0;
   for (const Overload& overload : overloaded_) {
     if (rebuild_) break;  // the others are judged again on the new mesh
-    if (looks_[local(overload.node)].ready <= time_) open(overload);
+    if (world_.report.cracks >= world_.scene.simulation.max_cracks_per_step) {
+      ++world_.report.cracks_postponed;
+    } else if (looks_[local(overload.node)].ready <= time_) {
+      open(overload);
+    }
   }
 }
 

@@ -5,10 +5,11 @@
 #include <map>
 
 #include "sim/elasticity/plasticity.h"
-#include "sim/elasticity/polar_decomposition.h"
 #include "sim/fracture/resistance.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/phases.h"
+#include "sim/world/placement.h"
+#include "sim/world/similarity.h"
 
 namespace griffith {
 namespace {
@@ -18,15 +19,6 @@ constexpr double kCourant = 0.9;
 /// Overload is looked for at this interval, in the time that a wave takes to cross an element.
 constexpr double kLookInterval = 0.75;
 
-/// The turn from rest to now that fits best.
-Mat3 rotation_of(const WorldState& world, const std::vector<NodeId>& nodes, const Vec3& center,
-                 const Vec3& rest_center) {
-  Mat3 correlation = Mat3::Zero();
-  for (const NodeId node : nodes)
-    correlation += world.nodes.masses[node] * (world.nodes.positions[node] - center) *
-                   (world.mesh.rest_positions[node] - rest_center).transpose();
-  return polar_rotation(correlation / correlation.norm());
-}
 
 }  // namespace
 
@@ -60,34 +52,34 @@ void ShockRun::build(std::vector<shock::Obstacle> obstacles) {
 void ShockRun::add_body(const Body& body, const std::vector<Vec3>& external) {
   const Material& material = world_.material_of(body);
   const std::vector<NodeId> nodes = nodes_of(world_.mesh, body.tets);
-  Vec3 center = Vec3::Zero(), rest_center = Vec3::Zero();
-  double mass = 0;
+  const Placement placement = placement_of(world_, nodes);
+  const Mat3& turn = placement.turn;
+  const double f = body.shock->similarity;
+  const auto is_held = [&](NodeId node) { return !world_.nodes.constraints[node].is_free(); };
+  const Vec3 falling = std::ranges::any_of(nodes, is_held) ? Vec3(Vec3::Zero()) : world_.scene.gravity;
   for (const NodeId node : nodes) {
-    mass += world_.nodes.masses[node];
-    center += world_.nodes.masses[node] * world_.nodes.positions[node];
-    rest_center += world_.nodes.masses[node] * world_.mesh.rest_positions[node];
-  }
-  center /= mass, rest_center /= mass;
-  const Mat3 turn = rotation_of(world_, nodes, center, rest_center);
-  for (const NodeId node : nodes) {
-    const Vec3 reference = center + turn * (world_.mesh.rest_positions[node] - rest_center);
-    const double node_mass = world_.nodes.masses[node];
-    local_of_node_[node] = solid_.add_node({reference, world_.nodes.positions[node] - reference,
-                                            world_.nodes.velocities[node], external[node] / node_mass, node_mass});
+    const Vec3 reference = placement.to_world(world_.mesh.rest_positions[node]);
+    const double mass = world_.nodes.masses[node];
+    const Vec3 acceleration = falling + f * (external[node] / mass - falling);
+    local_of_node_[node] = solid_.add_node(
+        {reference, world_.nodes.positions[node] - reference, world_.nodes.velocities[node], acceleration, mass});
     nodes_.push_back(node);
     if (!world_.nodes.constraints[node].is_free())
       solid_.constrain(local_of_node_[node], world_.nodes.constraints[node]);
   }
   std::vector<std::array<int, 4>> tets;
   std::vector<ElementRest> rests;
-  std::vector<Mat3> plastic_strains;
+  std::vector<Mat3> offsets;
   for (const TetId tet : body.tets) {
     std::array<int, 4>& corners = tets.emplace_back();
     for (int i = 0; i < 4; ++i) corners[i] = local(world_.mesh.tets[tet][i]);
     rests.push_back({turn * world_.elements.rests[tet].shape_gradients, world_.elements.rests[tet].volume});
-    plastic_strains.push_back(turn * world_.elements.plastic_strains[tet] * turn.transpose());
+    const Mat3 offset = world_.elements.plastic_strains[tet] + world_.elements.similarity_strains[tet];
+    offsets.push_back(turn * offset * turn.transpose());
   }
-  solid_.add_body(elastic_law(material), material.density, tets, rests, plastic_strains);
+  ElasticLaw law = law_in_shock(world_, body);
+  law.lambda *= f, law.mu *= f;
+  solid_.add_body(law, material.density, tets, rests, offsets);
   const int first = solid_.slot(solid_.body_count() - 1, 0);
   tets_.resize(solid_.tet_slots());
   for (std::size_t i = 0; i < body.tets.size(); ++i) {
@@ -146,7 +138,7 @@ void ShockRun::run(double duration) {
     dt_ = (end - time_) / steps;
     solid_.set_step(dt_);
     double transit = std::numeric_limits<double>::infinity();
-    for (const BodyId id : bodies_) transit = std::min(transit, transit_time(world_.bodies[id]));
+    for (const BodyId id : bodies_) transit = std::min(transit, element_transit_time(world_, world_.bodies[id]));
     const int interval = std::max(1, static_cast<int>(kLookInterval * transit / dt_ + 0.2));
     for (int i = 0; i < steps && !rebuild_; ++i) {
       solid_.compute_forces();
@@ -164,17 +156,14 @@ void ShockRun::run(double duration) {
     }
   }
   world_.report.microsteps += static_cast<int>(microsteps_);
-}
-
-double ShockRun::transit_time(const Body& body) const {
-  return body.element_size / bar_wave_speed(world_.material_of(body));
+  world_.microstep_work += kMicrostepWork * static_cast<double>(microsteps_ * solid_.tet_slots());
 }
 
 void ShockRun::note_blows() {
   for (const shock::Impacts::Blow& blow : impacts_->blows()) {
     Body& body = world_.bodies[world_.elements.bodies[world_.mesh.stars[nodes_[blow.node]].front()]];
     body.shock->last_event = time_;
-    body.last_strike = world_.step;
+    body.shock->impact_speed = std::max(body.shock->impact_speed, blow.approach);
     const shock::Obstacle* obstacle = blow.obstacle >= 0 ? &impacts_->obstacles()[blow.obstacle] : nullptr;
     world_.contact_views.push_back(
         {body.id, obstacle ? world_.body_of(obstacle->object) : BodyId(), blow.place, -blow.normal, blow.impulse});
@@ -191,7 +180,8 @@ void ShockRun::write_back() {
 void ShockRun::finish(double duration) {
   write_back();
   for (const shock::SolidConstraint& held : solid_.constraints())
-    world_.nodes.reactions[nodes_[held.node]] = held.impulse / duration;
+    world_.nodes.reactions[nodes_[held.node]] =
+        held.impulse / (duration * body_of(nodes_[held.node]).shock->similarity);
   if (!opened_.bodies.empty()) part_opened(world_, opened_);
   for (Body& body : world_.bodies) {
     if (!body.shock) continue;

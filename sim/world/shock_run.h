@@ -54,7 +54,6 @@ class ShockRun {
   void write_back();
   int local(NodeId node) const { return local_of_node_[node]; }
   const Body& body_of(NodeId node) const;
-  double transit_time(const Body& body) const;
   double transit_time(NodeId node) const;
 
   WorldState& world_;

@@ -22,6 +22,7 @@ void append_node(NodeArrays& nodes, const EdgeNode& node) {
   nodes.rows.push_back(-1);
   nodes.separations.emplace_back();
   nodes.reactions.emplace_back(Vec3::Zero());
+  nodes.similarity_starts.emplace_back(Vec3::Zero());
 }
 
 /// The deformation gradient is the same in both halves, and so is all that follows from it.
@@ -31,8 +32,8 @@ void append_element(WorldState& world, const TetBisection& halves) {
   elements.rests.emplace_back();
   elements.states.push_back(ElementState(elements.states[tet]));
   elements.plastic_strains.push_back(Mat3(elements.plastic_strains[tet]));
+  elements.similarity_strains.push_back(Mat3(elements.similarity_strains[tet]));
   elements.stresses.push_back(Mat3(elements.stresses[tet]));
-  elements.stresses_before.push_back(Mat3(elements.stresses_before[tet]));
   elements.bodies.push_back(BodyId(elements.bodies[tet]));
   const int faces = elements.first_surface[tet], outer = 1 << halves.kept, inner = 1 << halves.moved;
   elements.first_surface.push_back(static_cast<std::uint8_t>(faces & ~inner));

@@ -157,17 +157,17 @@ TEST(Verdict, SaysWhetherAndWhyANodeBroke) {
 TEST(Verdict, TellsWhatStoodInForTheMaterial) {
   Scene scene = small_wall();
   scene.simulation.time_step = 0.02;
-  scene.simulation.impact_substeps = 1;
+  scene.simulation.step_budget = 0.1;
   World world(scene);
   while (world.frame().crack_events.empty() && world.frame().step < 60) world.step();
   const Frame frame = world.frame();
   ASSERT_FALSE(frame.crack_events.empty());
   const CrackEvent& event = frame.crack_events.front();
-  ASSERT_TRUE(event.softened);
-  const double share = 100 * event.softened->factor * event.softened->factor;
-  const std::string told = "Shown at " + ui::format_quantity(share, "", 2) + " % of its stiffness: ";
+  ASSERT_TRUE(event.scaled);
+  const double share = 100 * event.scaled->factor * event.scaled->factor;
+  const std::string told = "Shown at " + ui::format_quantity(share, "", 2) + " % of its stiffness, " + ui::format_quantity(1 / event.scaled->factor, "", 2) + " times slower: ";
   const std::string verdict = ui::verdict_on(node_report(frame, event.node), frame, true).text;
-  EXPECT_NE(verdict.find(told + reason(*event.softened)), std::string::npos) << verdict;
+  EXPECT_NE(verdict.find(told + reason(*event.scaled)), std::string::npos) << verdict;
   EXPECT_NE(explanation(frame, event.node, true).find(told), std::string::npos) << "and so does render --node";
   while (world.frame().step < event.step + 3) world.step();
   const NodeReport later = node_report(world.frame(), event.node);
