@@ -91,7 +91,7 @@ struct SimulationSettings {
   double relative_residual = 1e-4;  ///< the linear solver stops here, 1e-12..0.1
   int max_solver_iterations = 400;  ///< per body and substep, 1..100000
   bool fracture = true;
-  int max_cracks_per_step = 400;  ///< splits a step; what is over waits for the next step, 1..1000000
+  int max_cracks_per_step = 10000;  ///< splits a step; what is over waits for the next step, 1..1000000
   int min_fragment_tets = 1;      ///< a split that would part off fewer tets does not happen, 1..1000
   bool operator==(const SimulationSettings&) const = default;
 };

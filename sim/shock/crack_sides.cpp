@@ -48,7 +48,7 @@ void Impacts::close_cracks(Solid& solid) {
     const Vec3 area = area_of(solid, sides), center = center_of(solid, sides.first);
     const Vec3 normal = area.normalized();
     const std::array<double, 3> weights = weights_in(solid, sides.second, center);
-    if (*std::ranges::min_element(weights) < 0) continue;
+    if (!std::ranges::all_of(weights, [](double weight) { return weight >= 0; })) continue;
     double gap = -normal.dot(center), speed = 0, mobility = 0;
     for (int i = 0; i < 3; ++i) {
       gap += weights[i] * normal.dot(solid.position(sides.second[i]));

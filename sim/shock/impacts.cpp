@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "sim/mesh/tet_mesh.h"
 
@@ -78,24 +79,33 @@ void Impacts::open(const CrackSides& sides) {
 
 void Impacts::list_near_obstacle(const Solid& solid, const Obstacle& obstacle, double margin,
                                  Candidates& candidates) const {
-  candidates.sides.clear();
-  candidates.nodes.clear();
+  candidates = {};
   const double reach = obstacle.radius + margin;
-  const Vec3& center = obstacle.state.pose.translation;
-  for (const SurfaceSide& side : surface_) {
-    if (std::isfinite(reach)) {
-      if (box_of(solid, side).exteriorDistance(center) > reach) continue;
+  for (const SurfaceSide& side : surface_)
+    if (!(box_of(solid, side).exteriorDistance(obstacle.state.pose.translation) > reach))
       candidates.sides.push_back(side);
-    }
-    for (const int node : nodes_of(solid, side)) {
-      const HalfSpace* plane = std::isfinite(reach) ? nullptr : &obstacle.solids[0].faces[0];
-      if (!plane || plane->normal.dot(solid.position(node)) - plane->distance < margin)
-        candidates.nodes.push_back(node);
-    }
+  for (int part = 0; part < static_cast<int>(obstacle.solids.size()); ++part)
+    list_near_part(solid, obstacle, part, margin, candidates);
+}
+
+/// The nodes of the sides near an obstacle that are near one of its parts, and that part's samples near the sides.
+void Impacts::list_near_part(const Solid& solid, const Obstacle& obstacle, int part, double margin,
+                             Candidates& candidates) const {
+  const ConvexSolid& convex = obstacle.solids[part];
+  std::vector<int> nodes;
+  for (const SurfaceSide& side : candidates.sides)
+    for (const int node : nodes_of(solid, side)) nodes.push_back(node);
+  std::ranges::sort(nodes);
+  const auto repeated = std::ranges::unique(nodes);
+  nodes.erase(repeated.begin(), repeated.end());
+  for (const int node : nodes)
+    if (outermost_face(convex, obstacle.state.pose.to_local(solid.position(node))).first < margin)
+      candidates.nodes.push_back({part, node});
+  for (int sample = 0; sample < static_cast<int>(convex.samples.size()); ++sample) {
+    const Vec3 place = obstacle.state.pose.to_world(convex.samples[sample]);
+    for (const SurfaceSide& side : candidates.sides)
+      if (box_of(solid, side).exteriorDistance(place) < margin) candidates.samples.push_back({part, sample, side});
   }
-  std::ranges::sort(candidates.nodes);
-  const auto repeated = std::ranges::unique(candidates.nodes);
-  candidates.nodes.erase(repeated.begin(), repeated.end());
 }
 
 const SurfaceLaw& Impacts::surface_at(const Solid& solid, int node) const {
@@ -176,28 +186,31 @@ bool Impacts::is_behind(const Solid& solid, const SurfaceSide& side, const Vec3&
 /// Nodes inside a convex part, and its sample points behind sides.
 void Impacts::touch_convex(const Solid& solid, int index) {
   const Obstacle& obstacle = obstacles_[index];
+  const Candidates& candidates = candidates_[index];
   const Pose& pose = obstacle.state.pose;
-  for (const ConvexSolid& part : obstacle.solids) {
-    for (const int node : candidates_[index].nodes) {
-      const Vec3 place = solid.position(node);
-      const auto [outside, normal] = outermost_face(part, pose.to_local(place));
-      if (outside > 0) continue;
-      Touch touch{.nodes = {node, node, node}, .count = 1, .obstacle = index, .place = place};
-      touch.normal = -(pose.rotation * normal);
-      touch.depth = -outside;
-      touches_.push_back(touch);
+  for (const auto& [part, node] : candidates.nodes) {
+    const Vec3 place = solid.position(node);
+    const auto [outside, normal] = outermost_face(obstacle.solids[part], pose.to_local(place));
+    if (outside > 0) continue;
+    Touch touch{.nodes = {node, node, node}, .count = 1, .obstacle = index, .place = place};
+    touch.normal = -(pose.rotation * normal);
+    touch.depth = -outside;
+    touches_.push_back(touch);
+  }
+  const auto same_sample = [](const SampleAndSide& a, const SampleAndSide& b) {
+    return a.part == b.part && a.sample == b.sample;
+  };
+  for (auto first = candidates.samples.begin(); first != candidates.samples.end();) {
+    const Vec3 place = pose.to_world(obstacle.solids[first->part].samples[first->sample]);
+    std::optional<Touch> shallowest;
+    auto at = first;
+    for (; at != candidates.samples.end() && same_sample(*at, *first); ++at) {
+      Touch touch{.obstacle = index};
+      if (is_behind(solid, at->side, place, touch) && (!shallowest || touch.depth < shallowest->depth))
+        shallowest = touch;
     }
-    for (const Vec3& sample : part.samples) {
-      const Vec3 place = pose.to_world(sample);
-      Touch touch{.obstacle = index}, deepest;
-      bool found = false;
-      for (const SurfaceSide& side : candidates_[index].sides) {
-        if (!is_behind(solid, side, place, touch) || (found && touch.depth >= deepest.depth)) continue;
-        deepest = touch;
-        found = true;
-      }
-      if (found) touches_.push_back(deepest);
-    }
+    if (shallowest) touches_.push_back(*shallowest);
+    first = at;
   }
 }
 

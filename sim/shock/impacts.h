@@ -64,9 +64,19 @@ class Impacts {
     Vec3 place = Vec3::Zero(), normal = Vec3::UnitY();  ///< normal: from the solid to the other
     double depth = 0;
   };
+  /// A sample of a convex part near a side.
+  struct SampleAndSide {
+    int part = 0, sample = 0;
+    SurfaceSide side;
+  };
+  struct PartAndNode {
+    int part = 0, node = 0;
+  };
+  /// What of the surface may touch an obstacle.
   struct Candidates {
     std::vector<SurfaceSide> sides;
-    std::vector<int> nodes;
+    std::vector<PartAndNode> nodes;
+    std::vector<SampleAndSide> samples;  ///< by part and sample
   };
   struct NodeAndSide {
     int node = 0;
@@ -76,6 +86,8 @@ class Impacts {
   const SurfaceLaw& surface_at(const Solid& solid, int node) const;
   void list_candidates(const Solid& solid);
   void list_near_obstacle(const Solid& solid, const Obstacle& obstacle, double margin, Candidates& candidates) const;
+  void list_near_part(const Solid& solid, const Obstacle& obstacle, int part, double margin,
+                      Candidates& candidates) const;
   void list_pairs(const Solid& solid, double margin);
   void find_touches(const Solid& solid);
   void touch_sphere(const Solid& solid, int obstacle);

@@ -16,6 +16,8 @@ constexpr double kSliverShare = 0.02;
 /// And all whose frequency is higher than this many bar waves' speeds over the mean edge length: that of elements of
 /// good shape is below 10.
 constexpr double kSliverFrequency = 20;
+/// Those whose force would be less than this share are so flat that they exert none.
+constexpr double kLeastShare = 1e-2;
 
 WideQuad wide(const Vec3& v) { return WideQuad{v[0], v[1], v[2], 0}; }
 
@@ -56,6 +58,17 @@ double relieved_limit(const ElasticLaw& law, double density, std::span<const Ele
   const double edge = std::cbrt(6 * volume / static_cast<double>(rests.size()));
   const double young_modulus = law.mu * (3 * law.lambda + 2 * law.mu) / (law.lambda + law.mu);
   return std::min(*limit, kSliverFrequency * std::sqrt(young_modulus / density) / edge);
+}
+
+/// Leaves an element a share of its force.
+void relieve(ElementBlock& block, std::size_t lane, double share) {
+  if (share > kLeastShare) {
+    block.volume[lane] *= static_cast<float>(share);
+    return;
+  }
+  block.volume[lane] = std::numeric_limits<float>::min();  // 0 marks lanes without an element
+  for (int k = 0; k < 3; ++k)
+    for (int a = 0; a < 3; ++a) block.gradients[k][a][lane] = 0;
 }
 
 }  // namespace
@@ -114,8 +127,7 @@ void Solid::add_body(const ElasticLaw& law, double density, std::span<const std:
   body.frequency = relieved_limit(law, density, rests, frequencies);
   for (std::size_t i = 0; i < rests.size(); ++i) {
     if (frequencies[i] <= body.frequency) continue;
-    const double share = std::pow(body.frequency / frequencies[i], 2);
-    blocks_[body.first_block + i / kLanes].volume[i % kLanes] *= static_cast<float>(share);
+    relieve(blocks_[body.first_block + i / kLanes], i % kLanes, std::pow(body.frequency / frequencies[i], 2));
     ++body.relieved;
   }
   body.damping = 2 * kDampingRatio / body.frequency;

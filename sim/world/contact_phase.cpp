@@ -18,6 +18,12 @@ bool could_hurt(const WorldState& world, const Body& body, double force) {
   return stress > kWakingShare * least_breaking_stress(world, body, true);
 }
 
+/// Whether whoever is hurt by a contact was found before the step: blows have their own phase, and the mean force of a
+/// blow in a long step says nothing.
+bool is_left_to_shock(const WorldState& world, const Contact& contact) {
+  return world.scene.simulation.integrator == Integrator::hybrid && contact.approach > least_impact_speed(world);
+}
+
 /// Makes rigid bodies elastic where the impulses found could hurt them; whether there were any.
 bool wake_struck_bodies(WorldState& world, double dt) {
   bool any = false;
@@ -25,6 +31,7 @@ bool wake_struck_bodies(WorldState& world, double dt) {
     for (ProxyId side : {contact.a, contact.b}) {
       const BodyId id = world.body_of(side);
       if (!id.valid() || !world.bodies[id].rigid || world.bodies[id].supported()) continue;
+      if (is_left_to_shock(world, contact)) continue;
       if (!could_hurt(world, world.bodies[id], contact.impulse.norm() / dt)) continue;
       place_rigid_nodes(world, world.bodies[id]);
       wake(world, world.bodies[id]);

@@ -115,26 +115,29 @@ void ShockRun::open(const Overload& overload) {
   const Body& body = body_of(node);
   const BodyId id = body.id;
   const double transit = transit_time(node);
-  const bool remeshes = world_.scene.bodies[body.scene_body].remeshing;
-  if (remeshes) write_back();
+  if (world_.scene.bodies[body.scene_body].remeshing) write_back();
   world_.time = time_;
   const std::vector<TetId> star = world_.mesh.stars[node];
   std::vector<std::array<TetId, 4>> neighbours;
   for (const TetId tet : star) neighbours.push_back(world_.mesh.neighbours[tet]);
   const std::size_t first_copy = opened_.copies.size(), tets = world_.mesh.tets.size();
   looks_[local(node)].ready = time_ + transit;
-  if (!crack(world_, node, opened_)) {
-    rebuild_ |= world_.mesh.tets.size() > tets;
-    return;
+  const bool cracked = crack(world_, node, opened_);
+  if (world_.mesh.tets.size() > tets) {
+    restore_angular_momentum(world_, opened_.motions);
+    opened_.motions.clear();
+    rebuild_ = true;
   }
+  if (!cracked) return;
   ++world_.report.cracks;
   opened_.bodies.insert(id);
   world_.bodies[id].shock->last_event = time_;
-  if (world_.crack_events.back().torn_off) world_.bodies[id].system.reset();
-  if (world_.mesh.tets.size() > tets || world_.crack_events.back().torn_off) {
+  if (world_.crack_events.back().torn_off) {
+    if (!rebuild_) write_back();
+    world_.bodies[id].system.reset();
     rebuild_ = true;
-    return;
   }
+  if (rebuild_) return;
   follow(std::span(opened_.copies).subspan(first_copy), star, neighbours);
   for (const TetId tet : star)
     for (const NodeId near : world_.mesh.tets[tet]) {

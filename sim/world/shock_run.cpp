@@ -150,7 +150,6 @@ void ShockRun::run(double duration) {
       if (microsteps_ % interval == 0) look();
     }
     if (rebuild_) {
-      write_back();
       world_.time = time_;
       build({impacts_->obstacles().begin(), impacts_->obstacles().end()});
     }

@@ -13,7 +13,7 @@ namespace {
 
 /// Waves would cross the whole body so often after the last event. Pieces of it are followed as long: cracks take about
 /// that time through them.
-constexpr double kTransits = 3;
+constexpr double kTransits = 4;
 /// Down to here breaking speeds stay as they are.
 constexpr double kLeastFactor = 1.0 / 16;
 /// Impacts must be slower than this share of the slowed waves.
@@ -22,13 +22,17 @@ constexpr double kImpactShare = 0.2;
 constexpr double kMicrostepAtFrequency = 1.7;
 /// What each stretch may spend, whatever was spent before: a share of the budget.
 constexpr double kLeastShare = 1.0 / 8;
+/// Scaled bodies strain more: no more than this at their strength.
+constexpr double kMostStrain = 0.02;
 /// A shock that this share of the budget left can follow to its end is followed as it is.
 constexpr double kShareOfOneShock = 0.5;
 
 double least_factor(const WorldState& world, const Body& body) {
   const Material& material = world.material_of(body);
   if (material.yield_strength) return 1;  // flow has its own pace
-  return std::clamp(body.shock->impact_speed / (kImpactShare * bar_wave_speed(material)), kLeastFactor, 1.0);
+  const double for_speed = body.shock->impact_speed / (kImpactShare * bar_wave_speed(material)),
+               for_strain = material.tensile_strength / (kMostStrain * material.young_modulus);
+  return std::clamp(std::max(for_speed, for_strain), kLeastFactor, 1.0);
 }
 
 /// Where a body is, to tell its deformation from: a free one where it fits best, one that swings about its pivot, any

@@ -84,8 +84,9 @@ TEST(Remeshing, ASpinningBodyKeepsItsMomenta) {
   for (int step = 0; step < 20 && world.frame().tets.size() == tets; ++step) world.step();
   ASSERT_GT(world.frame().tets.size(), tets);
   const Totals after = world.frame().totals;
-  EXPECT_LT((after.momentum - before.momentum).norm(), 1e-9 * before.momentum.norm());
-  EXPECT_LT((after.angular_momentum - before.angular_momentum).norm(), 1e-6 * before.angular_momentum.norm());
+  // Elements' forces are in single precision.
+  EXPECT_LT((after.momentum - before.momentum).norm(), 1e-8 * before.momentum.norm());
+  EXPECT_LT((after.angular_momentum - before.angular_momentum).norm(), 1e-5 * before.angular_momentum.norm());
 }
 
 /// Pulled apart on a smooth table, it cracks across the supported face, too.
