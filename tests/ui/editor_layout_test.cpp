@@ -174,6 +174,16 @@ TEST(EditorLayout, KeysTypedIntoAFieldAreNoShortcuts) {
   EXPECT_TRUE(ui.commands.empty());
 }
 
+TEST(EditorLayout, QuittingAndScreenshotsWorkWhileTyping) {
+  UiDriver ui(two_walls());
+  ui.click("material/density", 1);
+  ui.frame();
+  ASSERT_TRUE(ImGui::GetIO().WantTextInput);
+  ui.press_key(key::kF12);
+  ui.press_key('Q', true);
+  EXPECT_THAT(ids(ui), ::testing::ElementsAre(CommandId::screenshot, CommandId::quit));
+}
+
 TEST(EditorLayout, ShortcutsDoNotReachBehindADialog) {
   const std::vector<std::function<void(EditorState&)>> dialogs = {
       [](EditorState& state) { state.work = "Filling with tetrahedra"; },
@@ -352,6 +362,18 @@ TEST(EditorLayout, OpenDialogTakesATypedPath) {
   ASSERT_THAT(ids(ui), ::testing::ElementsAre(CommandId::open));
   EXPECT_EQ(ui.commands[0].path, "a/b.json");
   EXPECT_FALSE(ui.state.show_open);
+}
+
+TEST(EditorLayout, ScenesOfTheSameNameAreToldApartByTheirFolder) {
+  UiDriver ui(two_walls());
+  const std::vector<std::filesystem::path> files = {"a/table.json", "a/wall.json", "b/wall.json"};
+  ui.input.scene_files = files;
+  ui.state.show_open = true;
+  for (int i = 0; i < 3; ++i) ui.frame();
+  EXPECT_EQ(ui.value("open/table"), "table");
+  ui.click("open/wall (b)");
+  ASSERT_THAT(ids(ui), ::testing::ElementsAre(CommandId::open));
+  EXPECT_EQ(ui.commands[0].path, "b/wall.json");
 }
 
 TEST(EditorLayout, SaveDialogTakesATypedName) {
