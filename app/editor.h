@@ -110,6 +110,10 @@ class Editor {
   void select(const ui::Selection& selection);
   void select_most_loaded();
   void frame_all();
+  /// Moves the camera along its line of sight and across until the picture shows all of the box.
+  void look_at(const Eigen::AlignedBox3f& bounds);
+  /// A scene without cameras was framed for a guess until the panels are laid out.
+  void frame_for_layout();
   void toggle_range_lock();
   void toggle_slice();
   void remember();
@@ -163,6 +167,7 @@ class Editor {
   std::vector<ui::MarginSample> margins_;  ///< of the selected node
   StepPacer pacer_;
   double step_seconds_ = 0, picture_seconds_ = 0;  ///< smoothed
+  bool laid_out_ = false;  ///< the size of the picture is known
   bool wants_to_quit_ = false, screenshot_wanted_ = false;
 };
 

@@ -190,10 +190,7 @@ void Editor::pick(const Vec2& cursor) {
 
 void Editor::frame_all() {
   const Eigen::AlignedBox3f bulk = bulk_bounds(shown_mesh(world_.frame(), state_.view, {}));
-  const Eigen::AlignedBox3f bounds = bulk.isEmpty() ? render::bounds(picture_) : bulk;
-  const render::Camera framed = render::frame_bounds(picture_camera(), bounds, aspect());
-  camera_.position = framed.position;  // the angle of view is widened for the picture alone
-  camera_.target = framed.target;
+  look_at(bulk.isEmpty() ? render::bounds(picture_) : bulk);
 }
 
 void Editor::toggle_slice() {

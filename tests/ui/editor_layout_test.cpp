@@ -109,6 +109,19 @@ TEST(EditorLayout, PresetReplacesTheWholeMaterialOfTheSelectedBody) {
   EXPECT_LE(ui.history.entries().size(), 1u);
 }
 
+TEST(EditorLayout, APresetWhoseValuesWereEditedIsCalledSo) {
+  UiDriver ui(two_walls());
+  EXPECT_EQ(ui.value("material/preset"), "brick");
+  ui.drag("material/density", 40);
+  EXPECT_EQ(ui.value("material/preset"), "brick (edited)");
+  ui.history.undo();
+  ui.frame();
+  EXPECT_EQ(ui.value("material/preset"), "brick");
+  ui.history.change("name", [](Scene& scene) { scene.bodies[0].material.name = "mine"; });
+  ui.drag("material/density", 40);
+  EXPECT_EQ(ui.value("material/preset"), "mine");
+}
+
 TEST(EditorLayout, CriterionChoosesItsOwnResistance) {
   UiDriver ui(two_walls());
   ui.click("material/criterion");
