@@ -84,6 +84,8 @@ class Editor {
   void follow_materials();
   /// Whether the world could take it; else the edit is taken back.
   bool follow_material(int scene_body);
+  void carry_out(const ui::Command& command);
+  void carry_out_with_files(const ui::Command& command);
   void receive_world();
   /// So many tetrahedra are built unasked: few, or no many more than there are.
   double most_tets() const;
