@@ -199,8 +199,9 @@ void require_scene(const std::filesystem::path& scene) {
   if (scene.empty() || std::filesystem::exists(scene, error)) return;
   if (scene.has_extension() || scene.has_parent_path()) {
     const std::vector<std::filesystem::path> samples = scene_files("");
-    const std::string known = samples.empty() ? "" : "; scenes to begin with are in " + samples[0].parent_path().string();
-    throw InputError(scene.string(), "there is no such scene file", "check the path" + known);
+    std::string remedy = "check the path";
+    if (!samples.empty()) remedy += "; scenes to begin with are in " + samples.front().parent_path().string();
+    throw InputError(scene.string(), "there is no such scene file", remedy);
   }
   throw InputError(scene.string(), "is neither a command nor a scene file",
                    "the commands are render, simulate, check and mesh; --help describes them");
