@@ -60,7 +60,8 @@ Verdict bare_verdict(const NodeReport& report, const Frame& frame, bool fracture
   if (body.rigid) {
     const std::string text = body.tets == 1
                                  ? "A single element cannot break any further."
-                                 : "Its piece moves as a rigid body: nothing strains it until something strikes.";
+                                 : "Its piece moves as a rigid body: what little stress it was left with stays "
+                                   "as it is until something strikes.";
     return {past.empty() ? Verdict::Kind::unknown : Verdict::Kind::broke, past + (past.empty() ? "" : " ") + text};
   }
   if (report.separation.margin > 1) return overloaded(report, frame, fracture);

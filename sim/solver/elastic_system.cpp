@@ -229,12 +229,13 @@ void ElasticSystem::project_right_hand_side(std::span<const NodeConstraint> cons
 }
 
 SolveReport ElasticSystem::solve_projected(std::span<const NodeConstraint> constraints, double relative_residual,
-                                           int max_iterations, NodeVectors b, NodeVectors& x) const {
+                                           int max_iterations, NodeVectors b, NodeVectors& x,
+                                           const std::function<bool()>& given_up) const {
   if (nodes().empty()) return {};
   project_right_hand_side(constraints, b);
   project(x);
   return conjugate_gradient(rows_.matrix, *preconditioner_, b, x, relative_residual, std::sqrt(dot(b, b)),
-                            max_iterations);
+                            max_iterations, given_up);
 }
 
 bool ElasticSystem::solve_directly(std::span<const NodeConstraint> constraints, NodeVectors b, NodeVectors& x) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -65,9 +66,9 @@ class ElasticSystem {
                     std::span<Vec3> velocities);
 
   /// Solves S A S x = S (b − A w) for x = S x, w the known part of the constraints; one column a row. `x` holds a
-  /// guess.
+  /// guess. `given_up`: as in conjugate_gradient().
   SolveReport solve_projected(std::span<const NodeConstraint> constraints, double relative_residual, int max_iterations,
-                              NodeVectors b, NodeVectors& x) const;
+                              NodeVectors b, NodeVectors& x, const std::function<bool()>& given_up = {}) const;
   /// The same by a factorisation; false when it breaks down, and `x` is left alone.
   bool solve_directly(std::span<const NodeConstraint> constraints, NodeVectors b, NodeVectors& x) const;
   /// The values of nodes() out of values per node of the mesh, one column a row.

@@ -16,7 +16,7 @@ void advance(WorldState& world);
 void build_world(WorldState& world, const Monitor& monitor = {});
 
 /// Makes a body's splinters, if it has a pattern for them. Throws InputError for one that cannot be made.
-void place_splinters(WorldState& world, int scene_body, const RestBody& body);
+void place_splinters(WorldState& world, int scene_body, const RestBody& body, const Monitor& monitor);
 /// After the splinters of all bodies were made: what is known of them together.
 void close_splinters(WorldState& world);
 
@@ -32,11 +32,13 @@ void fire_burst(WorldState& world, const ProjectileBurst& burst);
 void launch_projectiles(WorldState& world);
 
 /// Brings the elastic bodies for which `concerns` holds to rest where what acts on them at `time` [s] is in balance.
-/// Prescribed supports go on for `displacement_time` [s]. Free bodies get inertia relief (solve_static()).
+/// Prescribed supports go on for `displacement_time` [s]. Free bodies get inertia relief (solve_static()). Throws
+/// Cancelled when the monitor says so.
 void find_equilibrium(WorldState& world, double time, double displacement_time,
-                      const std::function<bool(const Body&)>& concerns);
-/// Starts supported bodies in equilibrium, if the scene asks for that: the pieces of `scene_body`, or all (−1).
-void find_static_start(WorldState& world, int scene_body = -1);
+                      const std::function<bool(const Body&)>& concerns, const Monitor& monitor = {});
+/// Starts supported bodies in equilibrium, if the scene asks for that: the pieces of `scene_body`, or all (−1). Throws
+/// as find_equilibrium() does.
+void find_static_start(WorldState& world, int scene_body = -1, const Monitor& monitor = {});
 
 /// The longest time in which nothing strikes hard enough to hurt, up to `most` and within `tolerance` [s].
 double time_before_impact(const WorldState& world, double most, double tolerance);
