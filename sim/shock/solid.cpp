@@ -178,15 +178,22 @@ void Solid::compute_forces() {
   });
 }
 
-void Solid::advance(std::vector<int>& flagged) {
+void Solid::advance(double kick, std::vector<int>& flagged) {
   flagged.clear();
-  advance_nodes(0, node_count(), flagged);
-  for (int i = 0; i < static_cast<int>(constraints_.size()); ++i) hold(i);
+  advance_nodes(kick * dt_, dt_, flagged);
+  for (int i = 0; i < static_cast<int>(constraints_.size()); ++i) hold(i, dt_);
 }
 
-void Solid::advance_nodes(int first, int last, std::vector<int>& flagged) {
+void Solid::kick(double share) {
+  std::vector<int> flagged;
+  advance_nodes(share * dt_, 0, flagged);
+  for (int i = 0; i < static_cast<int>(constraints_.size()); ++i) hold(i, 0);
+}
+
+/// Velocities take the forces of `kick`, positions the velocities of `drift` [s].
+void Solid::advance_nodes(double kick, double drift, std::vector<int>& flagged) {
   double fastest = 0;
-  for (int i = first; i < last; ++i) {
+  for (int i = 0; i < node_count(); ++i) {
     const SolidNode& node = nodes_[i];
     const int* star = stars_.data() + node.first;
     Quad even = {}, odd = {}, largest = {};
@@ -200,20 +207,20 @@ void Solid::advance_nodes(int first, int last, std::vector<int>& flagged) {
     if (largest[3] > node.threshold) flagged.push_back(i);
     WideQuad force = __builtin_convertvector(even + odd, WideQuad);
     force[3] = 0;
-    velocities_[i].value += dt_ * (node.inverse_mass * force + accelerations_[i].value);
-    if (node.constraint < 0) displacements_[i].value += dt_ * velocities_[i].value;
+    velocities_[i].value += kick * (node.inverse_mass * force + accelerations_[i].value);
+    if (node.constraint < 0) displacements_[i].value += drift * velocities_[i].value;
     fastest = std::max(fastest, velocity(i).squaredNorm());
   }
   fastest_ = std::sqrt(fastest);
 }
 
-void Solid::hold(int index) {
+void Solid::hold(int index, double drift) {
   SolidConstraint& held = constraints_[index];
   const Vec3 free = velocity(held.node);
   const Vec3 allowed = held.constraint.allowed * free + held.constraint.velocity;
   held.impulse += (allowed - free) / nodes_[held.node].inverse_mass;
   velocities_[held.node].value = wide(allowed);
-  displacements_[held.node].value += dt_ * velocities_[held.node].value;
+  displacements_[held.node].value += drift * velocities_[held.node].value;
 }
 
 void Solid::part(int node, std::span<const int> copies, std::span<const std::vector<int>> stars) {

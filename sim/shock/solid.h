@@ -71,9 +71,12 @@ class Solid {
 
   /// Forces of all elements at the present displacements.
   void compute_forces();
-  /// Moves all nodes by a microstep. `flagged` gets the nodes at which an element's largest principal stress exceeds
-  /// the node's threshold.
-  void advance(std::vector<int>& flagged);
+  /// Moves all nodes by a microstep: velocities change by the forces over the share `kick` of it. Velocities that belong
+  /// to the same time as positions take half a kick at first, and get the other half from kick() (velocity Verlet).
+  /// `flagged` gets the nodes at which an element's largest principal stress exceeds the node's threshold.
+  void advance(double kick, std::vector<int>& flagged);
+  /// Changes velocities alone, by the forces over a share of a microstep.
+  void kick(double share);
 
   /// Parts a node: stars[0] stays with it, each other one goes to a new node, which was added for it already. Entries
   /// are 4·tet + corner, ascending.
@@ -114,8 +117,8 @@ class Solid {
   };
   static Vec3 vector(const WideQuad& q) { return {q[0], q[1], q[2]}; }
 
-  void advance_nodes(int first, int last, std::vector<int>& flagged);
-  void hold(int constraint);
+  void advance_nodes(double kick, double drift, std::vector<int>& flagged);
+  void hold(int constraint, double drift);
 
   std::vector<SolidBody> bodies_;
   std::vector<SolidNode> nodes_;

@@ -26,7 +26,7 @@ void restore_postponed(WorldState& world) {
 std::vector<NodeId> overloaded_nodes(const WorldState& world) {
   std::vector<NodeId> nodes;
   for (const Body& body : world.bodies) {
-    if (body.rigid) continue;
+    if (!body.sways()) continue;
     for (NodeId node : body.nodes)
       if (world.nodes.separations[node].margin > 1) nodes.push_back(node);
   }

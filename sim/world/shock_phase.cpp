@@ -170,6 +170,15 @@ bool have_just_parted(const WorldState& world, BodyId a, BodyId b) {
          world.time - std::max(world.bodies[a].shock_ended, world.bodies[b].shock_ended) < kApart;
 }
 
+/// Whether a body is one for microsteps, struck at this speed [m/s]: their elements stand no large strains. What is soft
+/// is left to the implicit step.
+bool strains_little(const WorldState& world, const Body& body, double impact_speed) {
+  constexpr double kMostStrain = 0.05, kMostMach = 0.3;
+  const Material& material = world.material_of(body);
+  return material.tensile_strength < kMostStrain * material.young_modulus &&
+         impact_speed < kMostMach * bar_wave_speed(material);
+}
+
 /// Lets the bodies enter that something will strike hard enough to hurt within `duration` [s].
 void enter_struck_bodies(WorldState& world, double duration) {
   const double least = least_impact_speed(world);
@@ -179,6 +188,7 @@ void enter_struck_bodies(WorldState& world, double duration) {
       const BodyId id = world.body_of(side);
       if (!id.valid() || world.bodies[id].shock || world.bodies[id].tets.size() == 1) continue;
       if (approach < hurting_speed(world, world.bodies[id])) continue;
+      if (!strains_little(world, world.bodies[id], approach)) continue;
       enter_shock(world, world.bodies[id], approach);
     }
   }
@@ -214,7 +224,8 @@ void enter_overloaded_bodies(WorldState& world) {
   if (!world.scene.simulation.fracture) return;
   for (Body& body : world.bodies) {
     const auto is_overloaded = [&](NodeId node) { return world.nodes.separations[node].margin > 1; };
-    if (body.sways() && std::ranges::any_of(body.nodes, is_overloaded)) enter_shock(world, body, 0);
+    if (body.sways() && std::ranges::any_of(body.nodes, is_overloaded) && strains_little(world, body, 0))
+      enter_shock(world, body, 0);
   }
 }
 

@@ -142,7 +142,7 @@ void ShockRun::run(double duration) {
     const int interval = std::max(1, static_cast<int>(kLookInterval * transit / dt_ + 0.2));
     for (int i = 0; i < steps && !rebuild_; ++i) {
       solid_.compute_forces();
-      solid_.advance(flagged_);
+      solid_.advance(microsteps_ == 0 ? 0.5 : 1, flagged_);
       time_ += dt_;
       ++microsteps_;
       impacts_->resolve(solid_, dt_, least_speed_);
@@ -154,6 +154,8 @@ void ShockRun::run(double duration) {
       build({impacts_->obstacles().begin(), impacts_->obstacles().end()});
     }
   }
+  solid_.compute_forces();
+  solid_.kick(0.5);
   world_.report.microsteps += static_cast<int>(microsteps_);
   world_.microstep_work += kMicrostepWork * static_cast<double>(microsteps_ * solid_.tet_slots());
 }

@@ -89,7 +89,7 @@ void step_implicitly(WorldState& world, double time_step) {
 }
 
 /// In stretches: up to the next impact, and while waves run in what was struck or cracks. Bodies in shock take
-/// microsteps through a stretch, all else one implicit substep.
+/// microsteps through a stretch, all else one implicit substep, after which what is too soft for microsteps cracks.
 void step_by_stretches(WorldState& world, double time_step) {
   constexpr double kRounding = 1e-9;
   world.report.substeps = 0;
@@ -106,9 +106,12 @@ void step_by_stretches(WorldState& world, double time_step) {
     world.time = start + stretch;
     left -= stretch;
     leave_shock(world);
-    PhaseTimer timer(world.report.milliseconds.separation);
-    evaluate_separation(world, true);
-    enter_overloaded_bodies(world);
+    {
+      PhaseTimer timer(world.report.milliseconds.separation);
+      evaluate_separation(world, true);
+      enter_overloaded_bodies(world);
+    }
+    if (world.scene.simulation.fracture) open_cracks(world, stretch);
   }
   calm_bodies(world);
   rest_bodies(world, time_step);

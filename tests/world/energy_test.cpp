@@ -132,9 +132,9 @@ TEST(Energy, BlocksOfAnySizeThatMeetKeepTheirMomentumAndGainNone) {
         world.step();
         const Totals now = world.frame().totals;
         const double energy = now.kinetic_energy + now.elastic_energy;
-        ASSERT_LT((now.momentum - before.momentum).norm(), 1e-8 * scale) << "size " << size << ", seed " << seed;
-        // In microsteps velocities are half of one behind positions, which shows in the energy of blocks of few elements.
-        ASSERT_LE(energy, most * (1 + 0.05)) << "size " << size << ", seed " << seed << ", step " << step;
+        ASSERT_LT((now.momentum - before.momentum).norm(), 1e-7 * scale) << "size " << size << ", seed " << seed;
+        // Verlet's energy swings by ω² dt²/4 of what is in the highest frequencies, which is all in so few elements.
+        ASSERT_LE(energy, most * (1 + 0.02)) << "size " << size << ", seed " << seed << ", step " << step;
         most = std::min(most, energy);
       }
     }

@@ -76,13 +76,13 @@ Outcome outcome_of(const Scene& scene, double speed) {
 }
 
 struct BreakingSpeed {
-  double speed = 0;   ///< the lowest that breaks the body, to 2 % [m/s]
+  double speed = 0;   ///< the lowest that breaks the body, to 1 % [m/s]
   double factor = 1;  ///< the lowest f on the way
 };
 
 BreakingSpeed breaking_speed(const std::function<Scene(double)>& scene_at, double time_step, double budget) {
   BreakingSpeed found{300, 1};
-  for (double holds = 0.05; found.speed > 1.02 * holds;) {
+  for (double holds = 0.05; found.speed > 1.01 * holds;) {
     const double middle = std::sqrt(holds * found.speed);
     Scene scene = scene_at(middle);
     scene.simulation.time_step = time_step;
