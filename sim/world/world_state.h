@@ -53,6 +53,12 @@ struct Shock {
   double last_event = 0;  ///< when something struck it hard or cracked in it last [s]
 };
 
+/// What another object did to a body in a substep.
+struct ContactLoad {
+  ProxyId other;
+  Vec3 force = Vec3::Zero();  ///< [N]
+};
+
 /// A connected piece of elastic material and its stand-in in the contact world.
 struct Body {
   BodyId id, parent;
@@ -79,6 +85,7 @@ struct Body {
   std::int64_t last_strike = -2;           ///< the last step in which something struck it hard enough to hurt
   double energy = 0;                     ///< kinetic and elastic, when the substep began [J]
   double contact_work = 0;               ///< of the contacts in the substep, at the velocities after it [J]
+  std::vector<ContactLoad> harmless;     ///< of a rigid body: what it carried when it was calm, by object
   double compliance_factor = 1;          ///< true compliance at contacts over the estimated one, as seen last
 
   std::optional<Shock> shock;
