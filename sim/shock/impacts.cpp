@@ -168,7 +168,7 @@ void Impacts::touch_sphere(const Solid& solid, int index) {
 }
 
 bool Impacts::is_behind(const Solid& solid, const SurfaceSide& side, const Vec3& point, Touch& touch) const {
-  constexpr double kOutside = -1e-6;
+  constexpr double kOutside = -0.02;  // of a side: corners that meet corners touch though they shift a little
   touch.nodes = nodes_of(solid, side);
   const Vec3 a = solid.position(touch.nodes[0]), b = solid.position(touch.nodes[1]), c = solid.position(touch.nodes[2]);
   const Vec3 normal = (b - a).cross(c - a);
@@ -264,7 +264,20 @@ void Impacts::act(Solid& solid, const Touch& touch, const Vec3& impulse) {
   touch.obstacle >= 0 ? obstacles_[touch.obstacle].push(touch.place, -impulse) : solid.push(touch.other_node, -impulse);
 }
 
-bool Impacts::push(Solid& solid, const Touch& touch, double least_speed) {
+void Impacts::take_back(Solid& solid, const Touch& touch, const Vec3& impulse, double time) {
+  const auto shift = [&](int node, const Vec3& share) {
+    const double size = share.norm();
+    if (size > 0) solid.shift(node, time * solid.mobility(node, share / size) * share);
+  };
+  for (int i = 0; i < touch.count; ++i) shift(touch.nodes[i], touch.weights[i] * impulse);
+  if (touch.obstacle < 0) return shift(touch.other_node, -impulse);
+  Obstacle& obstacle = obstacles_[touch.obstacle];
+  obstacle.state.pose.translation -= time * obstacle.inverse_mass * impulse;
+}
+
+/// A push stops the approach and takes back the overlap, as far as the last motion at that speed made it: forces that
+/// press two surfaces together would else let them creep into each other step by step, and waves lose their energy.
+bool Impacts::push(Solid& solid, Touch& touch, double dt, double least_speed) {
   const Vec3 velocity = approach_of(solid, touch);
   const double speed = -velocity.dot(touch.normal), mobility = mobility_of(solid, touch, touch.normal);
   if (speed <= kNegligibleSpeed || mobility == 0) return false;
@@ -284,6 +297,9 @@ bool Impacts::push(Solid& solid, const Touch& touch, double least_speed) {
     act(solid, touch, (share - 1) * impulse);
     impulse *= share;
   }
+  const double time = std::min(dt, touch.depth / speed);
+  take_back(solid, touch, impulse, time);
+  touch.depth -= time * speed;
   if (speed > least_speed)
     blows_.push_back({touch.nodes[0], touch.obstacle, touch.place, touch.normal, impulse, speed});
   return true;
@@ -296,7 +312,7 @@ void Impacts::resolve(Solid& solid, double dt, double least_speed) {
   find_touches(solid);
   for (int round = 0; round < kRounds; ++round) {
     bool any = false;
-    for (const Touch& touch : touches_) any |= push(solid, touch, least_speed);
+    for (Touch& touch : touches_) any |= push(solid, touch, dt, least_speed);
     if (!any) break;
   }
   double fastest = solid.fastest();

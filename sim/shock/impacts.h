@@ -100,7 +100,9 @@ class Impacts {
   double friction_of(const Solid& solid, const Touch& touch) const;
   /// An impulse on the solid, and its opposite on the other [N·s].
   void act(Solid& solid, const Touch& touch, const Vec3& impulse);
-  bool push(Solid& solid, const Touch& touch, double least_speed);
+  /// Takes back the part of the last motion that `impulse` would have prevented, for `time` [s] of it.
+  void take_back(Solid& solid, const Touch& touch, const Vec3& impulse, double time);
+  bool push(Solid& solid, Touch& touch, double dt, double least_speed);
   void close_cracks(Solid& solid);
 
   std::vector<SurfaceSide> surface_;

@@ -103,6 +103,8 @@ class Solid {
   Vec3 velocity(int node) const { return vector(velocities_[node].value); }
   /// Changes a node's velocity by an impulse [N·s]; where it is held, the support takes it.
   void push(int node, const Vec3& impulse);
+  /// Moves a node, for a push that should have come before its last motion [m].
+  void shift(int node, const Vec3& way) { displacements_[node].value += WideQuad{way[0], way[1], way[2], 0}; }
   /// The velocity change that a unit impulse along `direction` brings along it [1/kg].
   double mobility(int node, const Vec3& direction) const;
   /// Of any node, as advance() left it [m/s].

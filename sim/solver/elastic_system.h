@@ -20,6 +20,13 @@ struct ImplicitStep {
   int max_iterations = 400;
 };
 
+/// A row whose velocity is known in the directions that are not allowed.
+struct HeldRow {
+  int row = 0;
+  Mat3 allowed = Mat3::Zero();  ///< projector
+  Vec3 known = Vec3::Zero();    ///< in the other directions [m/s]
+};
+
 /// The linear system of one connected body: the linearised implicit step (Baraff & Witkin 1998)
 ///   A v⁺ = b,   A = M + hC + h²K,   b = M v + h (f_elastic + f_external),   C = alpha M + beta K,
 /// under the constraints of its nodes. With S the projector onto the allowed velocities (NodeConstraint::allowed, one
@@ -83,6 +90,11 @@ class ElasticSystem {
   /// `change` holds a guess, such as the answer to other impulses of the same step, or nothing.
   SolveReport respond(const ImplicitStep& step, std::span<const Vec3> positions, std::span<const Vec3> impulses,
                       std::span<const double> masses, std::span<const NodeConstraint> constraints, NodeVectors& change);
+  /// The change of velocity x of nodes() by `impulses` (one column a row [N·s]) and by whatever makes rows move as they
+  /// are held: `impulses` hold that too afterwards. Stops at a residual of `tolerance` [N·s]. In the step of the last
+  /// solve(); rows of constrained nodes are not to be held.
+  SolveReport hold(std::span<const HeldRow> held, std::span<const Vec3> positions, double tolerance, int max_iterations,
+                   NodeVectors& impulses, NodeVectors& x);
   /// About J A⁻¹ Jᵀ for these points: by the preconditioner, which is close for what is smooth and within a small factor
   /// for what is not. Weights hold what sliding leaves free; after assemble().
   PointCompliance compliance(std::span<const WeightedRows> points) const { return preconditioner_->compliance(points); }
@@ -115,7 +127,7 @@ class ElasticSystem {
   std::vector<SlidingRow> sliding_;
   std::vector<int> row_of_support_column_;  // per block of support_rows_, -1 for held nodes
   std::vector<Vec3> solved_reactions_, reactions_;  // of the last solve(); with the last respond()
-  std::unique_ptr<RigidModePreconditioner> preconditioner_;
+  std::unique_ptr<RigidModePreconditioner> preconditioner_, held_preconditioner_;  // the second for hold()
 };
 
 }  // namespace griffith

@@ -56,6 +56,12 @@ struct Shock {
   double similarity = 1;    ///< f (similarity.h), 0..1
 };
 
+/// What another object did to a body in a substep.
+struct ContactLoad {
+  ProxyId other;
+  Vec3 force = Vec3::Zero();  ///< [N]
+};
+
 /// A connected piece of elastic material and its stand-in in the contact world.
 struct Body {
   BodyId id, parent;
@@ -79,6 +85,7 @@ struct Body {
   std::optional<ScaledImpact> scaled;    ///< of the last step, if any
   double energy = 0;                     ///< kinetic and elastic, when the substep began [J]
   double contact_work = 0;               ///< of the contacts in the substep, at the velocities after it [J]
+  std::vector<ContactLoad> harmless;     ///< of a rigid body: what it carried when it was calm, by object
   double compliance_factor = 1;          ///< true compliance at contacts over the estimated one, as seen last
 
   std::optional<Shock> shock;
