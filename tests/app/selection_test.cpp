@@ -122,7 +122,8 @@ TEST(MarginHistory, ForgetsTheOldestStepsWhenItIsFull) {
 TEST(NearestCorner, IsTheOneThatTheRayEntersNearest) {
   World world(small_wall());
   const Frame frame = world.frame();
-  const ShownMesh shown = shown_mesh(frame, {}, {});
+  const ViewSettings view;
+  const ShownMesh shown = shown_mesh(frame, view, {});
   std::mt19937 random(9);
   std::uniform_real_distribution<double> unit(0, 1);
   for (int trial = 0; trial < 500; ++trial) {
