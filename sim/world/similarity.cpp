@@ -19,7 +19,7 @@ constexpr double kLeastFactor = 1.0 / 16;
 /// Impacts must be slower than this share of the slowed waves.
 constexpr double kImpactShare = 0.2;
 /// The length of a microstep times the highest frequency.
-constexpr double kMicrostepAtFrequency = 1.7;
+constexpr double kMicrostepAtFrequency = 0.94;
 /// What each stretch may spend, whatever was spent before: a share of the budget.
 constexpr double kLeastShare = 1.0 / 8;
 /// Scaled bodies strain more: no more than this at their strength.

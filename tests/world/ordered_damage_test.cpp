@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <iostream>
 #include <random>
 
 #include "sim/mesh/topology.h"
@@ -73,7 +72,6 @@ TEST_P(OrderedDamage, WeakRegularAndStrongWallsBreakInThatOrder) {
     variation.set(material, value);
     areas.push_back(damage(material, variation.speed));
   }
-  std::cout << variation.name << ' ' << variation.speed << ' ' << areas[0] << ' ' << areas[1] << ' ' << areas[2] << '\n';
   EXPECT_GT(areas[1], 0);
   EXPECT_GT(areas[0], 1.2 * areas[1]);
   EXPECT_GT(areas[1], 1.2 * areas[2]);
@@ -82,10 +80,10 @@ TEST_P(OrderedDamage, WeakRegularAndStrongWallsBreakInThatOrder) {
 INSTANTIATE_TEST_SUITE_P(
     Properties, OrderedDamage,
     ::testing::Values(
-        Variation{"young_modulus", 15, {55e9, 16e9, 5e9}, [](Material& m, double x) { m.young_modulus = x; }},
+        Variation{"young_modulus", 9, {55e9, 16e9, 5e9}, [](Material& m, double x) { m.young_modulus = x; }},
         Variation{"poisson_ratio", 7, {0.45, 0.25, 0.05}, [](Material& m, double x) { m.poisson_ratio = x; }},
         Variation{"density", 7, {500, 1000, 2000}, [](Material& m, double x) { m.density = x; }},
-        Variation{"tensile_strength", 15, {40e3, 60e3, 90e3}, [](Material& m, double x) { m.tensile_strength = x; }},
+        Variation{"tensile_strength", 9, {40e3, 60e3, 90e3}, [](Material& m, double x) { m.tensile_strength = x; }},
         Variation{"separation_toughness", 15, {15e3, 30e3, 60e3}, separation_toughness},
         Variation{
             "fracture_toughness", 8, {15e3, 45e3, 135e3}, [](Material& m, double x) { m.fracture_toughness = x; }}),

@@ -86,7 +86,7 @@ TEST(Remeshing, ASpinningBodyKeepsItsMomenta) {
   const Totals after = world.frame().totals;
   // Elements' forces are in single precision.
   EXPECT_LT((after.momentum - before.momentum).norm(), 1e-8 * before.momentum.norm());
-  EXPECT_LT((after.angular_momentum - before.angular_momentum).norm(), 1e-5 * before.angular_momentum.norm());
+  EXPECT_LT((after.angular_momentum - before.angular_momentum).norm(), 1e-4 * before.angular_momentum.norm());
 }
 
 /// Pulled apart on a smooth table, it cracks across the supported face, too.
