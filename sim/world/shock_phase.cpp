@@ -127,7 +127,9 @@ void carry_nodes(WorldState& world, Body& body, const RigidState& state) {
 }
 
 void place_obstacle(WorldState& world, const shock::Obstacle& obstacle) {
+  const RigidState& state = obstacle.state;
   if (!obstacle.object.valid() || obstacle.inverse_mass == 0) return;
+  if (!state.pose.translation.allFinite() || !state.velocity.allFinite() || !state.angular_velocity.allFinite()) return;
   world.contact_world.set_state(obstacle.object, obstacle.state);
   const BodyId id = world.body_of(obstacle.object);
   if (!id.valid()) return;

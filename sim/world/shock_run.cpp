@@ -173,8 +173,10 @@ void ShockRun::note_blows() {
 
 void ShockRun::write_back() {
   for (int i = 0; i < solid_.node_count(); ++i) {
-    world_.nodes.positions[nodes_[i]] = solid_.position(i);
-    world_.nodes.velocities[nodes_[i]] = solid_.velocity(i);
+    const bool sound = solid_.position(i).allFinite() && solid_.velocity(i).allFinite();
+    world_.nodes.positions[nodes_[i]] = sound ? solid_.position(i) : solid_.reference(i);
+    world_.nodes.velocities[nodes_[i]] = sound ? solid_.velocity(i) : Vec3::Zero();
+    world_.report.non_finite_values += !sound;
   }
 }
 

@@ -137,8 +137,9 @@ TEST(SphereContact, NoneMovesFurtherThanItsSpeedAllows) {
 
 TEST(SphereContact, FrictionTurnsASlidingSphereIntoARollingOne) {
   ContactWorld world(Vec3(0, -9.81, 0));
-  world.add_ground(0, {0.5, 0});
-  const ProxyId ball = world.add_sphere(0.25, 2, at(Vec3(0, 0.25, 0), Vec3(3, 0, 0)), {0.5, 0});
+  const SurfaceProperties without_rolling_resistance{0.5, 0, 0};
+  world.add_ground(0, without_rolling_resistance);
+  const ProxyId ball = world.add_sphere(0.25, 2, at(Vec3(0, 0.25, 0), Vec3(3, 0, 0)), without_rolling_resistance);
   for (int i = 0; i < 120; ++i) step(world);
   // Rolling begins at 5/7 of the speed, whatever the friction.
   EXPECT_NEAR(world.state(ball).velocity.x(), 3 * 5.0 / 7, 1e-3);
