@@ -17,7 +17,7 @@ constexpr double kSliverShare = 0.02;
 /// good shape is below 10.
 constexpr double kSliverFrequency = 20;
 /// Those whose force would be less than this share are so flat that they exert none.
-constexpr double kLeastShare = 1e-2;
+constexpr double kLeastShare = 0.25;
 
 WideQuad wide(const Vec3& v) { return WideQuad{v[0], v[1], v[2], 0}; }
 
