@@ -56,11 +56,16 @@ void ShockRun::add_body(const Body& body, const std::vector<Vec3>& external) {
   const Mat3& turn = placement.turn;
   const double f = body.shock->similarity;
   const auto is_held = [&](NodeId node) { return !world_.nodes.constraints[node].is_free(); };
-  const Vec3 falling = std::ranges::any_of(nodes, is_held) ? Vec3(Vec3::Zero()) : world_.scene.gravity;
+  Vec3 common = Vec3::Zero();  // acceleration that strains nothing and is as it is, however the body is scaled
+  if (std::ranges::none_of(nodes, is_held)) {
+    double mass = 0;
+    for (const NodeId node : nodes) common += external[node], mass += world_.nodes.masses[node];
+    common /= mass;
+  }
   for (const NodeId node : nodes) {
     const Vec3 reference = placement.to_world(world_.mesh.rest_positions[node]);
     const double mass = world_.nodes.masses[node];
-    const Vec3 acceleration = falling + f * (external[node] / mass - falling);
+    const Vec3 acceleration = common + f * (external[node] / mass - common);
     local_of_node_[node] = solid_.add_node(
         {reference, world_.nodes.positions[node] - reference, world_.nodes.velocities[node], acceleration, mass});
     nodes_.push_back(node);
@@ -132,6 +137,7 @@ const Body& ShockRun::body_of(NodeId node) const {
 
 void ShockRun::run(double duration) {
   const double end = time_ + duration;
+  double previous_dt = 0;
   while (end - time_ > 1e-9 * duration) {
     rebuild_ = false;
     const int steps = std::max(1, static_cast<int>(std::ceil((end - time_) / solid_.stable_step(kCourant) - 1e-9)));
@@ -142,7 +148,8 @@ void ShockRun::run(double duration) {
     const int interval = std::max(1, static_cast<int>(kLookInterval * transit / dt_ + 0.2));
     for (int i = 0; i < steps && !rebuild_; ++i) {
       solid_.compute_forces();
-      solid_.advance(microsteps_ == 0 ? 0.5 : 1, flagged_);
+      solid_.advance(0.5 * (1 + previous_dt / dt_), flagged_);
+      previous_dt = dt_;
       time_ += dt_;
       ++microsteps_;
       impacts_->resolve(solid_, dt_, least_speed_);
