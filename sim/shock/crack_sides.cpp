@@ -23,13 +23,10 @@ Vec3 center_of(const Solid& solid, const std::array<int, 3>& nodes) {
   return (solid.position(nodes[0]) + solid.position(nodes[1]) + solid.position(nodes[2])) / 3;
 }
 
-/// Where a point projects into a triangle, as barycentric weights.
 std::array<double, 3> weights_in(const Solid& solid, const std::array<int, 3>& nodes, const Vec3& point) {
   const Vec3 a = solid.position(nodes[0]), b = solid.position(nodes[1]), c = solid.position(nodes[2]);
   const Vec3 normal = (b - a).cross(c - a);
-  const double square = normal.squaredNorm();
-  const double u = normal.dot((c - b).cross(point - b)) / square, v = normal.dot((a - c).cross(point - c)) / square;
-  return {u, v, 1 - u - v};
+  return weights_in_triangle(a, b, c, normal, normal.squaredNorm(), point);
 }
 
 /// The area vector of the first side, out of it: its corners are counter-clockwise seen from outside.

@@ -84,20 +84,22 @@ void Impacts::list_near_obstacle(const Solid& solid, const Obstacle& obstacle, d
   for (const SurfaceSide& side : surface_)
     if (!(box_of(solid, side).exteriorDistance(obstacle.state.pose.translation) > reach))
       candidates.sides.push_back(side);
-  for (int part = 0; part < static_cast<int>(obstacle.solids.size()); ++part)
-    list_near_part(solid, obstacle, part, margin, candidates);
-}
-
-/// The nodes of the sides near an obstacle that are near one of its parts, and that part's samples near the sides.
-void Impacts::list_near_part(const Solid& solid, const Obstacle& obstacle, int part, double margin,
-                             Candidates& candidates) const {
-  const ConvexSolid& convex = obstacle.solids[part];
   std::vector<int> nodes;
-  for (const SurfaceSide& side : candidates.sides)
-    for (const int node : nodes_of(solid, side)) nodes.push_back(node);
+  if (!obstacle.is_sphere())
+    for (const SurfaceSide& side : candidates.sides)
+      for (const int node : nodes_of(solid, side)) nodes.push_back(node);
   std::ranges::sort(nodes);
   const auto repeated = std::ranges::unique(nodes);
   nodes.erase(repeated.begin(), repeated.end());
+  for (int part = 0; part < static_cast<int>(obstacle.solids.size()); ++part)
+    list_near_part(solid, obstacle, part, nodes, margin, candidates);
+}
+
+/// Of the nodes of the sides near an obstacle those that are near one of its parts, and that part's samples near the
+/// sides.
+void Impacts::list_near_part(const Solid& solid, const Obstacle& obstacle, int part, const std::vector<int>& nodes,
+                             double margin, Candidates& candidates) const {
+  const ConvexSolid& convex = obstacle.solids[part];
   for (const int node : nodes)
     if (outermost_face(convex, obstacle.state.pose.to_local(solid.position(node))).first < margin)
       candidates.nodes.push_back({part, node});
@@ -176,11 +178,9 @@ bool Impacts::is_behind(const Solid& solid, const SurfaceSide& side, const Vec3&
   touch.normal = normal / area;
   touch.depth = -touch.normal.dot(point - a);
   if (touch.depth < 0 || touch.depth > 0.5 * element_size_) return false;
-  const double u = normal.dot((c - b).cross(point - b)) / (area * area),
-               v = normal.dot((a - c).cross(point - c)) / (area * area);
-  touch.weights = {u, v, 1 - u - v};
+  touch.weights = weights_in_triangle(a, b, c, normal, area * area, point);
   touch.place = point;
-  return u >= kOutside && v >= kOutside && 1 - u - v >= kOutside;
+  return std::ranges::all_of(touch.weights, [](double weight) { return weight >= kOutside; });
 }
 
 /// Nodes inside a convex part, and its sample points behind sides.

@@ -14,6 +14,14 @@ struct SurfaceSide {
   int slot = 0, face = 0;
 };
 
+/// The barycentric weights of where a point projects into triangle abc. `normal`: (b − a) × (c − a), `square`: its
+/// length squared.
+inline std::array<double, 3> weights_in_triangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal,
+                                                 double square, const Vec3& point) {
+  const double u = normal.dot((c - b).cross(point - b)) / square, v = normal.dot((a - c).cross(point - c)) / square;
+  return {u, v, 1 - u - v};
+}
+
 /// How a body of the solid meets others.
 struct SurfaceLaw {
   int family = 0;  ///< pieces of one family touch where cracks parted them alone
@@ -86,8 +94,8 @@ class Impacts {
   const SurfaceLaw& surface_at(const Solid& solid, int node) const;
   void list_candidates(const Solid& solid);
   void list_near_obstacle(const Solid& solid, const Obstacle& obstacle, double margin, Candidates& candidates) const;
-  void list_near_part(const Solid& solid, const Obstacle& obstacle, int part, double margin,
-                      Candidates& candidates) const;
+  void list_near_part(const Solid& solid, const Obstacle& obstacle, int part, const std::vector<int>& nodes,
+                      double margin, Candidates& candidates) const;
   void list_pairs(const Solid& solid, double margin);
   void find_touches(const Solid& solid);
   void touch_sphere(const Solid& solid, int obstacle);

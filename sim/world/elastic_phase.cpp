@@ -19,8 +19,7 @@ void update_element(WorldState& world, const ElasticLaw& law, const std::optiona
   const ElementDeformation deformation =
       element_deformation(law.model, elements.rests[tet], corners_of(world.mesh, tet, world.nodes.positions));
   if (plastic) elements.plastic_strains[tet] = flow(*plastic, deformation, elements.plastic_strains[tet]);
-  elements.states[tet] =
-      element_state(law, deformation, elements.plastic_strains[tet] + elements.similarity_strains[tet]);
+  elements.states[tet] = element_state(law, deformation, stress_free_strain(world, tet));
   elements.states[tet].energy_density *= similarity;
   elements.stresses[tet] = cauchy_stress(elements.states[tet].frame, elements.states[tet].stress);
 }

@@ -55,8 +55,7 @@ void ShockRun::update_threshold(int index) {
 
 /// How long a wave takes to cross an element at the node [s].
 double ShockRun::transit_time(NodeId node) const {
-  const Body& body = body_of(node);
-  return element_size_at(world_, node) / (body.shock->similarity * bar_wave_speed(world_.material_of(body)));
+  return element_size_at(world_, node) / slowed_wave_speed(world_, body_of(node));
 }
 
 /// The state of an element as it is now, of which the separation tensors are made.
@@ -71,9 +70,8 @@ void ShockRun::bring_up_to_date(TetId tet) {
   }
   const Body& body = world_.bodies[world_.elements.bodies[tet]];
   const ElasticLaw law = law_in_shock(world_, body);
-  const Mat3 offset = world_.elements.plastic_strains[tet] + world_.elements.similarity_strains[tet];
-  world_.elements.states[tet] =
-      element_state(law, element_deformation(law.model, world_.elements.rests[tet], corners), offset);
+  world_.elements.states[tet] = element_state(law, element_deformation(law.model, world_.elements.rests[tet], corners),
+                                              stress_free_strain(world_, tet));
 }
 
 void ShockRun::look() {

@@ -4,11 +4,8 @@
 #include <cmath>
 #include <map>
 
-#include "sim/elasticity/plasticity.h"
-#include "sim/fracture/resistance.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/phases.h"
-#include "sim/world/placement.h"
 #include "sim/world/similarity.h"
 
 namespace griffith {
@@ -18,7 +15,6 @@ namespace {
 constexpr double kCourant = 0.5;
 /// Overload is looked for at this interval, in the time that a wave takes to cross an element.
 constexpr double kLookInterval = 0.75;
-
 
 }  // namespace
 
@@ -50,11 +46,17 @@ void ShockRun::build(std::vector<shock::Obstacle> obstacles) {
 }
 
 void ShockRun::add_body(const Body& body, const std::vector<Vec3>& external) {
-  const Material& material = world_.material_of(body);
   const std::vector<NodeId> nodes = nodes_of(world_.mesh, body.tets);
   const Placement placement = placement_of(world_, nodes);
-  const Mat3& turn = placement.turn;
-  const double f = body.shock->similarity;
+  add_nodes(nodes, placement, body.shock->similarity, external);
+  add_elements(body, placement.turn);
+  bodies_.push_back(body.id);
+  surfaces_.push_back({body.scene_body, world_.material_of(body).friction});
+}
+
+/// `external`: per node of the mesh [N]. What strains the body is scaled by f.
+void ShockRun::add_nodes(const std::vector<NodeId>& nodes, const Placement& placement, double f,
+                         const std::vector<Vec3>& external) {
   const auto is_held = [&](NodeId node) { return !world_.nodes.constraints[node].is_free(); };
   Vec3 common = Vec3::Zero();  // acceleration that strains nothing and is as it is, however the body is scaled
   if (std::ranges::none_of(nodes, is_held)) {
@@ -69,9 +71,11 @@ void ShockRun::add_body(const Body& body, const std::vector<Vec3>& external) {
     local_of_node_[node] = solid_.add_node(
         {reference, world_.nodes.positions[node] - reference, world_.nodes.velocities[node], acceleration, mass});
     nodes_.push_back(node);
-    if (!world_.nodes.constraints[node].is_free())
-      solid_.constrain(local_of_node_[node], world_.nodes.constraints[node]);
+    if (is_held(node)) solid_.constrain(local_of_node_[node], world_.nodes.constraints[node]);
   }
+}
+
+void ShockRun::add_elements(const Body& body, const Mat3& turn) {
   std::vector<std::array<int, 4>> tets;
   std::vector<ElementRest> rests;
   std::vector<Mat3> offsets;
@@ -79,20 +83,17 @@ void ShockRun::add_body(const Body& body, const std::vector<Vec3>& external) {
     std::array<int, 4>& corners = tets.emplace_back();
     for (int i = 0; i < 4; ++i) corners[i] = local(world_.mesh.tets[tet][i]);
     rests.push_back({turn * world_.elements.rests[tet].shape_gradients, world_.elements.rests[tet].volume});
-    const Mat3 offset = world_.elements.plastic_strains[tet] + world_.elements.similarity_strains[tet];
-    offsets.push_back(turn * offset * turn.transpose());
+    offsets.push_back(turn * stress_free_strain(world_, tet) * turn.transpose());
   }
-  ElasticLaw law = law_in_shock(world_, body);
-  law.lambda *= f, law.mu *= f;
-  solid_.add_body(law, material.density, tets, rests, offsets);
+  ElasticLaw law = law_in_shock(world_, body);  // of stress; forces are those of E′ = f² E
+  law.lambda *= body.shock->similarity, law.mu *= body.shock->similarity;
+  solid_.add_body(law, world_.material_of(body).density, tets, rests, offsets);
   const int first = solid_.slot(solid_.body_count() - 1, 0);
   tets_.resize(solid_.tet_slots());
   for (std::size_t i = 0; i < body.tets.size(); ++i) {
     tets_[first + i] = body.tets[i];
     slot_of_tet_[body.tets[i]] = first + static_cast<int>(i);
   }
-  bodies_.push_back(body.id);
-  surfaces_.push_back({body.scene_body, material.friction});
 }
 
 std::vector<shock::SurfaceSide> ShockRun::surface_of_bodies() const {
@@ -169,7 +170,7 @@ void ShockRun::run(double duration) {
 
 void ShockRun::note_blows() {
   for (const shock::Impacts::Blow& blow : impacts_->blows()) {
-    Body& body = world_.bodies[world_.elements.bodies[world_.mesh.stars[nodes_[blow.node]].front()]];
+    Body& body = world_.bodies[body_of(nodes_[blow.node]).id];
     body.shock->last_event = time_;
     body.shock->impact_speed = std::max(body.shock->impact_speed, blow.approach);
     const shock::Obstacle* obstacle = blow.obstacle >= 0 ? &impacts_->obstacles()[blow.obstacle] : nullptr;

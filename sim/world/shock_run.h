@@ -6,6 +6,7 @@
 #include "sim/shock/impacts.h"
 #include "sim/shock/solid.h"
 #include "sim/world/cracking.h"
+#include "sim/world/placement.h"
 
 namespace griffith {
 
@@ -41,6 +42,9 @@ class ShockRun {
 
   void build(std::vector<shock::Obstacle> obstacles);
   void add_body(const Body& body, const std::vector<Vec3>& external);
+  void add_nodes(const std::vector<NodeId>& nodes, const Placement& placement, double f,
+                 const std::vector<Vec3>& external);
+  void add_elements(const Body& body, const Mat3& turn);
   std::vector<shock::CrackSides> cracks_of_bodies() const;
   std::vector<shock::SurfaceSide> surface_of_bodies() const;
   void note_blows();

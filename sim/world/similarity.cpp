@@ -1,12 +1,12 @@
 #include "sim/world/similarity.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "sim/solver/pivot.h"
 #include "sim/world/phases.h"
 #include "sim/world/placement.h"
+#include "sim/world/subdivision.h"
 
 namespace griffith {
 namespace {
@@ -63,16 +63,13 @@ Vec3 true_displacement(const WorldState& world, const Body& body, const Placemen
 void keep_momentum(WorldState& world, const Body& body, const RigidMotion& before) {
   const Vec3 shift = before.center - motion_of(world, body).center;
   for (const NodeId node : body.nodes) world.nodes.positions[node] += shift;
-  const RigidMotion after = motion_of(world, body);
-  const Vec3 spin = after.inertia.inverse() * (before.inertia * before.angular_velocity) - after.angular_velocity;
-  for (const NodeId node : body.nodes)
-    world.nodes.velocities[node] += spin.cross(world.nodes.positions[node] - after.center);
+  restore_angular_momentum(world, body, before);
 }
 
 /// What the microsteps of all bodies in shock come to.
 struct Demand {
   int tets = 0;
-  double microsteps = 0;  ///< of what is left of the step
+  double microsteps = 0;         ///< of what is left of the step
   double highest_frequency = 0;  ///< as slowed now [rad/s]
 };
 
@@ -108,13 +105,16 @@ ElasticLaw law_in_shock(const WorldState& world, const Body& body) {
   return law;
 }
 
+double slowed_wave_speed(const WorldState& world, const Body& body) {
+  return body.shock->similarity * bar_wave_speed(world.material_of(body));
+}
+
 double element_transit_time(const WorldState& world, const Body& body) {
-  return body.element_size / (body.shock->similarity * bar_wave_speed(world.material_of(body)));
+  return body.element_size / slowed_wave_speed(world, body);
 }
 
 double shock_window(const WorldState& world, const Body& body) {
-  const double extent = world.extents[body.scene_body];
-  return kTransits * extent / (body.shock->similarity * bar_wave_speed(world.material_of(body)));
+  return kTransits * world.extents[body.scene_body] / slowed_wave_speed(world, body);
 }
 
 double time_to_follow(const WorldState& world) {
@@ -156,8 +156,8 @@ void set_similarity(WorldState& world, Body& body, double factor) {
   }
   const Placement frame = frame_of(world, body);
   for (const NodeId node : body.nodes)
-    world.nodes.similarity_starts[node] = (true_displacement(world, body, frame, node) -
-                                           factor * displacement(world, frame, node)) / (1 - factor);
+    world.nodes.similarity_starts[node] =
+        (true_displacement(world, body, frame, node) - factor * displacement(world, frame, node)) / (1 - factor);
   body.shock->similarity = factor;
 }
 

@@ -12,16 +12,24 @@ namespace griffith {
 /// against the full strength.
 ElasticLaw law_in_shock(const WorldState& world, const Body& body);
 
-/// Of bodies in shock: lessens f where what is to be followed of their shocks would exceed the budget, `left` [s] before
-/// the end of the step.
+/// Of bodies in shock: lessens f where what is to be followed of their shocks would exceed the budget, `left` [s]
+/// before the end of the step.
 void choose_similarity(WorldState& world, double left);
 
 /// Takes a body in shock to another f. Stress, energy and motion stay.
 void set_similarity(WorldState& world, Body& body, double factor);
 
-/// Gives a body that leaves its shock the shape that belongs to its stress under the full stiffness. Momentum stays, and
-/// the places of supports.
+/// Gives a body that leaves its shock the shape that belongs to its stress under the full stiffness. Momentum stays,
+/// and the places of supports.
 void end_similarity(WorldState& world, Body& body);
+
+/// The strain of an element without stress: plastic, and that which scaling made so [-].
+inline Mat3 stress_free_strain(const WorldState& world, TetId tet) {
+  return world.elements.plastic_strains[tet] + world.elements.similarity_strains[tet];
+}
+
+/// The bar wave's speed in a body in shock, as it is slowed now [m/s].
+double slowed_wave_speed(const WorldState& world, const Body& body);
 
 /// How long a wave takes to cross an element of the body as it is slowed now [s].
 double element_transit_time(const WorldState& world, const Body& body);
@@ -30,8 +38,8 @@ double element_transit_time(const WorldState& world, const Body& body);
 /// on every machine.
 inline constexpr double kMicrostepWork = 0.03;
 
-/// For how long waves are followed after the last blow or crack: until they would have crossed the whole scene body some
-/// times [s].
+/// For how long waves are followed after the last blow or crack: until they would have crossed the whole scene body
+/// some times [s].
 double shock_window(const WorldState& world, const Body& body);
 
 /// Until the waves of all bodies in shock have been followed, if nothing new happens; 0 without any [s].

@@ -142,14 +142,18 @@ void note_motion(const WorldState& world, const Body& body, MotionsBefore& motio
   if (!is_held) noted->second = motion_of(world, body);
 }
 
+void restore_angular_momentum(WorldState& world, const Body& body, const RigidMotion& before) {
+  const RigidMotion now = motion_of(world, body);
+  const Vec3 spin = now.inertia.inverse() * (before.inertia * before.angular_velocity) - now.angular_velocity;
+  for (NodeId node : body.nodes) world.nodes.velocities[node] += spin.cross(world.nodes.positions[node] - now.center);
+}
+
 void restore_angular_momentum(WorldState& world, const MotionsBefore& motions) {
   for (const auto& [id, before] : motions) {
     if (!before) continue;
     Body& body = world.bodies[id];
     body.nodes = nodes_of(world.mesh, body.tets);
-    const RigidMotion now = motion_of(world, body);
-    const Vec3 spin = now.inertia.inverse() * (before->inertia * before->angular_velocity) - now.angular_velocity;
-    for (NodeId node : body.nodes) world.nodes.velocities[node] += spin.cross(world.nodes.positions[node] - now.center);
+    restore_angular_momentum(world, body, *before);
   }
 }
 

@@ -14,9 +14,22 @@
 namespace griffith::app {
 namespace {
 
+/// A tetrahedron whose legs are this long [m].
+std::string tet_surface(const std::string& leg) {
+  return "OFF\n4 4 0\n0 0 0\n" + leg + " 0 0\n0 " + leg + " 0\n0 0 " + leg + "\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+}
+
+/// Enters a surface to be filled on the lattice, with elements of this size [m].
+void enter(ui::SurfaceRequest& request, const std::string& file, double element_size) {
+  std::copy(file.begin(), file.end(), request.path.begin());
+  request.method = MeshingMethod::volumetric;
+  request.automatic_size = false;
+  request.element_size = element_size;
+}
+
 TEST_F(EditorTest, WorkThatLastsShowsADialogThatCancelsIt) {
   Scene scene = small_wall();
-  test_file("ball.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  test_file("ball.off", tet_surface("1"));
   SurfaceShape shape;
   shape.path = test_folder() / "ball.off";
   shape.meshing.method = MeshingMethod::volumetric;
@@ -115,18 +128,12 @@ TEST_F(EditorTest, AnEditedShapeStartsTheSimulationAgainAndTheEditCanBeUndone) {
   EXPECT_FALSE(editor_.state().error);
 }
 
-constexpr char kTetSurface[] = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
-
 TEST_F(EditorTest, ABodyIsFilledFromASurfaceAndTheEditCanBeUndone) {
-  const std::string file = test_file("ball.off", kTetSurface).string();
+  const std::string file = test_file("ball.off", tet_surface("1")).string();
   click("menu/File");
   click("menu/file.add_surface");
   draw(4);
-  ui::SurfaceRequest& request = editor_.state().surface;
-  std::copy(file.begin(), file.end(), request.path.begin());
-  request.method = MeshingMethod::volumetric;
-  request.automatic_size = false;
-  request.element_size = 0.2;
+  enter(editor_.state().surface, file, 0.2);
   draw(4);
   click("surface/fill");
   wait_for_work();
@@ -161,12 +168,8 @@ TEST_F(EditorTest, ASurfaceThatCannotBeFilledChangesNothing) {
 }
 
 TEST_F(EditorTest, FillingASurfaceCanBeCancelled) {
-  const std::string file = test_file("ball.off", kTetSurface).string();
-  ui::SurfaceRequest& request = editor_.state().surface;
-  std::copy(file.begin(), file.end(), request.path.begin());
-  request.method = MeshingMethod::volumetric;
-  request.automatic_size = false;
-  request.element_size = 0.01;  // two million lattice vertices
+  const std::string file = test_file("ball.off", tet_surface("1")).string();
+  enter(editor_.state().surface, file, 0.01);  // two million lattice vertices
   editor_.state().show_surface = true;
   draw(4);
   click("surface/fill");
@@ -179,19 +182,10 @@ TEST_F(EditorTest, FillingASurfaceCanBeCancelled) {
   EXPECT_FALSE(editor_.state().error);
 }
 
-/// A tetrahedron whose legs are this long [m].
-std::string tet_surface(const std::string& leg) {
-  return "OFF\n4 4 0\n0 0 0\n" + leg + " 0 0\n0 " + leg + " 0\n0 0 " + leg + "\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
-}
-
 TEST_F(EditorTest, ABrokenFileOpenedDuringWorkLeavesTheWorkAndTheEdits) {
   const std::string file = test_file("ball.off", tet_surface("1")).string();
   click("material/yields");
-  ui::SurfaceRequest& request = editor_.state().surface;
-  std::copy(file.begin(), file.end(), request.path.begin());
-  request.method = MeshingMethod::volumetric;
-  request.automatic_size = false;
-  request.element_size = 0.05;
+  enter(editor_.state().surface, file, 0.05);
   editor_.state().show_surface = true;
   draw(4);
   click("surface/fill");
@@ -223,12 +217,8 @@ TEST_F(EditorTest, UndoThatTakesLongCanBeCancelledAndLeavesWhatWas) {
   draw();
   wait_for_work();
   ASSERT_FALSE(editor_.state().error) << editor_.state().error->where << ": " << editor_.state().error->problem;
-  const std::string file = test_file("ball.off", kTetSurface).string();
-  ui::SurfaceRequest& request = editor_.state().surface;
-  std::copy(file.begin(), file.end(), request.path.begin());
-  request.method = MeshingMethod::volumetric;
-  request.automatic_size = false;
-  request.element_size = 0.2;
+  const std::string file = test_file("ball.off", tet_surface("1")).string();
+  enter(editor_.state().surface, file, 0.2);
   editor_.state().show_surface = true;
   draw(4);
   click("surface/fill");

@@ -7,6 +7,7 @@
 
 #include "sim/contact/contact_world.h"
 #include "sim/world/world.h"
+#include "tests/contact/bounces.h"
 
 namespace griffith {
 namespace {
@@ -181,26 +182,20 @@ TEST(Bounces, RiseNoHigherThanTheSquareOfTheirRestitution) {
   for (double restitution : {0.3, 0.6, 0.9, 1.0})
     for (double time_step : {1.0 / 30, 1.0 / 60, 1.0 / 120, 1.0 / 250, 1e-3}) {
       World world(ball(Vec3(0, 1.1, 0), 0, restitution, time_step));
-      double drop = 1, top = 0;
-      int bounces = 0;
-      bool rose = false;
+      double drop = 1;
+      testing::BounceTops tops;
       // What rises less than it falls in a step is at rest.
-      while (world.frame().time < 4 && bounces < 5 &&
+      while (world.frame().time < 4 && tops.count() < 5 &&
              restitution * restitution * drop > kGravity * time_step * time_step) {
         world.step();
         const ProjectileView& view = world.frame().projectiles[0];
-        const bool rises = view.velocity.y() > 0;
-        if (rises) top = std::max(top, view.position.y() - view.radius);
-        if (rose && !rises) {
-          ASSERT_LE(top, restitution * restitution * drop * (1 + 1e-6))
-              << "restitution " << restitution << ", time step " << time_step << ", bounce " << bounces;
-          drop = top;
-          top = 0;
-          ++bounces;
-        }
-        rose = rises;
+        const std::optional<double> top = tops.passed(view.position.y() - view.radius, view.velocity.y() > 0);
+        if (!top) continue;
+        ASSERT_LE(*top, restitution * restitution * drop * (1 + 1e-6))
+            << "restitution " << restitution << ", time step " << time_step << ", bounce " << tops.count();
+        drop = *top;
       }
-      EXPECT_GE(bounces, 1);
+      EXPECT_GE(tops.count(), 1);
     }
 }
 
