@@ -135,7 +135,7 @@ void force_elements_of(const BlockLaw& law, ElementBlock& block, const WideQuad*
   } else {
     green_strain(h, strain);
   }
-  for (int e = 0; e < 6; ++e) strain[e] -= block.offset[e];
+  for (int e = 0; e < 6; ++e) strain[e] = block.stiffness * (strain[e] - block.offset[e]);
   const Lanes largest = at_least(largest_stress(law, strain), 0);
   for (int e = 0; e < 6; ++e) {
     const Lanes rate = strain[e] - block.strain[e];
@@ -172,7 +172,12 @@ void settle_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* d
   } else {
     green_strain(h, block.strain);
   }
-  for (int e = 0; e < 6; ++e) block.strain[e] -= block.offset[e];
+  for (int e = 0; e < 6; ++e) {
+    const Lanes total = block.strain[e], elastic = total - block.offset[e];
+    const Lanes softer = block.stiffness > all(0) ? total - elastic / block.stiffness : all(0);
+    block.offset[e] = block.stiffness < all(1) ? softer : block.offset[e];
+    block.strain[e] = block.stiffness > all(0) ? elastic : all(0);
+  }
 }
 
 }  // namespace griffith::shock

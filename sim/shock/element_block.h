@@ -10,10 +10,11 @@ namespace griffith::shock {
 /// xx, yy, zz, xy, yz, xz.
 struct ElementBlock {
   Lanes gradients[3][3];  ///< of the shape functions of corners 1 to 3 [1/m]
-  Lanes volume;           ///< at rest [m³]; 0 in lanes without a tet, less for slivers (ShockSolid)
+  Lanes volume;           ///< at rest [m³]; 0 in lanes without a tet
+  Lanes stiffness;        ///< share of the law's: below 1 for slivers
   int nodes[4][kLanes];   ///< indices into the arrays of nodes
   Lanes offset[6];        ///< strain without stress [-]
-  Lanes strain[6];        ///< as force_elements() saw it last, for its rate [-]
+  Lanes strain[6];        ///< elastic, times `stiffness`, as force_elements() saw it last, for its rate [-]
   Lanes rotation[4];      ///< quaternion x, y, z, w from the reference to now: of the corotational model alone
 };
 
@@ -30,7 +31,8 @@ struct BlockLaw {
 ///   displacements  of all nodes from their reference places [m]; the fourth number counts for nothing
 void force_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements, Quad* forces);
 
-/// Lets the rotations and strains of a block follow displacements however large, without forces.
+/// Lets the rotations and strains of a block follow displacements however large, without forces. What is less stiff
+/// than its law starts with the stress that it has under the law, by another `offset`; without stiffness, with none.
 void settle_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements);
 
 }  // namespace griffith::shock

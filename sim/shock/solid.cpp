@@ -11,12 +11,12 @@ namespace {
 
 /// Share of critical damping at the highest frequency: kills what the mesh cannot carry, leaves the rest.
 constexpr double kDampingRatio = 0.06;
-/// This share of a body's elements, its slivers, may be relieved.
-constexpr double kSliverShare = 0.02;
-/// And all whose frequency is higher than this many bar waves' speeds over the mean edge length: that of elements of
-/// good shape is below 10.
+/// Slivers are elements whose frequency is higher than this many bar waves' speeds over their edge length: that of
+/// elements of good shape is below 10.
 constexpr double kSliverFrequency = 20;
-/// Those whose force would be less than this share are so flat that they exert none.
+/// This share of a body's elements, its worst slivers, may be relieved.
+constexpr double kSliverShare = 0.02;
+/// Those to which less than this share of their stiffness would be left are so flat that they exert no force.
 constexpr double kLeastShare = 0.25;
 
 WideQuad wide(const Vec3& v) { return WideQuad{v[0], v[1], v[2], 0}; }
@@ -47,28 +47,35 @@ std::vector<double> element_frequencies(const ElasticLaw& law, double density, s
   return frequencies;
 }
 
-/// The highest frequency that is left to elements.
+/// The highest frequency that is left to elements. What is small, but no sliver, keeps its own.
 double relieved_limit(const ElasticLaw& law, double density, std::span<const ElementRest> rests,
-                      std::vector<double> frequencies) {
-  const auto relieved = static_cast<std::ptrdiff_t>(kSliverShare * static_cast<double>(frequencies.size()));
-  const auto limit = frequencies.end() - 1 - relieved;
-  std::nth_element(frequencies.begin(), limit, frequencies.end());
-  double volume = 0;
-  for (const ElementRest& rest : rests) volume += rest.volume;
-  const double edge = std::cbrt(6 * volume / static_cast<double>(rests.size()));
+                      std::span<const double> frequencies) {
   const double young_modulus = law.mu * (3 * law.lambda + 2 * law.mu) / (law.lambda + law.mu);
-  return std::min(*limit, kSliverFrequency * std::sqrt(young_modulus / density) / edge);
+  const double speed = std::sqrt(young_modulus / density);
+  double limit = 0, volume = 0;
+  std::vector<double> slivers;
+  for (std::size_t i = 0; i < rests.size(); ++i) {
+    volume += rests[i].volume;
+    const bool is_sliver = frequencies[i] * std::cbrt(6 * rests[i].volume) > kSliverFrequency * speed;
+    if (is_sliver)
+      slivers.push_back(frequencies[i]);
+    else
+      limit = std::max(limit, frequencies[i]);
+  }
+  const auto relieved = static_cast<std::size_t>(kSliverShare * static_cast<double>(rests.size()));
+  if (slivers.size() > relieved) {
+    std::ranges::nth_element(slivers, slivers.begin() + static_cast<std::ptrdiff_t>(relieved), std::ranges::greater());
+    limit = std::max(limit, slivers[relieved]);
+  }
+  return std::min(limit, kHighestFrequency * speed / std::cbrt(6 * volume / static_cast<double>(rests.size())));
 }
 
-/// Leaves an element a share of its force.
+/// Leaves an element a share of its stiffness.
 void relieve(ElementBlock& block, std::size_t lane, double share) {
-  if (share > kLeastShare) {
-    block.volume[lane] *= static_cast<float>(share);
-    return;
-  }
-  block.volume[lane] = std::numeric_limits<float>::min();  // 0 marks lanes without an element
+  block.stiffness[lane] = share > kLeastShare ? static_cast<float>(share) : 0;
+  if (share > kLeastShare) return;
   for (int k = 0; k < 3; ++k)
-    for (int a = 0; a < 3; ++a) block.gradients[k][a][lane] = 0;
+    for (int a = 0; a < 3; ++a) block.gradients[k][a][lane] = 0;  // however it is crushed, its numbers are finite
 }
 
 }  // namespace
@@ -116,6 +123,7 @@ void Solid::add_body(const ElasticLaw& law, double density, std::span<const std:
     for (int a = 0; a < 4; ++a) block.rotation[a][lane] = a == 3 ? 1.0F : 0.0F;
     for (int e = 0; e < 6; ++e) block.offset[e][lane] = block.strain[e][lane] = 0;
     block.volume[lane] = used ? static_cast<float>(rests[i].volume) : 0.0F;
+    block.stiffness[lane] = 1;
     for (int k = 0; k < 3; ++k)
       for (int a = 0; a < 3; ++a)
         block.gradients[k][a][lane] = used ? static_cast<float>(rests[i].shape_gradients(a, k + 1)) : 0.0F;
@@ -153,6 +161,15 @@ void Solid::finish() {
   each_corner([&](int node, int entry) { stars_[nodes_[node].first + fill[node]++] = entry; });
   for (std::size_t b = 0; b < blocks_.size(); ++b)
     settle_elements(bodies_[block_bodies_[b]].law, blocks_[b], &displacements_[0].value);
+}
+
+Mat3 Solid::elastic_strain(int slot, const Mat3& strain) const {
+  const ElementBlock& block = blocks_[slot / kLanes];
+  const int lane = slot % kLanes;
+  const auto& o = block.offset;
+  Mat3 offset;
+  offset << o[0][lane], o[3][lane], o[5][lane], o[3][lane], o[1][lane], o[4][lane], o[5][lane], o[4][lane], o[2][lane];
+  return block.stiffness[lane] * (strain - offset);
 }
 
 double Solid::stable_step(double courant) const {

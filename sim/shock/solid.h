@@ -41,8 +41,12 @@ struct SolidBody {
   double damping = 0;  ///< Rayleigh's β [s]
   int first_block = 0, blocks = 0;
   double frequency = 0;  ///< the highest that its elements have, after slivers were relieved [rad/s]
-  int relieved = 0;      ///< slivers that act on their nodes with a part of their force, so as not to set the microstep
+  int relieved = 0;      ///< slivers that have a part of their stiffness alone, so as not to set the microstep
 };
+
+/// What is left of frequencies at most, in bar waves' speeds over the mean edge length of a body: where it is more than
+/// slivers that would have a higher one, the body is none for microsteps.
+inline constexpr double kHighestFrequency = 200;
 
 /// The highest frequency of a body with these elements, once its slivers are relieved [rad/s].
 double highest_frequency(const ElasticLaw& law, double density, std::span<const ElementRest> rests);
@@ -71,9 +75,9 @@ class Solid {
 
   /// Forces of all elements at the present displacements.
   void compute_forces();
-  /// Moves all nodes by a microstep: velocities change by the forces over the share `kick` of it. Velocities that belong
-  /// to the same time as positions take half a kick at first, and get the other half from kick() (velocity Verlet).
-  /// `flagged` gets the nodes at which an element's largest principal stress exceeds the node's threshold.
+  /// Moves all nodes by a microstep: velocities change by the forces over the share `kick` of it. Velocities that
+  /// belong to the same time as positions take half a kick at first, and get the other half from kick() (velocity
+  /// Verlet). `flagged` gets the nodes at which an element's largest principal stress exceeds the node's threshold.
   void advance(double kick, std::vector<int>& flagged);
   /// Changes velocities alone, by the forces over a share of a microstep.
   void kick(double share);
@@ -95,6 +99,10 @@ class Solid {
   std::span<const int> star(int node) const {
     return std::span(stars_).subspan(nodes_[node].first, nodes_[node].count);
   }
+  /// Whether a tet is a sliver that was relieved: what it strains beyond its elastic_strain() is permanent.
+  bool is_relieved(int slot) const { return blocks_[slot / kLanes].stiffness[slot % kLanes] < 1; }
+  /// What of a tet's strain in the body's turn has stress under the law.
+  Mat3 elastic_strain(int slot, const Mat3& strain) const;
   int corner(int slot, int corner) const { return blocks_[slot / kLanes].nodes[corner][slot % kLanes]; }
 
   Vec3 reference(int node) const { return references_[node]; }

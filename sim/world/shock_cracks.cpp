@@ -70,8 +70,9 @@ void ShockRun::bring_up_to_date(TetId tet) {
   }
   const Body& body = world_.bodies[world_.elements.bodies[tet]];
   const ElasticLaw law = law_in_shock(world_, body);
-  world_.elements.states[tet] = element_state(law, element_deformation(law.model, world_.elements.rests[tet], corners),
-                                              stress_free_strain(world_, tet));
+  const ElementDeformation deformation = element_deformation(law.model, world_.elements.rests[tet], corners);
+  if (solid_.is_relieved(slot)) let_sliver_yield(tet, deformation.strain);
+  world_.elements.states[tet] = element_state(law, deformation, stress_free_strain(world_, tet));
 }
 
 void ShockRun::look() {

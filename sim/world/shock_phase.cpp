@@ -146,6 +146,18 @@ void place_obstacle(WorldState& world, const shock::Obstacle& obstacle) {
 
 }  // namespace
 
+namespace {
+
+/// Of the body's elements under the full stiffness, slivers relieved [rad/s].
+double highest_frequency(const WorldState& world, const Body& body) {
+  const Material& material = world.material_of(body);
+  std::vector<ElementRest> rests;
+  for (const TetId tet : body.tets) rests.push_back(world.elements.rests[tet]);
+  return shock::highest_frequency(elastic_law(material), material.density, rests);
+}
+
+}  // namespace
+
 bool in_shock(const WorldState& world) {
   return std::ranges::any_of(world.bodies, [](const Body& body) { return body.shock.has_value(); });
 }
@@ -156,10 +168,7 @@ void enter_shock(WorldState& world, Body& body, double impact_speed) {
     place_rigid_nodes(world, body);
     wake(world, body);
   }
-  const Material& material = world.material_of(body);
-  std::vector<ElementRest> rests;
-  for (const TetId tet : body.tets) rests.push_back(world.elements.rests[tet]);
-  body.shock = Shock{world.time, impact_speed, shock::highest_frequency(elastic_law(material), material.density, rests)};
+  body.shock = Shock{world.time, impact_speed, highest_frequency(world, body)};
 }
 
 namespace {
@@ -172,13 +181,24 @@ bool have_just_parted(const WorldState& world, BodyId a, BodyId b) {
          world.time - std::max(world.bodies[a].shock_ended, world.bodies[b].shock_ended) < kApart;
 }
 
-/// Whether a body is one for microsteps, struck at this speed [m/s]: their elements stand no large strains. What is soft
-/// is left to the implicit step.
-bool strains_little(const WorldState& world, const Body& body, double impact_speed) {
+/// How fast a body's nodes move against its centre, spinning or deforming, at most [m/s].
+double inner_speed(const WorldState& world, const Body& body) {
+  double fastest = 0;
+  for (const NodeId node : body.nodes)
+    fastest = std::max(fastest, (world.nodes.velocities[node] - body.motion.velocity).norm());
+  return fastest;
+}
+
+/// Whether a body is one for microsteps, struck at this speed [m/s]: their elements stand no large strains, nor large
+/// turns in a microstep. What is soft, or spins nearly as fast as its waves run, or has elements so small or flat that
+/// a wave crosses many others in a microstep of theirs, is left to the implicit step.
+bool suits_microsteps(const WorldState& world, const Body& body, double impact_speed) {
   constexpr double kMostStrain = 0.05, kMostMach = 0.3;
   const Material& material = world.material_of(body);
+  const double wave_speed = bar_wave_speed(material);
   return material.tensile_strength < kMostStrain * material.young_modulus &&
-         impact_speed < kMostMach * bar_wave_speed(material);
+         std::max(impact_speed, inner_speed(world, body)) < kMostMach * wave_speed &&
+         highest_frequency(world, body) * body.element_size < 0.99 * shock::kHighestFrequency * wave_speed;
 }
 
 /// Lets the bodies enter that something will strike hard enough to hurt within `duration` [s].
@@ -190,7 +210,7 @@ void enter_struck_bodies(WorldState& world, double duration) {
       const BodyId id = world.body_of(side);
       if (!id.valid() || world.bodies[id].shock || world.bodies[id].tets.size() == 1) continue;
       if (approach < hurting_speed(world, world.bodies[id])) continue;
-      if (!strains_little(world, world.bodies[id], approach)) continue;
+      if (!suits_microsteps(world, world.bodies[id], approach)) continue;
       enter_shock(world, world.bodies[id], approach);
     }
   }
@@ -226,7 +246,7 @@ void enter_overloaded_bodies(WorldState& world) {
   if (!world.scene.simulation.fracture) return;
   for (Body& body : world.bodies) {
     const auto is_overloaded = [&](NodeId node) { return world.nodes.separations[node].margin > 1; };
-    if (body.sways() && std::ranges::any_of(body.nodes, is_overloaded) && strains_little(world, body, 0))
+    if (body.sways() && std::ranges::any_of(body.nodes, is_overloaded) && suits_microsteps(world, body, 0))
       enter_shock(world, body, 0);
   }
 }

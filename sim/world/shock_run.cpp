@@ -25,7 +25,7 @@ ShockRun::ShockRun(WorldState& world, std::vector<shock::Obstacle> obstacles) : 
 
 void ShockRun::build(std::vector<shock::Obstacle> obstacles) {
   solid_ = {};
-  bodies_.clear(), nodes_.clear(), tets_.clear(), surfaces_.clear(), overloaded_.clear();
+  bodies_.clear(), turns_.clear(), nodes_.clear(), tets_.clear(), surfaces_.clear(), overloaded_.clear();
   local_of_node_.assign(world_.nodes.positions.size(), -1);
   slot_of_tet_.assign(world_.mesh.tets.size(), -1);
   const std::vector<Vec3> external = external_forces(world_);
@@ -51,6 +51,7 @@ void ShockRun::add_body(const Body& body, const std::vector<Vec3>& external) {
   add_nodes(nodes, placement, body.shock->similarity, external);
   add_elements(body, placement.turn);
   bodies_.push_back(body.id);
+  turns_.push_back(placement.turn);
   surfaces_.push_back({body.scene_body, world_.material_of(body).friction});
 }
 
@@ -186,6 +187,22 @@ void ShockRun::write_back() {
     world_.nodes.velocities[nodes_[i]] = sound ? solid_.velocity(i) : Vec3::Zero();
     world_.report.non_finite_values += !sound;
   }
+  for (int slot = 0; slot < static_cast<int>(tets_.size()); ++slot) {
+    if (!tets_[slot].valid() || !solid_.is_relieved(slot)) continue;
+    const TetId tet = tets_[slot];
+    const ElementModel model = world_.material_of(world_.bodies[world_.elements.bodies[tet]]).element_model;
+    const Corners corners = corners_of(world_.mesh, tet, world_.nodes.positions);
+    let_sliver_yield(tet, element_deformation(model, world_.elements.rests[tet], corners).strain);
+  }
+}
+
+/// What a relieved sliver strains beyond what it answers with stress is permanent: under its full stiffness it would
+/// give back more than was put in. `strain`: all of it [-].
+void ShockRun::let_sliver_yield(TetId tet, const Mat3& strain) {
+  const int slot = slot_of_tet_[tet];
+  const Mat3& turn = turns_[solid_.body_of_slot(slot)];
+  const Mat3 elastic = turn.transpose() * solid_.elastic_strain(slot, turn * strain * turn.transpose()) * turn;
+  world_.elements.plastic_strains[tet] = strain - elastic - world_.elements.similarity_strains[tet];
 }
 
 void ShockRun::finish(double duration) {

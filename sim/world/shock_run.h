@@ -55,6 +55,7 @@ class ShockRun {
               const std::vector<std::array<TetId, 4>>& neighbours);
   void update_threshold(int index);
   void bring_up_to_date(TetId tet);
+  void let_sliver_yield(TetId tet, const Mat3& strain);
   void write_back();
   int local(NodeId node) const { return local_of_node_[node]; }
   const Body& body_of(NodeId node) const;
@@ -64,6 +65,7 @@ class ShockRun {
   shock::Solid solid_;
   std::optional<shock::Impacts> impacts_;
   std::vector<BodyId> bodies_;                    ///< per body of the solid
+  std::vector<Mat3> turns_;                       ///< per body of the solid, from its place at rest
   std::vector<shock::SurfaceLaw> surfaces_;       ///< per body of the solid
   std::vector<NodeId> nodes_;                     ///< per node of the solid
   std::vector<TetId> tets_;                       ///< per slot; invalid in unused ones

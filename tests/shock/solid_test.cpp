@@ -134,25 +134,80 @@ TEST(ShockSolid, AWaveRunsThroughABarAtTheBarSpeed) {
   EXPECT_NEAR(arrival / due, 1, 0.06);
 }
 
-TEST(ShockSolid, ASliverDoesNotSetTheStepOfAllAndKeepsItsMass) {
-  const auto flattened = [](double height) {
-    TetMesh mesh = build_mesh(make_box(Vec3(2, 2, 2), Vec3::Constant(0.25), BoxPattern::five_tet));
-    Box box(
-        Vec3(2, 2, 2), 0.25, Material(), [](const Vec3& rest) { return rest; }, at_rest);
-    Solid solid;
-    std::vector<ElementRest> rests = box.rests;
-    rests[7].shape_gradients /= height;
-    std::vector<std::array<int, 4>> tets;
-    for (const auto& tet : mesh.tets) tets.push_back({tet[0], tet[1], tet[2], tet[3]});
-    for (std::size_t i = 0; i < box.masses.size(); ++i)
-      solid.add_node({mesh.rest_positions[i], Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), box.masses[i]});
-    solid.add_body(elastic_law(Material()), Material().density, tets, rests,
-                   std::vector<Mat3>(tets.size(), Mat3::Zero()));
-    return std::pair(solid.stable_step(0.9), solid.body(0).relieved);
-  };
-  EXPECT_EQ(flattened(1e-3).first, flattened(1).first);
-  EXPECT_EQ(flattened(1e-3).second, 1);
-  EXPECT_EQ(flattened(1).second, 0);
+/// A cube of many elements, of which some were made otherwise.
+Solid cube_with(
+    const std::function<void(std::vector<ElementRest>&)>& change,
+    const std::function<Vec3(const Vec3&)>& place = [](const Vec3& rest) { return rest; }) {
+  Box box(Vec3(2, 2, 2), 0.25, Material(), place, at_rest);
+  change(box.rests);
+  Solid solid;
+  std::vector<std::array<int, 4>> tets;
+  for (const auto& tet : box.mesh.tets) tets.push_back({tet[0], tet[1], tet[2], tet[3]});
+  for (std::size_t i = 0; i < box.masses.size(); ++i) {
+    const Vec3& rest = box.mesh.rest_positions[i];
+    solid.add_node({rest, place(rest) - rest, Vec3::Zero(), Vec3::Zero(), box.masses[i]});
+  }
+  solid.add_body(elastic_law(Material()), Material().density, tets, box.rests,
+                 std::vector<Mat3>(tets.size(), Mat3::Zero()));
+  solid.finish();
+  return solid;
+}
+
+void flatten(ElementRest& rest, double share) {
+  rest.shape_gradients.row(0) /= share;
+  rest.volume *= share;
+}
+
+void shrink(ElementRest& rest, double share) {
+  rest.shape_gradients /= share;
+  rest.volume *= share * share * share;
+}
+
+double step_of(const Solid& solid) { return solid.stable_step(0.9); }
+
+TEST(ShockSolid, ASliverDoesNotSetTheStepOfAll) {
+  const Solid sound = cube_with([](auto&) {});
+  const Solid flattened = cube_with([](auto& rests) { flatten(rests[7], 1e-3); });
+  EXPECT_EQ(step_of(flattened), step_of(sound));
+  EXPECT_EQ(flattened.body(0).relieved, 1);
+  EXPECT_TRUE(flattened.is_relieved(7));
+  EXPECT_EQ(sound.body(0).relieved, 0);
+}
+
+TEST(ShockSolid, SmallElementsOfGoodShapeKeepTheirStiffnessAndSetTheStep) {
+  constexpr double kSize = 1.0 / 16;
+  const Solid graded = cube_with([](auto& rests) { shrink(rests[7], kSize); });
+  EXPECT_EQ(graded.body(0).relieved, 0);
+  EXPECT_LT(step_of(graded), 1.1 * kSize * step_of(cube_with([](auto&) {})));
+}
+
+TEST(ShockSolid, FlatElementsThatAreManyKeepTheirStiffness) {
+  const Solid plate = cube_with([](auto& rests) {
+    for (ElementRest& rest : rests) flatten(rest, 0.02);
+  });
+  EXPECT_LE(plate.body(0).relieved, 0.02 * 2560);
+}
+
+TEST(ShockSolid, ARelievedSliverStartsWithItsStressAndAnswersMoreStrainWithAShareOfIt) {
+  constexpr double kFlat = 0.03;
+  const Mat3 stretch = Vec3(1e-3, 5e-4, -2e-4).asDiagonal(), more = Vec3(1e-2, 0, 0).asDiagonal();
+  const Mat3 start = Vec3(1e-3 / kFlat, 5e-4, -2e-4).asDiagonal();
+  const Solid solid = cube_with(
+      [](auto& rests) {
+        flatten(rests[7], kFlat);
+        shrink(rests[300], 0.035);
+      },
+      [&](const Vec3& rest) { return Vec3(rest + stretch * rest); });
+  ASSERT_TRUE(solid.is_relieved(7));
+  EXPECT_LT((solid.elastic_strain(7, start) - start).norm(), 1e-4 * start.norm());
+  const Mat3 answer = solid.elastic_strain(7, start + more) - start;
+  EXPECT_GT(answer(0, 0), 0.25 * more(0, 0));
+  EXPECT_LT(answer(0, 0), 0.9 * more(0, 0));
+}
+
+TEST(ShockSolid, ASliverTooFlatForAnyShareHasNoStress) {
+  const Solid solid = cube_with([](auto& rests) { flatten(rests[7], 1e-3); });
+  EXPECT_EQ(solid.elastic_strain(7, Mat3::Identity()), Mat3::Zero());
 }
 
 }  // namespace
