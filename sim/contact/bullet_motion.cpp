@@ -16,8 +16,8 @@ namespace {
 /// Swept projectiles come to rest overlapping by this share of their radius, so that the next detection sees the
 /// contact.
 constexpr double kTouchShare = 1e-6;
-/// A projectile slides along this many surfaces in one substep at most.
-constexpr int kMaxTouches = 4;
+/// A projectile changes its way at this many surfaces in one substep at most.
+constexpr int kMaxTurns = 4;
 
 /// A motion of `a` as seen from `b`, which stays in its present place.
 struct Sweep {
@@ -123,7 +123,7 @@ void ContactWorld::Impl::move_projectiles(double dt) {
     object.correction = {};
   }
   std::vector<Vec3> ends;
-  for (std::size_t i : projectiles) ends.push_back(swept_end(objects[i], dt));
+  for (std::size_t i : projectiles) ends.push_back(swept_end(objects[i], dt, {}));
   for (std::size_t i = 0; i < projectiles.size(); ++i) {
     RigidState& state = objects[projectiles[i]].state;
     state.velocity = velocity_after(state.velocity, ends[i] - state.pose.translation, dt);
@@ -188,28 +188,40 @@ bool ContactWorld::Impl::LeftSurface::is(const Object& other, std::size_t other_
 /// Where a projectile is after `dt` among the others in uniform motion. Slow touches let it slide on along the surface.
 /// What it strikes stops it for the rest of `dt`, or pushes it on, no faster than it came, so that the next detection
 /// finds both in touch.
-Vec3 ContactWorld::Impl::swept_end(const Object& projectile, double dt) const {
+Vec3 ContactWorld::Impl::swept_end(const Object& projectile, double dt, const SweepRule& rule) const {
   Vec3 center = projectile.state.pose.translation, velocity = projectile.state.velocity;
-  const double speed = velocity.norm();
   double share = 0;
   std::vector<LeftSurface> parting;
-  for (int touches = 0; touches < kMaxTouches; ++touches) {
-    const NextTouch next = next_touch(projectile, center, velocity, share, dt, parting);
-    center += (next.share - share) * dt * velocity;
-    share = next.share;
-    if (!next.met) break;
-    const RigidState& met = next.met->state;
-    const double pushed = next.normal.dot(velocity_of_met(projectile, *next.met, center, share, dt));
-    const double approach = pushed - next.normal.dot(velocity);
-    parting.push_back({next.met, next.part, pose_after(*next.met, share, dt).rotation.conjugate() * next.normal});
-    if (approach <= 0) continue;
-    const double came = share * dt * (projectile.state.velocity - met.velocity).norm();
-    const bool just_solved = came < 10 * kTouchShare * projectile.shape.radius;
-    velocity += approach * next.normal;
-    if (approach > touching_speed(projectile, *next.met, dt) && !just_solved) velocity = pushed * next.normal;
-    velocity *= speed / std::max({velocity.norm(), speed, std::numeric_limits<double>::min()});
+  for (int turns = 0; turns < kMaxTurns; ++turns) {
+    const Vec3 before = velocity;
+    for (const TouchAhead& next : touches_ahead(projectile, center, velocity, share, dt, rule)) {
+      const Vec3 local_normal = pose_after(*next.met, next.share, dt).rotation.conjugate() * next.normal;
+      if (std::ranges::any_of(parting,
+                              [&](const LeftSurface& left) { return left.is(*next.met, next.part, local_normal); }))
+        continue;
+      parting.push_back({next.met, next.part, local_normal});
+      center += (next.share - share) * dt * velocity;
+      share = next.share;
+      velocity = velocity_at_touch(projectile, velocity, next, center, dt);
+      if (velocity != before) break;
+    }
+    if (velocity == before) return center + (1 - share) * dt * velocity;
   }
   return center;
+}
+
+/// How a projectile goes on from what it touches there: slowly, it slides; what it strikes stops it or pushes it on, no
+/// faster than it came.
+Vec3 ContactWorld::Impl::velocity_at_touch(const Object& projectile, Vec3 velocity, const TouchAhead& touch,
+                                           const Vec3& center, double dt) const {
+  const double pushed = touch.normal.dot(velocity_of_met(projectile, *touch.met, center, touch.share, dt));
+  const double approach = pushed - touch.normal.dot(velocity), speed = projectile.state.velocity.norm();
+  if (approach <= 0) return velocity;
+  const double came = touch.share * dt * (projectile.state.velocity - touch.met->state.velocity).norm();
+  const bool just_solved = came < 10 * kTouchShare * projectile.shape.radius;
+  velocity += approach * touch.normal;
+  if (approach > touching_speed(projectile, *touch.met, dt) && !just_solved) velocity = pushed * touch.normal;
+  return velocity * (speed / std::max({velocity.norm(), speed, std::numeric_limits<double>::min()}));
 }
 
 /// How far a projectile may get into a stand-in [m]. An elastic body gives way where it was touched, as the solve knows
@@ -217,37 +229,51 @@ Vec3 ContactWorld::Impl::swept_end(const Object& projectile, double dt) const {
 double ContactWorld::Impl::allowed_depth(const Object& projectile, const Object& other) const {
   constexpr double kElasticShare = 0.5;  // of a sphere: its centre stays outside
   const bool gives_way = other.elastic && std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
-    const Object &a = objects[contact.a], &b = objects[contact.b];
-    return (&a == &projectile && &b == &other) || (&a == &other && &b == &projectile);
-  });
+                           const Object &a = objects[contact.a], &b = objects[contact.b];
+                           return (&a == &projectile && &b == &other) || (&a == &other && &b == &projectile);
+                         });
   if (!gives_way) return kTouchShare * projectile.shape.radius;
   return is_sphere(projectile) ? kElasticShare * projectile.shape.radius : projectile.shape.parts.front()->getMargin();
 }
 
-/// What a projectile in motion meets first after a share of the substep, but for surfaces that it is `parting` from.
-/// Each other object is looked at in its own frame, so that its turning counts.
-ContactWorld::Impl::NextTouch ContactWorld::Impl::next_touch(const Object& projectile, const Vec3& center,
-                                                             const Vec3& velocity, double share, double dt,
-                                                             std::span<const LeftSurface> parting) const {
-  NextTouch next{1, nullptr, Vec3::Zero()};
+namespace {
+
+/// Whether an object can come near another one's path of this length, wherever both turn.
+bool may_come_near(const Object& other, const Vec3& center, double reach, double dt) {
+  if (other.kind == Kind::ground) return true;
+  const double way = dt * other.state.velocity.norm() + other.correction.translation.norm();
+  return (other.state.pose.translation - center).norm() <= reach + way + other.shape.radius;
+}
+
+}  // namespace
+
+/// What a projectile in uniform motion meets after a share of the substep, in order. Each other object is looked at in
+/// its own frame, so that its turning counts.
+std::vector<ContactWorld::Impl::TouchAhead> ContactWorld::Impl::touches_ahead(const Object& projectile,
+                                                                              const Vec3& center, const Vec3& velocity,
+                                                                              double share, double dt,
+                                                                              const SweepRule& rule) const {
+  constexpr double kRounding = 1 + 1e-9;
+  std::vector<TouchAhead> touches;
+  const double reach = kRounding * ((1 - share) * dt * velocity.norm() + projectile.shape.radius);
   for (const Object& other : objects) {
-    if (&other == &projectile || !other.body) continue;
+    if (&other == &projectile || !other.body || !may_come_near(other, center, reach, dt)) continue;
+    if (rule.stops && !rule.stops(ProxyId(&other - objects.data()))) continue;
     const double gap = -allowed_depth(projectile, other);
     const Pose& present = other.state.pose;
     const Vec3 start = pose_after(other, share, dt).to_local(center);
     const Vec3 end = pose_after(other, 1, dt).to_local(center + (1 - share) * dt * velocity);
     const Sweep sweep{projectile, other, present.to_world(start), present.rotation * (end - start), gap};
+    if (sweep.displacement.norm() < rule.slow) continue;
     for_each_touch(sweep, ground_height, [&](const Touch& touch, std::size_t part) {
       if (!comes_nearer(sweep.displacement, touch.normal)) return;  // overlaps, and leads out
       const double touch_share = share + touch.fraction * (1 - share);
-      if (next.met && touch_share >= next.share) return;
-      const Vec3 local_normal = present.rotation.conjugate() * touch.normal;
-      if (std::ranges::any_of(parting, [&](const LeftSurface& left) { return left.is(other, part, local_normal); }))
-        return;
-      next = {touch_share, &other, pose_after(other, touch_share, dt).rotation * local_normal, part};
+      const Quat turn = pose_after(other, touch_share, dt).rotation * present.rotation.conjugate();
+      touches.push_back({touch_share, &other, turn * touch.normal, part});
     });
   }
-  return next;
+  std::ranges::stable_sort(touches, {}, &TouchAhead::share);
+  return touches;
 }
 
 /// How fast two objects would meet, 0 if they do not, or too slowly to hurt either.
@@ -281,7 +307,8 @@ std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double
   std::vector<Encounter> found;
   const auto look = [&](std::size_t a, std::size_t b) {
     const double speed = striking_speed(a, b, dt, minimum_speed);
-    if (speed > 0) found.push_back({ProxyId(static_cast<std::int64_t>(a)), ProxyId(static_cast<std::int64_t>(b)), speed});
+    if (speed > 0)
+      found.push_back({ProxyId(static_cast<std::int64_t>(a)), ProxyId(static_cast<std::int64_t>(b)), speed});
     return first_alone && speed > 0;
   };
   for (std::size_t i = 0; i < objects.size(); ++i) {

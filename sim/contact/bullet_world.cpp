@@ -24,9 +24,12 @@ constexpr double kNegligibleMove = 1e-5;
 /// What may touch what: supported bodies bend and swing down to the ground, but keep out of each other's way.
 int partners_of(int group) {
   switch (group) {
-    case kMovingGroup: return kMovingGroup | kHeldGroup | kGroundGroup;
-    case kHeldGroup: return kMovingGroup | kGroundGroup;
-    default: return kMovingGroup | kHeldGroup;
+    case kMovingGroup:
+      return kMovingGroup | kHeldGroup | kGroundGroup;
+    case kHeldGroup:
+      return kMovingGroup | kGroundGroup;
+    default:
+      return kMovingGroup | kHeldGroup;
   }
 }
 
@@ -220,8 +223,8 @@ void ContactWorld::set_state(ProxyId object, const RigidState& state) {
   Object& changed = impl_->objects[object];
   assert(changed.kind != Kind::ground && changed.body);
   if (changed.mobility == Mobility::held) {
-    const bool moved = has_left(changed.resting_place, state.pose, kNegligibleMove * changed.shape.radius,
-                                changed.shape.radius);
+    const bool moved =
+        has_left(changed.resting_place, state.pose, kNegligibleMove * changed.shape.radius, changed.shape.radius);
     changed.body->forceActivationState(moved ? ACTIVE_TAG : ISLAND_SLEEPING);
     if (moved) changed.resting_place = state.pose;
   }
@@ -268,8 +271,9 @@ void ContactWorld::advance(double dt) { impl_->advance(dt); }
 ContactWorld::Correction ContactWorld::position_correction(ProxyId stand_in) const {
   return impl_->objects[stand_in].correction;
 }
-Vec3 ContactWorld::swept_center(ProxyId stand_in, double dt) const {
-  return impl_->swept_end(impl_->objects[stand_in], dt);
+Vec3 ContactWorld::swept_center(ProxyId stand_in, double dt, double slow,
+                                const std::function<bool(ProxyId)>& stops) const {
+  return impl_->swept_end(impl_->objects[stand_in], dt, {slow, stops});
 }
 Vec3 ContactWorld::velocity_after(const Vec3& velocity, const Vec3& way, double dt) const {
   return impl_->velocity_after(velocity, way, dt);

@@ -31,15 +31,15 @@ struct Object {
   RigidState state = {};  ///< as its owner set it or, after advance(), with the solved velocities
   SurfaceProperties surface = {};
   Vec3 first_velocity = Vec3::Zero(), first_spin = Vec3::Zero();  ///< when the substep began
-  double inverse_mass = 0;              ///< 0 when held
-  Mat3 inverse_inertia = Mat3::Zero();  ///< in its own frame
+  double inverse_mass = 0;                                        ///< 0 when held
+  Mat3 inverse_inertia = Mat3::Zero();                            ///< in its own frame
   ContactWorld::Correction correction = {};
   double impact_speed = std::numeric_limits<double>::infinity();  ///< from which it could be hurt [m/s]
-  bool asleep = false;                           ///< lies still: neither moved nor looked at until something disturbs it
-  Pose resting_place = {};                       ///< that it has hardly left
-  double still_time = 0;                         ///< for so long [s]
-  bool elastic = false;                          ///< its owner answers the impulses of the present solve
-  bool fresh = true;                             ///< its shape has not yet been seen by detect()
+  bool asleep = false;      ///< lies still: neither moved nor looked at until something disturbs it
+  Pose resting_place = {};  ///< that it has hardly left
+  double still_time = 0;    ///< for so long [s]
+  bool elastic = false;     ///< its owner answers the impulses of the present solve
+  bool fresh = true;        ///< its shape has not yet been seen by detect()
   std::unique_ptr<btCollisionObject> body = {};  ///< null once removed
 
   bool is_free() const { return body && mobility == Mobility::free; }
@@ -162,11 +162,11 @@ struct ContactWorld::Impl {
   void move_projectiles(double dt);
   void turn_free(contact::Object& object, double dt);
   double deepest_overlap(const contact::Object& object) const;
-  struct NextTouch {
-    double share;                ///< of the substep, 1 for nothing
-    const contact::Object* met;  ///< null for nothing
-    Vec3 normal;                 ///< unit, towards the projectile
-    std::size_t part = 0;        ///< of what is met
+  struct TouchAhead {
+    double share;  ///< of the substep
+    const contact::Object* met;
+    Vec3 normal;       ///< unit, towards the projectile
+    std::size_t part;  ///< of what is met
   };
   /// A surface that a projectile has touched and is sliding or moving off.
   struct LeftSurface {
@@ -176,11 +176,18 @@ struct ContactWorld::Impl {
     /// Parts whose surfaces go on from one another are one.
     bool is(const contact::Object& other, std::size_t other_part, const Vec3& other_normal) const;
   };
-  Vec3 swept_end(const contact::Object& projectile, double dt) const;
+  /// What a sweep leaves out: what it moves against by less than `slow` [m], and what does not stop it.
+  struct SweepRule {
+    double slow = 0;
+    std::function<bool(ProxyId)> stops;  ///< all do where it is empty
+  };
+  Vec3 swept_end(const contact::Object& projectile, double dt, const SweepRule& rule) const;
   Vec3 velocity_after(const Vec3& velocity, const Vec3& way, double dt) const;
   double allowed_depth(const contact::Object& projectile, const contact::Object& other) const;
-  NextTouch next_touch(const contact::Object& projectile, const Vec3& center, const Vec3& velocity, double share,
-                       double dt, std::span<const LeftSurface> parting) const;
+  std::vector<TouchAhead> touches_ahead(const contact::Object& projectile, const Vec3& center, const Vec3& velocity,
+                                        double share, double dt, const SweepRule& rule) const;
+  Vec3 velocity_at_touch(const contact::Object& projectile, Vec3 velocity, const TouchAhead& touch, const Vec3& center,
+                         double dt) const;
   double striking_speed(std::size_t a, std::size_t b, double dt, double minimum_speed) const;
   std::vector<ContactWorld::Encounter> expected_impacts(double dt, double minimum_speed, bool first_alone) const;
 
@@ -203,7 +210,7 @@ struct ContactWorld::Impl {
   std::vector<contact::Memory> memories;                 ///< per contact
   std::vector<contact::NodeContact> node_contacts;       ///< that the owner put in
   std::vector<contact::NodeContact> past_node_contacts;  ///< of the last substep, by key
-  std::vector<contact::ContactRow> solved;  ///< per contact: as solve() found it
+  std::vector<contact::ContactRow> solved;               ///< per contact: as solve() found it
 };
 
 }  // namespace griffith

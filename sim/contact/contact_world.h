@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -164,8 +165,9 @@ class ContactWorld {
   void advance(double dt);
 
   /// Where a stand-in's centre of mass is after `dt` [s] at its velocity [m]: short of that where it would pass through
-  /// something else, as seen after advance().
-  Vec3 swept_center(ProxyId stand_in, double dt) const;
+  /// something else, as seen after advance(). What it moves against by less than `slow` [m] is left to the next
+  /// detection, as is all for which `stops` says no.
+  Vec3 swept_center(ProxyId stand_in, double dt, double slow, const std::function<bool(ProxyId)>& stops) const;
   /// The velocity of what was to move by `velocity` [m/s] for `dt` [s] and came along `way` [m]: what stopped short has
   /// not fallen as fast as the whole of its fall would have made it.
   Vec3 velocity_after(const Vec3& velocity, const Vec3& way, double dt) const;

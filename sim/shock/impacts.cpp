@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "sim/mesh/tet_mesh.h"
@@ -12,6 +13,10 @@ namespace {
 
 /// Rounds of impulses over all touches of a microstep.
 constexpr int kRounds = 4;
+/// What of the reach of candidates things may use up before they get into a fresh crack.
+constexpr double kReachOfCracks = 0.25;
+/// Candidates are listed for about so many microsteps, within an edge length.
+constexpr double kMicrostepsOfCandidates = 24;
 /// Slower approaches are rounding [m/s].
 constexpr double kNegligibleSpeed = 1e-9;
 
@@ -74,7 +79,8 @@ void Impacts::open(const CrackSides& sides) {
   };
   add(sides.first_slot, sides.first_corners);
   add(sides.second_slot, sides.second_corners);
-  reach_left_ = -1;
+  // Nothing is between them yet: it has to get there.
+  reach_left_ = std::min(reach_left_, kReachOfCracks * margin_);
 }
 
 void Impacts::list_near_obstacle(const Solid& solid, const Obstacle& obstacle, double margin,
@@ -141,15 +147,17 @@ void Impacts::list_pairs(const Solid& solid, double margin) {
       if (surface_at(solid, at->second).family != family && box.exteriorDistance(solid.position(at->second)) < margin)
         pairs_.push_back({at->second, placed.side});
   }
+  std::ranges::stable_sort(pairs_, {}, &NodeAndSide::node);
 }
 
-void Impacts::list_candidates(const Solid& solid) {
-  double margin = 0.25 * element_size_;
+/// `way`: that two things may come nearer to each other in a microstep [m].
+void Impacts::list_candidates(const Solid& solid, double way) {
+  margin_ = std::clamp(kMicrostepsOfCandidates * way, 0.25 * element_size_, element_size_);
   for (const Obstacle& obstacle : obstacles_)
-    if (obstacle.inverse_mass > 0 && std::isfinite(obstacle.radius)) margin = std::max(margin, 0.1 * obstacle.radius);
-  for (std::size_t i = 0; i < obstacles_.size(); ++i) list_near_obstacle(solid, obstacles_[i], margin, candidates_[i]);
-  list_pairs(solid, margin);
-  reach_left_ = margin;
+    if (obstacle.inverse_mass > 0 && std::isfinite(obstacle.radius)) margin_ = std::max(margin_, 0.1 * obstacle.radius);
+  for (std::size_t i = 0; i < obstacles_.size(); ++i) list_near_obstacle(solid, obstacles_[i], margin_, candidates_[i]);
+  list_pairs(solid, margin_);
+  reach_left_ = margin_;
 }
 
 void Impacts::touch_sphere(const Solid& solid, int index) {
@@ -174,10 +182,11 @@ bool Impacts::is_behind(const Solid& solid, const SurfaceSide& side, const Vec3&
   touch.nodes = nodes_of(solid, side);
   const Vec3 a = solid.position(touch.nodes[0]), b = solid.position(touch.nodes[1]), c = solid.position(touch.nodes[2]);
   const Vec3 normal = (b - a).cross(c - a);
+  if (normal.dot(point - a) > 0) return false;
   const double area = normal.norm();
   touch.normal = normal / area;
   touch.depth = -touch.normal.dot(point - a);
-  if (touch.depth < 0 || touch.depth > 0.5 * element_size_) return false;
+  if (touch.depth > 0.5 * element_size_) return false;
   touch.weights = weights_in_triangle(a, b, c, normal, area * area, point);
   touch.place = point;
   return std::ranges::all_of(touch.weights, [](double weight) { return weight >= kOutside; });
@@ -216,17 +225,17 @@ void Impacts::touch_convex(const Solid& solid, int index) {
 
 /// Each node against the side of another body that it lies behind least deep.
 void Impacts::touch_bodies(const Solid& solid) {
-  std::vector<Touch> found;
-  for (const auto& [node, side] : pairs_) {
-    Touch touch;
-    touch.other_node = node;
-    if (is_behind(solid, side, solid.position(node), touch)) found.push_back(touch);
+  for (auto at = pairs_.begin(); at != pairs_.end();) {
+    const int node = at->node;
+    const Vec3 place = solid.position(node);
+    std::optional<Touch> shallowest;
+    for (; at != pairs_.end() && at->node == node; ++at) {
+      Touch touch{.other_node = node};
+      if (is_behind(solid, at->side, place, touch) && (!shallowest || touch.depth < shallowest->depth))
+        shallowest = touch;
+    }
+    if (shallowest) touches_.push_back(*shallowest);
   }
-  std::ranges::stable_sort(found, [](const Touch& a, const Touch& b) {
-    return a.other_node != b.other_node ? a.other_node < b.other_node : a.depth < b.depth;
-  });
-  for (std::size_t i = 0; i < found.size(); ++i)
-    if (i == 0 || found[i].other_node != found[i - 1].other_node) touches_.push_back(found[i]);
 }
 
 void Impacts::find_touches(const Solid& solid) {
@@ -234,7 +243,9 @@ void Impacts::find_touches(const Solid& solid) {
   for (int i = 0; i < static_cast<int>(obstacles_.size()); ++i)
     obstacles_[i].is_sphere() ? touch_sphere(solid, i) : touch_convex(solid, i);
   touch_bodies(solid);
-  std::ranges::stable_sort(touches_, std::ranges::greater(), &Touch::depth);
+  order_.resize(touches_.size());
+  std::iota(order_.begin(), order_.end(), 0);
+  std::ranges::stable_sort(order_, std::ranges::greater(), [&](int index) { return touches_[index].depth; });
 }
 
 Vec3 Impacts::approach_of(const Solid& solid, const Touch& touch) const {
@@ -305,23 +316,28 @@ bool Impacts::push(Solid& solid, Touch& touch, double dt, double least_speed) {
   return true;
 }
 
-void Impacts::resolve(Solid& solid, double dt, double least_speed) {
-  blows_.clear();
-  for (Obstacle& obstacle : obstacles_) obstacle.move(dt);
-  if (reach_left_ < 0) list_candidates(solid);
-  find_touches(solid);
-  for (int round = 0; round < kRounds; ++round) {
-    bool any = false;
-    for (Touch& touch : touches_) any |= push(solid, touch, dt, least_speed);
-    if (!any) break;
-  }
+double Impacts::fastest_of(const Solid& solid) const {
   double fastest = solid.fastest();
   for (const Obstacle& obstacle : obstacles_) {
     const double turning =
         std::isfinite(obstacle.radius) ? obstacle.state.angular_velocity.norm() * obstacle.radius : 0;
     fastest = std::max(fastest, obstacle.state.velocity.norm() + turning);
   }
-  reach_left_ -= 2 * dt * fastest;
+  return fastest;
+}
+
+void Impacts::resolve(Solid& solid, double dt, double least_speed) {
+  blows_.clear();
+  for (Obstacle& obstacle : obstacles_) obstacle.move(dt);
+  const double way = 2 * dt * fastest_of(solid);
+  if (reach_left_ < 0) list_candidates(solid, way);
+  find_touches(solid);
+  for (int round = 0; round < kRounds; ++round) {
+    bool any = false;
+    for (const int index : order_) any |= push(solid, touches_[index], dt, least_speed);
+    if (!any) break;
+  }
+  reach_left_ -= std::max(way, 2 * dt * fastest_of(solid));
   if (!cracks_.empty()) close_cracks(solid);
 }
 

@@ -92,7 +92,9 @@ class Impacts {
   };
 
   const SurfaceLaw& surface_at(const Solid& solid, int node) const;
-  void list_candidates(const Solid& solid);
+  void list_candidates(const Solid& solid, double way);
+  /// Of all nodes and obstacles [m/s].
+  double fastest_of(const Solid& solid) const;
   void list_near_obstacle(const Solid& solid, const Obstacle& obstacle, double margin, Candidates& candidates) const;
   void list_near_part(const Solid& solid, const Obstacle& obstacle, int part, const std::vector<int>& nodes,
                       double margin, Candidates& candidates) const;
@@ -118,10 +120,11 @@ class Impacts {
   std::vector<Obstacle> obstacles_;
   std::vector<SurfaceLaw> surfaces_;    ///< per body of the solid
   std::vector<Candidates> candidates_;  ///< per obstacle
-  std::vector<NodeAndSide> pairs_;      ///< nodes near sides of other bodies
+  std::vector<NodeAndSide> pairs_;      ///< nodes near sides of other bodies, by node
   std::vector<Touch> touches_;
+  std::vector<int> order_;  ///< of touches, the deepest first
   std::vector<Blow> blows_;
-  double element_size_, reach_left_ = -1;
+  double element_size_, margin_ = 0, reach_left_ = -1;
 };
 
 }  // namespace griffith::shock

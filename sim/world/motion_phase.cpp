@@ -95,12 +95,20 @@ void move_swinging(WorldState& world, const Body& body, const Pivot& pivot, cons
   }
 }
 
-/// How far a rigid body gets [m]. What is fast stops at what it meets, or it would pass through thin bodies.
+/// How far a rigid body gets [m]. What is fast stops at what it meets, or it would pass through thin bodies. Pieces of
+/// one body, much of a size, may pass through one another.
 Vec3 way_of(const WorldState& world, const Body& body, double dt) {
   constexpr double kSlowShare = 0.25;  // of its size: so much overlap would still be found
+  const double slow = kSlowShare * body.extent;
   const Vec3 way = dt * body.motion.velocity;
-  if (way.norm() < kSlowShare * body.extent) return way;
-  return world.contact_world.swept_center(body.stand_in, dt) -
+  if (way.norm() < slow) return way;
+  const auto stops = [&](ProxyId proxy) {
+    constexpr double kMuchLarger = 2;
+    const BodyId id = world.body_of(proxy);
+    return !id.valid() || world.bodies[id].scene_body != body.scene_body ||
+           world.bodies[id].extent > kMuchLarger * body.extent;
+  };
+  return world.contact_world.swept_center(body.stand_in, dt, slow, stops) -
          world.contact_world.state(body.stand_in).pose.translation;
 }
 

@@ -235,7 +235,9 @@ double next_stretch(WorldState& world, double left) {
     const double calm = time_before_impact(world, left, tolerance);
     if (calm > tolerance || calm == left) return calm;
   }
-  const double shortest = time_step / 16;
+  // Each stretch begins with contacts and with what the microsteps know of the bodies: where blows prolong a shock, the
+  // next stretch is as long as all before.
+  const double shortest = std::max(time_step / 16, time_step - left);
   enter_struck_bodies(world, std::min(left, std::max(shortest, time_to_follow(world))));
   if (!in_shock(world)) return left;
   choose_similarity(world, left);
