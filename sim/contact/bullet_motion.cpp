@@ -34,15 +34,19 @@ PlacedShape placed(const Object& object, std::size_t part, const Vec3& center, d
   return shape;
 }
 
+/// How near to the origin a point comes that is displaced from `start`.
+double nearest_distance(const Vec3& start, const Vec3& displacement) {
+  const double length_squared = displacement.squaredNorm();
+  const double nearest = length_squared > 0 ? std::clamp(-start.dot(displacement) / length_squared, 0.0, 1.0) : 0;
+  return (start + nearest * displacement).norm();
+}
+
 /// Whether the spheres round the two objects come near enough to touch.
 bool may_touch(const Sweep& sweep, double ground_height) {
   const auto& [a, b, start, displacement, gap] = sweep;
   if (b.kind == Kind::ground)
     return start.y() + std::min(0.0, displacement.y()) <= ground_height + a.shape.radius + gap;
-  const Vec3 apart = start - b.state.pose.translation;
-  const double length_squared = displacement.squaredNorm();
-  const double nearest = length_squared > 0 ? std::clamp(-apart.dot(displacement) / length_squared, 0.0, 1.0) : 0;
-  return (apart + nearest * displacement).norm() <= a.shape.radius + b.shape.radius + gap;
+  return nearest_distance(start - b.state.pose.translation, displacement) <= a.shape.radius + b.shape.radius + gap;
 }
 
 /// Calls `use` with the touch of each pair of convex parts that comes near enough, and b's part.
@@ -238,11 +242,16 @@ double ContactWorld::Impl::allowed_depth(const Object& projectile, const Object&
 
 namespace {
 
-/// Whether an object can come near another one's path of this length, wherever both turn.
-bool may_come_near(const Object& other, const Vec3& center, double reach, double dt) {
+/// Whether the spheres round two objects touch while the one moves from `center` by `way` and the other turns and moves on
+/// from a share of the substep.
+bool may_come_near(const Object& object, const Vec3& center, const Vec3& way, const Object& other, double share,
+                   double dt) {
+  constexpr double kRounding = 1 + 1e-9;
   if (other.kind == Kind::ground) return true;
-  const double way = dt * other.state.velocity.norm() + other.correction.translation.norm();
-  return (other.state.pose.translation - center).norm() <= reach + way + other.shape.radius;
+  const Vec3 whole = dt * other.state.velocity + other.correction.translation;
+  const Vec3 apart = center - other.state.pose.translation - share * whole;
+  const double reach = object.shape.radius + other.shape.radius;
+  return nearest_distance(apart, way - (1 - share) * whole) <= kRounding * reach + 1e-12 * apart.norm();
 }
 
 }  // namespace
@@ -253,16 +262,15 @@ std::vector<ContactWorld::Impl::TouchAhead> ContactWorld::Impl::touches_ahead(co
                                                                               const Vec3& center, const Vec3& velocity,
                                                                               double share, double dt,
                                                                               const SweepRule& rule) const {
-  constexpr double kRounding = 1 + 1e-9;
   std::vector<TouchAhead> touches;
-  const double reach = kRounding * ((1 - share) * dt * velocity.norm() + projectile.shape.radius);
+  const Vec3 way = (1 - share) * dt * velocity;
   for (const Object& other : objects) {
-    if (&other == &projectile || !other.body || !may_come_near(other, center, reach, dt)) continue;
+    if (&other == &projectile || !other.body || !may_come_near(projectile, center, way, other, share, dt)) continue;
     if (rule.stops && !rule.stops(ProxyId(&other - objects.data()))) continue;
     const double gap = -allowed_depth(projectile, other);
     const Pose& present = other.state.pose;
     const Vec3 start = pose_after(other, share, dt).to_local(center);
-    const Vec3 end = pose_after(other, 1, dt).to_local(center + (1 - share) * dt * velocity);
+    const Vec3 end = pose_after(other, 1, dt).to_local(center + way);
     const Sweep sweep{projectile, other, present.to_world(start), present.rotation * (end - start), gap};
     if (sweep.displacement.norm() < rule.slow) continue;
     for_each_touch(sweep, ground_height, [&](const Touch& touch, std::size_t part) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "sim/disjoint_sets.h"
+
 namespace griffith {
 
 std::vector<HalfEdge> half_edges(const TriangleSurface& surface) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -26,24 +25,6 @@ void for_each_edge(const std::vector<HalfEdge>& sides, const Visit& visit) {
     visit(std::span(sides).subspan(begin, end - begin));
   }
 }
-
-/// Disjoint sets of the numbers 0 .. count − 1; a set is known by its smallest number.
-class DisjointSets {
- public:
-  explicit DisjointSets(int count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0); }
-
-  int find(int i) {
-    while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
-    return i;
-  }
-  void join(int a, int b) {
-    a = find(a), b = find(b);
-    parents_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<int> parents_;
-};
 
 /// Per triangle, the number of the part that it belongs to; parts hold together through edges, and are numbered by
 /// their first triangles. `manifold_only`: through edges of two triangles alone.

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <set>
 
+#include "sim/disjoint_sets.h"
 #include "sim/error.h"
 #include "sim/mesh/number_text.h"
 #include "sim/meshing/orient_surface.h"

@@ -10,7 +10,7 @@ namespace griffith::shock {
 namespace {
 
 /// Share of critical damping at the highest frequency: kills what the mesh cannot carry, leaves the rest.
-constexpr double kDampingRatio = 0.06;
+constexpr double kDampingRatio = 0.12;
 /// Slivers are elements whose frequency is higher than this many bar waves' speeds over their edge length: that of
 /// elements of good shape is below 10.
 constexpr double kSliverFrequency = 20;

@@ -11,7 +11,7 @@ namespace griffith {
 namespace {
 
 /// A node opens when its overload has lasted so long, in the time that a wave takes to cross an element.
-constexpr double kOverloadTime = 0.5;
+constexpr double kOverloadTime = 0.75;
 /// Cracks run no faster than this share of the bar wave's speed: some half of the Rayleigh wave's (Freund 1990).
 constexpr double kCrackSpeed = 0.3;
 /// Elements are screened by the stress of another frame than the nodes are judged by.
@@ -109,6 +109,15 @@ void ShockRun::judge(int index) {
   if (time_ - seen.over_since + 1e-3 * dt_ >= wait) overloaded_.push_back({separation.margin, node});
 }
 
+/// Nodes of these tets at which a crack ends.
+std::vector<NodeId> ShockRun::front_among(const std::vector<TetId>& tets) const {
+  std::vector<NodeId> front;
+  for (const TetId tet : tets)
+    for (const NodeId node : world_.mesh.tets[tet])
+      if (world_.nodes.at_crack_front[node]) front.push_back(node);
+  return front;
+}
+
 void ShockRun::open(const Overload& overload) {
   const NodeId node = overload.node;
   const Body& body = body_of(node);
@@ -119,6 +128,7 @@ void ShockRun::open(const Overload& overload) {
   const std::vector<TetId> star = world_.mesh.stars[node];
   std::vector<std::array<TetId, 4>> neighbours;
   for (const TetId tet : star) neighbours.push_back(world_.mesh.neighbours[tet]);
+  const std::vector<NodeId> front = front_among(star);
   const std::size_t first_copy = opened_.copies.size(), tets = world_.mesh.tets.size();
   looks_[local(node)].ready = time_ + transit;
   const bool cracked = crack(world_, node, opened_);
@@ -140,8 +150,8 @@ void ShockRun::open(const Overload& overload) {
   follow(std::span(opened_.copies).subspan(first_copy), star, neighbours);
   for (const TetId tet : star)
     for (const NodeId near : world_.mesh.tets[tet]) {
-      Look& waiting = looks_[local(near)];
-      waiting = {time_ + (world_.nodes.at_crack_front[near] ? transit / kCrackSpeed : transit), -1, -2};
+      const bool new_front = world_.nodes.at_crack_front[near] && std::ranges::find(front, near) == front.end();
+      looks_[local(near)] = {time_ + (new_front ? transit / kCrackSpeed : transit), -1, -2};
     }
 }
 

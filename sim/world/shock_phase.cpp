@@ -201,17 +201,25 @@ bool suits_microsteps(const WorldState& world, const Body& body, double impact_s
          highest_frequency(world, body) * body.element_size < 0.99 * shock::kHighestFrequency * wave_speed;
 }
 
+/// Whether a body that strikes another, and is not hurt itself, must deform too: as a rigid one it would strike up to
+/// twice as hard. In one that is much heavier, waves spread so far that it hardly gives way.
+bool gives_way(const WorldState& world, const Body& body, const Body& struck, double impact_speed) {
+  constexpr double kMuchHeavier = 8;
+  return body.motion.mass < kMuchHeavier * struck.motion.mass && suits_microsteps(world, body, impact_speed);
+}
+
 /// Lets the bodies enter that something will strike hard enough to hurt within `duration` [s].
 void enter_struck_bodies(WorldState& world, double duration) {
   const double least = least_impact_speed(world);
   for (const auto& [a, b, approach] : world.contact_world.expected_impacts(duration, least)) {
-    if (have_just_parted(world, world.body_of(a), world.body_of(b))) continue;
-    for (const ProxyId side : {a, b}) {
-      const BodyId id = world.body_of(side);
-      if (!id.valid() || world.bodies[id].shock || world.bodies[id].tets.size() == 1) continue;
-      if (approach < hurting_speed(world, world.bodies[id])) continue;
-      if (!suits_microsteps(world, world.bodies[id], approach)) continue;
-      enter_shock(world, world.bodies[id], approach);
+    const BodyId first = world.body_of(a), second = world.body_of(b);
+    if (have_just_parted(world, first, second)) continue;
+    for (const auto& [struck, other] : {std::pair(first, second), std::pair(second, first)}) {
+      if (!struck.valid() || approach < hurting_speed(world, world.bodies[struck])) continue;
+      if (!suits_microsteps(world, world.bodies[struck], approach)) continue;
+      enter_shock(world, world.bodies[struck], approach);
+      if (other.valid() && gives_way(world, world.bodies[other], world.bodies[struck], approach))
+        enter_shock(world, world.bodies[other], approach);
     }
   }
 }

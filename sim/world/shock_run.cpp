@@ -14,7 +14,7 @@ namespace {
 /// Share of the stable microstep: nearer to it, the energy of the highest frequencies swings widely.
 constexpr double kCourant = 0.5;
 /// Overload is looked for at this interval, in the time that a wave takes to cross an element.
-constexpr double kLookInterval = 0.75;
+constexpr double kLookInterval = 0.375;
 
 }  // namespace
 

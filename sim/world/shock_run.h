@@ -51,6 +51,7 @@ class ShockRun {
   void look();
   void judge(int index);
   void open(const Overload& overload);
+  std::vector<NodeId> front_among(const std::vector<TetId>& tets) const;
   void follow(std::span<const NodeCopy> copies, const std::vector<TetId>& star,
               const std::vector<std::array<TetId, 4>>& neighbours);
   void update_threshold(int index);

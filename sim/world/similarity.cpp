@@ -1,8 +1,11 @@
 #include "sim/world/similarity.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "sim/disjoint_sets.h"
 #include "sim/solver/pivot.h"
 #include "sim/world/phases.h"
 #include "sim/world/placement.h"
@@ -19,7 +22,7 @@ constexpr double kLeastFactor = 1.0 / 16;
 /// Impacts must be slower than this share of the slowed waves.
 constexpr double kImpactShare = 0.2;
 /// The length of a microstep times the highest frequency.
-constexpr double kMicrostepAtFrequency = 0.94;
+constexpr double kMicrostepAtFrequency = 0.887;
 /// What each stretch may spend, whatever was spent before: a share of the budget.
 constexpr double kLeastShare = 1.0 / 8;
 /// Scaled bodies strain more: no more than this at their strength.
@@ -124,17 +127,68 @@ double time_to_follow(const WorldState& world) {
   return until;
 }
 
+namespace {
+
+/// Per scene body: the least index of those in shock that it may meet within `duration` [s], straight or through others.
+/// They share one f: where waves are slowed in one of two bodies alone, its faces give way too far to the other's.
+std::vector<int> groups_in_shock(const WorldState& world, double duration) {
+  const int count = static_cast<int>(world.scene.bodies.size());
+  std::vector<Eigen::AlignedBox3d> boxes(count);
+  for (const Body& body : world.bodies) {
+    if (!body.shock) continue;
+    for (const NodeId node : body.nodes) {
+      boxes[body.scene_body].extend(world.nodes.positions[node]);
+      boxes[body.scene_body].extend(world.nodes.positions[node] + duration * world.nodes.velocities[node]);
+    }
+  }
+  DisjointSets groups(count);
+  for (int a = 0; a < count; ++a)
+    for (int b = 0; b < a; ++b)
+      if (!boxes[a].isEmpty() && !boxes[b].isEmpty() && boxes[a].intersects(boxes[b])) groups.join(a, b);
+  std::vector<int> least(count);
+  for (int i = 0; i < count; ++i) least[i] = groups.find(i);
+  return least;
+}
+
+/// What the bodies of a group ask for.
+struct GroupDemand {
+  double least_factor = 0, highest_frequency = 0, similarity = 1;
+
+  /// The f at which no frequency exceeds `frequency` [rad/s], and nobody's waves run faster than another's by now.
+  double factor(double frequency) const {
+    return std::max(least_factor, std::min(frequency / highest_frequency, similarity));
+  }
+};
+
+std::vector<GroupDemand> group_demands(const WorldState& world, const std::vector<int>& groups) {
+  std::vector<GroupDemand> demands(groups.size());
+  for (const Body& body : world.bodies) {
+    if (!body.shock) continue;
+    GroupDemand& demand = demands[groups[body.scene_body]];
+    demand.least_factor = std::max(demand.least_factor, least_factor(world, body));
+    demand.highest_frequency = std::max(demand.highest_frequency, body.shock->frequency);
+    demand.similarity = std::min(demand.similarity, body.shock->similarity);
+  }
+  return demands;
+}
+
+}  // namespace
+
 void choose_similarity(WorldState& world, double left) {
   const double budget = 1e3 * world.scene.simulation.step_budget;
   const double available = std::max(budget - world.microstep_work, kLeastShare * budget);
   const Demand demand = demand_of(world, left);
   const double work = demand.microsteps * kMicrostepWork * demand.tets,
                followed = std::min(1.0, time_to_follow(world) / left);
-  const double frequency = demand.highest_frequency * available / work;
+  const bool is_too_much = followed * work > kShareOfOneShock * available;
+  const double frequency =
+      is_too_much ? demand.highest_frequency * available / work : std::numeric_limits<double>::infinity();
+  const std::vector<int> groups = groups_in_shock(world, left);
+  const std::vector<GroupDemand> demands = group_demands(world, groups);
   for (Body& body : world.bodies) {
     if (!body.shock) continue;
-    const double factor = std::max(frequency / body.shock->frequency, least_factor(world, body));
-    if (followed * work > kShareOfOneShock * available && factor < body.shock->similarity) {
+    const double factor = demands[groups[body.scene_body]].factor(frequency);
+    if (factor < body.shock->similarity) {
       body.scaled.emplace().tets = demand.tets;
       body.scaled->microsteps = demand.microsteps;
       body.scaled->affordable = available / (kMicrostepWork * demand.tets);

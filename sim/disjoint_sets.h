@@ -1,0 +1,27 @@
+#pragma once
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace griffith {
+
+/// Disjoint sets of the numbers 0 .. count − 1; a set is known by its smallest number.
+class DisjointSets {
+ public:
+  explicit DisjointSets(int count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0); }
+
+  int find(int i) {
+    while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
+    return i;
+  }
+  void join(int a, int b) {
+    a = find(a), b = find(b);
+    parents_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<int> parents_;
+};
+
+}  // namespace griffith
