@@ -125,10 +125,24 @@ void write_forces(const ElementBlock& block, const Matrix p, Lanes stress, Quad*
     scatter(f[corner][0], f[corner][1], f[corner][2], stress, forces + corner + 1, 4);
 }
 
+/// Adds the work of the call before; `rate` is that of the present one.
+void measure(const BlockLaw& law, const ElementBlock& block, const Symmetric rate, float viscosity, ViscousWork& work) {
+  const Lanes* before = work.rate;
+  Lanes product = {};
+  for (int e = 0; e < 6; ++e) {
+    const Lanes term = before[e] * (before[e] + rate[e]);
+    product += e < 3 ? term : term + term;
+  }
+  const Lanes trace = before[0] + before[1] + before[2], both = trace + rate[0] + rate[1] + rate[2];
+  work.work += all(0.5F * viscosity) * block.volume * (all(law.lambda) * trace * both + all(2 * law.mu) * product);
+  for (int e = 0; e < 6; ++e) work.rate[e] = rate[e];
+}
+
 template <ElementModel model>
-void force_elements_of(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements, Quad* forces) {
+void force_elements_of(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements, Quad* forces,
+                       ViscousWork& work, float viscosity) {
   Matrix h, rotation, product;
-  Symmetric strain, stress;
+  Symmetric strain, stress, rate;
   displacement_gradient(block, displacements, h);
   if constexpr (model == ElementModel::corotational) {
     corotational_strain(h, block.rotation, rotation, strain);
@@ -138,10 +152,11 @@ void force_elements_of(const BlockLaw& law, ElementBlock& block, const WideQuad*
   for (int e = 0; e < 6; ++e) strain[e] -= block.offset[e];
   const Lanes largest = at_least(largest_stress(law, strain), 0);
   for (int e = 0; e < 6; ++e) {
-    const Lanes rate = strain[e] - block.strain[e];
+    rate[e] = strain[e] - block.strain[e];
     block.strain[e] = strain[e];
-    strain[e] += all(law.viscosity) * rate;
+    strain[e] += all(law.viscosity) * rate[e];
   }
+  measure(law, block, rate, viscosity, work);
   const Lanes pressure = all(law.lambda) * (strain[0] + strain[1] + strain[2]);
   for (int e = 0; e < 6; ++e) {
     stress[e] = all(2 * law.mu) * strain[e];
@@ -154,11 +169,12 @@ void force_elements_of(const BlockLaw& law, ElementBlock& block, const WideQuad*
 
 }  // namespace
 
-void force_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements, Quad* forces) {
+void force_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements, Quad* forces,
+                    ViscousWork& work, float viscosity) {
   if (law.model == ElementModel::corotational) {
-    force_elements_of<ElementModel::corotational>(law, block, displacements, forces);
+    force_elements_of<ElementModel::corotational>(law, block, displacements, forces, work, viscosity);
   } else {
-    force_elements_of<ElementModel::green_strain>(law, block, displacements, forces);
+    force_elements_of<ElementModel::green_strain>(law, block, displacements, forces, work, viscosity);
   }
 }
 

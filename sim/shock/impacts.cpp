@@ -247,8 +247,9 @@ double Impacts::friction_of(const Solid& solid, const Touch& touch) const {
 }
 
 void Impacts::act(Solid& solid, const Touch& touch, const Vec3& impulse) {
-  for (int i = 0; i < touch.count; ++i) solid.push(touch.nodes[i], touch.weights[i] * impulse);
-  touch.obstacle >= 0 ? obstacles_[touch.obstacle].push(touch.place, -impulse) : solid.push(touch.other_node, -impulse);
+  for (int i = 0; i < touch.count; ++i) push_node(solid, touch.nodes[i], touch.weights[i] * impulse);
+  touch.obstacle >= 0 ? obstacles_[touch.obstacle].push(touch.place, -impulse)
+                      : push_node(solid, touch.other_node, -impulse);
 }
 
 bool Impacts::push(Solid& solid, const Touch& touch, double least_speed) {
@@ -263,14 +264,16 @@ bool Impacts::push(Solid& solid, const Touch& touch, double least_speed) {
     impulse += std::min(friction_of(solid, touch) * speed / mobility, stopping) / slip * sliding;
   }
   act(solid, touch, impulse);
-  const Vec3 after = approach_of(solid, touch);
+  Vec3 after = approach_of(solid, touch);
   // Friction and the levers of light things may turn a push into a gain: then it goes no further than where it takes
   // most.
   if (impulse.dot(velocity + after) < 0) {
     const double share = impulse.dot(velocity) / impulse.dot(velocity - after);
     act(solid, touch, (share - 1) * impulse);
     impulse *= share;
+    after = velocity + share * (after - velocity);
   }
+  lost_ += 0.5 * impulse.dot(velocity + after);
   if (speed > least_speed)
     blows_.push_back({touch.nodes[0], touch.obstacle, touch.place, touch.normal, impulse, speed});
   return true;
@@ -278,6 +281,7 @@ bool Impacts::push(Solid& solid, const Touch& touch, double least_speed) {
 
 void Impacts::resolve(Solid& solid, double dt, double least_speed) {
   blows_.clear();
+  settle_pushed(solid);
   for (Obstacle& obstacle : obstacles_) obstacle.move(dt);
   if (reach_left_ < 0) list_candidates(solid);
   find_touches(solid);
@@ -294,6 +298,7 @@ void Impacts::resolve(Solid& solid, double dt, double least_speed) {
   }
   reach_left_ -= 2 * dt * fastest;
   if (!cracks_.empty()) close_cracks(solid);
+  note_pushed(solid);
 }
 
 }  // namespace griffith::shock

@@ -53,6 +53,10 @@ class Impacts {
   std::span<Obstacle> obstacles() { return obstacles_; }
   std::span<const Blow> blows() const { return blows_; }
 
+  /// What the pushes took since this was asked last [J], each at the mean velocity of its microstep, which ends with the
+  /// next one's forces. At the end of the microsteps, of length `dt` [s]: the solid has to know the forces of the next.
+  double take_lost(const Solid& solid, double dt);
+
  private:
   /// A point of a face, or a node, and what it meets.
   struct Touch {
@@ -90,6 +94,9 @@ class Impacts {
   void act(Solid& solid, const Touch& touch, const Vec3& impulse);
   bool push(Solid& solid, const Touch& touch, double least_speed);
   void close_cracks(Solid& solid);
+  void push_node(Solid& solid, int node, const Vec3& impulse);
+  void note_pushed(const Solid& solid);
+  void settle_pushed(const Solid& solid);
 
   std::vector<SurfaceSide> surface_;
   std::vector<CrackSides> cracks_;
@@ -99,6 +106,14 @@ class Impacts {
   std::vector<NodeAndSide> pairs_;      ///< nodes near sides of other bodies
   std::vector<Touch> touches_;
   std::vector<Blow> blows_;
+  /// What a node was pushed by in the last microstep, and its velocity then.
+  struct Pushed {
+    int node = 0;
+    Vec3 impulse = Vec3::Zero(), velocity = Vec3::Zero();
+  };
+  std::vector<Pushed> pushed_;
+  std::vector<int> pushed_at_;  ///< per node: index into pushed_, or -1
+  double lost_ = 0;
   double element_size_, reach_left_ = -1;
 };
 

@@ -99,6 +99,15 @@ class Solid {
   void push(int node, const Vec3& impulse);
   /// The velocity change that a unit impulse along `direction` brings along it [1/kg].
   double mobility(int node, const Vec3& direction) const;
+  /// What viscosity has taken since it was asked last [J].
+  double take_viscous_work();
+  /// How fast external and elastic forces, at the present displacements, work now [W].
+  double power();
+  /// Of a node by external forces, and by the forces of its star that compute_forces() or power() found too [m/s²].
+  Vec3 external_acceleration(int node) const { return vector(accelerations_[node].value); }
+  Vec3 acceleration(int node) const;
+  /// The part of its force with which a tet acts, less than 1 for slivers.
+  double acting_share(int slot, double volume) const { return blocks_[slot / kLanes].volume[slot % kLanes] / volume; }
   /// Of any node, as advance() left it [m/s].
   double fastest() const { return fastest_; }
 
@@ -120,6 +129,7 @@ class Solid {
   std::vector<Vec3> references_;
   std::vector<NodeValue> displacements_, velocities_, accelerations_;
   std::vector<ElementBlock> blocks_;
+  std::vector<ViscousWork> viscous_works_;  ///< per block
   std::vector<int> block_bodies_;    ///< per block
   std::vector<CornerForce> forces_;  ///< 4·slot + corner
   std::vector<int> stars_;

@@ -33,6 +33,7 @@ Moment moment_of(const WorldState& world) {
   for (const Projectile& projectile : world.projectiles)
     moment.projectiles.push_back(world.contact_world.state(projectile.object));
   moment.contact_views = world.contact_views.size();
+  moment.energy = world.energy;
   return moment;
 }
 
@@ -56,6 +57,10 @@ void rewind(WorldState& world, const Moment& moment, std::span<const NodeCopy> c
   for (std::size_t i = 0; i < moment.projectiles.size(); ++i)
     world.contact_world.set_state(world.projectiles[i].object, moment.projectiles[i]);
   world.contact_views.resize(moment.contact_views);
+  const EnergyAccount cracked_since = world.energy;
+  world.energy = moment.energy;
+  world.energy.crack_area = cracked_since.crack_area;
+  world.energy.fracture_energy = cracked_since.fracture_energy;
 }
 
 }  // namespace griffith

@@ -23,6 +23,7 @@ struct Moment {
   std::vector<Piece> pieces;            ///< per body
   std::vector<RigidState> projectiles;  ///< per projectile
   std::size_t contact_views = 0;
+  EnergyAccount energy;
 };
 
 Moment moment_of(const WorldState& world);

@@ -158,6 +158,7 @@ void ShockRun::follow(std::span<const NodeCopy> copies, const std::vector<TetId>
       local_of_node_[copy] = locals.back();
       nodes_.push_back(copy);
       looks_.emplace_back();
+      if (!first_positions_.empty()) first_positions_.push_back(Vec3(first_positions_[index]));
     }
     solid_.node(index).inverse_mass = 1 / world_.nodes.masses[original];
     solid_.part(index, locals, stars);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/world/energy_phase.h"
 #include "sim/world/phases.h"
 #include "sim/world/shock_run.h"
 
@@ -233,9 +234,11 @@ std::vector<shock::Obstacle> obstacles_of_shock(const WorldState& world, double 
 
 void run_shock(WorldState& world, std::vector<shock::Obstacle> obstacles, double duration) {
   take_velocities(world, obstacles);
+  const ObstacleAccount account(world, obstacles);
   ShockRun run(world, std::move(obstacles));
   run.run(duration);
   for (const shock::Obstacle& obstacle : run.obstacles()) place_obstacle(world, obstacle);
+  account.book(world, run.obstacles());
   run.finish(duration);
 }
 

@@ -8,6 +8,7 @@
 #include "sim/elasticity/polar_decomposition.h"
 #include "sim/fracture/resistance.h"
 #include "sim/mesh/topology.h"
+#include "sim/world/energy_phase.h"
 #include "sim/world/phases.h"
 
 namespace griffith {
@@ -147,6 +148,7 @@ void ShockRun::run(double duration) {
     solid_.set_step(dt_);
     double transit = std::numeric_limits<double>::infinity();
     for (const BodyId id : bodies_) transit = std::min(transit, transit_time(world_.bodies[id]));
+    begin_account();
     const int interval = std::max(1, static_cast<int>(kLookInterval * transit / dt_ + 0.2));
     for (int i = 0; i < steps && !rebuild_; ++i) {
       solid_.compute_forces();
@@ -157,6 +159,7 @@ void ShockRun::run(double duration) {
       note_blows();
       if (microsteps_ % interval == 0) look();
     }
+    book_account();
     if (rebuild_) {
       write_back();
       world_.time = time_;
@@ -195,7 +198,11 @@ void ShockRun::finish(double duration) {
   if (!opened_.bodies.empty()) part_opened(world_, opened_);
   for (Body& body : world_.bodies) {
     if (!body.shock) continue;
-    update_elements(world_, body);
+    if (!body.rigid) {
+      const BodySnapshot before = snapshot(world_, body);
+      update_elements(world_, body);
+      world_.energy.plastic += plastic_work(world_, body, before);
+    }
     update_motion(world_, body);
     if (!body.rigid) continue;
     body.shock.reset();

@@ -52,6 +52,9 @@ class ShockRun {
   void update_threshold(int index);
   void bring_up_to_date(TetId tet);
   void write_back();
+  void begin_account();
+  void book_account();
+  double relieved_energy() const;
   int local(NodeId node) const { return local_of_node_[node]; }
   const Body& body_of(NodeId node) const;
   double transit_time(const Body& body) const;
@@ -70,6 +73,8 @@ class ShockRun {
   std::vector<Overload> overloaded_;
   std::vector<int> flagged_;
   Opened opened_;
+  std::vector<Vec3> first_positions_;             ///< per node of the solid, where loads act
+  double first_power_ = 0, first_relieved_ = 0;   ///< of this build: [W], [J]
   double dt_ = 0, time_ = 0, least_speed_ = 0;
   long microsteps_ = 0, looks_made_ = 0;
   bool rebuild_ = false;  ///< the mesh or its supports have changed

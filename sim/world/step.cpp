@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "sim/world/energy_phase.h"
 #include "sim/world/phases.h"
 #include "sim/world/rewind.h"
 #include "sim/world/shock_phase.h"
@@ -39,6 +40,7 @@ bool fracture(WorldState& world, double substep, const Attempt& attempt) {
 
 /// Contacts and motion of everything but the bodies in shock.
 void move(WorldState& world, double dt) {
+  note_substep_start(world);
   StepTimings& timings = world.report.milliseconds;
   std::vector<Vec3> external;
   {
@@ -176,6 +178,7 @@ void World::step() { advance(impl_->state); }
 void advance(WorldState& world) {
   world.report = {};
   world.contact_views.clear();
+  world.energy_before = world.energy;
   for (Body& body : world.bodies) body.softened.reset();
   {
     PhaseTimer timer(world.report.milliseconds.step);

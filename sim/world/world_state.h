@@ -15,6 +15,7 @@
 #include "sim/solver/elastic_system.h"
 #include "sim/solver/rigid_motion.h"
 #include "sim/splinters/splinters.h"
+#include "sim/world/energy_account.h"
 #include "sim/world/frame.h"
 #include "sim/world/loads.h"
 #include "sim/world/probes.h"
@@ -53,6 +54,14 @@ struct Shock {
   double last_event = 0;  ///< when something struck it hard or cracked in it last [s]
 };
 
+/// How a rigid body began a substep, and what acted on it.
+struct RigidStart {
+  Vec3 velocity = Vec3::Zero(), angular_velocity = Vec3::Zero();
+  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();  ///< external, gravity too [N], [N·m]
+  bool rigid = false;                                ///< what is elastic now was woken by contacts
+  bool falls = false;                                ///< gravity acted on it: what sleeps at first is not moved by it
+};
+
 /// A connected piece of elastic material and its stand-in in the contact world.
 struct Body {
   BodyId id, parent;
@@ -79,6 +88,7 @@ struct Body {
   std::int64_t last_strike = -2;           ///< the last step in which something struck it hard enough to hurt
   double energy = 0;                     ///< kinetic and elastic, when the substep began [J]
   double contact_work = 0;               ///< of the contacts in the substep, at the velocities after it [J]
+  RigidStart start;                      ///< of the present substep
   double compliance_factor = 1;          ///< true compliance at contacts over the estimated one, as seen last
 
   std::optional<Shock> shock;
@@ -114,6 +124,13 @@ struct PostponedCrack {
 struct CoarseImpact {
   double substep = 0;  ///< [s]
   int substeps_left = 1;
+};
+
+/// What moved how when a substep began, for the energy account.
+struct SubstepStart {
+  std::vector<Vec3> velocities;         ///< per node [m/s]
+  std::vector<Vec3> solved_velocities;  ///< per node, after contacts and before bodies move [m/s]
+  std::vector<RigidState> projectiles;  ///< per projectile
 };
 
 /// Everything behind a World: constant set-up (scene, rest data) and mutable state.
@@ -154,6 +171,9 @@ struct WorldState {
   std::vector<ContactView> contact_views;
   std::vector<Vec3> load_forces;  ///< per node, for the frame [N]; empty without loads
   Totals totals;
+  EnergyAccount energy, energy_before;  ///< so far; before the present step
+  double potential_at_start = 0;        ///< of gravity, with what was launched since [J]
+  SubstepStart substep_start;
 
   bool integrates_explicitly() const { return scene.simulation.integrator == Integrator::symplectic_euler; }
   /// Whose stand-in this is; invalid for projectiles and the ground.
