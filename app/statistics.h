@@ -20,7 +20,8 @@ class RunStatistics {
   /// Takes in the step that led to `frame`.
   void add(const Frame& frame);
 
-  /// One JSON object. SI units, times in milliseconds. Totals describe `frame`, the last one; `max_penetration`,
+  /// One JSON object. `energy` is the account since the start: energy_entries() by their keys, `unaccounted`, `put_in`
+  /// (the sum of all sources) and `crack_area`. SI units, times in milliseconds. Totals describe `frame`, the last one; `max_penetration`,
   /// `max_relative_residual`, `solver_iterations`, `inverted_tets`, `non_finite_values` and `sleeping_bodies` are the
   /// largest of any step,
   /// `substeps`, `microsteps`, `contacts`, `cracks_postponed`, `cracks_suppressed`, `remeshing_refused`, `supports_torn`,
