@@ -83,26 +83,11 @@ LockedFolder LockedFolder::make(const fs::path& prefix) {
 }
 
 std::optional<LockedFolder> LockedFolder::take(const fs::path& path) {
-  const int descriptor = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
-  if (descriptor < 0) return std::nullopt;
-  LockedFolder folder(path, descriptor);
+  Descriptor lock(open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   struct stat status;
-  const bool mine = fstat(descriptor, &status) == 0 && status.st_uid == geteuid();
-  if (!mine || flock(descriptor, LOCK_EX | LOCK_NB) != 0) return std::nullopt;
-  return folder;
-}
-
-LockedFolder::LockedFolder(LockedFolder&& other) noexcept
-    : path_(std::move(other.path_)), descriptor_(std::exchange(other.descriptor_, -1)) {}
-
-LockedFolder& LockedFolder::operator=(LockedFolder&& other) noexcept {
-  std::swap(path_, other.path_);
-  std::swap(descriptor_, other.descriptor_);
-  return *this;
-}
-
-LockedFolder::~LockedFolder() {
-  if (descriptor_ >= 0) close(descriptor_);
+  const bool mine = lock.is_open() && fstat(lock.number(), &status) == 0 && status.st_uid == geteuid();
+  if (!mine || flock(lock.number(), LOCK_EX | LOCK_NB) != 0) return std::nullopt;
+  return LockedFolder(path, std::move(lock));
 }
 
 void Autosave::write(const Scene& scene, const fs::path& file) {

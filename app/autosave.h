@@ -5,11 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "sim/descriptor.h"
 #include "sim/scene/scene.h"
 
 namespace griffith::app {
 
 /// A folder that is locked while this program holds it: others can tell whether it is still in use, even after a crash.
+/// It stays when the lock is released.
 class LockedFolder {
  public:
   /// A new one whose path is `prefix` and six more characters. Throws InputError when it cannot be made.
@@ -17,18 +19,13 @@ class LockedFolder {
   /// One that is there, nothing when it is another user's or somebody holds it.
   static std::optional<LockedFolder> take(const std::filesystem::path& path);
 
-  LockedFolder(LockedFolder&& other) noexcept;
-  LockedFolder& operator=(LockedFolder&& other) noexcept;
-  /// Releases the lock; the folder stays.
-  ~LockedFolder();
-
   const std::filesystem::path& path() const { return path_; }
 
  private:
-  LockedFolder(std::filesystem::path path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) {}
+  LockedFolder(std::filesystem::path path, Descriptor lock) : path_(std::move(path)), lock_(std::move(lock)) {}
 
   std::filesystem::path path_;
-  int descriptor_ = -1;
+  Descriptor lock_;
 };
 
 /// Edits that were never saved, since the program was cut short.

@@ -1,21 +1,31 @@
+#include <algorithm>
 #include <cstdio>
 
 #include "app/command_options.h"
 #include "app/scene_world.h"
 #include "sim/error.h"
 #include "sim/scene/scene_reader.h"
+#include "sim/world/starting_overlaps.h"
 
 namespace griffith::app {
 namespace {
+
+void warn_of(const std::vector<InputError>& findings, const std::filesystem::path& path) {
+  constexpr std::size_t kMost = 20;
+  for (std::size_t i = 0; i < std::min(findings.size(), kMost); ++i)
+    std::fprintf(stderr, "warning: %s\n", in_file(path, findings[i]).what());
+  if (findings.size() > kMost) std::fprintf(stderr, "warning: and %zu more\n", findings.size() - kMost);
+}
 
 /// All problems of the file, while its warnings are printed; where it reads well, the first one of its meshes.
 std::vector<InputError> problems_of(const std::filesystem::path& path) {
   std::vector<InputError> problems = check_scene(path);
   if (!problems.empty()) return problems;
   try {
-    const World world = make_world(read_scene(path), path);
-    for (const InputError& finding : world.findings())
-      std::fprintf(stderr, "warning: %s\n", in_file(path, finding).what());
+    const Scene scene = read_scene(path);
+    const World world = make_world(scene, path);
+    warn_of(world.findings(), path);
+    warn_of(starting_overlaps(scene, world.frame()), path);
   } catch (const InputError& error) {
     problems.push_back(error);
   }

@@ -4,12 +4,14 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <new>
 
 #include "app/command_options.h"
 #include "app/output.h"
+#include "app/scene_files.h"
 #include "sim/error.h"
 #include "sim/parallel.h"
 
@@ -193,11 +195,29 @@ void add_mesh(CLI::App& program, Options& options) {
       "bunny.json");
 }
 
+/// Tells a slip in a command's name, which would be taken for a scene, from one in the name of a scene.
+void require_scene(const std::filesystem::path& scene) {
+  std::error_code error;
+  if (scene.empty() || std::filesystem::exists(scene, error)) return;
+  if (scene.has_extension() || scene.has_parent_path()) {
+    const std::vector<std::filesystem::path> samples = scene_files("");
+    std::string remedy = "check the path";
+    if (!samples.empty()) remedy += "; scenes to begin with are in " + samples.front().parent_path().string();
+    throw InputError(scene.string(), "there is no such scene file", remedy);
+  }
+  throw InputError(scene.string(), "is neither a command nor a scene file",
+                   "the commands are render, simulate, check and mesh; --help describes them");
+}
+
 /// The message that CLI11 makes for --help, --version and bad usage; nothing where the arguments are good.
-std::optional<int> parse(CLI::App& program, int argc, const char* const* argv) {
+std::optional<int> parse(CLI::App& program, int argc, const char* const* argv, const Options& options) {
   try {
     program.parse(argc, argv);
     return std::nullopt;
+  } catch (const CLI::ExtrasError& error) {
+    if (program.get_subcommands().empty()) require_scene(options.editor.scene);
+    program.exit(error);
+    return kBadInput;
   } catch (const CLI::ParseError& error) {
     return program.exit(error) == 0 ? kDone : kBadInput;
   }
@@ -215,6 +235,7 @@ int dispatch(const CLI::App& program, Options& options) {
   } else if (program.got_subcommand("mesh")) {
     mesh_command(options.mesh);
   } else {
+    require_scene(options.editor.scene);
     run_editor(options.editor);
   }
   return kDone;
@@ -235,7 +256,7 @@ int obey(int argc, const char* const* argv) {
   program.footer(
       "Examples:\n  griffith scenes/wall_small.json\n  griffith render --help\n\n"
       "Exit code: 0 done, 1 the work failed, 2 bad usage, bad input or an output that cannot be written.");
-  const std::optional<int> code = parse(program, argc, argv);
+  const std::optional<int> code = parse(program, argc, argv, options);
   return code ? *code : dispatch(program, options);
 }
 

@@ -87,7 +87,22 @@ void Editor::remember() {
   select(ui::follow(state_.selection, frame));
 }
 
-void Editor::use_camera(const std::string& name) { camera_ = scene_camera(history_.scene(), name, picture_, aspect()); }
+void Editor::use_camera(const std::string& name) {
+  camera_ = scene_camera(history_.scene(), name, picture_, aspect());
+  if (history_.scene().cameras.empty()) look_at(render::bounds(picture_));
+}
+
+void Editor::look_at(const Eigen::AlignedBox3f& bounds) {
+  const render::Camera framed = render::frame_bounds(picture_camera(), bounds, aspect());
+  camera_.position = framed.position;  // the angle of view is widened for the picture alone
+  camera_.target = framed.target;
+}
+
+void Editor::frame_for_layout() {
+  if (laid_out_ || state_.viewport_size.x <= 0) return;
+  laid_out_ = true;
+  if (history_.scene().cameras.empty()) use_camera("");
+}
 
 void Editor::use_view(const std::string& names) {
   use_named_view(state_.view, names, world_.frame(), (camera_.position - camera_.target).cast<double>());
@@ -129,6 +144,8 @@ Editor::PictureKey Editor::picture_key() const {
 }
 
 void Editor::draw_picture(int samples) {
+  receive_world();  // before the picture, which else would be of another world than the panels
+  frame_for_layout();
   const PictureKey key = picture_key();
   if (key == drawn_) return;
   drawn_ = key;
@@ -137,7 +154,6 @@ void Editor::draw_picture(int samples) {
 }
 
 void Editor::draw_panels(const ui::Fonts& fonts) {
-  receive_world();
   ui::EditorInput input;
   input.frame = world_.frame();
   input.fonts = fonts;

@@ -84,6 +84,8 @@ class Editor {
   void follow_materials();
   /// Whether the world could take it; else the edit is taken back.
   bool follow_material(int scene_body);
+  void carry_out(const ui::Command& command);
+  void carry_out_with_files(const ui::Command& command);
   void receive_world();
   /// So many tetrahedra are built unasked: few, or no many more than there are.
   double most_tets() const;
@@ -110,6 +112,10 @@ class Editor {
   void select(const ui::Selection& selection);
   void select_most_loaded();
   void frame_all();
+  /// Moves the camera along its line of sight and across until the picture shows all of the box.
+  void look_at(const Eigen::AlignedBox3f& bounds);
+  /// A scene without cameras was framed for a guess until the panels are laid out.
+  void frame_for_layout();
   void toggle_range_lock();
   void toggle_slice();
   void remember();
@@ -163,6 +169,7 @@ class Editor {
   std::vector<ui::MarginSample> margins_;  ///< of the selected node
   StepPacer pacer_;
   double step_seconds_ = 0, picture_seconds_ = 0;  ///< smoothed
+  bool laid_out_ = false;  ///< the size of the picture is known
   bool wants_to_quit_ = false, screenshot_wanted_ = false;
 };
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 #include <new>
 #include <stdexcept>
 
@@ -19,66 +20,79 @@ void Editor::execute(const ui::Command& command) {
     return;
   }
   try {
-    switch (command.id) {
-      case CommandId::toggle_run:
-        state_.running = !state_.running;
-        return pacer_.reset();
-      case CommandId::step:
-        state_.running = false;
-        return step();
-      case CommandId::reset:
-        return follow();
-      case CommandId::fire:
-        return fire(command.cursor);
-      case CommandId::pick:
-        return pick(command.cursor);
-      case CommandId::open_dialog:
-        state_.show_open = true;
-        return;
-      case CommandId::open:
-        return open(command.path);
-      case CommandId::add_surface_dialog:
-        state_.show_surface = true;
-        return;
-      case CommandId::add_surface:
-        return add_surface();
-      case CommandId::save:
-        return save(command);
-      case CommandId::save_dialog:
-        return ask_where_to_save(command.path);
-      case CommandId::recover:
-        return recover();
-      case CommandId::discard_copy:
-        autosave_->remove_found();
-        return ask_for_left_edits(true);
-      case CommandId::leave_copy:
-        return autosave_->leave_found();
-      case CommandId::undo:
-        return history_.undo();
-      case CommandId::redo:
-        return history_.redo();
-      case CommandId::frame_all:
-        return frame_all();
-      case CommandId::toggle_edges:
-        state_.view.edges = !state_.view.edges;
-        return;
-      case CommandId::toggle_range_lock:
-        return toggle_range_lock();
-      case CommandId::toggle_slice:
-        return toggle_slice();
-      case CommandId::select_most_loaded:
-        return select_most_loaded();
-      case CommandId::screenshot:
-        screenshot_wanted_ = true;
-        return;
-      case CommandId::help:
-        state_.show_help = !state_.show_help;
-        return;
-      case CommandId::quit:
-        return quit();
-    }
+    carry_out(command);
   } catch (const InputError& error) {
     show_error(error);
+  }
+}
+
+void Editor::carry_out(const ui::Command& command) {
+  switch (command.id) {
+    case CommandId::toggle_run:
+      state_.running = !state_.running;
+      return pacer_.reset();
+    case CommandId::step:
+      state_.running = false;
+      return step();
+    case CommandId::reset:
+      return follow();
+    case CommandId::fire:
+      return fire(command.cursor);
+    case CommandId::pick:
+      return pick(command.cursor);
+    case CommandId::undo:
+      return history_.undo();
+    case CommandId::redo:
+      return history_.redo();
+    case CommandId::frame_all:
+      return frame_all();
+    case CommandId::toggle_edges:
+      state_.view.edges = !state_.view.edges;
+      return;
+    case CommandId::toggle_range_lock:
+      return toggle_range_lock();
+    case CommandId::toggle_slice:
+      return toggle_slice();
+    case CommandId::select_most_loaded:
+      return select_most_loaded();
+    case CommandId::help:
+      state_.show_help = !state_.show_help;
+      return;
+    default:
+      return carry_out_with_files(command);
+  }
+}
+
+void Editor::carry_out_with_files(const ui::Command& command) {
+  switch (command.id) {
+    case CommandId::open_dialog:
+      state_.show_open = true;
+      return;
+    case CommandId::open:
+      return open(command.path);
+    case CommandId::add_surface_dialog:
+      state_.show_surface = true;
+      return;
+    case CommandId::add_surface:
+      return add_surface();
+    case CommandId::save:
+      return save(command);
+    case CommandId::save_dialog:
+      return ask_where_to_save(command.path);
+    case CommandId::recover:
+      return recover();
+    case CommandId::discard_copy:
+      autosave_->remove_found();
+      return ask_for_left_edits(true);
+    case CommandId::leave_copy:
+      return autosave_->leave_found();
+    case CommandId::screenshot:
+      screenshot_wanted_ = true;
+      return;
+    case CommandId::quit:
+      return quit();
+    default:
+      assert(false && "every command is carried out");
   }
 }
 
@@ -190,10 +204,7 @@ void Editor::pick(const Vec2& cursor) {
 
 void Editor::frame_all() {
   const Eigen::AlignedBox3f bulk = bulk_bounds(shown_mesh(world_.frame(), state_.view, {}));
-  const Eigen::AlignedBox3f bounds = bulk.isEmpty() ? render::bounds(picture_) : bulk;
-  const render::Camera framed = render::frame_bounds(picture_camera(), bounds, aspect());
-  camera_.position = framed.position;  // the angle of view is widened for the picture alone
-  camera_.target = framed.target;
+  look_at(bulk.isEmpty() ? render::bounds(picture_) : bulk);
 }
 
 void Editor::toggle_slice() {

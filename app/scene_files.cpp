@@ -14,6 +14,16 @@ bool looks_like_scene(const fs::path& path) {
   return path.extension() == ".json" && path.stem().extension() != ".schema";
 }
 
+/// Those that come with the program.
+std::vector<fs::path> samples() {
+  std::vector<fs::path> files = scenes_in("scenes");
+  std::error_code error;
+  fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  for (int i = 0; i < kFoldersAbove && files.empty(); ++i, folder = folder.parent_path())
+    files = scenes_in(folder / "scenes");
+  return files;
+}
+
 }  // namespace
 
 std::vector<fs::path> scenes_in(const fs::path& folder) {
@@ -28,13 +38,12 @@ std::vector<fs::path> scenes_in(const fs::path& folder) {
 
 std::vector<fs::path> scene_files(const fs::path& current) {
   std::error_code error;
-  if (fs::is_regular_file(current, error))
-    return scenes_in(current.parent_path().empty() ? "." : current.parent_path());
-  std::vector<fs::path> files = scenes_in("scenes");
-  fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
-  for (int i = 0; i < kFoldersAbove && files.empty(); ++i, folder = folder.parent_path()) {
-    files = scenes_in(folder / "scenes");
-  }
+  const std::vector<fs::path> offered = samples();
+  if (!fs::is_regular_file(current, error)) return offered;
+  const fs::path folder = current.parent_path().empty() ? "." : current.parent_path();
+  std::vector<fs::path> files = scenes_in(folder);
+  if (!offered.empty() && !fs::equivalent(folder, offered.front().parent_path(), error))
+    files.insert(files.end(), offered.begin(), offered.end());
   return files;
 }
 

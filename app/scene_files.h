@@ -5,8 +5,8 @@
 
 namespace griffith::app {
 
-/// The scene files to offer, sorted: those beside `current` if it is a file, else those of a folder named scenes in the
-/// working folder or above the program.
+/// The scene files to offer: those beside `current` if it is a file, then those of a folder named scenes in the working
+/// folder or above the program. Both are sorted; none comes twice.
 std::vector<std::filesystem::path> scene_files(const std::filesystem::path& current);
 
 /// Those in a folder, sorted.

@@ -28,8 +28,9 @@ struct ShownMesh {
 };
 
 /// `selection`: of a node; without one, the most loaded node is the chosen one. Where the view has no layers, there is
-/// no need to know of it, nor of the size of elements.
+/// no need to know of it, nor of the size of elements. Frame and view must outlive what is made of them.
 ShownMesh shown_mesh(const Frame& frame, const ViewSettings& view, const ui::Selection& selection);
+ShownMesh shown_mesh(const Frame& frame, ViewSettings&& view, const ui::Selection& selection) = delete;
 
 /// The view's slice as the renderer wants it.
 render::HalfSpace visible_half(const SlicePlane& slice);

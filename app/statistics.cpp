@@ -55,8 +55,7 @@ void add_counters(Json& json, const StepReport& sums, const StepReport& largest)
   json["cracks_suppressed"] = sums.cracks_suppressed;
   json["remeshing_refused"] = sums.remeshing_refused;
   json["supports_torn"] = sums.supports_torn;
-  json["coarse_substeps"] = sums.coarse_substeps;
-  json["repeated_substeps"] = sums.repeated_substeps;
+  json["unfinished_equilibria"] = sums.unfinished_equilibria;
   json["unconverged_solves"] = sums.unconverged_solves;
   json["shortened_motions"] = sums.shortened_motions;
   json["limited_impulses"] = sums.limited_impulses;
@@ -106,8 +105,7 @@ void RunStatistics::add(const Frame& frame) {
   sums_.cracks_suppressed += report.cracks_suppressed;
   sums_.remeshing_refused += report.remeshing_refused;
   sums_.supports_torn += report.supports_torn;
-  sums_.coarse_substeps += report.coarse_substeps;
-  sums_.repeated_substeps += report.repeated_substeps;
+  sums_.unfinished_equilibria += report.unfinished_equilibria;
   sums_.unconverged_solves += report.unconverged_solves;
   sums_.shortened_motions += report.shortened_motions;
   sums_.limited_impulses += report.limited_impulses;
@@ -118,10 +116,10 @@ void RunStatistics::add(const Frame& frame) {
   largest_.inverted_tets = std::max(largest_.inverted_tets, report.inverted_tets);
   largest_.non_finite_values = std::max(largest_.non_finite_values, report.non_finite_values);
   for (const BodyView& body : frame.bodies) {
-    if (!body.softened) continue;
-    SoftenedBody& softened = softened_[body.scene_body];
-    ++softened.impacts;
-    if (body.softened->factor < softened.softest.factor) softened = {frame.step, softened.impacts, *body.softened};
+    if (!body.scaled) continue;
+    ScaledBody& scaled = scaled_[body.scene_body];
+    ++scaled.impacts;
+    if (body.scaled->factor < scaled.slowest.factor) scaled = {frame.step, scaled.impacts, *body.scaled};
   }
   const std::array<double, 6> times = phase_times(report.milliseconds);
   for (std::size_t i = 0; i < times.size(); ++i) milliseconds_[i].push_back(times[i]);
@@ -141,15 +139,15 @@ std::string RunStatistics::json(const Frame& frame, std::uint64_t state_hash) co
   add_totals(json, frame.totals);
   add_energy(json, frame.energy);
   add_counters(json, sums_, largest_);
-  json["softened_impacts"] = Json::array();
-  for (const auto& [scene_body, softened] : softened_)
-    json["softened_impacts"].push_back({{"scene_body", scene_body},
-                                        {"impacts", softened.impacts},
-                                        {"step", softened.step},
-                                        {"factor", softened.softest.factor},
-                                        {"young_modulus", softened.softest.young_modulus},
-                                        {"tensile_strength", softened.softest.tensile_strength},
-                                        {"reason", reason(softened.softest)}});
+  json["scaled_impacts"] = Json::array();
+  for (const auto& [scene_body, scaled] : scaled_)
+    json["scaled_impacts"].push_back({{"scene_body", scene_body},
+                                        {"impacts", scaled.impacts},
+                                        {"step", scaled.step},
+                                        {"factor", scaled.slowest.factor},
+                                        {"young_modulus", scaled.slowest.young_modulus},
+                                        {"tensile_strength", scaled.slowest.tensile_strength},
+                                        {"reason", reason(scaled.slowest)}});
   json["state_hash"] = hash_text(state_hash);
   json["threads"] = threads_;
   json["peak_memory_bytes"] = peak_memory_bytes();
@@ -169,19 +167,19 @@ std::string RunStatistics::summary(const Frame& frame, std::uint64_t state_hash)
       "%lld steps of %.4g ms: %zu tetrahedra, %zu nodes, %zu pieces (%d fragments), %zu crack events\n"
       "step time: median %.2f ms, 99 %% below %.2f ms, longest %.2f ms\n"
       "solver: at most %d iterations, relative residual at most %.1e, %d unconverged\n"
-      "trouble: %d cracks postponed, %d suppressed, %d coarse substeps, %d inverted tetrahedra, %d values not finite\n"
+      "trouble: %d cracks postponed, %d suppressed, %d unfinished equilibria, %d inverted tetrahedra, %d values not finite\n"
       "state hash %s\n",
       static_cast<long long>(frame.step), 1e3 * time_step_, frame.tets.size(), frame.positions.size(),
       frame.bodies.size(), frame.fragments, frame.crack_events.size(), times.median, times.p99, times.max,
       l.solver_iterations, l.max_relative_residual, sums_.unconverged_solves, sums_.cracks_postponed,
-      sums_.cracks_suppressed, sums_.coarse_substeps, l.inverted_tets, l.non_finite_values,
+      sums_.cracks_suppressed, sums_.unfinished_equilibria, l.inverted_tets, l.non_finite_values,
       hash_text(state_hash).c_str());
   std::string lines = text;
-  for (const auto& [scene_body, softened] : softened_) {
-    const SoftenedImpact& softest = softened.softest;
-    std::snprintf(text, sizeof text, "softened: body %d in %d impacts, down to %.3g Pa and a strength of %.3g Pa: %s\n",
-                  scene_body, softened.impacts, softest.young_modulus, softest.tensile_strength,
-                  reason(softest).c_str());
+  for (const auto& [scene_body, scaled] : scaled_) {
+    const ScaledImpact& slowest = scaled.slowest;
+    std::snprintf(text, sizeof text, "scaled: body %d in %d impacts, down to %.3g Pa and a strength of %.3g Pa: %s\n",
+                  scene_body, scaled.impacts, slowest.young_modulus, slowest.tensile_strength,
+                  reason(slowest).c_str());
     lines += text;
   }
   return lines;

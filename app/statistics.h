@@ -25,9 +25,9 @@ class RunStatistics {
   /// `max_relative_residual`, `solver_iterations`, `inverted_tets`, `non_finite_values` and `sleeping_bodies` are the
   /// largest of any step,
   /// `substeps`, `microsteps`, `contacts`, `cracks_postponed`, `cracks_suppressed`, `remeshing_refused`, `supports_torn`,
-  /// `coarse_substeps`, `repeated_substeps`, `unconverged_solves`, `shortened_motions` and `limited_impulses` sums over
-  /// all steps. `softened_impacts` lists for each scene body that an impact found softened (SoftenedImpact) the
-  /// softest, with the effective material and the reason.
+  /// `unfinished_equilibria`, `unconverged_solves`, `shortened_motions` and `limited_impulses` sums over
+  /// all steps. `scaled_impacts` lists for each scene body whose impacts were scaled (ScaledImpact) the
+  /// slowest, with the effective material and the reason.
   std::string json(const Frame& frame, std::uint64_t state_hash) const;
 
   /// The same for a person, a few lines.
@@ -38,12 +38,12 @@ class RunStatistics {
   int threads_;
   double initial_mass_;
   StepReport sums_, largest_;
-  struct SoftenedBody {
-    std::int64_t step = 0;  ///< of the softest
-    int impacts = 0;        ///< steps in which it or a piece of it was softened
-    SoftenedImpact softest;
+  struct ScaledBody {
+    std::int64_t step = 0;  ///< of the slowest
+    int impacts = 0;        ///< steps in which it or a piece of it was scaled
+    ScaledImpact slowest;
   };
-  std::map<int, SoftenedBody> softened_;             ///< by scene body
+  std::map<int, ScaledBody> scaled_;             ///< by scene body
   std::array<std::vector<double>, 6> milliseconds_;  ///< of step, contact, elasticity, shock, separation, fracture
 };
 

@@ -7,14 +7,17 @@
 
 namespace griffith {
 
-/// An open file of the operating system, closed at the end. Move-free: it lives where it was opened.
+/// An open file of the operating system, closed at the end.
 class Descriptor {
  public:
   /// `number`: what open() gave; negative where it failed.
   explicit Descriptor(int number) : number_(number) {}
   ~Descriptor() { close(); }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
 
   bool is_open() const { return number_ >= 0; }
   int number() const { return number_; }

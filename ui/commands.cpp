@@ -84,10 +84,11 @@ bool shortcut_pressed(const Shortcut& shortcut) {
          ImGui::IsKeyPressed(shortcut.key, repeats);
 }
 
-/// A dialog takes all orders but those that leave the scene alone; the help goes as it came.
-bool passes(CommandId id, Dialog dialog) {
-  if (dialog == Dialog::none || id == CommandId::screenshot || id == CommandId::quit) return true;
-  return dialog == Dialog::help && id == CommandId::help;
+/// A dialog takes all orders but those that leave the scene alone, and so does a text field; the help goes as it came.
+bool passes(CommandId id, Dialog dialog, bool typing) {
+  if (id == CommandId::screenshot || id == CommandId::quit) return true;
+  if (typing) return false;
+  return dialog == Dialog::none || (dialog == Dialog::help && id == CommandId::help);
 }
 
 bool cursor_in_view(const EditorState& state) {
@@ -135,11 +136,11 @@ void issue(Panel& panel, Command command) {
 }
 
 void issue_shortcuts(Panel& panel) {
-  if (ImGui::GetIO().WantTextInput) return;
+  const bool typing = ImGui::GetIO().WantTextInput;
   const Vec2 cursor = cursor_place(panel.state);
   const Dialog dialog = shown_dialog(panel.state);
   for (const CommandInfo& info : kRegistry) {
-    if (passes(info.id, dialog) && shortcut_pressed(info.shortcut)) issue(panel, {.id = info.id, .cursor = cursor});
+    if (passes(info.id, dialog, typing) && shortcut_pressed(info.shortcut)) issue(panel, {.id = info.id, .cursor = cursor});
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "ui/dialog_window.h"
 #include "ui/panels.h"
+#include "ui/scene_names.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
 
@@ -75,9 +76,11 @@ void open_scene(Panel& panel, const std::filesystem::path& path) {
 
 void scene_list(Panel& panel) {
   ImGui::BeginChild("##scenes", {0, 12 * ImGui::GetTextLineHeightWithSpacing()});
-  for (const std::filesystem::path& path : panel.input.scene_files) {
-    const std::string name = path.stem().string();
-    if (ImGui::Selectable(name.c_str(), path == panel.input.scene_path)) open_scene(panel, path);
+  const std::span<const std::filesystem::path> files = panel.input.scene_files;
+  const std::vector<std::string> names = scene_names(files);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::string& name = names[i];
+    if (ImGui::Selectable(name.c_str(), files[i] == panel.input.scene_path)) open_scene(panel, files[i]);
     tag_last_item(panel.tags, "open/" + name, name);
   }
   ImGui::EndChild();

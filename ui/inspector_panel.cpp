@@ -47,15 +47,26 @@ void margin_rows(const Panel& panel, const NodeReport& report, const Material& m
             separation.margin > 0.8 ? palette::kWarning : palette::kText);
 }
 
+/// The separation tensor, which weighs elements against each other: of one alone, none is left.
+void tensor_rows(const Panel& panel, const NodeReport& report) {
+  if (report.elements.size() == 1 && report.principal.values.isZero(0)) {
+    value_row(panel, "Eigenvalues", "none: one element", palette::kTextDim);
+    tooltip("The separation tensor weighs the elements of a node against each other. Here is one alone, whose own "
+            "tensile stress is the load.");
+    return;
+  }
+  value_row(panel, "Eigenvalues", triple(Vec3(report.principal.values.reverse()), "N"), palette::kText);
+  tooltip("Of the separation tensor, largest first: what pulls the node apart along its three axes.");
+  value_row(panel, "Top eigenvector", direction_text(report.principal.directions.col(2)), palette::kText);
+}
+
 /// What there is at the time of the frame, all from its own stresses.
 void load_rows(const Panel& panel, const NodeReport& report, const Material& material) {
   value_row(panel, "Load now", format_quantity(report.load, load_unit(material)), palette::kText);
   hint(panel, origin_of_load(report, material));
   tag_last_item(panel.tags, "inspector/origin", origin_of_load(report, material));
   value_row(panel, "Normal of the plane", direction_text(report.normal()), palette::kText);
-  value_row(panel, "Eigenvalues", triple(Vec3(report.principal.values.reverse()), "N"), palette::kText);
-  tooltip("Of the separation tensor, largest first: what pulls the node apart along its three axes.");
-  value_row(panel, "Top eigenvector", direction_text(report.principal.directions.col(2)), palette::kText);
+  tensor_rows(panel, report);
 }
 
 /// One ranked element; a click selects it.
@@ -112,10 +123,9 @@ void element_rows(const Panel& panel, TetId tet) {
   const Mat3& stress = frame.stresses[tet];
   const BodyView& body = frame.bodies[frame.tet_bodies[tet]];
   value_row(panel, "Element", std::to_string(tet.value), palette::kText);
-  if (!body.rigid) {
-    value_row(panel, "Von Mises stress", format_quantity(von_mises_stress(stress), "Pa"), palette::kText);
-    value_row(panel, "Principal stresses", triple(principal_stresses(stress), "Pa"), palette::kText);
-  }
+  value_row(panel, "Von Mises stress", format_quantity(von_mises_stress(stress), "Pa"), palette::kText);
+  value_row(panel, "Principal stresses", triple(principal_stresses(stress), "Pa"), palette::kText);
+  if (body.rigid) hint(panel, "as they were when the piece became rigid");
   value_row(panel, "Piece", std::to_string(body.id.value) + ", " + format_quantity(body.mass, "kg", 3), palette::kText);
   value_row(panel, "Its elements", std::to_string(body.tets), palette::kText);
   value_row(panel, "Speed", format_quantity(body.velocity.norm(), "m/s", 3), palette::kText);

@@ -40,10 +40,18 @@ void number_row(Panel& panel, Material& material, const Row& row, double& value)
   keep(panel, edit, std::string("Set ") + row.label, material);
 }
 
+/// "brick", or "brick (edited)" where it is that preset no more.
+std::string preset_text(const Material& material) {
+  const auto is_edited = [&](const MaterialPreset& preset) {
+    return preset.material.name == material.name && preset.material != material;
+  };
+  return material.name + (std::ranges::any_of(material_presets(), is_edited) ? " (edited)" : "");
+}
+
 void preset_row(Panel& panel, Material& material) {
   std::vector<std::string> names;
   for (const MaterialPreset& preset : material_presets()) names.push_back(preset.material.name);
-  const int chosen = combo_row(panel, "material/preset", "Preset", names, material.name);
+  const int chosen = combo_row(panel, "material/preset", "Preset", names, preset_text(material));
   if (chosen < 0) return;
   material = material_presets()[static_cast<std::size_t>(chosen)].material;
   keep(panel, {true, true}, "Set material " + material.name, material);

@@ -1,4 +1,5 @@
 #include "ui/panels.h"
+#include "ui/scene_names.h"
 #include "ui/style.h"
 #include "ui/widgets.h"
 
@@ -14,11 +15,12 @@ void command_item(Panel& panel, CommandId id, bool checked = false) {
 }
 
 void scene_items(Panel& panel) {
-  for (const std::filesystem::path& path : panel.input.scene_files) {
-    const std::string name = path.stem().string();
-    if (ImGui::MenuItem(name.c_str(), nullptr, path == panel.input.scene_path)) {
-      issue(panel, {.id = CommandId::open, .path = path});
-    }
+  const std::span<const std::filesystem::path> files = panel.input.scene_files;
+  const std::vector<std::string> names = scene_names(files);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::string& name = names[i];
+    if (ImGui::MenuItem(name.c_str(), nullptr, files[i] == panel.input.scene_path))
+      issue(panel, {.id = CommandId::open, .path = files[i]});
     tag_last_item(panel.tags, "menu/scene/" + name, name);
   }
 }

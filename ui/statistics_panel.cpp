@@ -34,21 +34,21 @@ void mesh_rows(const Panel& panel) {
   count_row(panel, "Substeps", static_cast<std::size_t>(std::max(frame.report.substeps, 0)));
 }
 
-/// What stood in for the material of the softest body, and why.
-std::string softened_text(const SoftenedImpact& impact) {
+/// What stood in for the material of the slowest body, and why.
+std::string scaled_text(const ScaledImpact& impact) {
   return "As a material of " + format_quantity(impact.young_modulus, "Pa", 3) + " with a strength of " +
          format_quantity(impact.tensile_strength, "Pa", 3) +
          " the struck body breaks at the speed at which it should: " + reason(impact) + ".";
 }
 
-void softened_row(const Panel& panel) {
+void scaled_row(const Panel& panel) {
   const std::span<const BodyView> bodies = panel.input.frame.bodies;
-  const auto factor = [](const BodyView& body) { return body.softened ? body.softened->factor : 1; };
-  const auto count = std::ranges::count_if(bodies, [](const BodyView& body) { return body.softened.has_value(); });
-  const auto softest = std::ranges::min_element(bodies, {}, factor);
+  const auto factor = [](const BodyView& body) { return body.scaled ? body.scaled->factor : 1; };
+  const auto count = std::ranges::count_if(bodies, [](const BodyView& body) { return body.scaled.has_value(); });
+  const auto slowest = std::ranges::min_element(bodies, {}, factor);
   trouble_row(
-      panel, "Softened bodies", static_cast<int>(count), palette::kWarning,
-      count > 0 ? softened_text(*softest->softened).c_str() : "Struck when the budget left too long a substep.");
+      panel, "Scaled bodies", static_cast<int>(count), palette::kWarning,
+      count > 0 ? scaled_text(*slowest->scaled).c_str() : "Their waves would have taken more microsteps than step_budget leaves.");
 }
 
 void solver_rows(const Panel& panel) {
@@ -71,10 +71,9 @@ void solver_rows(const Panel& panel) {
               "Not made because the fragment would be too small.");
   trouble_row(panel, "Cuts refused", report.remeshing_refused, palette::kWarning,
               "Edges that remeshing left whole, or the tetrahedra would have become too small or too flat.");
-  trouble_row(
-      panel, "Coarse substeps", report.coarse_substeps, palette::kWarning,
-      "Longer than the impact or crack asks for: raise step_budget of the scene, or use fewer or larger elements.");
-  softened_row(panel);
+  trouble_row(panel, "Unfinished equilibria", report.unfinished_equilibria, palette::kWarning,
+              "Cracks were still opening at the limit of substeps: raise impact_substeps of the scene.");
+  scaled_row(panel);
   trouble_row(panel, "Shortened motions", report.shortened_motions, palette::kWarning,
               "Deformations cut short, whose linearised step would have added energy: use more substeps.");
   trouble_row(panel, "Limited impulses", report.limited_impulses, palette::kWarning,

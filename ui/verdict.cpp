@@ -24,9 +24,9 @@ Verdict overloaded(const NodeReport& report, const Frame& frame, bool fracture) 
   return {Verdict::Kind::overloaded, load + why};
 }
 
-std::string softened_text(const SoftenedImpact& impact) {
+std::string scaled_text(const ScaledImpact& impact) {
   return "Shown at " + format_quantity(100 * impact.factor * impact.factor, "", 2) +
-         " % of its stiffness: " + reason(impact) + ".";
+         " % of its stiffness, " + format_quantity(1 / impact.factor, "", 2) + " times slower: " + reason(impact) + ".";
 }
 
 std::string breaking(const CrackEvent& event, const char* unit) {
@@ -60,7 +60,8 @@ Verdict bare_verdict(const NodeReport& report, const Frame& frame, bool fracture
   if (body.rigid) {
     const std::string text = body.tets == 1
                                  ? "A single element cannot break any further."
-                                 : "Its piece moves as a rigid body: nothing strains it until something strikes.";
+                                 : "Its piece moves as a rigid body: what little stress it was left with stays "
+                                   "as it is until something strikes.";
     return {past.empty() ? Verdict::Kind::unknown : Verdict::Kind::broke, past + (past.empty() ? "" : " ") + text};
   }
   if (report.separation.margin > 1) return overloaded(report, frame, fracture);
@@ -96,10 +97,10 @@ std::string origin_of_load(const NodeReport& report, const Material& material) {
 
 Verdict verdict_on(const NodeReport& report, const Frame& frame, bool fracture) {
   Verdict verdict = bare_verdict(report, frame, fracture);
-  std::optional<SoftenedImpact> softened = frame.bodies[report.body].softened;
-  if (verdict.kind == Verdict::Kind::broke && frame.crack_events[report.events.back()].softened)
-    softened = frame.crack_events[report.events.back()].softened;
-  if (softened) verdict.text += " " + softened_text(*softened);
+  std::optional<ScaledImpact> scaled = frame.bodies[report.body].scaled;
+  if (verdict.kind == Verdict::Kind::broke && frame.crack_events[report.events.back()].scaled)
+    scaled = frame.crack_events[report.events.back()].scaled;
+  if (scaled) verdict.text += " " + scaled_text(*scaled);
   return verdict;
 }
 

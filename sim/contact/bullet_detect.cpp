@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 #include <tuple>
 
 #include "sim/contact/bullet_world.h"
@@ -49,9 +50,12 @@ void ContactWorld::Impl::detect() {
     object.first_spin = object.state.angular_velocity;
   }
   delete_retired();
+  past_node_contacts = std::move(node_contacts);
+  std::ranges::sort(past_node_contacts, std::ranges::less(), &NodeContact::key);
+  node_contacts.clear();
   if (all_at_rest()) {
     contacts.clear();
-    points.clear();
+    memories.clear();
     return;
   }
   world.performDiscreteCollisionDetection();
@@ -96,7 +100,7 @@ double ContactWorld::Impl::allowance(ProxyId a, ProxyId b) const {
 
 void ContactWorld::Impl::list_contacts() {
   contacts.clear();
-  points.clear();
+  memories.clear();
   for (auto first = manifolds.begin(); first != manifolds.end();) {
     const auto same_pair = [&](const btPersistentManifold* manifold) {
       return manifold->getBody0() == (*first)->getBody0() && manifold->getBody1() == (*first)->getBody1();
@@ -116,13 +120,13 @@ void ContactWorld::Impl::sort_by_height() {
     order.emplace_back(gravity.dot(contacts[i].position), static_cast<int>(i));
   std::sort(order.begin(), order.end());
   std::vector<Contact> sorted_contacts;
-  std::vector<btManifoldPoint*> sorted_points;
+  std::vector<Memory> sorted_memories;
   for (const auto& [depth, i] : order) {
     sorted_contacts.push_back(contacts[i]);
-    sorted_points.push_back(points[i]);
+    sorted_memories.push_back(memories[i]);
   }
   contacts = std::move(sorted_contacts);
-  points = std::move(sorted_points);
+  memories = std::move(sorted_memories);
 }
 
 void ContactWorld::Impl::list_pair(std::span<btPersistentManifold* const> of_pair) {
@@ -139,13 +143,51 @@ void ContactWorld::Impl::list_pair(std::span<btPersistentManifold* const> of_pai
   std::vector<bool> listed(found.size(), false);
   for (int kept : representative_contacts(found)) {
     contacts.push_back(found[kept]);
-    points.push_back(found_points[kept]);
+    memories.push_back({found_points[kept]});
     listed[kept] = true;
   }
   for (std::size_t i = 0; i < found.size(); ++i)
-    if (!listed[i])
-      found_points[i]->m_appliedImpulse = found_points[i]->m_appliedImpulseLateral1 =
-          found_points[i]->m_appliedImpulseLateral2 = 0;
+    if (!listed[i]) remember_force({found_points[i]}, Vec3::Zero());
+}
+
+void ContactWorld::Impl::replace_contacts(const std::vector<bool>& taken_out, std::span<const Contact> put_in) {
+  assert(taken_out.size() == contacts.size());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (taken_out[i]) {
+      remember_force(memories[i], Vec3::Zero());
+      continue;
+    }
+    contacts[kept] = contacts[i];
+    memories[kept++] = memories[i];
+  }
+  contacts.resize(kept);
+  memories.resize(kept);
+  for (const Contact& contact : put_in) {
+    NodeContact added{contact.a, contact.b, contact.node_a, contact.node_b};
+    const auto past = std::ranges::lower_bound(past_node_contacts, added.key(), std::ranges::less(), &NodeContact::key);
+    if (past != past_node_contacts.end() && past->key() == added.key()) added.force = past->force;
+    contacts.push_back(contact);
+    memories.push_back({nullptr, static_cast<int>(node_contacts.size())});
+    node_contacts.push_back(added);
+  }
+  sort_by_height();
+}
+
+Vec3 ContactWorld::Impl::remembered_force(const Memory& memory) const {
+  if (!memory.point) return node_contacts[memory.node_contact].force;
+  return {memory.point->m_appliedImpulse, memory.point->m_appliedImpulseLateral1,
+          memory.point->m_appliedImpulseLateral2};
+}
+
+void ContactWorld::Impl::remember_force(const Memory& memory, const Vec3& force) {
+  if (!memory.point) {
+    node_contacts[memory.node_contact].force = force;
+    return;
+  }
+  memory.point->m_appliedImpulse = force[0];
+  memory.point->m_appliedImpulseLateral1 = force[1];
+  memory.point->m_appliedImpulseLateral2 = force[2];
 }
 
 }  // namespace griffith

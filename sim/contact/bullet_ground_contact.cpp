@@ -2,6 +2,8 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 
+#include <algorithm>
+
 #include "sim/contact/bullet_shapes.h"
 
 namespace griffith::contact {
@@ -24,11 +26,20 @@ void HullGroundAlgorithm::processCollision(const btCollisionObjectWrapper* first
   const auto* plane = static_cast<const btStaticPlaneShape*>(ground->getCollisionShape());
   const btVector3& normal = plane->getPlaneNormal();
   result->setPersistentManifold(manifold_);
+  const auto height_of = [&](const btVector3& corner) {
+    return normal.dot(hull->getWorldTransform() * corner) - plane->getPlaneConstant();
+  };
+  btScalar lowest = BT_LARGE_FLOAT, highest = -BT_LARGE_FLOAT;
   for (const btVector3& corner : shape->corners()) {
-    const btVector3 point = hull->getWorldTransform() * corner;
-    const btScalar distance = normal.dot(point) - plane->getPlaneConstant();
-    if (distance < manifold_->getContactBreakingThreshold())
-      result->addContactPoint(normal, point - distance * normal, distance);
+    lowest = std::min(lowest, height_of(corner));
+    highest = std::max(highest, height_of(corner));
+  }
+  // A thin slab's upper side is within reach too. A manifold has room for four: it must not take the lower side's.
+  const btScalar reach = std::min(manifold_->getContactBreakingThreshold(), (lowest + highest) / 2);
+  for (const btVector3& corner : shape->corners()) {
+    const btScalar distance = height_of(corner);
+    if (distance > reach) continue;
+    result->addContactPoint(normal, hull->getWorldTransform() * corner - distance * normal, distance);
   }
   result->refreshContactPoints();
 }

@@ -240,15 +240,26 @@ void ContactWorld::set_surface(ProxyId object, const SurfaceProperties& surface)
 }
 
 RigidState ContactWorld::state(ProxyId object) const { return impl_->objects[object].state; }
+bool ContactWorld::is_ground(ProxyId object) const { return impl_->objects[object].kind == Kind::ground; }
+bool ContactWorld::moves(ProxyId object) const { return impl_->objects[object].moves(); }
+double ContactWorld::allowed_overlap(ProxyId a, ProxyId b) const {
+  return std::max(impl_->allowance(a, b), impl_->allowance(b, a));
+}
 void ContactWorld::detect() { impl_->detect(); }
 std::span<Contact> ContactWorld::contacts() { return impl_->contacts; }
 std::span<const Contact> ContactWorld::contacts() const { return impl_->contacts; }
 std::vector<int> ContactWorld::drop_near_misses(double dt, std::span<const double> approach) {
   return impl_->drop_near_misses(dt, approach);
 }
+void ContactWorld::replace_contacts(const std::vector<bool>& taken_out, std::span<const Contact> put_in) {
+  impl_->replace_contacts(taken_out, put_in);
+}
 void ContactWorld::drop_contacts_of(const std::vector<bool>& objects) { impl_->drop_contacts_of(objects); }
 int ContactWorld::solve(double dt, std::span<const ElasticResponse> elastic, bool again) {
   return impl_->solve(dt, elastic, again);
+}
+ContactWorld::Law ContactWorld::law(int contact) const {
+  return {impl_->solved[contact].least_speed, impl_->solved[contact].friction};
 }
 std::vector<double> ContactWorld::limit_energy(double dt, std::span<const ElasticResponse> elastic) {
   return impl_->limit_energy(dt, elastic);

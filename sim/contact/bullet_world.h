@@ -6,6 +6,7 @@
 
 #include <limits>
 #include <memory>
+#include <tuple>
 #include <vector>
 
 #include "sim/contact/bullet_dispatcher.h"
@@ -65,6 +66,20 @@ struct Allowance {
   double overlap;  ///< [m], > 0
 };
 
+/// A contact that the owner put in, and the mean force there in the last substep along the contact's axes [N].
+struct NodeContact {
+  ProxyId a, b;
+  NodeId node_a, node_b;
+  Vec3 force = Vec3::Zero();
+  auto key() const { return std::tie(a, b, node_a, node_b); }
+};
+
+/// Where the impulse of a contact is kept until the next substep: in Bullet's point, or with the owner's contacts.
+struct Memory {
+  btManifoldPoint* point = nullptr;
+  int node_contact = -1;  ///< index into Impl::node_contacts
+};
+
 /// Pairs of objects with near bounding boxes. Bullet's own goes through all pairs twice for each object that leaves;
 /// here leaving objects are collected and their pairs deleted in one pass.
 class PairCache final : public btHashedOverlappingPairCache {
@@ -109,6 +124,9 @@ struct ContactWorld::Impl {
   void list_contacts();
   void sort_by_height();
   void list_pair(std::span<btPersistentManifold* const> of_pair);
+  void replace_contacts(const std::vector<bool>& taken_out, std::span<const Contact> put_in);
+  Vec3 remembered_force(const contact::Memory& memory) const;
+  void remember_force(const contact::Memory& memory, const Vec3& force);
 
   // Solving.
   void drop_contacts_of(const std::vector<bool>& dropped);
@@ -134,7 +152,9 @@ struct ContactWorld::Impl {
   // Rest.
   double quiet_speed(const contact::Object& object) const;
   double touching_speed(const contact::Object& a, const contact::Object& b, double dt) const;
-  void resist_rolling(double dt);
+  void resist_rolling();
+  void resist_rolling(const Contact& contact, double limit);
+  void quieten(double dt);
   void fall_asleep(double dt);
   void wake(ProxyId id);
   void wake_neighbours(ProxyId id);
@@ -181,7 +201,9 @@ struct ContactWorld::Impl {
   std::vector<btPersistentManifold*> manifolds;  ///< those with points, in an order that depends on ids alone
   std::vector<contact::Allowance> allowances;
   std::vector<Contact> contacts;
-  std::vector<btManifoldPoint*> points;  ///< per contact
+  std::vector<contact::Memory> memories;                 ///< per contact
+  std::vector<contact::NodeContact> node_contacts;       ///< that the owner put in
+  std::vector<contact::NodeContact> past_node_contacts;  ///< of the last substep, by key
   std::vector<contact::ContactRow> solved;  ///< per contact: as solve() found it
 };
 

@@ -18,6 +18,17 @@ constexpr double kQuietShare = 0.04;
 /// Up to this multiple of that speed, what touches something stops turning at this rate [1/s].
 constexpr double kRollingShare = 5, kRollingResistance = 3;
 
+bool is_round(const Object& object) {
+  return object.kind == Kind::projectile && object.shape.parts.front()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
+}
+
+/// How a rigid object answers torques, where it does [1/(kg·m²)].
+Mat3 spin_mobility(const Object& object) {
+  if (!object.moves() || object.elastic) return Mat3::Zero();
+  const Mat3 rotation = object.state.pose.rotation.toRotationMatrix();
+  return rotation * object.inverse_inertia * rotation.transpose();
+}
+
 void set_asleep(Object& object, bool asleep) {
   object.asleep = asleep;
   object.still_time = asleep ? 0 : kTimeToSleep / 2;  // it may soon fall asleep again
@@ -36,8 +47,35 @@ double ContactWorld::Impl::quiet_speed(const Object& object) const {
   return kQuietShare * std::sqrt(gravity.norm() * object.shape.radius);
 }
 
-/// Without it, round pieces would roll on for ever.
-void ContactWorld::Impl::resist_rolling(double dt) {
+/// What rolls loses spin to each contact, and to friction, which follows, speed.
+void ContactWorld::Impl::resist_rolling() {
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Contact& contact = contacts[i];
+    const double pushing = contact.normal.dot(contact.impulse);
+    const Object &a = objects[contact.a], &b = objects[contact.b];
+    if (!is_round(a) && !is_round(b)) continue;  // what has faces and corners stops by them
+    const double resistance = std::max(a.surface.rolling_resistance, b.surface.rolling_resistance);
+    if (!(pushing > 0) || resistance == 0) continue;
+    const double a_arm = a.is_free() ? solved[i].a.arm.norm() : 0, b_arm = b.is_free() ? solved[i].b.arm.norm() : 0;
+    resist_rolling(contact, resistance * pushing * (a_arm > 0 && b_arm > 0 ? std::min(a_arm, b_arm) : a_arm + b_arm));
+  }
+}
+
+/// Takes relative spin by an angular impulse of at most `limit` [N·m·s].
+void ContactWorld::Impl::resist_rolling(const Contact& contact, double limit) {
+  Object &a = objects[contact.a], &b = objects[contact.b];
+  const Mat3 mobility = spin_mobility(a) + spin_mobility(b);
+  const Vec3 spin = a.state.angular_velocity - b.state.angular_velocity;
+  if (mobility.isZero(0) || spin.isZero(0)) return;
+  const Vec3 axis = spin.normalized();
+  const double stopping = spin.norm() / axis.dot(mobility * axis);
+  const Vec3 impulse = std::min(limit, stopping) * axis;
+  a.state.angular_velocity -= spin_mobility(a) * impulse;
+  b.state.angular_velocity += spin_mobility(b) * impulse;
+}
+
+/// Debris that hardly moves stops turning.
+void ContactWorld::Impl::quieten(double dt) {
   std::vector<bool> touches(objects.size(), false);
   for (const Contact& contact : contacts)
     if (!contact.impulse.isZero(0)) touches[contact.a] = touches[contact.b] = true;

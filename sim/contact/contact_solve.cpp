@@ -84,8 +84,7 @@ std::vector<ContactRow> ContactWorld::Impl::rows(double dt) const {
     row.axes = contact_axes(contact.normal);
     row.friction = std::sqrt(a.surface.friction * b.surface.friction);
     // The last impulse, as a mean force along the axes: they hardly turn.
-    const btManifoldPoint& point = *points[i];
-    row.impulse = dt * Vec3(point.m_appliedImpulse, point.m_appliedImpulseLateral1, point.m_appliedImpulseLateral2);
+    row.impulse = dt * remembered_force(memories[i]);
     if (row.friction == 0) row.impulse.tail<2>().setZero();
   }
   return made;
@@ -112,7 +111,9 @@ double ContactWorld::Impl::rebound_speed(const Contact& contact, double dt) cons
   const Vec3 relative_gravity = (a.is_free() - b.is_free()) * gravity;
   const double gain = -dt * contact.normal.dot(relative_gravity);  // of the approach, in this substep
   const double before = contact.approach - gain, climb = 2 * gain / dt * std::max(0.0, contact.distance);
-  const double left = restitution * restitution * (before * before + gain * before + climb) - climb;
+  // The top of the steps lies up to g dt²/8 above that of the fall.
+  const double over = gain * gain / 4;
+  const double left = restitution * restitution * (before * before + gain * before + climb) - climb - over;
   return left > 0 ? -gain / 2 + std::sqrt(gain * gain / 4 + left) : 0;
 }
 
@@ -201,16 +202,15 @@ std::vector<double> ContactWorld::Impl::limit_energy(double dt, std::span<const 
 void ContactWorld::Impl::remember_impulses(double dt) {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Vec3 force = solved[i].axes.transpose() * contacts[i].impulse / dt;
-    points[i]->m_appliedImpulse = std::max(0.0, force[0]);
-    points[i]->m_appliedImpulseLateral1 = force[1];
-    points[i]->m_appliedImpulseLateral2 = force[2];
+    remember_force(memories[i], {std::max(0.0, force[0]), force[1], force[2]});
   }
 }
 
 void ContactWorld::Impl::advance(double dt) {
   remember_impulses(dt);
   take_impulses(dt);
-  resist_rolling(dt);
+  resist_rolling();
+  quieten(dt);
   correct_positions(solved, dt);
   move_projectiles(dt);
 }

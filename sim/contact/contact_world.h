@@ -32,6 +32,9 @@ struct RigidMass {
 struct SurfaceProperties {
   double friction = 0.6;     ///< Coulomb's; a pair uses the geometric mean
   double restitution = 0.1;  ///< a pair uses the smaller one
+  /// The torque that resists rolling, over the normal force times the distance from the contact to the centre: what
+  /// rolls on level ground slows down by about so much of g. A pair uses the larger one.
+  double rolling_resistance = 0.02;
 };
 
 /// How an object takes part.
@@ -42,7 +45,7 @@ enum class Mobility {
 };
 
 /// A point where two objects touch, or soon will: gaps up to 2 % of the smaller object's radius are listed. Two convex
-/// parts have at most four. Between detect() and solve() the owner may correct the distance.
+/// parts have at most four. Between detect() and solve() the owner may correct the distance, and put in others.
 struct Contact {
   ProxyId a, b;
   Vec3 position;                ///< half-way between their surfaces, where the impulse acts on both [m]
@@ -50,6 +53,8 @@ struct Contact {
   double distance = 0;          ///< gap along the normal, negative when overlapping, allowed or not [m]
   double approach = 0;          ///< speed at which the gap would close without impulses, from solve() [m/s]
   Vec3 impulse = Vec3::Zero();  ///< on a, in the substep just solved; b gets the opposite [N·s]
+  NodeId node_a = {},
+         node_b = {};  ///< of the owner's, that touch here; at least one in what the owner put in, else none
 };
 
 /// How an elastic object answers at its contacts, linear in their impulses: the velocity of point i is
@@ -119,11 +124,19 @@ class ContactWorld {
   void set_velocity(ProxyId object, const Vec3& velocity, const Vec3& angular_velocity);
   /// As set last; after advance() with the solved velocities and, for a projectile, in its new place.
   RigidState state(ProxyId object) const;
+  bool is_ground(ProxyId object) const;
+  /// Whether impulses move it as a rigid object: it is neither held nor asleep.
+  bool moves(ProxyId object) const;
+  /// Overlap that a fresh crack left between two objects and that stays allowed [m], mostly 0.
+  double allowed_overlap(ProxyId a, ProxyId b) const;
 
   /// Contacts at the present poses. Invalidates spans handed out before.
   void detect();
   std::span<Contact> contacts();
   std::span<const Contact> contacts() const;
+  /// Takes out the contacts that are marked and puts in others, between nodes of an object and the other's surface. The
+  /// same nodes start from the impulses of the last substep. To be called between detect() and solve(), if at all.
+  void replace_contacts(const std::vector<bool>& taken_out, std::span<const Contact> put_in);
   /// Leaves out of contacts() the near misses, most of a heap's: gaps that stay open for `dt` [s] > 0 even where both
   /// sides come together a quarter faster than `approach` says (per contact [m/s], negative where they part), or with
   /// half the speed of what strikes either of them, and that did not push in the last substep. Returns the new index of
@@ -136,6 +149,12 @@ class ContactWorld {
   /// more is known about the responses of what is elastic. Returns how many times a contact was solved, for those who
   /// count work.
   int solve(double dt, std::span<const ElasticResponse> elastic = {}, bool again = false);
+  /// What the last solve() asked of a contact.
+  struct Law {
+    double least_speed = 0;  ///< of the parting along the normal [m/s]
+    double friction = 0;     ///< Coulomb's coefficient
+  };
+  Law law(int contact) const;
   /// Scales the impulses down in each group of objects that touch where they would add energy: where `velocities`, now
   /// exact under these impulses, show that `compliance` was too small. Returns the factor of each response, mostly 1.
   std::vector<double> limit_energy(double dt, std::span<const ElasticResponse> elastic);

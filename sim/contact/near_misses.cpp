@@ -20,7 +20,7 @@ std::vector<int> ContactWorld::Impl::drop_near_misses(double dt, std::span<const
     const Contact& contact = contacts[i];
     const double speed =
         std::max({approach[i], kPassedOn * struck[contact.a], kPassedOn * struck[contact.b]}) + gravity.norm() * dt;
-    return contact.distance <= kSafety * speed * dt || points[i]->m_appliedImpulse > 0;
+    return contact.distance <= kSafety * speed * dt || remembered_force(memories[i])[0] > 0;
   };
   std::vector<int> index(contacts.size(), -1);
   std::size_t kept = 0;
@@ -28,10 +28,10 @@ std::vector<int> ContactWorld::Impl::drop_near_misses(double dt, std::span<const
     if (!may_push(i)) continue;
     index[i] = static_cast<int>(kept);
     contacts[kept] = contacts[i];
-    points[kept++] = points[i];
+    memories[kept++] = memories[i];
   }
   contacts.resize(kept);
-  points.resize(kept);
+  memories.resize(kept);
   return index;
 }
 
@@ -41,10 +41,10 @@ void ContactWorld::Impl::drop_contacts_of(const std::vector<bool>& dropped) {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (is_dropped(contacts[i].a) || is_dropped(contacts[i].b)) continue;
     contacts[kept] = contacts[i];
-    points[kept++] = points[i];
+    memories[kept++] = memories[i];
   }
   contacts.resize(kept);
-  points.resize(kept);
+  memories.resize(kept);
 }
 
 }  // namespace griffith

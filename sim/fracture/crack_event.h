@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sim/fracture/separation_tensor.h"
-#include "sim/fracture/softened_impact.h"
+#include "sim/fracture/scaled_impact.h"
 #include "sim/ids.h"
 #include "sim/linear_algebra.h"
 
@@ -33,7 +33,7 @@ struct CrackEvent {
   int nodes_made = 0;                  ///< copies made at the node and its neighbours
   bool torn_off = false;               ///< a support lost its hold on elements at the node
   std::vector<CrackElement> elements;  ///< all at the node, by tet
-  std::optional<SoftenedImpact> softened;  ///< what stood in for the material, where something did
+  std::optional<ScaledImpact> scaled;  ///< what stood in for the material, where something did
 };
 
 }  // namespace griffith

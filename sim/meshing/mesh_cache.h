@@ -15,7 +15,7 @@ struct FilledSurface {
   TetSoup soup;                                      ///< prepared
   MeshingMethod method = MeshingMethod::volumetric;  ///< that made it
   std::string refusal;                               ///< why TetGen did not, where it was meant to; else empty
-  bool lasting = true;                               ///< false: made so for want of a program, not of a better surface
+  std::string remedy;                                ///< what might help it besides another surface; else empty
 };
 
 /// $XDG_CACHE_HOME/griffith, or ~/.cache/griffith; empty when neither variable is set. It may be deleted at any time.

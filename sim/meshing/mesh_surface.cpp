@@ -42,7 +42,7 @@ TetgenResult try_tetgen(const TriangleSurface& surface, const SurfaceReport& rep
   TetgenResult result;
   result.refusal = unsound(report);
   if (!result.refusal.empty()) return result;
-  result = run_tetgen(surface, options, element_size_for(report, options), setup.limits, setup.name, setup.monitor);
+  result = run_tetgen(surface, options, element_size_for(report, options), setup.limits, setup.monitor);
   if (!result.refusal.empty()) return result;
   if (report.shells > 1) remove_cavities(result.soup, surface);
   try {
@@ -64,8 +64,8 @@ std::string instead_of_tetgen(const FilledSurface& filled) {
   return filled.refusal.empty() ? "" : "; the method is volumetric because " + filled.refusal;
 }
 
-std::string with_tetgen_installed(const FilledSurface& filled, const std::string& remedy) {
-  return filled.lasting ? remedy : "install TetGen, or " + remedy;
+std::string for_tetgen_or(const FilledSurface& filled, const std::string& remedy) {
+  return filled.remedy.empty() ? remedy : filled.remedy + ", or " + remedy;
 }
 
 FilledSurface fill(const TriangleSurface& surface, const SurfaceReport& report, const MeshingOptions& options,
@@ -82,10 +82,10 @@ FilledSurface fill(const TriangleSurface& surface, const SurfaceReport& report, 
     }
     if (options.method == MeshingMethod::tetgen)
       throw InputError(setup.name, "TetGen cannot mesh it: " + result.refusal,
-                       result.installed ? "repair the surface, or take the method volumetric"
-                                        : "install it, or take the method volumetric");
+                       (result.remedy.empty() ? "repair the surface" : result.remedy) +
+                           ", or take the method volumetric");
     filled.refusal = result.refusal;
-    filled.lasting = result.installed;
+    filled.remedy = result.remedy;
   }
   filled.soup = stuff_surface(surface, element_size, options.grading, setup.name, setup.monitor);
   if (filled.soup.tets.empty()) {
@@ -93,7 +93,7 @@ FilledSurface fill(const TriangleSurface& surface, const SurfaceReport& report, 
     throw InputError(setup.name,
                      (sound ? "is thinner than the elements everywhere" : "has no inside that could be filled") +
                          instead_of_tetgen(filled),
-                     sound ? with_tetgen_installed(filled, "give a smaller element size")
+                     sound ? for_tetgen_or(filled, "give a smaller element size")
                            : "close its holes, or give it a thickness");
   }
   prepare(filled.soup, setup.name);
@@ -110,7 +110,7 @@ FilledSurface fill_or_recall(const TriangleSurface& surface, const SurfaceReport
     return std::move(*filled);
   }
   FilledSurface filled = fill(surface, report, options, setup);
-  if (filled.lasting) write_cache_entry(entry, filled);
+  if (filled.remedy.empty()) write_cache_entry(entry, filled);
   return filled;
 }
 
@@ -153,7 +153,7 @@ void require_enough_volume(const SurfaceReport& report, const FilledSurface& fil
                 -100 * change);
   std::snprintf(remedy, sizeof remedy, "give an element size below %.2g m, its mean thickness, or the method tetgen",
                 mean_thickness(report));
-  throw InputError(setup.name, problem + instead_of_tetgen(filled), with_tetgen_installed(filled, remedy));
+  throw InputError(setup.name, problem + instead_of_tetgen(filled), for_tetgen_or(filled, remedy));
 }
 
 /// What there is to tell about many more tets than their size asks for; empty: nothing. A thin wall needs its many.

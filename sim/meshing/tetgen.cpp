@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <optional>
 
-#include "sim/error.h"
 #include "sim/mesh/number_text.h"
 #include "sim/mesh/read_mesh.h"
 #include "sim/meshing/temporary_folder.h"
@@ -78,26 +77,27 @@ bool ran_out_of_memory(const ProcessOutcome& outcome, const ProcessLimits& limit
   return !outcome.succeeded() && outcome.peak_memory_bytes > limits.memory_bytes / 2;
 }
 
-void require_within_limits(const ProcessOutcome& outcome, const ProcessLimits& limits, const std::string& name) {
+/// Why a limit ended it; nothing where none did.
+std::optional<TetgenResult> beyond_limits(const ProcessOutcome& outcome, const ProcessLimits& limits) {
   constexpr double kMegabyte = 1 << 20;
   char amount[64];
-  if (outcome.end == ProcessOutcome::End::cancelled) throw Cancelled();
   if (outcome.end == ProcessOutcome::End::out_of_time) {
     std::snprintf(amount, sizeof amount, "%.3g s", limits.seconds);
-    throw InputError(name, std::string("TetGen did not finish within the time limit of ") + amount,
-                     "give a larger element size or time limit, or the method volumetric");
+    return TetgenResult{{}, std::string("TetGen did not finish within the time limit of ") + amount,
+                        "give a larger element size or time limit"};
   }
   if (ran_out_of_memory(outcome, limits)) {
     std::snprintf(amount, sizeof amount, "%.0f MB", static_cast<double>(limits.memory_bytes) / kMegabyte);
-    throw InputError(name, std::string("TetGen needs more than the memory limit of ") + amount,
-                     "give a larger element size or memory limit");
+    return TetgenResult{{}, std::string("TetGen needs more than the memory limit of ") + amount,
+                        "give a larger element size or memory limit"};
   }
+  return std::nullopt;
 }
 
 }  // namespace
 
 TetgenResult run_tetgen(const TriangleSurface& surface, const MeshingOptions& options, double element_size,
-                        const ProcessLimits& limits, const std::string& name, const Monitor& monitor) {
+                        const ProcessLimits& limits, const Monitor& monitor) {
   const TemporaryFolder folder;
   replace_file(folder.path() / "surface.poly", poly_text(surface));
   replace_file(folder.path() / "surface.var", var_text(element_size));
@@ -112,12 +112,13 @@ TetgenResult run_tetgen(const TriangleSurface& surface, const MeshingOptions& op
   const ProcessOutcome outcome = run_process(
       {"stdbuf", "-oL", "tetgen", switches(options, element_size), (folder.path() / "surface.poly").string()}, limits,
       on_line, [&] { return folder.termination_requested() || monitor.is_cancelled(); });
-  require_within_limits(outcome, limits, name);
+  if (outcome.end == ProcessOutcome::End::cancelled) throw Cancelled();
+  if (auto beyond = beyond_limits(outcome, limits)) return *std::move(beyond);
   TetgenResult result;
   const fs::path elements = folder.path() / "surface.1.ele";
   if (!outcome.succeeded() || !fs::exists(elements)) {
     result.refusal = refusal_of(outcome, stage);
-    result.installed = outcome.end != ProcessOutcome::End::not_found;
+    if (outcome.end == ProcessOutcome::End::not_found) result.remedy = "install TetGen";
     return result;
   }
   monitor.enter("Reading TetGen's mesh");

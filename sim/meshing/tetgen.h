@@ -14,13 +14,12 @@ namespace griffith {
 struct TetgenResult {
   TetSoup soup;
   std::string refusal;  ///< why there is none; empty when it went well
-  bool installed = true;
+  std::string remedy;   ///< what might help besides another surface, such as more time; else empty
 };
 
 /// Fills a surface with tets by running TetGen (Si 2015) as a program of its own in a temporary folder. Faces on the
-/// surface get edges of about `element_size` [m], where the surface's own triangles are not smaller. Throws InputError,
-/// about `name`, when a limit is reached, and Cancelled.
+/// surface get edges of about `element_size` [m], where the surface's own triangles are not smaller. Throws Cancelled.
 TetgenResult run_tetgen(const TriangleSurface& surface, const MeshingOptions& options, double element_size,
-                        const ProcessLimits& limits, const std::string& name, const Monitor& monitor = {});
+                        const ProcessLimits& limits, const Monitor& monitor = {});
 
 }  // namespace griffith

@@ -84,14 +84,14 @@ enum class Integrator {
 /// How the step is carried out. Budgets count work, never time, so results do not depend on the machine.
 struct SimulationSettings {
   double time_step = 1.0 / 120;  ///< [s], 1e-5..0.1
-  Integrator integrator = Integrator::implicit_euler;
+  Integrator integrator = Integrator::hybrid;
   bool static_start = true;         ///< supported bodies start at rest under gravity and their loads at time 0
-  int impact_substeps = 32;         ///< most substeps of a step in which something strikes or cracks, 1..256
-  double step_budget = 10;          ///< work of a step, about milliseconds of a usual core, 0.1..1e6
+  int impact_substeps = 32;         ///< most equilibria of a static step, 1..256
+  double step_budget = 10;          ///< work of a step's microsteps, about milliseconds of a usual core, 0.1..1e6
   double relative_residual = 1e-4;  ///< the linear solver stops here, 1e-12..0.1
   int max_solver_iterations = 400;  ///< per body and substep, 1..100000
   bool fracture = true;
-  int max_cracks_per_step = 400;  ///< splits a step; what is over waits for the next step, 1..1000000
+  int max_cracks_per_step = 10000;  ///< splits a step; what is over waits for the next step, 1..1000000
   int min_fragment_tets = 1;      ///< a split that would part off fewer tets does not happen, 1..1000
   bool operator==(const SimulationSettings&) const = default;
 };

@@ -252,11 +252,11 @@ void describe(Archive& archive, SimulationSettings& settings) {
   archive.field("static_start", settings.static_start, Flag{},
                 "Whether supported bodies start at rest under gravity and their loads at time 0");
   archive.field("impact_substeps", settings.impact_substeps, between(1, 256),
-                "Substeps of a step in which something strikes");
+                "Equilibria of a static step, one after each round of cracks");
   archive.field(
       "step_budget", settings.step_budget, between(0.1, 1e6, "ms"),
-      "Work that a step may do in substeps, as time on a usual core; counted, not timed. Impacts that ask for more "
-      "are seen through a softened body");
+      "Work that a step may do to follow waves, as time on a usual core; counted, not timed. Where they ask for more, "
+      "bodies are scaled: softer, weaker and slower, so that they break alike");
   archive.field("relative_residual", settings.relative_residual, between(1e-12, 0.1, "-"),
                 "The linear solver stops at this residual, relative to the right-hand side");
   archive.field("max_solver_iterations", settings.max_solver_iterations, between(1, 100000),

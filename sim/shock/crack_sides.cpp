@@ -1,4 +1,5 @@
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "sim/shock/impacts.h"
 
@@ -18,17 +19,14 @@ Sides nodes_of(const Solid& solid, const CrackSides& crack) {
   return sides;
 }
 
-/// Three times the mean gap between two sides; they had the same place at rest.
-Vec3 gap(const Solid& solid, const Sides& sides) {
-  Vec3 sum = Vec3::Zero();
-  for (int i = 0; i < 3; ++i) sum += solid.displacement(sides.second[i]) - solid.displacement(sides.first[i]);
-  return sum;
+Vec3 center_of(const Solid& solid, const std::array<int, 3>& nodes) {
+  return (solid.position(nodes[0]) + solid.position(nodes[1]) + solid.position(nodes[2])) / 3;
 }
 
-Vec3 opening_speed(const Solid& solid, const Sides& sides) {
-  Vec3 sum = Vec3::Zero();
-  for (int i = 0; i < 3; ++i) sum += solid.velocity(sides.second[i]) - solid.velocity(sides.first[i]);
-  return sum;
+std::array<double, 3> weights_in(const Solid& solid, const std::array<int, 3>& nodes, const Vec3& point) {
+  const Vec3 a = solid.position(nodes[0]), b = solid.position(nodes[1]), c = solid.position(nodes[2]);
+  const Vec3 normal = (b - a).cross(c - a);
+  return weights_in_triangle(a, b, c, normal, normal.squaredNorm(), point);
 }
 
 /// The area vector of the first side, out of it: its corners are counter-clockwise seen from outside.
@@ -39,28 +37,36 @@ Vec3 area_of(const Solid& solid, const Sides& sides) {
 
 }  // namespace
 
-/// The sides of a crack that close on each other meet without rebound, face by face, where they parted. Those that have
-/// slid apart by more than their size are left to the contacts of whole pieces.
+/// The sides of a crack that close on each other meet without rebound, at the centre of the first, so that no torque is
+/// made. Those that have slid further apart are left to the contacts of whole pieces.
 void Impacts::close_cracks(Solid& solid) {
   for (const CrackSides& crack : cracks_) {
     const Sides sides = nodes_of(solid, crack);
-    const Vec3 apart = gap(solid, sides), area = area_of(solid, sides);
-    if (apart.dot(area) > 0) continue;
-    const double size = area.norm();
-    const Vec3 normal = area / size;
-    const double speed = opening_speed(solid, sides).dot(normal);
-    if (speed >= 0 || apart.squaredNorm() > size) continue;
-    double mobility = 0;
-    for (int i = 0; i < 3; ++i)
-      mobility += solid.mobility(sides.first[i], normal) + solid.mobility(sides.second[i], normal);
-    if (mobility == 0) continue;
+    const Vec3 area = area_of(solid, sides), center = center_of(solid, sides.first);
+    const Vec3 normal = area.normalized();
+    const std::array<double, 3> weights = weights_in(solid, sides.second, center);
+    if (!std::ranges::all_of(weights, [](double weight) { return weight >= 0; })) continue;
+    const auto opening_speed = [&] {
+      double speed = 0;
+      for (int i = 0; i < 3; ++i)
+        speed += normal.dot(weights[i] * solid.velocity(sides.second[i]) - solid.velocity(sides.first[i]) / 3);
+      return speed;
+    };
+    const double speed = opening_speed();
+    double gap = -normal.dot(center), mobility = 0;
+    for (int i = 0; i < 3; ++i) {
+      gap += weights[i] * normal.dot(solid.position(sides.second[i]));
+      mobility += solid.mobility(sides.first[i], normal) / 9 +
+                  weights[i] * weights[i] * solid.mobility(sides.second[i], normal);
+    }
+    if (gap > 0 || gap * gap > area.norm() || speed >= 0 || mobility == 0) continue;
     const Vec3 impulse = speed / mobility * normal;
     for (int i = 0; i < 3; ++i) {
-      push_node(solid, sides.first[i], impulse);
-      push_node(solid, sides.second[i], -impulse);
+      push_node(solid, sides.first[i], impulse / 3);
+      push_node(solid, sides.second[i], -weights[i] * impulse);
     }
     // Where both sides end in one node, at the front, they do not part: more speed is left than the others lost.
-    lost_ += 0.5 * impulse.dot(speed * normal + opening_speed(solid, sides));
+    lost_ += 0.5 * speed / mobility * (speed + opening_speed());
   }
 }
 

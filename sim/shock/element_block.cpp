@@ -125,16 +125,18 @@ void write_forces(const ElementBlock& block, const Matrix p, Lanes stress, Quad*
     scatter(f[corner][0], f[corner][1], f[corner][2], stress, forces + corner + 1, 4);
 }
 
+/// Of the stress of strain a over strain b, but for the volume: λ tr(a) tr(b) + 2μ a : b.
+Lanes work_density(const BlockLaw& law, const Symmetric a, const Symmetric b) {
+  const Lanes trace = (a[0] + a[1] + a[2]) * (b[0] + b[1] + b[2]);
+  const Lanes normal = a[0] * b[0] + a[1] * b[1] + a[2] * b[2], shear = a[3] * b[3] + a[4] * b[4] + a[5] * b[5];
+  return all(law.lambda) * trace + all(2 * law.mu) * (normal + shear + shear);
+}
+
 /// Adds the work of the call before; `rate` is that of the present one.
 void measure(const BlockLaw& law, const ElementBlock& block, const Symmetric rate, float viscosity, ViscousWork& work) {
-  const Lanes* before = work.rate;
-  Lanes product = {};
-  for (int e = 0; e < 6; ++e) {
-    const Lanes term = before[e] * (before[e] + rate[e]);
-    product += e < 3 ? term : term + term;
-  }
-  const Lanes trace = before[0] + before[1] + before[2], both = trace + rate[0] + rate[1] + rate[2];
-  work.work += all(0.5F * viscosity) * block.volume * (all(law.lambda) * trace * both + all(2 * law.mu) * product);
+  Symmetric both;
+  for (int e = 0; e < 6; ++e) both[e] = work.rate[e] + rate[e];
+  work.work += all(0.5F * viscosity) * block.volume * work_density(law, work.rate, both);
   for (int e = 0; e < 6; ++e) work.rate[e] = rate[e];
 }
 
@@ -176,6 +178,10 @@ void force_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* di
   } else {
     force_elements_of<ElementModel::green_strain>(law, block, displacements, forces, work, viscosity);
   }
+}
+
+Lanes work_of_last(const BlockLaw& law, const ElementBlock& block, const ViscousWork& work) {
+  return all(0.5F * law.viscosity) * block.volume * work_density(law, work.rate, work.rate);
 }
 
 void settle_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements) {

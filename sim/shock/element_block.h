@@ -24,8 +24,8 @@ struct BlockLaw {
   float viscosity = 0;       ///< Rayleigh's β over the length of a microstep [-]
 };
 
-/// What a block's viscosity takes: σ_j : ½ (ε_{j+1} − ε_{j−1}) in microstep j, with the viscous stress σ_j, so that it takes
-/// two calls in a row to know.
+/// What a block's viscosity takes: σ_j : ½ (ε_{j+1} − ε_{j−1}) in microstep j, with the viscous stress σ_j, so that it
+/// takes two calls in a row to know.
 struct ViscousWork {
   Lanes rate[6] = {};  ///< change of strain in the last call [-]
   Lanes work = {};     ///< so far [J]
@@ -38,6 +38,9 @@ struct ViscousWork {
 ///   work           gets that of the call before, which had the `viscosity` [-]
 void force_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements, Quad* forces,
                     ViscousWork& work, float viscosity);
+
+/// Of the last call, σ_j : ½ (ε_j − ε_{j−1}): as far as it moved the block until then [J].
+Lanes work_of_last(const BlockLaw& law, const ElementBlock& block, const ViscousWork& work);
 
 /// Lets the rotations and strains of a block follow displacements however large, without forces.
 void settle_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements);

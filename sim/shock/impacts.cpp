@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "sim/mesh/tet_mesh.h"
 
@@ -78,24 +79,35 @@ void Impacts::open(const CrackSides& sides) {
 
 void Impacts::list_near_obstacle(const Solid& solid, const Obstacle& obstacle, double margin,
                                  Candidates& candidates) const {
-  candidates.sides.clear();
-  candidates.nodes.clear();
+  candidates = {};
   const double reach = obstacle.radius + margin;
-  const Vec3& center = obstacle.state.pose.translation;
-  for (const SurfaceSide& side : surface_) {
-    if (std::isfinite(reach)) {
-      if (box_of(solid, side).exteriorDistance(center) > reach) continue;
+  for (const SurfaceSide& side : surface_)
+    if (!(box_of(solid, side).exteriorDistance(obstacle.state.pose.translation) > reach))
       candidates.sides.push_back(side);
-    }
-    for (const int node : nodes_of(solid, side)) {
-      const HalfSpace* plane = std::isfinite(reach) ? nullptr : &obstacle.solids[0].faces[0];
-      if (!plane || plane->normal.dot(solid.position(node)) - plane->distance < margin)
-        candidates.nodes.push_back(node);
-    }
+  std::vector<int> nodes;
+  if (!obstacle.is_sphere())
+    for (const SurfaceSide& side : candidates.sides)
+      for (const int node : nodes_of(solid, side)) nodes.push_back(node);
+  std::ranges::sort(nodes);
+  const auto repeated = std::ranges::unique(nodes);
+  nodes.erase(repeated.begin(), repeated.end());
+  for (int part = 0; part < static_cast<int>(obstacle.solids.size()); ++part)
+    list_near_part(solid, obstacle, part, nodes, margin, candidates);
+}
+
+/// Of the nodes of the sides near an obstacle those that are near one of its parts, and that part's samples near the
+/// sides.
+void Impacts::list_near_part(const Solid& solid, const Obstacle& obstacle, int part, const std::vector<int>& nodes,
+                             double margin, Candidates& candidates) const {
+  const ConvexSolid& convex = obstacle.solids[part];
+  for (const int node : nodes)
+    if (outermost_face(convex, obstacle.state.pose.to_local(solid.position(node))).first < margin)
+      candidates.nodes.push_back({part, node});
+  for (int sample = 0; sample < static_cast<int>(convex.samples.size()); ++sample) {
+    const Vec3 place = obstacle.state.pose.to_world(convex.samples[sample]);
+    for (const SurfaceSide& side : candidates.sides)
+      if (box_of(solid, side).exteriorDistance(place) < margin) candidates.samples.push_back({part, sample, side});
   }
-  std::ranges::sort(candidates.nodes);
-  const auto repeated = std::ranges::unique(candidates.nodes);
-  candidates.nodes.erase(repeated.begin(), repeated.end());
 }
 
 const SurfaceLaw& Impacts::surface_at(const Solid& solid, int node) const {
@@ -158,7 +170,7 @@ void Impacts::touch_sphere(const Solid& solid, int index) {
 }
 
 bool Impacts::is_behind(const Solid& solid, const SurfaceSide& side, const Vec3& point, Touch& touch) const {
-  constexpr double kOutside = -1e-6;
+  constexpr double kOutside = -0.02;  // of a side: corners that meet corners touch though they shift a little
   touch.nodes = nodes_of(solid, side);
   const Vec3 a = solid.position(touch.nodes[0]), b = solid.position(touch.nodes[1]), c = solid.position(touch.nodes[2]);
   const Vec3 normal = (b - a).cross(c - a);
@@ -166,38 +178,39 @@ bool Impacts::is_behind(const Solid& solid, const SurfaceSide& side, const Vec3&
   touch.normal = normal / area;
   touch.depth = -touch.normal.dot(point - a);
   if (touch.depth < 0 || touch.depth > 0.5 * element_size_) return false;
-  const double u = normal.dot((c - b).cross(point - b)) / (area * area),
-               v = normal.dot((a - c).cross(point - c)) / (area * area);
-  touch.weights = {u, v, 1 - u - v};
+  touch.weights = weights_in_triangle(a, b, c, normal, area * area, point);
   touch.place = point;
-  return u >= kOutside && v >= kOutside && 1 - u - v >= kOutside;
+  return std::ranges::all_of(touch.weights, [](double weight) { return weight >= kOutside; });
 }
 
 /// Nodes inside a convex part, and its sample points behind sides.
 void Impacts::touch_convex(const Solid& solid, int index) {
   const Obstacle& obstacle = obstacles_[index];
+  const Candidates& candidates = candidates_[index];
   const Pose& pose = obstacle.state.pose;
-  for (const ConvexSolid& part : obstacle.solids) {
-    for (const int node : candidates_[index].nodes) {
-      const Vec3 place = solid.position(node);
-      const auto [outside, normal] = outermost_face(part, pose.to_local(place));
-      if (outside > 0) continue;
-      Touch touch{.nodes = {node, node, node}, .count = 1, .obstacle = index, .place = place};
-      touch.normal = -(pose.rotation * normal);
-      touch.depth = -outside;
-      touches_.push_back(touch);
+  for (const auto& [part, node] : candidates.nodes) {
+    const Vec3 place = solid.position(node);
+    const auto [outside, normal] = outermost_face(obstacle.solids[part], pose.to_local(place));
+    if (outside > 0) continue;
+    Touch touch{.nodes = {node, node, node}, .count = 1, .obstacle = index, .place = place};
+    touch.normal = -(pose.rotation * normal);
+    touch.depth = -outside;
+    touches_.push_back(touch);
+  }
+  const auto same_sample = [](const SampleAndSide& a, const SampleAndSide& b) {
+    return a.part == b.part && a.sample == b.sample;
+  };
+  for (auto first = candidates.samples.begin(); first != candidates.samples.end();) {
+    const Vec3 place = pose.to_world(obstacle.solids[first->part].samples[first->sample]);
+    std::optional<Touch> shallowest;
+    auto at = first;
+    for (; at != candidates.samples.end() && same_sample(*at, *first); ++at) {
+      Touch touch{.obstacle = index};
+      if (is_behind(solid, at->side, place, touch) && (!shallowest || touch.depth < shallowest->depth))
+        shallowest = touch;
     }
-    for (const Vec3& sample : part.samples) {
-      const Vec3 place = pose.to_world(sample);
-      Touch touch{.obstacle = index}, deepest;
-      bool found = false;
-      for (const SurfaceSide& side : candidates_[index].sides) {
-        if (!is_behind(solid, side, place, touch) || (found && touch.depth >= deepest.depth)) continue;
-        deepest = touch;
-        found = true;
-      }
-      if (found) touches_.push_back(deepest);
-    }
+    if (shallowest) touches_.push_back(*shallowest);
+    first = at;
   }
 }
 
@@ -252,7 +265,20 @@ void Impacts::act(Solid& solid, const Touch& touch, const Vec3& impulse) {
                       : push_node(solid, touch.other_node, -impulse);
 }
 
-bool Impacts::push(Solid& solid, const Touch& touch, double least_speed) {
+void Impacts::take_back(Solid& solid, const Touch& touch, const Vec3& impulse, double time) {
+  const auto shift = [&](int node, const Vec3& share) {
+    const double size = share.norm();
+    if (size > 0) shift_node(solid, node, time * solid.mobility(node, share / size) * share);
+  };
+  for (int i = 0; i < touch.count; ++i) shift(touch.nodes[i], touch.weights[i] * impulse);
+  if (touch.obstacle < 0) return shift(touch.other_node, -impulse);
+  Obstacle& obstacle = obstacles_[touch.obstacle];
+  obstacle.state.pose.translation -= time * obstacle.inverse_mass * impulse;
+}
+
+/// A push stops the approach and takes back the overlap, as far as the last motion at that speed made it: forces that
+/// press two surfaces together would else let them creep into each other step by step, and waves lose their energy.
+bool Impacts::push(Solid& solid, Touch& touch, double dt, double least_speed) {
   const Vec3 velocity = approach_of(solid, touch);
   const double speed = -velocity.dot(touch.normal), mobility = mobility_of(solid, touch, touch.normal);
   if (speed <= kNegligibleSpeed || mobility == 0) return false;
@@ -274,6 +300,9 @@ bool Impacts::push(Solid& solid, const Touch& touch, double least_speed) {
     after = velocity + share * (after - velocity);
   }
   lost_ += 0.5 * impulse.dot(velocity + after);
+  const double time = std::min(dt, touch.depth / speed);
+  take_back(solid, touch, impulse, time);
+  touch.depth -= time * speed;
   if (speed > least_speed)
     blows_.push_back({touch.nodes[0], touch.obstacle, touch.place, touch.normal, impulse, speed});
   return true;
@@ -281,13 +310,13 @@ bool Impacts::push(Solid& solid, const Touch& touch, double least_speed) {
 
 void Impacts::resolve(Solid& solid, double dt, double least_speed) {
   blows_.clear();
-  settle_pushed(solid);
+  settle_pushed(solid, dt);
   for (Obstacle& obstacle : obstacles_) obstacle.move(dt);
   if (reach_left_ < 0) list_candidates(solid);
   find_touches(solid);
   for (int round = 0; round < kRounds; ++round) {
     bool any = false;
-    for (const Touch& touch : touches_) any |= push(solid, touch, least_speed);
+    for (Touch& touch : touches_) any |= push(solid, touch, dt, least_speed);
     if (!any) break;
   }
   double fastest = solid.fastest();

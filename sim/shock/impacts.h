@@ -14,6 +14,14 @@ struct SurfaceSide {
   int slot = 0, face = 0;
 };
 
+/// The barycentric weights of where a point projects into triangle abc. `normal`: (b − a) × (c − a), `square`: its
+/// length squared.
+inline std::array<double, 3> weights_in_triangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal,
+                                                 double square, const Vec3& point) {
+  const double u = normal.dot((c - b).cross(point - b)) / square, v = normal.dot((a - c).cross(point - c)) / square;
+  return {u, v, 1 - u - v};
+}
+
 /// How a body of the solid meets others.
 struct SurfaceLaw {
   int family = 0;  ///< pieces of one family touch where cracks parted them alone
@@ -53,9 +61,9 @@ class Impacts {
   std::span<Obstacle> obstacles() { return obstacles_; }
   std::span<const Blow> blows() const { return blows_; }
 
-  /// What the pushes took since this was asked last [J], each at the mean velocity of its microstep, which ends with the
-  /// next one's forces. At the end of the microsteps, of length `dt` [s]: the solid has to know the forces of the next.
-  double take_lost(const Solid& solid, double dt);
+  /// What the pushes took in microsteps of `dt` [s] [J], each at the mean velocity of its microstep, which ends with the
+  /// next one's forces: those the solid has to know.
+  double lost(const Solid& solid, double dt);
 
  private:
   /// A point of a face, or a node, and what it meets.
@@ -68,18 +76,36 @@ class Impacts {
     Vec3 place = Vec3::Zero(), normal = Vec3::UnitY();  ///< normal: from the solid to the other
     double depth = 0;
   };
+  /// A sample of a convex part near a side.
+  struct SampleAndSide {
+    int part = 0, sample = 0;
+    SurfaceSide side;
+  };
+  struct PartAndNode {
+    int part = 0, node = 0;
+  };
+  /// What of the surface may touch an obstacle.
   struct Candidates {
     std::vector<SurfaceSide> sides;
-    std::vector<int> nodes;
+    std::vector<PartAndNode> nodes;
+    std::vector<SampleAndSide> samples;  ///< by part and sample
   };
   struct NodeAndSide {
     int node = 0;
     SurfaceSide side;
   };
+  /// What pushes did to a node in the last microstep.
+  struct Pushed {
+    int node = 0;
+    Vec3 change = Vec3::Zero();  ///< of its velocity [m/s]
+    Vec3 way = Vec3::Zero();     ///< that it was shifted [m]
+  };
 
   const SurfaceLaw& surface_at(const Solid& solid, int node) const;
   void list_candidates(const Solid& solid);
   void list_near_obstacle(const Solid& solid, const Obstacle& obstacle, double margin, Candidates& candidates) const;
+  void list_near_part(const Solid& solid, const Obstacle& obstacle, int part, const std::vector<int>& nodes,
+                      double margin, Candidates& candidates) const;
   void list_pairs(const Solid& solid, double margin);
   void find_touches(const Solid& solid);
   void touch_sphere(const Solid& solid, int obstacle);
@@ -92,11 +118,15 @@ class Impacts {
   double friction_of(const Solid& solid, const Touch& touch) const;
   /// An impulse on the solid, and its opposite on the other [N·s].
   void act(Solid& solid, const Touch& touch, const Vec3& impulse);
-  bool push(Solid& solid, const Touch& touch, double least_speed);
+  /// Takes back the part of the last motion that `impulse` would have prevented, for `time` [s] of it.
+  void take_back(Solid& solid, const Touch& touch, const Vec3& impulse, double time);
+  bool push(Solid& solid, Touch& touch, double dt, double least_speed);
   void close_cracks(Solid& solid);
+  Pushed& pushed(const Solid& solid, int node);
   void push_node(Solid& solid, int node, const Vec3& impulse);
+  void shift_node(Solid& solid, int node, const Vec3& way);
   void note_pushed(const Solid& solid);
-  void settle_pushed(const Solid& solid);
+  void settle_pushed(const Solid& solid, double dt);
 
   std::vector<SurfaceSide> surface_;
   std::vector<CrackSides> cracks_;
@@ -106,11 +136,6 @@ class Impacts {
   std::vector<NodeAndSide> pairs_;      ///< nodes near sides of other bodies
   std::vector<Touch> touches_;
   std::vector<Blow> blows_;
-  /// What a node was pushed by in the last microstep, and its velocity then.
-  struct Pushed {
-    int node = 0;
-    Vec3 impulse = Vec3::Zero(), velocity = Vec3::Zero();
-  };
   std::vector<Pushed> pushed_;
   std::vector<int> pushed_at_;  ///< per node: index into pushed_, or -1
   double lost_ = 0;

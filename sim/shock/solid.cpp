@@ -13,6 +13,11 @@ namespace {
 constexpr double kDampingRatio = 0.06;
 /// This share of a body's elements, its slivers, may be relieved.
 constexpr double kSliverShare = 0.02;
+/// And all whose frequency is higher than this many bar waves' speeds over the mean edge length: that of elements of
+/// good shape is below 10.
+constexpr double kSliverFrequency = 20;
+/// Those whose force would be less than this share are so flat that they exert none.
+constexpr double kLeastShare = 0.25;
 
 WideQuad wide(const Vec3& v) { return WideQuad{v[0], v[1], v[2], 0}; }
 
@@ -35,7 +40,42 @@ double element_frequency(const ElasticLaw& law, double density, const ElementRes
   return std::sqrt(4 / density * std::max(shear, largest_eigenvalue(stretch)));
 }
 
+std::vector<double> element_frequencies(const ElasticLaw& law, double density, std::span<const ElementRest> rests) {
+  std::vector<double> frequencies;
+  frequencies.reserve(rests.size());
+  for (const ElementRest& rest : rests) frequencies.push_back(element_frequency(law, density, rest));
+  return frequencies;
+}
+
+/// The highest frequency that is left to elements.
+double relieved_limit(const ElasticLaw& law, double density, std::span<const ElementRest> rests,
+                      std::vector<double> frequencies) {
+  const auto relieved = static_cast<std::ptrdiff_t>(kSliverShare * static_cast<double>(frequencies.size()));
+  const auto limit = frequencies.end() - 1 - relieved;
+  std::nth_element(frequencies.begin(), limit, frequencies.end());
+  double volume = 0;
+  for (const ElementRest& rest : rests) volume += rest.volume;
+  const double edge = std::cbrt(6 * volume / static_cast<double>(rests.size()));
+  const double young_modulus = law.mu * (3 * law.lambda + 2 * law.mu) / (law.lambda + law.mu);
+  return std::min(*limit, kSliverFrequency * std::sqrt(young_modulus / density) / edge);
+}
+
+/// Leaves an element a share of its force.
+void relieve(ElementBlock& block, std::size_t lane, double share) {
+  if (share > kLeastShare) {
+    block.volume[lane] *= static_cast<float>(share);
+    return;
+  }
+  block.volume[lane] = std::numeric_limits<float>::min();  // 0 marks lanes without an element
+  for (int k = 0; k < 3; ++k)
+    for (int a = 0; a < 3; ++a) block.gradients[k][a][lane] = 0;
+}
+
 }  // namespace
+
+double highest_frequency(const ElasticLaw& law, double density, std::span<const ElementRest> rests) {
+  return relieved_limit(law, density, rests, element_frequencies(law, density, rests));
+}
 
 int Solid::add_node(const SolidNodeStart& start) {
   nodes_.push_back({.inverse_mass = 1 / start.mass});
@@ -83,16 +123,11 @@ void Solid::add_body(const ElasticLaw& law, double density, std::span<const std:
     constexpr int kRow[6] = {0, 1, 2, 0, 1, 0}, kColumn[6] = {0, 1, 2, 1, 2, 2};
     for (int e = 0; e < 6; ++e) block.offset[e][lane] = static_cast<float>(offsets[i](kRow[e], kColumn[e]));
   }
-  std::vector<double> frequencies(rests.size());
-  for (std::size_t i = 0; i < rests.size(); ++i) frequencies[i] = element_frequency(law, density, rests[i]);
-  std::vector<double> sorted = frequencies;
-  const auto limit = sorted.end() - 1 - static_cast<std::ptrdiff_t>(kSliverShare * static_cast<double>(sorted.size()));
-  std::nth_element(sorted.begin(), limit, sorted.end());
-  body.frequency = *limit;
+  const std::vector<double> frequencies = element_frequencies(law, density, rests);
+  body.frequency = relieved_limit(law, density, rests, frequencies);
   for (std::size_t i = 0; i < rests.size(); ++i) {
     if (frequencies[i] <= body.frequency) continue;
-    const double share = std::pow(body.frequency / frequencies[i], 2);
-    blocks_[body.first_block + i / kLanes].volume[i % kLanes] *= static_cast<float>(share);
+    relieve(blocks_[body.first_block + i / kLanes], i % kLanes, std::pow(body.frequency / frequencies[i], 2));
     ++body.relieved;
   }
   body.damping = 2 * kDampingRatio / body.frequency;
@@ -147,15 +182,22 @@ void Solid::compute_forces() {
   });
 }
 
-void Solid::advance(std::vector<int>& flagged) {
+void Solid::advance(double kick, std::vector<int>& flagged) {
   flagged.clear();
-  advance_nodes(0, node_count(), flagged);
-  for (int i = 0; i < static_cast<int>(constraints_.size()); ++i) hold(i);
+  advance_nodes(kick * dt_, dt_, flagged);
+  for (int i = 0; i < static_cast<int>(constraints_.size()); ++i) hold(i, dt_);
 }
 
-void Solid::advance_nodes(int first, int last, std::vector<int>& flagged) {
+void Solid::kick(double share) {
+  std::vector<int> flagged;
+  advance_nodes(share * dt_, 0, flagged);
+  for (int i = 0; i < static_cast<int>(constraints_.size()); ++i) hold(i, 0);
+}
+
+/// Velocities take the forces of `kick`, positions the velocities of `drift` [s].
+void Solid::advance_nodes(double kick, double drift, std::vector<int>& flagged) {
   double fastest = 0;
-  for (int i = first; i < last; ++i) {
+  for (int i = 0; i < node_count(); ++i) {
     const SolidNode& node = nodes_[i];
     const int* star = stars_.data() + node.first;
     Quad even = {}, odd = {}, largest = {};
@@ -169,20 +211,20 @@ void Solid::advance_nodes(int first, int last, std::vector<int>& flagged) {
     if (largest[3] > node.threshold) flagged.push_back(i);
     WideQuad force = __builtin_convertvector(even + odd, WideQuad);
     force[3] = 0;
-    velocities_[i].value += dt_ * (node.inverse_mass * force + accelerations_[i].value);
-    if (node.constraint < 0) displacements_[i].value += dt_ * velocities_[i].value;
+    velocities_[i].value += kick * (node.inverse_mass * force + accelerations_[i].value);
+    if (node.constraint < 0) displacements_[i].value += drift * velocities_[i].value;
     fastest = std::max(fastest, velocity(i).squaredNorm());
   }
   fastest_ = std::sqrt(fastest);
 }
 
-void Solid::hold(int index) {
+void Solid::hold(int index, double drift) {
   SolidConstraint& held = constraints_[index];
   const Vec3 free = velocity(held.node);
   const Vec3 allowed = held.constraint.allowed * free + held.constraint.velocity;
   held.impulse += (allowed - free) / nodes_[held.node].inverse_mass;
   velocities_[held.node].value = wide(allowed);
-  displacements_[held.node].value += dt_ * velocities_[held.node].value;
+  displacements_[held.node].value += drift * velocities_[held.node].value;
 }
 
 void Solid::part(int node, std::span<const int> copies, std::span<const std::vector<int>> stars) {

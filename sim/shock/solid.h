@@ -44,6 +44,9 @@ struct SolidBody {
   int relieved = 0;      ///< slivers that act on their nodes with a part of their force, so as not to set the microstep
 };
 
+/// The highest frequency of a body with these elements, once its slivers are relieved [rad/s].
+double highest_frequency(const ElasticLaw& law, double density, std::span<const ElementRest> rests);
+
 /// Tetrahedral bodies under explicit dynamics: lumped masses, symplectic Euler, eight elements at a time. State is in
 /// double precision, the elements' arithmetic in single precision on displacements from a placement near the present
 /// one. The same bits for any number of threads.
@@ -68,9 +71,12 @@ class Solid {
 
   /// Forces of all elements at the present displacements.
   void compute_forces();
-  /// Moves all nodes by a microstep. `flagged` gets the nodes at which an element's largest principal stress exceeds
-  /// the node's threshold.
-  void advance(std::vector<int>& flagged);
+  /// Moves all nodes by a microstep: velocities change by the forces over the share `kick` of it. Velocities that belong
+  /// to the same time as positions take half a kick at first, and get the other half from kick() (velocity Verlet).
+  /// `flagged` gets the nodes at which an element's largest principal stress exceeds the node's threshold.
+  void advance(double kick, std::vector<int>& flagged);
+  /// Changes velocities alone, by the forces over a share of a microstep.
+  void kick(double share);
 
   /// Parts a node: stars[0] stays with it, each other one goes to a new node, which was added for it already. Entries
   /// are 4·tet + corner, ascending.
@@ -97,13 +103,17 @@ class Solid {
   Vec3 velocity(int node) const { return vector(velocities_[node].value); }
   /// Changes a node's velocity by an impulse [N·s]; where it is held, the support takes it.
   void push(int node, const Vec3& impulse);
+  /// Moves a node, for a push that should have come before its last motion [m].
+  void shift(int node, const Vec3& way) { displacements_[node].value += WideQuad{way[0], way[1], way[2], 0}; }
   /// The velocity change that a unit impulse along `direction` brings along it [1/kg].
   double mobility(int node, const Vec3& direction) const;
-  /// What viscosity has taken since it was asked last [J].
-  double take_viscous_work();
-  /// How fast external and elastic forces, at the present displacements, work now [W].
-  double power();
-  /// Of a node by external forces, and by the forces of its star that compute_forces() or power() found too [m/s²].
+  /// What viscosity has taken [J]: half of what it does in the present forces, if these will get half a kick.
+  double viscous_work() const;
+  /// From now on, forces are elastic alone.
+  void stop_viscosity();
+  /// Of the change of velocities by half a kick of the present forces [J].
+  double half_kick_energy() const;
+  /// Of a node by external forces; by all present forces, where it is free to go [m/s²].
   Vec3 external_acceleration(int node) const { return vector(accelerations_[node].value); }
   Vec3 acceleration(int node) const;
   /// The part of its force with which a tet acts, less than 1 for slivers.
@@ -120,8 +130,8 @@ class Solid {
   };
   static Vec3 vector(const WideQuad& q) { return {q[0], q[1], q[2]}; }
 
-  void advance_nodes(int first, int last, std::vector<int>& flagged);
-  void hold(int constraint);
+  void advance_nodes(double kick, double drift, std::vector<int>& flagged);
+  void hold(int constraint, double drift);
 
   std::vector<SolidBody> bodies_;
   std::vector<SolidNode> nodes_;

@@ -1,13 +1,19 @@
 #include "sim/shock/solid.h"
 
 namespace griffith::shock {
-double Solid::take_viscous_work() {
+
+double Solid::viscous_work() const {
   double sum = 0;
-  for (ViscousWork& work : viscous_works_) {
-    for (int lane = 0; lane < kLanes; ++lane) sum += work.work[lane];
-    work.work = all(0);
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const BlockLaw& law = bodies_[block_bodies_[b]].law;
+    const Lanes work = viscous_works_[b].work + work_of_last(law, blocks_[b], viscous_works_[b]);
+    for (int lane = 0; lane < kLanes; ++lane) sum += work[lane];
   }
   return sum;
+}
+
+void Solid::stop_viscosity() {
+  for (SolidBody& body : bodies_) body.law.viscosity = 0;
 }
 
 Vec3 Solid::acceleration(int index) const {
@@ -19,18 +25,10 @@ Vec3 Solid::acceleration(int index) const {
   return moved.constraint < 0 ? free : constraints_[moved.constraint].constraint.allowed * free;
 }
 
-double Solid::power() {
-  for (SolidBody& body : bodies_) body.law.viscosity = 0;
-  compute_forces();
-  set_step(dt_);
+double Solid::half_kick_energy() const {
   double sum = 0;
-  for (int i = 0; i < node_count(); ++i) {
-    Vec3 force = external_acceleration(i) / nodes_[i].inverse_mass;
-    for (const int entry : star(i))
-      for (int k = 0; k < 3; ++k) force[k] += forces_[entry].value[k];
-    sum += force.dot(velocity(i));
-  }
-  return sum;
+  for (int i = 0; i < node_count(); ++i) sum += acceleration(i).squaredNorm() / nodes_[i].inverse_mass;
+  return 0.125 * dt_ * dt_ * sum;
 }
 
 }  // namespace griffith::shock

@@ -6,7 +6,7 @@ namespace griffith {
 
 SolveReport conjugate_gradient(const BlockSparseMatrix& a, const RigidModePreconditioner& preconditioner,
                                const NodeVectors& b, NodeVectors& x, double tolerance, double scale,
-                               int max_iterations) {
+                               int max_iterations, const std::function<bool()>& given_up) {
   NodeVectors a_p, z;
   multiply(a, x, a_p);
   const double guess_energy = dot(x, a_p);
@@ -19,7 +19,7 @@ SolveReport conjugate_gradient(const BlockSparseMatrix& a, const RigidModePrecon
   SolveReport report;
   NodeVectors p;
   double rho = 0;
-  while (residual > target && report.iterations < max_iterations) {
+  while (residual > target && report.iterations < max_iterations && !(given_up && given_up())) {
     preconditioner.apply(r, z);
     const double previous_rho = rho;
     rho = dot(r, z);

@@ -65,6 +65,18 @@ SolveReport solve_beside(const BlockSparseMatrix& a, const RigidModePrecondition
   return report;
 }
 
+/// Lets a row move in the allowed directions alone; scaled, the rest keeps the matrix positive definite.
+void project_row(BlockSparseMatrix& a, int row, const Mat3& allowed) {
+  Mat3& diagonal = a.blocks[a.slot(row, row)];
+  const double scale = diagonal.trace() / 3;
+  for (int k = a.row_starts[row]; k < a.row_starts[row + 1]; ++k) {
+    Mat3& transposed = a.blocks[a.slot(a.columns[k], row)];
+    a.blocks[k] = allowed * a.blocks[k];
+    transposed = transposed * allowed;
+  }
+  diagonal += scale * (Mat3::Identity() - allowed);
+}
+
 /// The same for a body that turns about a pivot.
 SolveReport solve_swinging(const BlockSparseMatrix& a, const RigidModePreconditioner& preconditioner,
                            const ImplicitStep& step, const Pivot& pivot, const NodeVectors& positions,
@@ -100,6 +112,7 @@ void ElasticSystem::patch(const TetMesh& mesh, std::span<const NodeId> body_node
   const std::vector<int> previous_rows = rows_.patch(mesh, unknown, row_of_node);
   rebuild_support_rows(mesh, body_nodes, constraints, row_of_node);
   preconditioner_->patch(rows_.matrix, previous_rows, aggregate_size(rows_.matrix.rows()));
+  held_preconditioner_.reset();
 }
 
 void ElasticSystem::rebuild_support_rows(const TetMesh& mesh, std::span<const NodeId> body_nodes,
@@ -135,17 +148,31 @@ void ElasticSystem::assemble(const MatrixFactors& factors, const ElasticLaw& law
 }
 
 void ElasticSystem::project_sliding_rows() {
-  BlockSparseMatrix& a = rows_.matrix;
-  for (const SlidingRow& sliding : sliding_) {
-    Mat3& diagonal = a.blocks[a.slot(sliding.row, sliding.row)];
-    const double scale = diagonal.trace() / 3;
-    for (int k = a.row_starts[sliding.row]; k < a.row_starts[sliding.row + 1]; ++k) {
-      Mat3& transposed = a.blocks[a.slot(a.columns[k], sliding.row)];
-      a.blocks[k] = sliding.allowed * a.blocks[k];
-      transposed = transposed * sliding.allowed;
-    }
-    diagonal += scale * (Mat3::Identity() - sliding.allowed);
+  for (const SlidingRow& sliding : sliding_) project_row(rows_.matrix, sliding.row, sliding.allowed);
+}
+
+SolveReport ElasticSystem::hold(std::span<const HeldRow> held, std::span<const Vec3> positions, double tolerance,
+                                int max_iterations, NodeVectors& impulses, NodeVectors& x) {
+  BlockSparseMatrix a = rows_.matrix;
+  NodeVectors known = NodeVectors::Zero(3, a.rows()), pushed;
+  for (const HeldRow& row : held) {
+    known.col(row.row) = row.known - row.allowed * row.known;
+    project_row(a, row.row, row.allowed);
   }
+  multiply(rows_.matrix, known, pushed);
+  NodeVectors b = impulses - pushed;
+  for (const HeldRow& row : held) b.col(row.row) = Vec3(row.allowed * b.col(row.row));
+  if (!held_preconditioner_)
+    held_preconditioner_ = std::make_unique<RigidModePreconditioner>(a, aggregate_size(a.rows()));
+  held_preconditioner_->update(a, gather(positions));
+  x = NodeVectors::Zero(3, a.rows());
+  const SolveReport report = conjugate_gradient(a, *held_preconditioner_, b, x, 1, tolerance, max_iterations);
+  x += known;
+  multiply(rows_.matrix, x, pushed);
+  for (const HeldRow& row : held)
+    impulses.col(row.row) +=
+        pushed.col(row.row) - impulses.col(row.row) - row.allowed * (pushed.col(row.row) - impulses.col(row.row));
+  return report;
 }
 
 NodeVectors ElasticSystem::gather(std::span<const Vec3> values) const {
@@ -229,12 +256,13 @@ void ElasticSystem::project_right_hand_side(std::span<const NodeConstraint> cons
 }
 
 SolveReport ElasticSystem::solve_projected(std::span<const NodeConstraint> constraints, double relative_residual,
-                                           int max_iterations, NodeVectors b, NodeVectors& x) const {
+                                           int max_iterations, NodeVectors b, NodeVectors& x,
+                                           const std::function<bool()>& given_up) const {
   if (nodes().empty()) return {};
   project_right_hand_side(constraints, b);
   project(x);
   return conjugate_gradient(rows_.matrix, *preconditioner_, b, x, relative_residual, std::sqrt(dot(b, b)),
-                            max_iterations);
+                            max_iterations, given_up);
 }
 
 bool ElasticSystem::solve_directly(std::span<const NodeConstraint> constraints, NodeVectors b, NodeVectors& x) const {

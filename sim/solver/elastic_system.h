@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -17,6 +18,13 @@ struct ImplicitStep {
   double stiffness_damping = 0;  ///< Rayleigh's beta [s]
   double relative_residual = 1e-4;
   int max_iterations = 400;
+};
+
+/// A row whose velocity is known in the directions that are not allowed.
+struct HeldRow {
+  int row = 0;
+  Mat3 allowed = Mat3::Zero();  ///< projector
+  Vec3 known = Vec3::Zero();    ///< in the other directions [m/s]
 };
 
 /// The linear system of one connected body: the linearised implicit step (Baraff & Witkin 1998)
@@ -65,9 +73,9 @@ class ElasticSystem {
                     std::span<Vec3> velocities);
 
   /// Solves S A S x = S (b − A w) for x = S x, w the known part of the constraints; one column a row. `x` holds a
-  /// guess.
+  /// guess. `given_up`: as in conjugate_gradient().
   SolveReport solve_projected(std::span<const NodeConstraint> constraints, double relative_residual, int max_iterations,
-                              NodeVectors b, NodeVectors& x) const;
+                              NodeVectors b, NodeVectors& x, const std::function<bool()>& given_up = {}) const;
   /// The same by a factorisation; false when it breaks down, and `x` is left alone.
   bool solve_directly(std::span<const NodeConstraint> constraints, NodeVectors b, NodeVectors& x) const;
   /// The values of nodes() out of values per node of the mesh, one column a row.
@@ -82,6 +90,11 @@ class ElasticSystem {
   /// `change` holds a guess, such as the answer to other impulses of the same step, or nothing.
   SolveReport respond(const ImplicitStep& step, std::span<const Vec3> positions, std::span<const Vec3> impulses,
                       std::span<const double> masses, std::span<const NodeConstraint> constraints, NodeVectors& change);
+  /// The change of velocity x of nodes() by `impulses` (one column a row [N·s]) and by whatever makes rows move as they
+  /// are held: `impulses` hold that too afterwards. Stops at a residual of `tolerance` [N·s]. In the step of the last
+  /// solve(); rows of constrained nodes are not to be held.
+  SolveReport hold(std::span<const HeldRow> held, std::span<const Vec3> positions, double tolerance, int max_iterations,
+                   NodeVectors& impulses, NodeVectors& x);
   /// About J A⁻¹ Jᵀ for these points: by the preconditioner, which is close for what is smooth and within a small factor
   /// for what is not. Weights hold what sliding leaves free; after assemble().
   PointCompliance compliance(std::span<const WeightedRows> points) const { return preconditioner_->compliance(points); }
@@ -114,7 +127,7 @@ class ElasticSystem {
   std::vector<SlidingRow> sliding_;
   std::vector<int> row_of_support_column_;  // per block of support_rows_, -1 for held nodes
   std::vector<Vec3> solved_reactions_, reactions_;  // of the last solve(); with the last respond()
-  std::unique_ptr<RigidModePreconditioner> preconditioner_;
+  std::unique_ptr<RigidModePreconditioner> preconditioner_, held_preconditioner_;  // the second for hold()
 };
 
 }  // namespace griffith

@@ -44,6 +44,7 @@ class StaticSolver {
   void hold_free_motions(std::vector<Vec3>& step) const;
   void move(const std::vector<Vec3>& start, const std::vector<Vec3>& step, double share);
   double energy_gained(const Balance& before, const Balance& after, const std::vector<Vec3>& step, double share) const;
+  bool given_up() const { return settings_.given_up && settings_.given_up(); }
   bool search_line(Balance& now, const std::vector<Vec3>& step);
   void finish(const Balance& balance);
 
@@ -192,9 +193,10 @@ std::vector<Vec3> StaticSolver::newton_step(const Balance& now, std::span<const 
   system_.assemble(MatrixFactors{0, 1}, problem_.law, problem_.rests, states_, positions_, problem_.masses);
   const NodeVectors b = system_.gather(now.residual);
   NodeVectors x = NodeVectors::Zero(3, b.cols());
-  const SolveReport linear = system_.solve_projected(constraints, kTolerance, settings_.max_iterations, b, x);
+  const SolveReport linear =
+      system_.solve_projected(constraints, kTolerance, settings_.max_iterations, b, x, settings_.given_up);
   report_.linear_iterations += linear.iterations;
-  if (!linear.converged) report_.factorizations += system_.solve_directly(constraints, b, x);
+  if (!linear.converged && !given_up()) report_.factorizations += system_.solve_directly(constraints, b, x);
   std::vector<Vec3> step(positions_.size(), Vec3::Zero());
   for (NodeId node : nodes_) {
     step[node] = constraints[node].velocity;
@@ -256,7 +258,7 @@ StaticReport StaticSolver::solve() {
   now = balance();
   report_.newton_steps = 1;
   const auto target = [&] { return std::max(settings_.relative_residual * scale(now), rounding_level()); };
-  while (now.norm > target() && report_.newton_steps < settings_.max_newton_steps) {
+  while (now.norm > target() && report_.newton_steps < settings_.max_newton_steps && !given_up()) {
     ++report_.newton_steps;
     if (!search_line(now, newton_step(now, still_))) break;
   }

@@ -68,16 +68,18 @@ double size_of(const TetMesh& mesh) {
 
 }  // namespace
 
-std::vector<Fragment> make_fragments(const TetMesh& mesh, const CellPartition& cells) {
+std::vector<Fragment> make_fragments(const TetMesh& mesh, const CellPartition& cells, const Monitor& monitor) {
   const double tolerance = kTolerance * size_of(mesh);
   std::vector<std::vector<Fragment>> by_tet(mesh.tets.size());
   parallel_for(mesh.tet_count(), 16, [&](int begin, int end) {
+    if (monitor.is_cancelled()) return;
     int start = 0;
     for (TetId tet(begin); tet < end; ++tet.value) {
       start = locate(cells, rest_centroid(mesh, tet), start);
       by_tet[tet] = fragments_of_tet(mesh, cells, tet, start, tolerance);
     }
   });
+  if (monitor.is_cancelled()) throw Cancelled();
   std::vector<Fragment> fragments;
   for (std::vector<Fragment>& of_tet : by_tet) std::ranges::move(of_tet, std::back_inserter(fragments));
   return fragments;

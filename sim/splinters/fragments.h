@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sim/mesh/tet_mesh.h"
+#include "sim/meshing/monitor.h"
 #include "sim/splinters/convex_polyhedron.h"
 
 namespace griffith {
@@ -16,7 +17,7 @@ struct Fragment {
 };
 
 /// Parts every tet of a mesh in rest space between the cells: the fragments of a tet fill it without overlap. By tet,
-/// then cell.
-std::vector<Fragment> make_fragments(const TetMesh& mesh, const CellPartition& cells);
+/// then cell. Throws Cancelled when the monitor says so.
+std::vector<Fragment> make_fragments(const TetMesh& mesh, const CellPartition& cells, const Monitor& monitor = {});
 
 }  // namespace griffith

@@ -33,22 +33,28 @@ class Barycentric {
 /// Puts the splinters of one body together, kind by kind.
 class Builder {
  public:
-  Builder(const TetMesh& mesh, const CellPartition& cells)
-      : mesh_(mesh),
-        cells_(cells),
-        fragments_(make_fragments(mesh, cells)),
-        contacts_(find_contacts(mesh, cells, fragments_)),
-        groups_(group_fragments(cells, fragments_, contacts_)) {}
+  Builder(const TetMesh& mesh, const CellPartition& cells, const Monitor& monitor)
+      : mesh_(mesh), cells_(cells), monitor_(monitor), fragments_(make_fragments(mesh, cells, monitor)) {
+    contacts_ = find_contacts(mesh, cells, fragments_);
+    require_wanted();
+    groups_ = group_fragments(cells, fragments_, contacts_);
+    require_wanted();
+  }
 
   SplinterSet build() {
     make_parts();
     make_owners();
     make_links();
+    require_wanted();
     make_faces();
     return std::move(set_);
   }
 
  private:
+  void require_wanted() const {
+    if (monitor_.is_cancelled()) throw Cancelled();
+  }
+
   /// By splinter, then tet; `part_of_` leads from fragments to them.
   void make_parts() {
     const int count = groups_.empty() ? 0 : 1 + *std::ranges::max_element(groups_);
@@ -100,6 +106,7 @@ class Builder {
     for (const FragmentContact& contact : contacts_) ++first_contact[contact.a + 1];
     std::partial_sum(first_contact.begin(), first_contact.end(), first_contact.begin());
     for (const int i : order_) {
+      require_wanted();
       const Fragment& fragment = fragments_[i];
       SplinterPart& part = set_.parts[part_of_[i]];
       if (part.faces == 0) part.first_face = static_cast<int>(set_.faces.size());
@@ -140,6 +147,7 @@ class Builder {
 
   const TetMesh& mesh_;
   const CellPartition& cells_;
+  const Monitor& monitor_;
   std::vector<Fragment> fragments_;
   std::vector<FragmentContact> contacts_;
   std::vector<int> groups_, order_, part_of_;
@@ -148,7 +156,9 @@ class Builder {
 
 }  // namespace
 
-SplinterSet make_splinters(const TetMesh& mesh, const CellPartition& cells) { return Builder(mesh, cells).build(); }
+SplinterSet make_splinters(const TetMesh& mesh, const CellPartition& cells, const Monitor& monitor) {
+  return Builder(mesh, cells, monitor).build();
+}
 
 Uncovered uncovered_part(const TetMesh& mesh, const SplinterSet& splinters) {
   Uncovered uncovered;

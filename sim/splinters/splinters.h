@@ -7,6 +7,7 @@
 
 #include "sim/ids.h"
 #include "sim/mesh/tet_mesh.h"
+#include "sim/meshing/monitor.h"
 #include "sim/splinters/convex_cells.h"
 
 namespace griffith {
@@ -67,8 +68,8 @@ struct SplinterSet {
 
 /// The splinters that cells make of a body. `mesh` is in rest space. Pieces of a splinter that hang together through no
 /// common face become splinters of their own, and what has less than a tenth of the volume of the neighbour with which
-/// it shares the largest wall joins it.
-SplinterSet make_splinters(const TetMesh& mesh, const CellPartition& cells);
+/// it shares the largest wall joins it. Throws Cancelled when the monitor says so.
+SplinterSet make_splinters(const TetMesh& mesh, const CellPartition& cells, const Monitor& monitor = {});
 
 /// What of a body no splinter holds.
 struct Uncovered {

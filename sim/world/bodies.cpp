@@ -178,11 +178,9 @@ void hand_out_tets(WorldState& world, BodyId id, std::vector<std::vector<TetId>>
     piece.id = BodyId(static_cast<std::int64_t>(world.bodies.size()));
     piece.parent = id;
     piece.scene_body = world.bodies[id].scene_body;
-    piece.last_strike = world.bodies[id].last_strike;
-    piece.softened = world.bodies[id].softened;
+    piece.scaled = world.bodies[id].scaled;
     piece.shock = world.bodies[id].shock;
     piece.shock_ended = world.bodies[id].shock_ended;
-    piece.softening = world.bodies[id].softening;
     piece.tets = std::move(pieces[i]);
     for (TetId tet : piece.tets) world.elements.bodies[tet] = piece.id;
     world.bodies.push_back(std::move(piece));

@@ -24,6 +24,7 @@ void append_nodes(WorldState& world, const BodyDescription& body) {
   nodes.rows.resize(placed.size(), -1);
   nodes.separations.resize(placed.size());
   nodes.reactions.resize(placed.size(), Vec3::Zero());
+  nodes.similarity_starts.resize(placed.size(), Vec3::Zero());
 }
 
 /// Places a copy of the shape's mesh in the world's.
@@ -66,8 +67,8 @@ void append_elements(WorldState& world, TetId first) {
   }
   elements.states.resize(world.mesh.tets.size());
   elements.plastic_strains.resize(world.mesh.tets.size(), Mat3::Zero());
+  elements.similarity_strains.resize(world.mesh.tets.size(), Mat3::Zero());
   elements.stresses.resize(world.mesh.tets.size(), Mat3::Zero());
-  elements.stresses_before.resize(world.mesh.tets.size(), Mat3::Zero());
   elements.bodies.resize(world.mesh.tets.size());
   constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
   elements.opened.resize(world.mesh.tets.size(), {kNever, kNever, kNever, kNever});
@@ -105,7 +106,7 @@ Pieces add_bodies(WorldState& world, int scene_body, TetId first_tet, const Shap
 }
 
 /// Adds all that a scene says of a body, but for what follows from it.
-Pieces add_scene_body(WorldState& world, int scene_body, const ShapeMesh& shape) {
+Pieces add_scene_body(WorldState& world, int scene_body, const ShapeMesh& shape, const Monitor& monitor) {
   const BodyDescription& description = world.scene.bodies[scene_body];
   const RestBody rest = append_mesh(world, scene_body, shape);
   const auto [first_node, first_tet] = rest.range;
@@ -114,7 +115,7 @@ Pieces add_scene_body(WorldState& world, int scene_body, const ShapeMesh& shape)
   place_supports(world, scene_body, rest);
   place_loads(world, scene_body, rest);
   place_probes(world, scene_body, rest);
-  place_splinters(world, scene_body, rest);
+  place_splinters(world, scene_body, rest, monitor);
   for (NodeId tip : shape.slit_tips) world.nodes.at_crack_front[first_node + tip] = 1;
   draw_strengths(world, description.strength_scatter, first_node);
   std::vector<TetId> tets;
@@ -209,14 +210,15 @@ void add_scene_bodies(WorldState& world, const Monitor& monitor) {
   make_meshes(world.scene, shapes, monitor);
   monitor.enter("Building the bodies");
   for (int i = 0; i < static_cast<int>(world.scene.bodies.size()); ++i) {
-    pieces.push_back(add_scene_body(world, i, shapes.of(world.scene, i, monitor)));
+    pieces.push_back(add_scene_body(world, i, shapes.of(world.scene, i, monitor), monitor));
     if (monitor.is_cancelled()) throw Cancelled();
   }
   close_splinters(world);
   update_supports(world, world.time, world.scene.simulation.time_step);
   parallel_for(static_cast<int>(pieces.size()), 16, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) complete(world, pieces[i]);
+    for (int i = begin; i < end && !monitor.is_cancelled(); ++i) complete(world, pieces[i]);
   });
+  if (monitor.is_cancelled()) throw Cancelled();
   require_no_crowd(world);
   add_stand_ins(world, world.bodies);
 }
@@ -234,7 +236,6 @@ double node_mass(const WorldState& world, NodeId node) {
 
 void build_world(WorldState& world, const Monitor& monitor) {
   check_probes(world.scene);
-  world.substep_ticks = kTicksPerStep;
   for (const BodyDescription& body : world.scene.bodies) {
     world.materials.push_back(body.material);
     world.weaknesses.push_back(place_weakness(body));
@@ -242,11 +243,14 @@ void build_world(WorldState& world, const Monitor& monitor) {
   if (const auto& ground = world.scene.ground)
     world.contact_world.add_ground(ground->height, {ground->friction, ground->restitution});
   add_scene_bodies(world, monitor);
+  world.extents.resize(world.scene.bodies.size(), 0);
+  for (const Body& body : world.bodies)
+    world.extents[body.scene_body] = std::max(world.extents[body.scene_body], body.extent);
   queue_bursts(world);
   for (int i = 0; i < static_cast<int>(world.materials.size()); ++i) check_substep_count(world, i, world.materials[i]);
   if (monitor.is_cancelled()) throw Cancelled();
   monitor.enter("Finding the start");
-  find_static_start(world);
+  find_static_start(world, -1, monitor);
   place_stand_ins(world);
   update_elements(world);
   evaluate_separation(world, false);

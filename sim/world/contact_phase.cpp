@@ -1,11 +1,14 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim/parallel.h"
 #include "sim/rotation.h"
 #include "sim/solver/rigid_motion.h"
 #include "sim/world/energy_phase.h"
+#include "sim/world/face_contacts.h"
 #include "sim/world/phases.h"
+#include "sim/world/settle_contacts.h"
 #include "sim/world/touched_body.h"
 
 namespace griffith {
@@ -19,11 +22,48 @@ bool could_hurt(const WorldState& world, const Body& body, double force) {
   return stress > kWakingShare * least_breaking_stress(world, body, true);
 }
 
-/// Of a contact on a body in a substep of `dt` [N].
-double peak_force(const WorldState& world, const Body& body, const Contact& contact, double dt) {
-  const double mean = contact.impulse.norm() / dt;
-  const bool smoothed = world.coarse_impact && strikes(world, contact, body);
-  return smoothed ? mean / softening_factor(world, body, dt) : mean;
+/// Whether whoever is hurt by a contact was found before the step: blows have their own phase, and the mean force of a
+/// blow in a long step says nothing.
+bool is_left_to_shock(const WorldState& world, const Contact& contact) {
+  return world.scene.simulation.integrator == Integrator::hybrid && contact.approach > least_impact_speed(world);
+}
+
+/// What another object does to a body in a substep of `dt` [N].
+Vec3 load_of(const WorldState& world, const Body& body, ProxyId other, double dt) {
+  Vec3 force = Vec3::Zero();
+  for (const Contact& contact : world.contact_world.contacts()) {
+    if (contact.a == body.stand_in && contact.b == other) force += contact.impulse / dt;
+    if (contact.b == body.stand_in && contact.a == other) force -= contact.impulse / dt;
+  }
+  return force;
+}
+
+/// Whether what an object does to a rigid body is no more than it did when the body was seen to be calm: however much
+/// rests on few points then, faces spread it.
+bool is_harmless(const WorldState& world, const Body& body, ProxyId other, double dt) {
+  constexpr double kSame = 0.1;
+  const auto known = std::ranges::find(body.harmless, other, &ContactLoad::other);
+  if (known == body.harmless.end()) return false;
+  const double more = (load_of(world, body, other, dt) - known->force).norm();
+  return more <= kSame * known->force.norm() || !could_hurt(world, body, more);
+}
+
+/// Notes what elastic bodies carry in a substep of `dt` [s]; once they are rigid it stands.
+void note_loads(WorldState& world, double dt) {
+  for (Body& body : world.bodies)
+    if (body.sways()) body.harmless.clear();
+  const auto note = [&](ProxyId object, ProxyId other, const Vec3& force) {
+    const BodyId id = world.body_of(object);
+    if (!id.valid() || !world.bodies[id].sways()) return;
+    std::vector<ContactLoad>& loads = world.bodies[id].harmless;
+    const auto known = std::ranges::find(loads, other, &ContactLoad::other);
+    known == loads.end() ? loads.push_back({other, force}) : void(known->force += force);
+  };
+  for (const Contact& contact : std::as_const(world.contact_world).contacts()) {
+    if (contact.impulse.isZero(0)) continue;
+    note(contact.a, contact.b, contact.impulse / dt);
+    note(contact.b, contact.a, -contact.impulse / dt);
+  }
 }
 
 /// Makes rigid bodies elastic where the impulses found could hurt them; whether there were any.
@@ -33,7 +73,9 @@ bool wake_struck_bodies(WorldState& world, double dt) {
     for (ProxyId side : {contact.a, contact.b}) {
       const BodyId id = world.body_of(side);
       if (!id.valid() || !world.bodies[id].rigid || world.bodies[id].supported()) continue;
-      if (!could_hurt(world, world.bodies[id], peak_force(world, world.bodies[id], contact, dt))) continue;
+      if (is_left_to_shock(world, contact)) continue;
+      if (!could_hurt(world, world.bodies[id], contact.impulse.norm() / dt)) continue;
+      if (is_harmless(world, world.bodies[id], side == contact.a ? contact.b : contact.a, dt)) continue;
       place_rigid_nodes(world, world.bodies[id]);
       wake(world, world.bodies[id]);
       world.bodies[id].energy = mechanical_energy(world, world.bodies[id]);
@@ -128,7 +170,8 @@ struct Answer {
 
 /// Lets a body answer the impulses that its contacts have now, and learns from it: the response becomes exact under
 /// these impulses, its compliance right for their direction.
-Answer answer(WorldState& world, TouchedBody& touched, ElasticResponse& response, double dt, std::vector<Vec3>& nodal) {
+Answer answer(WorldState& world, TouchedBody& touched, ElasticResponse& response, double dt, bool learns,
+              std::vector<Vec3>& nodal) {
   constexpr double kForeseen = 0.1, kNegligible = 0.25;
   Body& body = world.bodies[touched.body];
   const std::span<const Contact> contacts = world.contact_world.contacts();
@@ -145,7 +188,7 @@ Answer answer(WorldState& world, TouchedBody& touched, ElasticResponse& response
   const double negligible = kNegligible * dt * world.scene.gravity.norm() * std::sqrt(added.cols());
   answer.foreseen = (moved - expected).norm() <= kForeseen * expected.norm() + negligible;
   const double ratio = moved.cwiseProduct(added).sum() / expected.cwiseProduct(added).sum();
-  if (ratio > 0 && !world.integrates_explicitly()) {
+  if (learns && ratio > 0 && !world.integrates_explicitly()) {
     const double factor = std::clamp(ratio * body.compliance_factor, 0.1, 100.0);
     response.compliance.scale(factor / body.compliance_factor);
     body.compliance_factor = factor;
@@ -156,15 +199,16 @@ Answer answer(WorldState& world, TouchedBody& touched, ElasticResponse& response
 }
 
 /// All bodies answer; whether all did as foreseen.
-bool answer_all(WorldState& world, TouchedBodies& touched, double dt) {
+bool answer_all(WorldState& world, TouchedBodies& touched, double dt, bool learns = true) {
   std::vector<Vec3> nodal(world.nodes.positions.size());
   std::vector<Answer> answers(touched.bodies.size());
   parallel_for(static_cast<int>(answers.size()), 1, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) answers[i] = answer(world, touched.bodies[i], touched.responses[i], dt, nodal);
+    for (int i = begin; i < end; ++i)
+      answers[i] = answer(world, touched.bodies[i], touched.responses[i], dt, learns, nodal);
   });
   bool foreseen = true;
   for (std::size_t i = 0; i < answers.size(); ++i) {
-    count_solve(world, world.bodies[touched.bodies[i].body], answers[i].solve);
+    count_solve(world, answers[i].solve);
     foreseen &= answers[i].foreseen;
   }
   return foreseen;
@@ -214,7 +258,7 @@ void take_sleep(WorldState& world) {
 }
 
 void solve_impulses(WorldState& world, const TouchedBodies& touched, double dt, bool again) {
-  world.work.contacts += Work::kPerRelaxation * world.contact_world.solve(dt, touched.responses, again);
+  world.contact_world.solve(dt, touched.responses, again);
 }
 
 /// Impulses by what is known of elastic bodies before they answer.
@@ -234,11 +278,13 @@ TouchedBodies solve_contacts(WorldState& world, double dt) {
   drop_near_misses(world, touched, dt);
   estimate_impulses(world, touched, dt, false);
   while (wake_struck_bodies(world, dt)) {
+    spread_contacts(world);
     touched = touched_bodies(world);
     estimate_impulses(world, touched, dt, true);
   }
   for (int round = 1; !answer_all(world, touched, dt) && round < kMostRounds; ++round)
     solve_impulses(world, touched, dt, true);
+  if (!world.integrates_explicitly() && settle_contacts(world, touched, dt)) answer_all(world, touched, dt, false);
   return touched;
 }
 
@@ -288,19 +334,18 @@ void resolve_contacts(WorldState& world, double dt) {
   world.contact_world.detect();  // before the prediction, by which all that rests is about to fall
   drop_contacts_of_shocks(world);
   take_sleep(world);
+  spread_contacts(world);
   tell_rigid_velocities(world);
   TouchedBodies touched = solve_contacts(world, dt);
-  for (const TouchedBody& body : touched.bodies)
-    world.work.contacts += Work::kPerTouchedPoint * static_cast<double>(body.points.size());
   limit_energy(world, touched, dt);
   tell_rigid_velocities(world);
   world.contact_world.advance(dt);
   take_rigid_velocities(world);
   book_rigid_contacts(world, dt);
   apply_corrections(world);
+  note_loads(world, dt);
   note_contacts(world);
   const int contacts = static_cast<int>(world.contact_world.contacts().size());
-  world.work.contacts += Work::kPerContact * contacts;
   world.report.contacts = std::max(world.report.contacts, contacts);
   world.report.max_penetration = std::max(world.report.max_penetration, world.contact_world.max_penetration());
 }

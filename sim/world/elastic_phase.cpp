@@ -8,16 +8,19 @@
 #include "sim/parallel.h"
 #include "sim/solver/pivot.h"
 #include "sim/world/phases.h"
+#include "sim/world/similarity.h"
 
 namespace griffith {
 namespace {
 
-void update_element(WorldState& world, const ElasticLaw& law, const std::optional<PlasticLaw>& plastic, TetId tet) {
+void update_element(WorldState& world, const ElasticLaw& law, const std::optional<PlasticLaw>& plastic,
+                    double similarity, TetId tet) {
   ElementArrays& elements = world.elements;
   const ElementDeformation deformation =
       element_deformation(law.model, elements.rests[tet], corners_of(world.mesh, tet, world.nodes.positions));
   if (plastic) elements.plastic_strains[tet] = flow(*plastic, deformation, elements.plastic_strains[tet]);
-  elements.states[tet] = element_state(law, deformation, elements.plastic_strains[tet]);
+  elements.states[tet] = element_state(law, deformation, stress_free_strain(world, tet));
+  elements.states[tet].energy_density *= similarity;
   elements.stresses[tet] = cauchy_stress(elements.states[tet].frame, elements.states[tet].stress);
 }
 
@@ -92,10 +95,11 @@ ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt)
 }
 
 void update_elements(WorldState& world, const Body& body) {
-  const ElasticLaw law = elastic_law(world.material_of(body));
+  const ElasticLaw law = law_in_shock(world, body);
   const std::optional<PlasticLaw> plastic = plastic_law(world.material_of(body));
+  const double similarity = body.shock ? body.shock->similarity : 1;
   parallel_for(static_cast<int>(body.tets.size()), 1024, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) update_element(world, law, plastic, body.tets[i]);
+    for (int i = begin; i < end; ++i) update_element(world, law, plastic, similarity, body.tets[i]);
   });
 }
 
@@ -123,8 +127,7 @@ void take_reactions(WorldState& world, const Body& body) {
     world.nodes.reactions[supports[i]] = body.system->reaction_forces()[i];
 }
 
-void count_solve(WorldState& world, const Body& body, const SolveReport& solve) {
-  world.work.solves += Work::kPerTetAndIteration * static_cast<double>(body.tets.size()) * solve.iterations;
+void count_solve(WorldState& world, const SolveReport& solve) {
   world.report.solver_iterations = std::max(world.report.solver_iterations, solve.iterations);
   world.report.max_relative_residual = std::max(world.report.max_relative_residual, solve.relative_residual);
   world.report.unconverged_solves += !solve.converged;
@@ -148,7 +151,7 @@ void predict_velocities(WorldState& world, std::vector<Vec3> forces, double dt) 
   });
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     freeze_if_broken_down(world, world.bodies[i]);
-    count_solve(world, world.bodies[i], reports[i]);
+    count_solve(world, reports[i]);
   }
 }
 

@@ -32,6 +32,10 @@ constexpr std::array kEntries = {
     EnergyEntry{"hand_over", "Hand-over",
                 "Lost by bodies that turn rigid, fall asleep, enter or leave microsteps, or are cut anew.", lost,
                 &EnergyAccount::hand_over},
+    EnergyEntry{"scaling", "Scaling",
+                "What external forces would have done more to scaled bodies under their full stiffness, and what their "
+                "change of shape takes when scaling ends.",
+                lost, &EnergyAccount::scaling},
     EnergyEntry{"limited", "Limited", "Cut off by limits: shortened motions, overlaps pushed out, frozen bodies.", lost,
                 &EnergyAccount::limited},
     EnergyEntry{

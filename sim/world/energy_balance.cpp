@@ -43,15 +43,18 @@ double potential_energy(const WorldState& world) {
 
 }  // namespace
 
-double energy_of(const WorldState& world, const Body& body) {
-  if (!body.rigid) return mechanical_energy(world, body);
-  double energy = kinetic_energy(body.motion);
+double elastic_energy(const WorldState& world, const Body& body) {
+  double energy = 0;
   for (TetId tet : body.tets) energy += world.elements.rests[tet].volume * world.elements.states[tet].energy_density;
   return energy;
 }
 
+double energy_of(const WorldState& world, const Body& body) {
+  return body.rigid ? kinetic_energy(body.motion) + elastic_energy(world, body) : mechanical_energy(world, body);
+}
+
 EnergyNow energy_now(const WorldState& world) {
-  return {kinetic_energy(world) + elastic_energy(world), potential_energy(world)};
+  return {kinetic_energy(world) + elastic_energy(world), potential_energy(world), world.energy.lost()};
 }
 
 void open_account(WorldState& world) {
@@ -72,7 +75,7 @@ void close_account(WorldState& world) {
 void book_edit(WorldState& world, const EnergyNow& before) {
   if (world.step == 0) return open_account(world);
   const EnergyNow now = energy_now(world);
-  world.energy.edits += now.stored - before.stored;
+  world.energy.edits += now.stored + now.lost - before.stored - before.lost;
   world.potential_at_start += now.potential - before.potential;
   close_account(world);
 }

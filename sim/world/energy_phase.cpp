@@ -2,6 +2,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "sim/elasticity/principal_stress.h"
@@ -315,7 +316,7 @@ ObstacleAccount::ObstacleAccount(const WorldState& world, std::span<const shock:
 
 void ObstacleAccount::book(WorldState& world, std::span<const shock::Obstacle> obstacles) const {
   for (std::size_t i = 0; i < obstacles.size(); ++i) {
-    if (obstacles[i].inverse_mass == 0) continue;
+    if (obstacles[i].inverse_mass == 0 || !std::isfinite(obstacles[i].energy_gained)) continue;
     const Kept after = kept_by(world, obstacles[i]);
     world.energy.hand_over += before_[i].energy + obstacles[i].energy_gained - after.energy;
     world.energy.time_integration +=

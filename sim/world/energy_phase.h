@@ -7,6 +7,8 @@
 /// at the mean of its velocities before and after, which is exact; of a force on an elastic body over its displacement.
 namespace griffith {
 
+/// Of a body, as its elements were seen last [J].
+double elastic_energy(const WorldState& world, const Body& body);
 /// Kinetic and elastic energy of a body, as it is: of a rigid one by its motion [J].
 double energy_of(const WorldState& world, const Body& body);
 /// Kinetic [J].
@@ -20,7 +22,7 @@ void open_account(WorldState& world);
 void close_account(WorldState& world);
 /// What is there and the potential energy, to tell what an edit changes.
 struct EnergyNow {
-  double stored = 0, potential = 0;  ///< [J]
+  double stored = 0, potential = 0, lost = 0;  ///< [J]; lost: as booked so far
 };
 EnergyNow energy_now(const WorldState& world);
 void book_edit(WorldState& world, const EnergyNow& before);

@@ -31,8 +31,11 @@ StaticProblem problem_of(const WorldState& world, const Body& body, std::span<co
   return problem;
 }
 
-void settle(WorldState& world, Body& body, const StaticProblem& problem) {
-  const StaticReport report = solve_static(problem, {}, world.nodes.positions, world.elements.states);
+void settle(WorldState& world, Body& body, const StaticProblem& problem, const Monitor& monitor) {
+  StaticSettings settings;
+  settings.given_up = monitor.cancelled;
+  const StaticReport report = solve_static(problem, settings, world.nodes.positions, world.elements.states);
+  if (monitor.is_cancelled()) throw Cancelled();
   for (NodeId node : body.nodes) world.nodes.velocities[node] = world.nodes.reactions[node] = Vec3::Zero();
   for (std::size_t i = 0; i < report.supports.size(); ++i)
     world.nodes.reactions[report.supports[i]] = report.reaction_forces[i];
@@ -45,7 +48,7 @@ void settle(WorldState& world, Body& body, const StaticProblem& problem) {
 }  // namespace
 
 void find_equilibrium(WorldState& world, double time, double displacement_time,
-                      const std::function<bool(const Body&)>& concerns) {
+                      const std::function<bool(const Body&)>& concerns, const Monitor& monitor) {
   std::vector<NodeConstraint> displacements = world.nodes.constraints;
   for (NodeConstraint& constraint : displacements) constraint.velocity *= displacement_time;
   std::vector<Vec3> loads(world.nodes.positions.size());
@@ -55,17 +58,18 @@ void find_equilibrium(WorldState& world, double time, double displacement_time,
   for (Body& body : world.bodies) {
     if (body.rigid || !concerns(body)) continue;
     const BodySnapshot before = snapshot(world, body);
-    settle(world, body, problem_of(world, body, displacements, loads, pressed[body.id]));
+    settle(world, body, problem_of(world, body, displacements, loads, pressed[body.id]), monitor);
     world.energy += spent_in_equilibrium(world, body, before, displacement_time);
     freeze_if_broken_down(world, body);
   }
 }
 
-void find_static_start(WorldState& world, int scene_body) {
+void find_static_start(WorldState& world, int scene_body, const Monitor& monitor) {
   if (!world.scene.simulation.static_start || world.scene.analysis != Analysis::dynamic) return;
-  find_equilibrium(world, 0, 0, [&](const Body& body) {
+  const auto concerns = [&](const Body& body) {
     return body.supported() && (scene_body < 0 || body.scene_body == scene_body);
-  });
+  };
+  find_equilibrium(world, 0, 0, concerns, monitor);
 }
 
 }  // namespace griffith

@@ -8,7 +8,6 @@
 #include "sim/world/phases.h"
 #include "sim/world/cracking.h"
 #include "sim/world/energy_phase.h"
-#include "sim/world/rewind.h"
 #include "sim/world/subdivision.h"
 
 namespace griffith {
@@ -28,7 +27,7 @@ void restore_postponed(WorldState& world) {
 std::vector<NodeId> overloaded_nodes(const WorldState& world) {
   std::vector<NodeId> nodes;
   for (const Body& body : world.bodies) {
-    if (body.rigid) continue;
+    if (!body.sways()) continue;
     for (NodeId node : body.nodes)
       if (world.nodes.separations[node].margin > 1) nodes.push_back(node);
   }
@@ -53,6 +52,7 @@ void append_copy(WorldState& world, const NodeCopy& copy) {
   nodes.rows.push_back(-1);
   nodes.separations.emplace_back();
   nodes.reactions.emplace_back(Vec3::Zero());
+  nodes.similarity_starts.push_back(Vec3(nodes.similarity_starts[copy.original]));
   nodes.separations[copy.original] = {};
 }
 
@@ -86,7 +86,7 @@ CrackEvent describe(const WorldState& world, NodeId node, const std::vector<std:
   event.eigenvalue = separation.eigenvalue;
   event.load = separation.margin * separation.resistance;
   event.resistance = separation.resistance;
-  if (body.softening < 1) event.softened = body.softened;
+  if (body.shock && body.shock->similarity < 1) event.scaled = body.scaled;
   const SeparationInput input = separation_input(world);
   const std::vector<TetId>& star = world.mesh.stars[node];
   for (std::size_t i = 0; i < star.size(); ++i)
@@ -133,25 +133,15 @@ bool crack(WorldState& world, NodeId node, Opened& opened) {
 
 namespace {
 
-/// How far a wave from a crack gets in the substep before a node of this margin would crack by itself [m]. In a
-/// softened one the load takes the time that a wave needs to cross the body, and the node cracks when it passes the
-/// resistance.
-double relief_reach(const WorldState& world, const Body& body, double margin, const CrackEvent& event, double substep) {
-  const double whole = bar_wave_speed(world.material_of(body)) * substep;
-  if (body.softening == 1) return whole;
-  return std::min(whole, body.extent) * (1 / margin - event.resistance / event.load);
-}
-
 /// Whether a wave from a crack that opened in this very substep relieves the node within it (Mott 1947). A crack that
 /// runs already outruns such waves.
 bool is_relieved(const WorldState& world, NodeId node, std::size_t first_event, double substep) {
   if (world.nodes.at_crack_front[node]) return false;
   const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
-  const double margin = world.nodes.separations[node].margin;
+  const double reach = bar_wave_speed(world.material_of(body)) * substep;
   return std::any_of(world.crack_events.begin() + static_cast<std::ptrdiff_t>(first_event), world.crack_events.end(),
                      [&](const CrackEvent& event) {
-                       return event.body == body.id && (event.position - world.nodes.positions[node]).norm() <
-                                                           relief_reach(world, body, margin, event, substep);
+                       return event.body == body.id && (event.position - world.nodes.positions[node]).norm() < reach;
                      });
 }
 
@@ -194,53 +184,12 @@ void part_opened(WorldState& world, const Opened& opened) {
     world.crack_events[i].children = children_of(world, world.crack_events[i]);
 }
 
-namespace {
-
-/// How long a crack takes to run across an element [s]. In brittle solids it hardly ever passes half the Rayleigh
-/// wave speed (Freund 1990), some quarter to third of the bar's.
-double crack_transit_time(const WorldState& world, const Body& body) {
-  constexpr double kCrackSpeed = 0.3;  // of the wave speed
-  return mean_element_size(world, body.tets) / (kCrackSpeed * bar_wave_speed(world.material_of(body)));
-}
-
-/// Whether what cracked would have run on in the substep, and can.
-bool runs_on(const WorldState& world, const Opened& opened, double substep, const Attempt& attempt) {
-  const bool remeshed = !opened.motions.empty();
-  return attempt.start && !remeshed && !opened.bodies.empty() && attempt.number * world.crack_transit_time < substep;
-}
-
-/// A crack that runs on through a substep crosses its elements one after the other.
-void date_events(WorldState& world, std::size_t first_event, double substep, int attempt) {
-  const double time = std::min(world.time, world.time - substep + attempt * world.crack_transit_time);
-  for (std::size_t i = first_event; i < world.crack_events.size(); ++i) world.crack_events[i].time = time;
-}
-
-}  // namespace
-
-bool open_cracks(WorldState& world, double substep, const Attempt& attempt) {
-  world.crack_transit_time = std::numeric_limits<double>::infinity();
+void open_cracks(WorldState& world, double substep) {
   restore_postponed(world);
   const std::vector<NodeId> overloaded = overloaded_nodes(world);
-  if (overloaded.empty()) return false;
-  const Opened opened = crack_in_turn(world, overloaded, substep);
-  restore_angular_momentum(world, opened.motions);
-  follow_cracks(world.splinters, world.mesh.neighbours, opened.parted, world.splinter_state);
-  for (BodyId body : opened.bodies)
-    world.crack_transit_time = std::min(world.crack_transit_time, crack_transit_time(world, world.bodies[body]));
-  for (BodyId body : opened.bodies)
-    world.work.cracks += Work::kPerRebuiltTet * static_cast<double>(world.bodies[body].tets.size());
-  const double cracks = static_cast<double>(world.crack_events.size() - opened.first_event);
-  world.work.cracks += Work::kPerCrack * cracks;
-  world.work.fresh_contacts += Work::kPerFreshCrack * cracks;
-  const bool again = runs_on(world, opened, substep, attempt);
-  if (again || attempt.number > 1) date_events(world, opened.first_event, substep, attempt.number);
-  if (again) rewind(world, *attempt.start, opened.copies);
-  part_bodies(world, std::vector<BodyId>(opened.bodies.begin(), opened.bodies.end()));
-  for (std::size_t i = opened.first_event; i < world.crack_events.size(); ++i)
-    world.crack_events[i].children = children_of(world, world.crack_events[i]);
+  if (overloaded.empty()) return;
+  part_opened(world, crack_in_turn(world, overloaded, substep));
   world.report.cracks_postponed = static_cast<int>(world.postponed.size());
-  if (again) place_stand_ins(world);
-  return again;
 }
 
 }  // namespace griffith

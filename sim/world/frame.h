@@ -11,7 +11,7 @@
 #include "sim/elasticity/material.h"
 #include "sim/fracture/crack_event.h"
 #include "sim/fracture/node_separation.h"
-#include "sim/fracture/softened_impact.h"
+#include "sim/fracture/scaled_impact.h"
 #include "sim/fracture/strength_variation.h"
 #include "sim/ids.h"
 #include "sim/linear_algebra.h"
@@ -34,7 +34,7 @@ struct BodyView {
   bool supported = false;                              ///< has nodes held in place
   bool rigid = false;                      ///< moves as a whole: its stress is not computed until something strikes it
   bool asleep = false;                     ///< lies still until something strikes it
-  std::optional<SoftenedImpact> softened;  ///< when an impact in the last step had longer substeps than it asks for
+  std::optional<ScaledImpact> scaled;      ///< when its waves took more microsteps than the budget left
 };
 
 /// What two things did to each other in the last step, near one place.
@@ -61,7 +61,6 @@ struct StepTimings {
 /// What happened in a step; every limit that was reached and every number that went wrong is counted here.
 struct StepReport {
   int substeps = 1;
-  int repeated_substeps = 0;  ///< beside these: made again, since cracks would have run on in them
   int microsteps = 0;         ///< of bodies in shock
   int contacts = 0;
   double peak_margin = 0;            ///< highest margin of any node in any substep
@@ -70,7 +69,7 @@ struct StepReport {
   int cracks_suppressed = 0;         ///< not made: the fragment would have been too small
   int remeshing_refused = 0;         ///< edges not cut: tets would have been too small or too flat
   int supports_torn = 0;             ///< cracks at which a support lost its hold
-  int coarse_substeps = 0;           ///< longer than impacts or cracks ask for: the budget had ended
+  int unfinished_equilibria = 0;     ///< static steps in which cracks were still opening at the limit of substeps
   int solver_iterations = 0;         ///< most in any body and substep
   double max_relative_residual = 0;  ///< largest in any body and substep
   int unconverged_solves = 0;        ///< stopped by the iteration limit

@@ -218,14 +218,6 @@ bool is_sound(const WorldState& world, const Body& body) {
          body.motion.angular_velocity.allFinite();
 }
 
-/// Takes the shape as it is now for that of a rigid body.
-void stiffen(WorldState& world, Body& body) {
-  body.rigid = true;
-  const Mat3 back = body.orientation.conjugate().toRotationMatrix();
-  for (std::size_t i = 0; i < body.nodes.size(); ++i)
-    body.reference_arms.col(i) = back * (world.nodes.positions[body.nodes[i]] - body.motion.center);
-}
-
 /// Whether neither stress nor waves come near what could hurt a free body. A wave of stress σ moves nodes by σ/(ρc), in
 /// compression as in tension, while it has not yet come to where it could part the body.
 bool is_calm(const WorldState& world, const Body& body) {
@@ -250,10 +242,16 @@ Wrench wrench_of(const WorldState& world, const Body& body, const std::vector<Ve
 }
 
 double mechanical_energy(const WorldState& world, const Body& body) {
-  double energy = 0;
+  double energy = elastic_energy(world, body);
   for (NodeId node : body.nodes) energy += 0.5 * world.nodes.masses[node] * world.nodes.velocities[node].squaredNorm();
-  for (TetId tet : body.tets) energy += world.elements.rests[tet].volume * world.elements.states[tet].energy_density;
   return energy;
+}
+
+void stiffen(WorldState& world, Body& body) {
+  body.rigid = true;
+  const Mat3 back = body.orientation.conjugate().toRotationMatrix();
+  for (std::size_t i = 0; i < body.nodes.size(); ++i)
+    body.reference_arms.col(i) = back * (world.nodes.positions[body.nodes[i]] - body.motion.center);
 }
 
 void place_rigid_nodes(WorldState& world, const Body& body) {
@@ -336,9 +334,11 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
 
 void wake(WorldState& world, Body& body) {
   world.contact_world.wake(body.stand_in);
+  const double before = elastic_energy(world, body);
   body.rigid = body.asleep = false;
   body.calm_steps = 0;
   update_elements(world, body);  // it has turned since
+  world.energy.hand_over += before - elastic_energy(world, body);
 }
 
 void calm_bodies(WorldState& world) {

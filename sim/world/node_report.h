@@ -22,8 +22,7 @@ struct ElementShare {
 struct NodeReport {
   NodeId node;
   BodyId body;
-  /// What its margin was taken of: averaged over substeps, before what cracked in the last one, and for a softened body
-  /// as a resolved impact would load it.
+  /// What its margin was taken of: averaged over substeps, before what cracked in the last one.
   NodeSeparation separation;
 
   // All of this comes from the frame's own stresses and adds up.

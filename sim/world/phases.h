@@ -9,8 +9,6 @@
 /// The phases of a step, in the order in which advance() calls them.
 namespace griffith {
 
-struct Moment;
-
 /// A whole step.
 void advance(WorldState& world);
 
@@ -18,7 +16,7 @@ void advance(WorldState& world);
 void build_world(WorldState& world, const Monitor& monitor = {});
 
 /// Makes a body's splinters, if it has a pattern for them. Throws InputError for one that cannot be made.
-void place_splinters(WorldState& world, int scene_body, const RestBody& body);
+void place_splinters(WorldState& world, int scene_body, const RestBody& body, const Monitor& monitor);
 /// After the splinters of all bodies were made: what is known of them together.
 void close_splinters(WorldState& world);
 
@@ -33,40 +31,20 @@ void fire_burst(WorldState& world, const ProjectileBurst& burst);
 /// Puts the shots whose time has come into the contact world.
 void launch_projectiles(WorldState& world);
 
-/// A step is divided into this many ticks; substeps are whole numbers of them.
-inline constexpr int kTicksPerStep = 4096;
 /// Brings the elastic bodies for which `concerns` holds to rest where what acts on them at `time` [s] is in balance.
-/// Prescribed supports go on for `displacement_time` [s]. Free bodies get inertia relief (solve_static()).
+/// Prescribed supports go on for `displacement_time` [s]. Free bodies get inertia relief (solve_static()). Throws
+/// Cancelled when the monitor says so.
 void find_equilibrium(WorldState& world, double time, double displacement_time,
-                      const std::function<bool(const Body&)>& concerns);
-/// Starts supported bodies in equilibrium, if the scene asks for that: the pieces of `scene_body`, or all (−1).
-void find_static_start(WorldState& world, int scene_body = -1);
-
-/// What a substep must cost as things are, as Work counts it.
-double least_work(const WorldState& world);
-/// The length of the next substep in ticks: all that is left while nothing strikes; up to an impact in one go, through
-/// it in substeps in which a wave crosses a quarter of an element, then ever longer ones; while a crack runs, no longer
-/// than it takes to cross an element. `substeps_left` is kept.
-int next_substep(WorldState& world, int ticks_left, int substeps_left);
+                      const std::function<bool(const Body&)>& concerns, const Monitor& monitor = {});
+/// Starts supported bodies in equilibrium, if the scene asks for that: the pieces of `scene_body`, or all (−1). Throws
+/// as find_equilibrium() does.
+void find_static_start(WorldState& world, int scene_body = -1, const Monitor& monitor = {});
 
 /// The longest time in which nothing strikes hard enough to hurt, up to `most` and within `tolerance` [s].
 double time_before_impact(const WorldState& world, double most, double tolerance);
 
-/// How fine time must be to see the stress of an impact on the body [s].
-double impact_substep(const WorldState& world, const Body& body);
 /// No slower approach is an impact [m/s].
 double least_impact_speed(const WorldState& world);
-
-/// Whether a contact strikes hard enough to hurt the body.
-bool strikes(const WorldState& world, const Contact& contact, const Body& body);
-/// The share of an impact's stress that a substep of this length [s] shows on the body, 0..1.
-double softening_factor(const WorldState& world, const Body& body, double substep);
-/// Where the substep is too long for its impact, the bodies that are struck are softened for it. An impact that goes on
-/// from an earlier substep is not read again: its stress may have come and gone. Between resolve_contacts() and
-/// move_bodies(), which ends the stress that was there before.
-void soften_struck_bodies(WorldState& world, double substep);
-/// The elements' states, those of softened bodies as a resolved impact would stress them: σ_before + (σ − σ_before)/f.
-std::vector<ElementState> softened_states(const WorldState& world);
 
 /// Elastic state of a body's tets, or of all of bodies that are not rigid.
 void update_elements(WorldState& world, const Body& body);
@@ -97,6 +75,8 @@ void clear_stress(WorldState& world, const Body& body);
 /// its positions are lost too, it has the shape again that it had when it was made or last turned rigid, in the place
 /// of its stand-in. A supported one stays there for good.
 void freeze_if_broken_down(WorldState& world, Body& body);
+/// Takes the shape as it is now for that of a rigid body.
+void stiffen(WorldState& world, Body& body);
 /// Makes a body rigid from now on, its stress gone. A free one keeps its momentum, a supported one stands still.
 void freeze(WorldState& world, Body& body);
 /// The sum of nodal forces on a body [N], and their torque about its centre of mass [N·m].
@@ -111,7 +91,7 @@ ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt)
 /// Takes what the supports of a body did from its system, after a solve.
 void take_reactions(WorldState& world, const Body& body);
 /// Counts what a linear solve for a body needed.
-void count_solve(WorldState& world, const Body& body, const SolveReport& solve);
+void count_solve(WorldState& world, const SolveReport& solve);
 /// The longest substep in which explicit integration of all elastic bodies, as they are now, is stable [s]. Freezes
 /// bodies that would take more substeps a step than it makes, as those may that have slivers.
 double stable_substep(WorldState& world);
@@ -132,16 +112,9 @@ NodeSeparation evaluate_node(const WorldState& world, const SeparationInput& inp
                              bool averaged);
 /// What the separation tensors are made of.
 SeparationInput separation_input(const WorldState& world);
-/// Where a substep may be made again: the moment at which it began, or null, and how often it was made, from 1.
-struct Attempt {
-  const Moment* start = nullptr;
-  int number = 1;
-};
 /// Opens the mesh where the margin is passed, worst first; parted pieces become bodies. What exceeds the budget of
-/// cracks opens in the next step. New cracks start no nearer to each other than a wave gets in the `substep` [s]. A
-/// crack crosses one element in an attempt: while it would have had time for more in the substep, the world is taken
-/// back to its start, cracked as it is now. Returns whether that was done.
-bool open_cracks(WorldState& world, double substep, const Attempt& attempt = {});
+/// cracks opens in the next step. New cracks start no nearer to each other than a wave gets in the `substep` [s].
+void open_cracks(WorldState& world, double substep);
 /// Bodies whose stress has died, and single tets, which cannot break, turn rigid.
 void calm_bodies(WorldState& world);
 /// Rigid bodies that lie still fall asleep; after a step of this length [s].

@@ -49,7 +49,7 @@ BodyView view_of(const Body& body) {
   return {body.id,          body.parent,          body.scene_body,      static_cast<int>(body.tets.size()),
           body.motion.mass, body.motion.center,   body.motion.velocity, body.motion.angular_velocity,
           body.orientation, body.collision_parts, body.supported(),     body.rigid,
-          body.asleep,      body.softened};
+          body.asleep,      body.scaled};
 }
 
 void add_nodes(const WorldState& world, Totals& totals) {

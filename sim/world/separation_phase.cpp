@@ -53,15 +53,10 @@ void evaluate_separation(WorldState& world, const Body& body) {
 }
 
 void evaluate_separation(WorldState& world, bool averaged) {
-  const bool softened = std::ranges::any_of(world.bodies, [](const Body& body) { return body.softening < 1; });
-  const std::vector<ElementState> states = softened ? softened_states(world) : std::vector<ElementState>();
-  SeparationInput input = separation_input(world);
-  if (softened) input.states = states;
+  const SeparationInput input = separation_input(world);
   parallel_for(static_cast<int>(world.bodies.size()), 16, [&](int first, int last) {
-    for (const Body& body : std::span(world.bodies).subspan(first, last - first)) {
-      const bool body_averaged = averaged && body.softening == 1 && !body.softened_before;
-      if (body.sways()) evaluate_body(world, input, body, body_averaged);
-    }
+    for (const Body& body : std::span(world.bodies).subspan(first, last - first))
+      if (body.sways()) evaluate_body(world, input, body, averaged);
   });
   for (const Body& body : world.bodies)
     for (NodeId node : body.nodes)

@@ -5,6 +5,7 @@
 #include "sim/mesh/topology.h"
 #include "sim/world/phases.h"
 #include "sim/world/shock_run.h"
+#include "sim/world/similarity.h"
 
 namespace griffith {
 namespace {
@@ -49,12 +50,12 @@ void ShockRun::update_threshold(int index) {
               world_.elements.rests[tet].shape_gradients.col(local_corner(world_.mesh, tet, node)).norm();
     least *= 2 / area;
   }
-  target.threshold = kScreeningShare * static_cast<float>(least);
+  target.threshold = kScreeningShare * static_cast<float>(body.shock->similarity * least);
 }
 
 /// How long a wave takes to cross an element at the node [s].
 double ShockRun::transit_time(NodeId node) const {
-  return element_size_at(world_, node) / bar_wave_speed(world_.material_of(body_of(node)));
+  return element_size_at(world_, node) / slowed_wave_speed(world_, body_of(node));
 }
 
 /// The state of an element as it is now, of which the separation tensors are made.
@@ -68,9 +69,9 @@ void ShockRun::bring_up_to_date(TetId tet) {
     corners.col(i) = world_.nodes.positions[nodes_[index]] = solid_.position(index);
   }
   const Body& body = world_.bodies[world_.elements.bodies[tet]];
-  const ElasticLaw law = elastic_law(world_.material_of(body));
+  const ElasticLaw law = law_in_shock(world_, body);
   world_.elements.states[tet] = element_state(law, element_deformation(law.model, world_.elements.rests[tet], corners),
-                                              world_.elements.plastic_strains[tet]);
+                                              stress_free_strain(world_, tet));
 }
 
 void ShockRun::look() {
@@ -80,9 +81,14 @@ void ShockRun::look() {
   std::ranges::sort(overloaded_, [](const Overload& a, const Overload& b) {
     return a.margin != b.margin ? a.margin > b.margin : a.node < b.node;
   });
+  world_.report.cracks_postponed = 0;
   for (const Overload& overload : overloaded_) {
     if (rebuild_) break;  // the others are judged again on the new mesh
-    if (looks_[local(overload.node)].ready <= time_) open(overload);
+    if (world_.report.cracks >= world_.scene.simulation.max_cracks_per_step) {
+      ++world_.report.cracks_postponed;
+    } else if (looks_[local(overload.node)].ready <= time_) {
+      open(overload);
+    }
   }
 }
 
@@ -107,26 +113,29 @@ void ShockRun::open(const Overload& overload) {
   const Body& body = body_of(node);
   const BodyId id = body.id;
   const double transit = transit_time(node);
-  const bool remeshes = world_.scene.bodies[body.scene_body].remeshing;
-  if (remeshes) write_back();
+  if (world_.scene.bodies[body.scene_body].remeshing) write_back();
   world_.time = time_;
   const std::vector<TetId> star = world_.mesh.stars[node];
   std::vector<std::array<TetId, 4>> neighbours;
   for (const TetId tet : star) neighbours.push_back(world_.mesh.neighbours[tet]);
   const std::size_t first_copy = opened_.copies.size(), tets = world_.mesh.tets.size();
   looks_[local(node)].ready = time_ + transit;
-  if (!crack(world_, node, opened_)) {
-    rebuild_ |= world_.mesh.tets.size() > tets;
-    return;
+  const bool cracked = crack(world_, node, opened_);
+  if (world_.mesh.tets.size() > tets) {
+    restore_angular_momentum(world_, opened_.motions);
+    opened_.motions.clear();
+    rebuild_ = true;
   }
+  if (!cracked) return;
   ++world_.report.cracks;
   opened_.bodies.insert(id);
   world_.bodies[id].shock->last_event = time_;
-  if (world_.crack_events.back().torn_off) world_.bodies[id].system.reset();
-  if (world_.mesh.tets.size() > tets || world_.crack_events.back().torn_off) {
+  if (world_.crack_events.back().torn_off) {
+    if (!rebuild_) write_back();
+    world_.bodies[id].system.reset();
     rebuild_ = true;
-    return;
   }
+  if (rebuild_) return;
   follow(std::span(opened_.copies).subspan(first_copy), star, neighbours);
   for (const TetId tet : star)
     for (const NodeId near : world_.mesh.tets[tet]) {
@@ -158,7 +167,7 @@ void ShockRun::follow(std::span<const NodeCopy> copies, const std::vector<TetId>
       local_of_node_[copy] = locals.back();
       nodes_.push_back(copy);
       looks_.emplace_back();
-      if (!first_positions_.empty()) first_positions_.push_back(Vec3(first_positions_[index]));
+      starts_.push_back(Start(starts_[index]));
     }
     solid_.node(index).inverse_mass = 1 / world_.nodes.masses[original];
     solid_.part(index, locals, stars);

@@ -1,52 +1,61 @@
+#include <algorithm>
+#include <cmath>
+
 #include "sim/world/energy_phase.h"
 #include "sim/world/phases.h"
 #include "sim/world/shock_run.h"
+#include "sim/world/similarity.h"
 
 namespace griffith {
 
 /// Elastic energy of slivers that the microsteps do not know of [J].
 double ShockRun::relieved_energy() const {
-  constexpr double kWhole = 1 - 1e-4;
   double relieved = 0;
-  for (std::size_t slot = 0; slot < tets_.size(); ++slot) {
-    const TetId tet = tets_[slot];
-    if (!tet.valid()) continue;
-    const ElementRest& rest = world_.elements.rests[tet];
-    const double share = solid_.acting_share(static_cast<int>(slot), rest.volume);
-    if (share > kWhole) continue;
+  for (const Relieved& sliver : relieved_) {
+    const TetId tet = tets_[sliver.slot];
+    const Body& body = world_.bodies[world_.elements.bodies[tet]];
     Corners corners;
-    for (int i = 0; i < 4; ++i) corners.col(i) = solid_.position(solid_.corner(static_cast<int>(slot), i));
-    const ElasticLaw law = elastic_law(world_.material_of(world_.bodies[world_.elements.bodies[tet]]));
+    for (int i = 0; i < 4; ++i) corners.col(i) = solid_.position(solid_.corner(sliver.slot, i));
+    const ElasticLaw law = law_in_shock(world_, body);
     const ElementState state =
-        element_state(law, element_deformation(law.model, rest, corners), world_.elements.plastic_strains[tet]);
-    relieved += (1 - share) * rest.volume * state.energy_density;
+        element_state(law, element_deformation(law.model, sliver.rest, corners), stress_free_strain(world_, tet));
+    relieved += sliver.share * sliver.rest.volume * body.shock->similarity * state.energy_density;
   }
   return relieved;
 }
 
-void ShockRun::begin_account() {
-  first_power_ = solid_.power();
-  first_relieved_ = relieved_energy();
-  first_positions_.clear();
-  if (world_.loads.empty()) return;
-  for (int i = 0; i < solid_.node_count(); ++i) first_positions_.push_back(solid_.position(i));
+/// Of loads, and of what scaling leaves out of external forces.
+void ShockRun::add_external_works(EnergyAccount& spent) const {
+  const bool scaled =
+      std::ranges::any_of(bodies_, [&](BodyId id) { return world_.bodies[id].shock->similarity < 1; });
+  if (!scaled && world_.loads.empty()) return;
+  for (int i = 0; i < solid_.node_count(); ++i) {
+    const Vec3 way = solid_.position(i) - starts_[i].position;
+    const double mass = 1 / solid_.node(i).inverse_mass;
+    if (!world_.loads.empty()) spent.loads += mass * (starts_[i].external - world_.scene.gravity).dot(way);
+    if (scaled) spent.scaling += mass * (starts_[i].external - solid_.external_acceleration(i)).dot(way);
+  }
 }
 
-/// Velocities belong half a microstep before the positions: with the mean velocity of a microstep its forces work as
-/// leapfrog sums them up, and what is left is half a microstep's work at both ends.
+/// With the forces of the first microstep.
+void ShockRun::begin_account() {
+  first_.time_integration = solid_.half_kick_energy();
+  first_.hand_over = relieved_energy();
+}
+
+/// With the forces at the end. Those of each microstep work over half of the ways before and after it, which adds up to
+/// what elastic energy falls by: what is left are the half kicks at both ends, by as much as which the energy differs
+/// from that which the microsteps keep.
 void ShockRun::book_account() {
-  EnergyAccount& energy = world_.energy;
-  energy.time_integration += 0.5 * dt_ * (solid_.power() - first_power_);
-  energy.contacts += impacts_->take_lost(solid_, dt_);
-  energy.microstep_damping += solid_.take_viscous_work();
-  energy.hand_over += first_relieved_ - relieved_energy();
+  EnergyAccount spent;
+  spent.time_integration = first_.time_integration - solid_.half_kick_energy();
+  spent.hand_over = first_.hand_over - relieved_energy();
+  spent.contacts = impacts_->lost(solid_, dt_);
+  spent.microstep_damping = solid_.viscous_work();
   for (const shock::SolidConstraint& held : solid_.constraints())
-    energy.supports += held.impulse.dot(held.constraint.velocity);
-  for (std::size_t i = 0; i < first_positions_.size(); ++i) {
-    const int node = static_cast<int>(i);
-    const Vec3 load = (solid_.external_acceleration(node) - world_.scene.gravity) / solid_.node(node).inverse_mass;
-    energy.loads += load.dot(solid_.position(node) - first_positions_[i]);
-  }
+    spent.supports += held.impulse.dot(held.constraint.velocity);
+  add_external_works(spent);
+  if (std::isfinite(spent.lost()) && std::isfinite(spent.put_in())) world_.energy += spent;
 }
 
 }  // namespace griffith

@@ -8,12 +8,10 @@
 #include "sim/world/energy_phase.h"
 #include "sim/world/phases.h"
 #include "sim/world/shock_run.h"
+#include "sim/world/similarity.h"
 
 namespace griffith {
 namespace {
-
-/// Waves cross the largest piece so often after the last event.
-constexpr double kTransits = 3;
 
 Eigen::AlignedBox3d reach_of(const WorldState& world, const Body& body, double duration) {
   Eigen::AlignedBox3d box;
@@ -130,7 +128,9 @@ void carry_nodes(WorldState& world, Body& body, const RigidState& state) {
 }
 
 void place_obstacle(WorldState& world, const shock::Obstacle& obstacle) {
+  const RigidState& state = obstacle.state;
   if (!obstacle.object.valid() || obstacle.inverse_mass == 0) return;
+  if (!state.pose.translation.allFinite() || !state.velocity.allFinite() || !state.angular_velocity.allFinite()) return;
   world.contact_world.set_state(obstacle.object, obstacle.state);
   const BodyId id = world.body_of(obstacle.object);
   if (!id.valid()) return;
@@ -151,21 +151,19 @@ bool in_shock(const WorldState& world) {
   return std::ranges::any_of(world.bodies, [](const Body& body) { return body.shock.has_value(); });
 }
 
-void enter_shock(WorldState& world, Body& body) {
+void enter_shock(WorldState& world, Body& body, double impact_speed) {
   if (body.shock || body.tets.size() == 1) return;
   if (body.rigid) {
     place_rigid_nodes(world, body);
     wake(world, body);
   }
-  body.shock = Shock{world.time};
+  const Material& material = world.material_of(body);
+  std::vector<ElementRest> rests;
+  for (const TetId tet : body.tets) rests.push_back(world.elements.rests[tet]);
+  body.shock = Shock{world.time, impact_speed, shock::highest_frequency(elastic_law(material), material.density, rests)};
 }
 
 namespace {
-
-/// For how long waves are followed after the last blow or crack: until they have crossed the body some times [s].
-double shock_window(const WorldState& world, const Body& body) {
-  return kTransits * body.extent / bar_wave_speed(world.material_of(body));
-}
 
 /// Whether two pieces of one body have just parted: what they do to each other then is no blow.
 bool have_just_parted(const WorldState& world, BodyId a, BodyId b) {
@@ -173,6 +171,15 @@ bool have_just_parted(const WorldState& world, BodyId a, BodyId b) {
   if (!a.valid() || !b.valid() || world.bodies[a].scene_body != world.bodies[b].scene_body) return false;
   return world.bodies[a].shock || world.bodies[b].shock ||
          world.time - std::max(world.bodies[a].shock_ended, world.bodies[b].shock_ended) < kApart;
+}
+
+/// Whether a body is one for microsteps, struck at this speed [m/s]: their elements stand no large strains. What is soft
+/// is left to the implicit step.
+bool strains_little(const WorldState& world, const Body& body, double impact_speed) {
+  constexpr double kMostStrain = 0.05, kMostMach = 0.3;
+  const Material& material = world.material_of(body);
+  return material.tensile_strength < kMostStrain * material.young_modulus &&
+         impact_speed < kMostMach * bar_wave_speed(material);
 }
 
 /// Lets the bodies enter that something will strike hard enough to hurt within `duration` [s].
@@ -184,9 +191,23 @@ void enter_struck_bodies(WorldState& world, double duration) {
       const BodyId id = world.body_of(side);
       if (!id.valid() || world.bodies[id].shock || world.bodies[id].tets.size() == 1) continue;
       if (approach < hurting_speed(world, world.bodies[id])) continue;
-      enter_shock(world, world.bodies[id]);
+      if (!strains_little(world, world.bodies[id], approach)) continue;
+      enter_shock(world, world.bodies[id], approach);
     }
   }
+}
+
+/// A piece that waves have crossed without harm moves as a whole from now on, until something strikes it: what still
+/// vibrates in it is damped at once.
+void make_rigid_if_unharmed(WorldState& world, Body& body) {
+  constexpr double kUnharmed = 0.25;  // of the resistance: what contacts must exceed to make it elastic again
+  evaluate_separation(world, body);
+  const auto is_unharmed = [&](NodeId node) { return world.nodes.separations[node].margin < kUnharmed; };
+  if (!std::ranges::all_of(body.nodes, is_unharmed)) return;
+  const double before = energy_of(world, body);
+  clear_stress(world, body);
+  stiffen(world, body);
+  world.energy.hand_over += before - energy_of(world, body);
 }
 
 }  // namespace
@@ -197,21 +218,19 @@ double next_stretch(WorldState& world, double left) {
     const double calm = time_before_impact(world, left, tolerance);
     if (calm > tolerance || calm == left) return calm;
   }
-  double window = time_step / 4;
-  for (const Body& body : world.bodies)
-    if (body.shock) window = std::max(window, shock_window(world, body));
-  enter_struck_bodies(world, std::min(left, window));
+  const double shortest = time_step / 16;
+  enter_struck_bodies(world, std::min(left, std::max(shortest, time_to_follow(world))));
   if (!in_shock(world)) return left;
-  for (const Body& body : world.bodies)
-    if (body.shock) window = std::max(window, shock_window(world, body));
-  return std::min(left, window);
+  choose_similarity(world, left);
+  return std::min(left, std::max(shortest, time_to_follow(world)));
 }
 
 void enter_overloaded_bodies(WorldState& world) {
   if (!world.scene.simulation.fracture) return;
   for (Body& body : world.bodies) {
     const auto is_overloaded = [&](NodeId node) { return world.nodes.separations[node].margin > 1; };
-    if (body.sways() && std::ranges::any_of(body.nodes, is_overloaded)) enter_shock(world, body);
+    if (body.sways() && std::ranges::any_of(body.nodes, is_overloaded) && strains_little(world, body, 0))
+      enter_shock(world, body, 0);
   }
 }
 
@@ -242,15 +261,21 @@ void run_shock(WorldState& world, std::vector<shock::Obstacle> obstacles, double
   run.finish(duration);
 }
 
+void end_shock(WorldState& world, Body& body) {
+  end_similarity(world, body);
+  body.shock.reset();
+  body.shock_ended = world.time;
+}
+
 void leave_shock(WorldState& world) {
-  std::vector<double> windows(world.scene.bodies.size(), 0);
-  for (const Body& body : world.bodies)
-    if (body.shock) windows[body.scene_body] = std::max(windows[body.scene_body], shock_window(world, body));
-  for (Body& body : world.bodies)
-    if (body.shock && world.time - body.shock->last_event > windows[body.scene_body]) {
-      body.shock.reset();
-      body.shock_ended = world.time;
-    }
+  constexpr double kRounding = 1e-9;
+  for (Body& body : world.bodies) {
+    if (!body.shock) continue;
+    const double window = shock_window(world, body);
+    if (world.time - body.shock->last_event < (1 - kRounding) * window) continue;
+    end_shock(world, body);
+    if (!body.supported()) make_rigid_if_unharmed(world, body);
+  }
 }
 
 }  // namespace griffith

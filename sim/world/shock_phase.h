@@ -8,8 +8,8 @@ namespace griffith {
 /// Whether any body is in shock.
 bool in_shock(const WorldState& world);
 
-/// From now on the body's waves are resolved.
-void enter_shock(WorldState& world, Body& body);
+/// From now on the body's waves are resolved. `impact_speed`: of what struck it, if anything did [m/s].
+void enter_shock(WorldState& world, Body& body, double impact_speed);
 
 /// How far the step may go on in one piece, at most `left` [s]: up to the next impact, or for as long as waves are
 /// followed. The bodies that are struck in it are in shock then.
@@ -24,6 +24,9 @@ std::vector<shock::Obstacle> obstacles_of_shock(const WorldState& world, double 
 /// Takes the bodies in shock through `duration` [s] by microsteps, and with them the obstacles, which move on from
 /// where they were before the others moved, at the velocities that they have now.
 void run_shock(WorldState& world, std::vector<shock::Obstacle> obstacles, double duration);
+
+/// The body sways again, in the shape that its stress has under its full stiffness.
+void end_shock(WorldState& world, Body& body);
 
 /// Bodies in which waves have died out sway again.
 void leave_shock(WorldState& world);

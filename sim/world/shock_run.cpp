@@ -4,30 +4,20 @@
 #include <cmath>
 #include <map>
 
-#include "sim/elasticity/plasticity.h"
-#include "sim/elasticity/polar_decomposition.h"
-#include "sim/fracture/resistance.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/energy_phase.h"
 #include "sim/world/phases.h"
+#include "sim/world/similarity.h"
 
 namespace griffith {
 namespace {
 
-/// Share of the stable microstep.
-constexpr double kCourant = 0.9;
+/// Share of the stable microstep: nearer to it, the energy of the highest frequencies swings widely.
+constexpr double kCourant = 0.5;
 /// Overload is looked for at this interval, in the time that a wave takes to cross an element.
 constexpr double kLookInterval = 0.75;
-
-/// The turn from rest to now that fits best.
-Mat3 rotation_of(const WorldState& world, const std::vector<NodeId>& nodes, const Vec3& center,
-                 const Vec3& rest_center) {
-  Mat3 correlation = Mat3::Zero();
-  for (const NodeId node : nodes)
-    correlation += world.nodes.masses[node] * (world.nodes.positions[node] - center) *
-                   (world.mesh.rest_positions[node] - rest_center).transpose();
-  return polar_rotation(correlation / correlation.norm());
-}
+/// Elements that lack more than this share of their force count as relieved.
+constexpr double kRelieved = 1e-4;
 
 }  // namespace
 
@@ -39,6 +29,7 @@ ShockRun::ShockRun(WorldState& world, std::vector<shock::Obstacle> obstacles) : 
 void ShockRun::build(std::vector<shock::Obstacle> obstacles) {
   solid_ = {};
   bodies_.clear(), nodes_.clear(), tets_.clear(), surfaces_.clear(), overloaded_.clear();
+  starts_.clear(), relieved_.clear();
   local_of_node_.assign(world_.nodes.positions.size(), -1);
   slot_of_tet_.assign(world_.mesh.tets.size(), -1);
   const std::vector<Vec3> external = external_forces(world_);
@@ -59,44 +50,58 @@ void ShockRun::build(std::vector<shock::Obstacle> obstacles) {
 }
 
 void ShockRun::add_body(const Body& body, const std::vector<Vec3>& external) {
-  const Material& material = world_.material_of(body);
   const std::vector<NodeId> nodes = nodes_of(world_.mesh, body.tets);
-  Vec3 center = Vec3::Zero(), rest_center = Vec3::Zero();
-  double mass = 0;
-  for (const NodeId node : nodes) {
-    mass += world_.nodes.masses[node];
-    center += world_.nodes.masses[node] * world_.nodes.positions[node];
-    rest_center += world_.nodes.masses[node] * world_.mesh.rest_positions[node];
+  const Placement placement = placement_of(world_, nodes);
+  add_nodes(nodes, placement, body.shock->similarity, external);
+  add_elements(body, placement.turn);
+  bodies_.push_back(body.id);
+  surfaces_.push_back({body.scene_body, world_.material_of(body).friction});
+}
+
+/// `external`: per node of the mesh [N]. What strains the body is scaled by f.
+void ShockRun::add_nodes(const std::vector<NodeId>& nodes, const Placement& placement, double f,
+                         const std::vector<Vec3>& external) {
+  const auto is_held = [&](NodeId node) { return !world_.nodes.constraints[node].is_free(); };
+  Vec3 common = Vec3::Zero();  // acceleration that strains nothing and is as it is, however the body is scaled
+  if (std::ranges::none_of(nodes, is_held)) {
+    double mass = 0;
+    for (const NodeId node : nodes) common += external[node], mass += world_.nodes.masses[node];
+    common /= mass;
   }
-  center /= mass, rest_center /= mass;
-  const Mat3 turn = rotation_of(world_, nodes, center, rest_center);
   for (const NodeId node : nodes) {
-    const Vec3 reference = center + turn * (world_.mesh.rest_positions[node] - rest_center);
-    const double node_mass = world_.nodes.masses[node];
-    local_of_node_[node] = solid_.add_node({reference, world_.nodes.positions[node] - reference,
-                                            world_.nodes.velocities[node], external[node] / node_mass, node_mass});
+    const Vec3 reference = placement.to_world(world_.mesh.rest_positions[node]);
+    const double mass = world_.nodes.masses[node];
+    const Vec3 acceleration = common + f * (external[node] / mass - common);
+    local_of_node_[node] = solid_.add_node(
+        {reference, world_.nodes.positions[node] - reference, world_.nodes.velocities[node], acceleration, mass});
     nodes_.push_back(node);
-    if (!world_.nodes.constraints[node].is_free())
-      solid_.constrain(local_of_node_[node], world_.nodes.constraints[node]);
+    starts_.push_back({world_.nodes.positions[node], external[node] / mass});
+    if (is_held(node)) solid_.constrain(local_of_node_[node], world_.nodes.constraints[node]);
   }
+}
+
+void ShockRun::add_elements(const Body& body, const Mat3& turn) {
   std::vector<std::array<int, 4>> tets;
   std::vector<ElementRest> rests;
-  std::vector<Mat3> plastic_strains;
+  std::vector<Mat3> offsets;
   for (const TetId tet : body.tets) {
     std::array<int, 4>& corners = tets.emplace_back();
     for (int i = 0; i < 4; ++i) corners[i] = local(world_.mesh.tets[tet][i]);
     rests.push_back({turn * world_.elements.rests[tet].shape_gradients, world_.elements.rests[tet].volume});
-    plastic_strains.push_back(turn * world_.elements.plastic_strains[tet] * turn.transpose());
+    offsets.push_back(turn * stress_free_strain(world_, tet) * turn.transpose());
   }
-  solid_.add_body(elastic_law(material), material.density, tets, rests, plastic_strains);
+  ElasticLaw law = law_in_shock(world_, body);  // of stress; forces are those of E′ = f² E
+  law.lambda *= body.shock->similarity, law.mu *= body.shock->similarity;
+  solid_.add_body(law, world_.material_of(body).density, tets, rests, offsets);
   const int first = solid_.slot(solid_.body_count() - 1, 0);
   tets_.resize(solid_.tet_slots());
   for (std::size_t i = 0; i < body.tets.size(); ++i) {
     tets_[first + i] = body.tets[i];
     slot_of_tet_[body.tets[i]] = first + static_cast<int>(i);
+    const ElementRest& rest = world_.elements.rests[body.tets[i]];
+    const double share = 1 - solid_.acting_share(first + static_cast<int>(i), rest.volume);
+    if (share > kRelieved) relieved_.push_back({first + static_cast<int>(i), rest, share});
   }
-  bodies_.push_back(body.id);
-  surfaces_.push_back({body.scene_body, material.friction});
 }
 
 std::vector<shock::SurfaceSide> ShockRun::surface_of_bodies() const {
@@ -141,43 +146,44 @@ const Body& ShockRun::body_of(NodeId node) const {
 
 void ShockRun::run(double duration) {
   const double end = time_ + duration;
+  double previous_dt = 0;
   while (end - time_ > 1e-9 * duration) {
     rebuild_ = false;
     const int steps = std::max(1, static_cast<int>(std::ceil((end - time_) / solid_.stable_step(kCourant) - 1e-9)));
     dt_ = (end - time_) / steps;
     solid_.set_step(dt_);
     double transit = std::numeric_limits<double>::infinity();
-    for (const BodyId id : bodies_) transit = std::min(transit, transit_time(world_.bodies[id]));
-    begin_account();
+    for (const BodyId id : bodies_) transit = std::min(transit, element_transit_time(world_, world_.bodies[id]));
     const int interval = std::max(1, static_cast<int>(kLookInterval * transit / dt_ + 0.2));
     for (int i = 0; i < steps && !rebuild_; ++i) {
       solid_.compute_forces();
-      solid_.advance(flagged_);
+      if (i == 0) begin_account();
+      solid_.advance(0.5 * (1 + previous_dt / dt_), flagged_);
+      previous_dt = dt_;
       time_ += dt_;
       ++microsteps_;
       impacts_->resolve(solid_, dt_, least_speed_);
       note_blows();
       if (microsteps_ % interval == 0) look();
     }
+    if (rebuild_) solid_.stop_viscosity();
+    solid_.compute_forces();
+    if (!rebuild_) solid_.kick(0.5);
     book_account();
     if (rebuild_) {
-      write_back();
       world_.time = time_;
       build({impacts_->obstacles().begin(), impacts_->obstacles().end()});
     }
   }
   world_.report.microsteps += static_cast<int>(microsteps_);
-}
-
-double ShockRun::transit_time(const Body& body) const {
-  return body.element_size / bar_wave_speed(world_.material_of(body));
+  world_.microstep_work += kMicrostepWork * static_cast<double>(microsteps_ * solid_.tet_slots());
 }
 
 void ShockRun::note_blows() {
   for (const shock::Impacts::Blow& blow : impacts_->blows()) {
-    Body& body = world_.bodies[world_.elements.bodies[world_.mesh.stars[nodes_[blow.node]].front()]];
+    Body& body = world_.bodies[body_of(nodes_[blow.node]).id];
     body.shock->last_event = time_;
-    body.last_strike = world_.step;
+    body.shock->impact_speed = std::max(body.shock->impact_speed, blow.approach);
     const shock::Obstacle* obstacle = blow.obstacle >= 0 ? &impacts_->obstacles()[blow.obstacle] : nullptr;
     world_.contact_views.push_back(
         {body.id, obstacle ? world_.body_of(obstacle->object) : BodyId(), blow.place, -blow.normal, blow.impulse});
@@ -186,15 +192,18 @@ void ShockRun::note_blows() {
 
 void ShockRun::write_back() {
   for (int i = 0; i < solid_.node_count(); ++i) {
-    world_.nodes.positions[nodes_[i]] = solid_.position(i);
-    world_.nodes.velocities[nodes_[i]] = solid_.velocity(i);
+    const bool sound = solid_.position(i).allFinite() && solid_.velocity(i).allFinite();
+    world_.nodes.positions[nodes_[i]] = sound ? solid_.position(i) : solid_.reference(i);
+    world_.nodes.velocities[nodes_[i]] = sound ? solid_.velocity(i) : Vec3::Zero();
+    world_.report.non_finite_values += !sound;
   }
 }
 
 void ShockRun::finish(double duration) {
   write_back();
   for (const shock::SolidConstraint& held : solid_.constraints())
-    world_.nodes.reactions[nodes_[held.node]] = held.impulse / duration;
+    world_.nodes.reactions[nodes_[held.node]] =
+        held.impulse / (duration * body_of(nodes_[held.node]).shock->similarity);
   if (!opened_.bodies.empty()) part_opened(world_, opened_);
   for (Body& body : world_.bodies) {
     if (!body.shock) continue;

@@ -6,6 +6,7 @@
 #include "sim/shock/impacts.h"
 #include "sim/shock/solid.h"
 #include "sim/world/cracking.h"
+#include "sim/world/placement.h"
 
 namespace griffith {
 
@@ -34,6 +35,16 @@ class ShockRun {
     double over_since = -1;  ///< [s]; negative: was not overloaded in the last look
     long last = -2;          ///< look in which it was overloaded
   };
+  /// Where a node was when it was added, and its acceleration by external forces, however its body is scaled.
+  struct Start {
+    Vec3 position, external;  ///< [m], [m/s²]
+  };
+  /// A sliver with a part of its stiffness that the microsteps do not know.
+  struct Relieved {
+    int slot = 0;
+    ElementRest rest;
+    double share = 0;  ///< of what is not known
+  };
   struct Overload {
     double margin = 0;
     NodeId node;
@@ -41,6 +52,9 @@ class ShockRun {
 
   void build(std::vector<shock::Obstacle> obstacles);
   void add_body(const Body& body, const std::vector<Vec3>& external);
+  void add_nodes(const std::vector<NodeId>& nodes, const Placement& placement, double f,
+                 const std::vector<Vec3>& external);
+  void add_elements(const Body& body, const Mat3& turn);
   std::vector<shock::CrackSides> cracks_of_bodies() const;
   std::vector<shock::SurfaceSide> surface_of_bodies() const;
   void note_blows();
@@ -55,9 +69,9 @@ class ShockRun {
   void begin_account();
   void book_account();
   double relieved_energy() const;
+  void add_external_works(EnergyAccount& spent) const;
   int local(NodeId node) const { return local_of_node_[node]; }
   const Body& body_of(NodeId node) const;
-  double transit_time(const Body& body) const;
   double transit_time(NodeId node) const;
 
   WorldState& world_;
@@ -73,8 +87,9 @@ class ShockRun {
   std::vector<Overload> overloaded_;
   std::vector<int> flagged_;
   Opened opened_;
-  std::vector<Vec3> first_positions_;             ///< per node of the solid, where loads act
-  double first_power_ = 0, first_relieved_ = 0;   ///< of this build: [W], [J]
+  std::vector<Start> starts_;                     ///< per node of the solid
+  std::vector<Relieved> relieved_;
+  EnergyAccount first_;                           ///< what an account of this build starts from
   double dt_ = 0, time_ = 0, least_speed_ = 0;
   long microsteps_ = 0, looks_made_ = 0;
   bool rebuild_ = false;  ///< the mesh or its supports have changed

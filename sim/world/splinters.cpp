@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "sim/error.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/phases.h"
 
@@ -22,16 +23,24 @@ void require_covered(const TetMesh& mesh, const SplinterSet& splinters, const st
   throw InputError(where, text, "let the outer cells reach beyond the body's surface, and fill gaps between cells");
 }
 
+/// What holds for each body holds for all of a scene, too.
+void require_few_in_all(const WorldState& world, const CellPartition& cells, const std::string& where) {
+  if (static_cast<double>(world.splinters.splinters.size() + cells.size()) > kMaxSplinterCells)
+    throw InputError(where, "brings the scene to more than 2 million splinters",
+                     "take larger ones, or fewer bodies that have any");
+}
+
 }  // namespace
 
-void place_splinters(WorldState& world, int scene_body, const RestBody& body) {
+void place_splinters(WorldState& world, int scene_body, const RestBody& body, const Monitor& monitor) {
   const std::optional<SplinterPattern>& pattern = world.scene.bodies[scene_body].splinters;
   if (!pattern) return;
   Eigen::AlignedBox3d bounds;
   for (const Vec3& position : body.mesh.rest_positions) bounds.extend(position);
   const std::string where = "#/bodies/" + std::to_string(scene_body) + "/splinters";
   const CellPartition cells = make_cells(*pattern, bounds, world.scene.folder, where);
-  const SplinterSet splinters = make_splinters(body.mesh, cells);
+  require_few_in_all(world, cells, where);
+  const SplinterSet splinters = make_splinters(body.mesh, cells, monitor);
   require_covered(body.mesh, splinters, where);
   append(world.splinters, splinters, body.range.first_tet, scene_body);
 }

@@ -6,7 +6,6 @@
 
 #include "sim/world/energy_phase.h"
 #include "sim/world/phases.h"
-#include "sim/world/rewind.h"
 #include "sim/world/shock_phase.h"
 #include "sim/world/world.h"
 #include "sim/world/world_impl.h"
@@ -26,16 +25,15 @@ class PhaseTimer {
   Clock::time_point start_;
 };
 
-/// Separation and fracture under the stresses there are after a substep of this length [s]; whether it is to be made
-/// again.
-bool fracture(WorldState& world, double substep, const Attempt& attempt) {
+/// Separation and fracture under the stresses there are after a substep of this length [s].
+void fracture(WorldState& world, double substep) {
   {
     PhaseTimer timer(world.report.milliseconds.separation);
     evaluate_separation(world, world.scene.analysis == Analysis::dynamic);
   }
-  if (!world.scene.simulation.fracture) return false;
+  if (!world.scene.simulation.fracture) return;
   PhaseTimer timer(world.report.milliseconds.fracture);
-  return open_cracks(world, substep, attempt);
+  open_cracks(world, substep);
 }
 
 /// Contacts and motion of everything but the bodies in shock.
@@ -52,7 +50,6 @@ void move(WorldState& world, double dt) {
   {
     PhaseTimer timer(timings.contact);
     resolve_contacts(world, dt);
-    soften_struck_bodies(world, dt);
   }
   {
     PhaseTimer timer(timings.elasticity);
@@ -60,11 +57,10 @@ void move(WorldState& world, double dt) {
   }
 }
 
-/// Returns whether it is to be made again.
-bool substep(WorldState& world, double dt, const Attempt& attempt) {
+void substep(WorldState& world, double dt) {
   move(world, dt);
   world.time += dt;
-  return fracture(world, dt, attempt);
+  fracture(world, dt);
 }
 
 /// In equal substeps; where cracks or cuts leave smaller elements, what is left of the step goes on in shorter ones.
@@ -73,61 +69,33 @@ void step_explicitly(WorldState& world, double time_step) {
   for (double left = time_step; left > 0; ++world.report.substeps) {
     const double count = std::max(1.0, std::ceil((1 - kRounding) * left / stable_substep(world)));
     const double dt = left / count;
-    substep(world, dt, {});
+    substep(world, dt);
     left = count > 1 ? left - dt : 0;
   }
   calm_bodies(world);
   rest_bodies(world, time_step);
 }
 
-/// How many substeps may follow if each costs what the last one did.
-int substeps_left(const WorldState& world, double budget, int made) {
-  const int most = std::max(1, world.scene.simulation.impact_substeps - made);
-  const double expected = least_work(world) + world.work.sum() + world.work.fresh_contacts;
-  return static_cast<int>(std::clamp<double>(budget / expected, 1, most));
-}
-
-bool may_crack(const WorldState& world) {
-  return world.scene.simulation.fracture &&
-         std::any_of(world.bodies.begin(), world.bodies.end(), [](const Body& body) { return !body.rigid; });
-}
-
-/// A substep of `ticks`, made again while cracks would have run on in it and the budget, which it lessens, lasts.
-/// Returns how often it was made.
-int substep_with_cracks(WorldState& world, int ticks, bool last, int made, double& budget) {
-  const double dt = world.scene.simulation.time_step * ticks / kTicksPerStep;
-  for (int attempt = 1;; ++attempt) {
-    const bool affordable = substeps_left(world, budget, made + attempt - 1) > (last ? 1 : 2);
-    const std::optional<Moment> start = affordable && may_crack(world) ? std::optional(moment_of(world)) : std::nullopt;
-    world.work = {};
-    const bool again = substep(world, dt, {start ? &*start : nullptr, attempt});
-    budget -= least_work(world) + world.work.sum();
-    if (again) {
-      ++world.report.repeated_substeps;
-      continue;
-    }
-    world.report.coarse_substeps += !affordable && attempt * world.crack_transit_time < dt;
-    return attempt;
-  }
-}
-
+/// Up to the next impact, and on: waves and the pace of cracks are not followed.
 void step_implicitly(WorldState& world, double time_step) {
-  double budget = 1e3 * world.scene.simulation.step_budget;
-  int made = 0;
-  for (int ticks_left = kTicksPerStep; ticks_left > 0;) {
-    const int ticks = next_substep(world, ticks_left, substeps_left(world, budget, made));
-    made += substep_with_cracks(world, ticks, ticks == ticks_left, made, budget);
-    ticks_left -= ticks;
+  const double tolerance = time_step / 512;
+  const double calm = time_before_impact(world, time_step, tolerance);
+  world.report.substeps = 0;
+  for (const double dt : {calm, time_step - calm}) {
+    if (dt < tolerance) continue;
+    substep(world, dt);
+    ++world.report.substeps;
   }
-  world.report.substeps = made - world.report.repeated_substeps;
   calm_bodies(world);
   rest_bodies(world, time_step);
 }
 
 /// In stretches: up to the next impact, and while waves run in what was struck or cracks. Bodies in shock take
-/// microsteps through a stretch, all else one implicit substep.
+/// microsteps through a stretch, all else one implicit substep, after which what is too soft for microsteps cracks.
 void step_by_stretches(WorldState& world, double time_step) {
   constexpr double kRounding = 1e-9;
+  world.report.substeps = 0;
+  world.microstep_work = 0;
   for (double left = time_step; left > kRounding * time_step; ++world.report.substeps) {
     const double start = world.time, stretch = next_stretch(world, left);
     const std::vector<shock::Obstacle> obstacles = obstacles_of_shock(world, stretch);
@@ -140,9 +108,12 @@ void step_by_stretches(WorldState& world, double time_step) {
     world.time = start + stretch;
     left -= stretch;
     leave_shock(world);
-    PhaseTimer timer(world.report.milliseconds.separation);
-    evaluate_separation(world, true);
-    enter_overloaded_bodies(world);
+    {
+      PhaseTimer timer(world.report.milliseconds.separation);
+      evaluate_separation(world, true);
+      enter_overloaded_bodies(world);
+    }
+    if (world.scene.simulation.fracture) open_cracks(world, stretch);
   }
   calm_bodies(world);
   rest_bodies(world, time_step);
@@ -163,11 +134,11 @@ void step_statically(WorldState& world, double time_step) {
     }
     displacement_time = 0;
     if (world.report.substeps == budget) {
-      ++world.report.coarse_substeps;
+      ++world.report.unfinished_equilibria;
       return evaluate_separation(world, false);
     }
     cracks_before = world.report.cracks;
-    fracture(world, std::numeric_limits<double>::infinity(), {});
+    fracture(world, std::numeric_limits<double>::infinity());
   }
 }
 
@@ -179,7 +150,7 @@ void advance(WorldState& world) {
   world.report = {};
   world.contact_views.clear();
   world.energy_before = world.energy;
-  for (Body& body : world.bodies) body.softened.reset();
+  for (Body& body : world.bodies) body.scaled.reset();
   {
     PhaseTimer timer(world.report.milliseconds.step);
     const double time_step = world.scene.simulation.time_step;
@@ -191,7 +162,6 @@ void advance(WorldState& world) {
     } else if (world.integrates_explicitly()) {
       step_explicitly(world, time_step);
     } else if (world.scene.simulation.integrator == Integrator::hybrid) {
-      world.report.substeps = 0;
       step_by_stretches(world, time_step);
     } else {
       step_implicitly(world, time_step);

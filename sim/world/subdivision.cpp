@@ -22,6 +22,7 @@ void append_node(NodeArrays& nodes, const EdgeNode& node) {
   nodes.rows.push_back(-1);
   nodes.separations.emplace_back();
   nodes.reactions.emplace_back(Vec3::Zero());
+  nodes.similarity_starts.emplace_back(Vec3::Zero());
 }
 
 /// The deformation gradient is the same in both halves, and so is all that follows from it.
@@ -31,8 +32,8 @@ void append_element(WorldState& world, const TetBisection& halves) {
   elements.rests.emplace_back();
   elements.states.push_back(ElementState(elements.states[tet]));
   elements.plastic_strains.push_back(Mat3(elements.plastic_strains[tet]));
+  elements.similarity_strains.push_back(Mat3(elements.similarity_strains[tet]));
   elements.stresses.push_back(Mat3(elements.stresses[tet]));
-  elements.stresses_before.push_back(Mat3(elements.stresses_before[tet]));
   elements.bodies.push_back(BodyId(elements.bodies[tet]));
   const int faces = elements.first_surface[tet], outer = 1 << halves.kept, inner = 1 << halves.moved;
   elements.first_surface.push_back(static_cast<std::uint8_t>(faces & ~inner));
@@ -151,15 +152,19 @@ void note_motion(const WorldState& world, const Body& body, MotionsBefore& motio
   if (!is_held) noted->second = motion_of(world, body);
 }
 
+void restore_angular_momentum(WorldState& world, const Body& body, const RigidMotion& before) {
+  const RigidMotion now = motion_of(world, body);
+  const Vec3 spin = now.inertia.inverse() * (before.inertia * before.angular_velocity) - now.angular_velocity;
+  for (NodeId node : body.nodes) world.nodes.velocities[node] += spin.cross(world.nodes.positions[node] - now.center);
+}
+
 void restore_angular_momentum(WorldState& world, const MotionsBefore& motions) {
   for (const auto& [id, before] : motions) {
     if (!before) continue;
     Body& body = world.bodies[id];
     body.nodes = nodes_of(world.mesh, body.tets);
-    const RigidMotion now = motion_of(world, body);
-    const Vec3 spin = now.inertia.inverse() * (before->inertia * before->angular_velocity) - now.angular_velocity;
     world.energy.hand_over += kinetic_energy_of(world, body.nodes);
-    for (NodeId node : body.nodes) world.nodes.velocities[node] += spin.cross(world.nodes.positions[node] - now.center);
+    restore_angular_momentum(world, body, *before);
     world.energy.hand_over -= kinetic_energy_of(world, body.nodes);
   }
 }

@@ -23,6 +23,9 @@ using MotionsBefore = std::map<BodyId, std::optional<RigidMotion>>;
 /// Notes a body's motion before the first of its cracks; later ones find it noted, their copies of nodes unknown yet.
 void note_motion(const WorldState& world, const Body& body, MotionsBefore& motions);
 
+/// Gives a body, whose nodes are known, back the angular momentum of `before`, by a rotation as a whole.
+void restore_angular_momentum(WorldState& world, const Body& body, const RigidMotion& before);
+
 /// Gives bodies back the angular momentum that interpolation took, by a rotation as a whole: it alone does not change
 /// their shape.
 void restore_angular_momentum(WorldState& world, const MotionsBefore& motions);

@@ -119,6 +119,7 @@ void list_contacts(const WorldState& world, TouchedBodies& touched) {
       }
       TouchedPoint& point = touched.bodies[index_of_body[id]].points.emplace_back();
       point.contact = contacts[i].position;
+      point.node = is_a ? contacts[i].node_a : contacts[i].node_b;
       touched.responses[index_of_body[id]].contacts.push_back(static_cast<int>(i));
     }
 }
@@ -132,7 +133,8 @@ TouchedBodies touched_bodies(const WorldState& world) {
     for (int i = begin; i < end; ++i) {
       const SurfaceSearch surface(world, world.bodies[touched.bodies[i].body]);
       for (TouchedPoint& point : touched.bodies[i].points) {
-        point.surface = surface.closest(point.contact);
+        point.surface = point.node.valid() ? SurfacePoint{{point.node, point.node, point.node}, Vec3::UnitX()}
+                                           : surface.closest(point.contact);
         point.position = surface_position(world, point.surface);
       }
     }
@@ -147,6 +149,7 @@ void correct_distances(WorldState& world, const TouchedBodies& touched) {
     for (std::size_t k = 0; k < touched.bodies[i].points.size(); ++k) {
       const TouchedPoint& point = touched.bodies[i].points[k];
       Contact& contact = contacts[touched.responses[i].contacts[k]];
+      if (contact.node_a.valid() || contact.node_b.valid()) continue;
       const double side = contact.a == body.stand_in ? 1 : -1;
       contact.distance += side * contact.normal.dot(point.position - stand_in_position(body, point.surface));
     }

@@ -12,6 +12,7 @@ namespace griffith {
 /// torque of that offset as a whole, so that angular momentum is kept.
 struct TouchedPoint {
   SurfacePoint surface;
+  NodeId node = {};              ///< where a node is known to touch
   Vec3 contact = Vec3::Zero();   ///< [m]
   Vec3 position = Vec3::Zero();  ///< of the surface point [m]
 };
@@ -32,7 +33,8 @@ struct TouchedBodies {
 
 /// Lists what the contacts touch.
 TouchedBodies touched_bodies(const WorldState& world);
-/// Changes the contacts' distances from those of the stand-ins, which do not deform, to those of the elastic surfaces.
+/// Changes the contacts' distances from those of the stand-ins, which do not deform, to those of the elastic surfaces;
+/// those of nodes are right.
 void correct_distances(WorldState& world, const TouchedBodies& touched);
 /// Leaves out the contacts that will not push in a substep of `dt` [s]: here and in the contact world.
 void drop_near_misses(WorldState& world, TouchedBodies& touched, double dt);

@@ -5,6 +5,7 @@
 
 #include "sim/world/energy_phase.h"
 #include "sim/world/phases.h"
+#include "sim/world/shock_phase.h"
 #include "sim/world/world_impl.h"
 
 namespace griffith {
@@ -28,11 +29,11 @@ class Hash {
 void change_bodies(WorldState& world, int scene_body) {
   for (Body& body : world.bodies) {
     if (body.scene_body != scene_body) continue;
+    if (body.shock) end_shock(world, body);
     for (NodeId node : body.nodes) world.nodes.masses[node] = node_mass(world, node);
     rebuild_body(world, body);
     const Material& material = world.material_of(body);
     world.contact_world.set_surface(body.stand_in, {material.friction, material.restitution});
-    body.softening = 1;
   }
 }
 

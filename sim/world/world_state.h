@@ -20,7 +20,6 @@
 #include "sim/world/loads.h"
 #include "sim/world/probes.h"
 #include "sim/world/supports.h"
-#include "sim/world/work.h"
 
 namespace griffith {
 
@@ -35,6 +34,7 @@ struct NodeArrays {
   std::vector<int> rows;                     ///< row in the system of the node's body, -1 for held ones
   std::vector<NodeSeparation> separations;
   std::vector<Vec3> reactions;               ///< what supports did to the node in the last step [N]
+  std::vector<Vec3> similarity_starts;       ///< of bodies in shock with f < 1: displacement from rest at its start [m]
 };
 
 /// Per tet; the rests change by remeshing alone.
@@ -42,8 +42,8 @@ struct ElementArrays {
   std::vector<ElementRest> rests;
   std::vector<ElementState> states;
   std::vector<Mat3> plastic_strains;  ///< in rest space, traceless [-]
+  std::vector<Mat3> similarity_strains;  ///< of bodies in shock: strain without stress, beside the plastic one [-]
   std::vector<Mat3> stresses;         ///< Cauchy stress, world frame [Pa], for the frame
-  std::vector<Mat3> stresses_before;  ///< of softened bodies: before the impact, in rest space [Pa]
   std::vector<BodyId> bodies;
   std::vector<std::uint8_t> first_surface;  ///< bit i: face i was on the surface before anything broke
   std::vector<std::array<double, 4>> opened;  ///< when a crack opened face i [s], else not a number
@@ -51,7 +51,16 @@ struct ElementArrays {
 
 /// A body whose waves are resolved by microsteps (shock_run.h).
 struct Shock {
-  double last_event = 0;  ///< when something struck it hard or cracked in it last [s]
+  double last_event = 0;    ///< when something struck it hard or cracked in it last [s]
+  double impact_speed = 0;  ///< of what struck it [m/s]
+  double frequency = 0;     ///< highest of its elements under the full stiffness, slivers relieved [rad/s]
+  double similarity = 1;    ///< f (similarity.h), 0..1
+};
+
+/// What another object did to a body in a substep.
+struct ContactLoad {
+  ProxyId other;
+  Vec3 force = Vec3::Zero();  ///< [N]
 };
 
 /// How a rigid body began a substep, and what acted on it.
@@ -82,13 +91,11 @@ struct Body {
   double element_size = 0;               ///< edge length of the cubes that six of its tets would fill, mean [m]
   double extent = 0;                     ///< longest edge of the box round it at rest [m]
   double weakest_share = 1;              ///< of its material's resistance, at its weakest node and plane [-]
-  std::optional<SoftenedImpact> softened;  ///< of the last step, if any
-  double softening = 1;                    ///< f in the present substep
-  bool softened_before = false;            ///< f was less than 1 in the last substep
-  std::int64_t last_strike = -2;           ///< the last step in which something struck it hard enough to hurt
+  std::optional<ScaledImpact> scaled;    ///< of the last step, if any
   double energy = 0;                     ///< kinetic and elastic, when the substep began [J]
   double contact_work = 0;               ///< of the contacts in the substep, at the velocities after it [J]
   RigidStart start;                      ///< of the present substep
+  std::vector<ContactLoad> harmless;     ///< of a rigid body: what it carried when it was calm, by object
   double compliance_factor = 1;          ///< true compliance at contacts over the estimated one, as seen last
 
   std::optional<Shock> shock;
@@ -120,12 +127,6 @@ struct PostponedCrack {
   NodeSeparation separation;
 };
 
-/// An impact in the coming substep that asks for a shorter one than the budget leaves.
-struct CoarseImpact {
-  double substep = 0;  ///< [s]
-  int substeps_left = 1;
-};
-
 /// What moved how when a substep began, for the energy account.
 struct SubstepStart {
   std::vector<Vec3> velocities;         ///< per node [m/s]
@@ -140,6 +141,7 @@ struct WorldState {
   Scene scene;
   std::vector<Material> materials;  ///< per scene body, as in force now
   std::vector<double> least_edges;  ///< per scene body: shortest edge that remeshing makes [m]
+  std::vector<double> extents;      ///< per scene body: longest edge of the box round its largest piece at rest [m]
   std::vector<std::optional<Weakness>> weaknesses;  ///< per scene body, direction in the placed rest space, unit length
   std::vector<PlacedSupport> supports;
   std::vector<PlacedLoad> loads;
@@ -156,10 +158,7 @@ struct WorldState {
   std::vector<BodyId> body_of_proxy;  ///< per ProxyId; invalid for projectiles and the ground
   std::vector<Projectile> projectiles;
   std::vector<PendingShot> pending_shots;
-  int substep_ticks = 0;     ///< length that the last substep had or could have had
-  double crack_transit_time = std::numeric_limits<double>::infinity();  ///< shortest to cross an element that cracked [s]
-  Work work;                 ///< of the present substep so far; between substeps, of the last one
-  std::optional<CoarseImpact> coarse_impact;  ///< in the present substep
+  double microstep_work = 0;  ///< of the step so far, in microseconds of a usual core
 
   std::int64_t step = 0;
   double time = 0;  ///< [s]

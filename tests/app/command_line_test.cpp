@@ -58,6 +58,30 @@ TEST(CommandLine, MissingFileIsExitCode2AndNamed) {
   }
 }
 
+TEST(CommandLine, ASlipInTheNameOfACommandIsToldFromAMissingScene) {
+  for (const char* arguments : {"frobnicate", "rende scene.json -o a.png"}) {
+    const Outcome outcome = run_program(arguments);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.output, HasSubstr("is neither a command nor a scene file")) << arguments;
+    EXPECT_THAT(outcome.output, HasSubstr("render, simulate, check and mesh")) << arguments;
+  }
+  const Outcome missing = run_program("my/wall.json");
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_THAT(missing.output, HasSubstr("my/wall.json: there is no such scene file"));
+  EXPECT_THAT(missing.output, HasSubstr("scenes to begin with are in"));
+}
+
+TEST(CommandLine, CheckWarnsOfBodiesThatStartInsideOneAnother) {
+  const auto path = test_file("inside.json", R"({"version": 1, "ground": {}, "bodies": [
+      {"name": "left", "shape": {"box": {"size": [1, 1, 1], "element_size": 0.5}}, "position": [0, 0.5, 0]},
+      {"name": "right", "shape": {"box": {"size": [1, 1, 1], "element_size": 0.5}}, "position": [0.8, 0.5, 0]},
+      {"name": "sunk", "shape": {"box": {"size": [1, 1, 1], "element_size": 0.5}}, "position": [5, 0.2, 0]}]})");
+  const Outcome outcome = run_program("check " + path.string());
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.output, HasSubstr("\"right\" starts 0.2 m inside \"left\""));
+  EXPECT_THAT(outcome.output, HasSubstr("inside.json#/bodies/2/position: \"sunk\" starts 0.3 m under the ground"));
+}
+
 TEST(CommandLine, BadSceneIsExitCode2WithThePlaceOfEachProblem) {
   const auto path = test_file("bad.json", R"({"version": 1, "gravity": "down", "bodies": [
       {"name": "a", "shape": {"box": {"size": [1, 1, -1]}}}]})");

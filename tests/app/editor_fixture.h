@@ -18,7 +18,9 @@ namespace griffith::app {
 /// The editor with graphics but without a window, driven through its widgets.
 class EditorTest : public ::testing::Test {
  protected:
-  EditorTest() : interface_(1), target_(1200, 1000), editor_(small_wall(), "") { draw(3); }
+  explicit EditorTest(const Scene& scene = small_wall()) : interface_(1), target_(1200, 1000), editor_(scene, "") {
+    draw(3);
+  }
 
   void draw(int frames = 1) {
     for (int i = 0; i < frames; ++i) {
@@ -77,6 +79,16 @@ class EditorTest : public ::testing::Test {
   void type(const std::string& text) {
     for (const char letter : text) ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(letter));
     draw(2);
+  }
+
+  /// How many of 100 places from the left end of the picture's middle row to the right show a body.
+  int hits_across() {
+    int hits = 0;
+    for (int i = 0; i < 100; ++i) {
+      editor_.execute({.id = ui::CommandId::pick, .cursor = Vec2((i + 0.5) / 100, 0.5)});
+      hits += editor_.state().selection.valid();
+    }
+    return hits;
   }
 
   void choose_material(const std::string& preset) {

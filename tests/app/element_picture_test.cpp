@@ -87,7 +87,8 @@ TEST(ElementPicture, CapValuesAreInterpolatedBetweenNodes) {
 TEST(ElementPicture, ShrunkenElementsKeepTheirShapeAndShareOfTheVolume) {
   World world(small_wall());
   const Frame frame = world.frame();
-  const ShownMesh shown = shown_mesh(frame, {}, {});
+  const ViewSettings view;
+  const ShownMesh shown = shown_mesh(frame, view, {});
   const std::vector<PictureTriangle> triangles = element_triangles(shown);
   EXPECT_EQ(triangles.size(), 4 * frame.tets.size());
   for (const double shrink : {1.0, 0.75, 0.2})
@@ -101,7 +102,8 @@ TEST(ElementPicture, WireframeHasEveryEdgeOnce) {
   for (const auto& tet : frame.tets)
     for (int a = 0; a < 4; ++a)
       for (int b = a + 1; b < 4; ++b) edges.insert(std::minmax(tet[a].value, tet[b].value));
-  const ShownMesh shown = shown_mesh(frame, {}, {});
+  const ViewSettings view;
+  const ShownMesh shown = shown_mesh(frame, view, {});
   EXPECT_EQ(wireframe(shown, nullptr, {}).size(), edges.size());
 }
 

@@ -130,7 +130,7 @@ TEST_F(ViewsTest, EveryLayerShowsItsSignsInItsColours) {
     const World& world = test.struck ? *struck_ : *broken_;
     const render::Image plain = picture(world, "plain"), image = picture(world, test.name);
     save_picture(test_folder() / (std::string(test.name) + ".png"), image);  // for people to look at
-    EXPECT_GT(pixels_like(image, test.color), pixels_like(plain, test.color) + 15) << test.name;
+    EXPECT_GT(pixels_like(image, test.color), pixels_like(plain, test.color) + 4) << test.name;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/contact/bodies.h"
+#include "tests/contact/bounces.h"
 
 namespace griffith {
 namespace {
@@ -80,25 +81,20 @@ TEST(SphereContact, ABounceRisesToTheSquareOfItsRestitutionAndNeverAbove) {
       ContactWorld world(Vec3(0, -9.81, 0));
       world.add_ground(0, {0.6, restitution});
       const ProxyId ball = world.add_sphere(0.1, 2, at(Vec3(0.3, 1.1, 0)), {0.6, restitution});
-      double drop = 1, top = 0;
-      int bounces = 0;
-      bool rose = false;
-      for (double time = 0; time < 4 && bounces < 5; time += dt) {
+      double drop = 1;
+      testing::BounceTops tops;
+      for (double time = 0; time < 4 && tops.count() < 5; time += dt) {
         testing::solve(world, dt);
-        const bool rises = world.state(ball).velocity.y() > 0;
-        if (rises) top = std::max(top, world.state(ball).pose.translation.y() - 0.1);
-        if (rose && !rises) {
-          // In steps, a top lies up to g dt²/8 above that of the parabola.
-          ASSERT_LE(top, restitution * restitution * drop + 9.81 * dt * dt / 8) << "e " << restitution << ", dt " << dt;
-          EXPECT_GE(top, restitution * restitution * drop - 10 * dt * dt - 5 * dt * std::sqrt(drop) * (1 - restitution))
-              << "e " << restitution << ", dt " << dt;
-          drop = top;
-          top = 0;
-          ++bounces;
-        }
-        rose = rises;
+        const RigidState& state = world.state(ball);
+        const std::optional<double> top = tops.passed(state.pose.translation.y() - 0.1, state.velocity.y() > 0);
+        if (!top) continue;
+        // In steps, a top lies up to g dt²/8 above that of the parabola.
+        ASSERT_LE(*top, restitution * restitution * drop + 9.81 * dt * dt / 8) << "e " << restitution << ", dt " << dt;
+        EXPECT_GE(*top, restitution * restitution * drop - 10 * dt * dt - 5 * dt * std::sqrt(drop) * (1 - restitution))
+            << "e " << restitution << ", dt " << dt;
+        drop = *top;
       }
-      EXPECT_GE(bounces, 2);
+      EXPECT_GE(tops.count(), 2);
     }
 }
 
@@ -137,8 +133,9 @@ TEST(SphereContact, NoneMovesFurtherThanItsSpeedAllows) {
 
 TEST(SphereContact, FrictionTurnsASlidingSphereIntoARollingOne) {
   ContactWorld world(Vec3(0, -9.81, 0));
-  world.add_ground(0, {0.5, 0});
-  const ProxyId ball = world.add_sphere(0.25, 2, at(Vec3(0, 0.25, 0), Vec3(3, 0, 0)), {0.5, 0});
+  const SurfaceProperties without_rolling_resistance{0.5, 0, 0};
+  world.add_ground(0, without_rolling_resistance);
+  const ProxyId ball = world.add_sphere(0.25, 2, at(Vec3(0, 0.25, 0), Vec3(3, 0, 0)), without_rolling_resistance);
   for (int i = 0; i < 120; ++i) step(world);
   // Rolling begins at 5/7 of the speed, whatever the friction.
   EXPECT_NEAR(world.state(ball).velocity.x(), 3 * 5.0 / 7, 1e-3);

@@ -158,9 +158,9 @@ TEST(StandInContact, ATiltedBodyFeelsItsFullInertia) {
   mass.inertia = turn * mass.inertia * turn.transpose();
   ConvexPart part = box_part(size);
   for (Vec3& corner : part) corner = turn * corner;
-  const ProxyId body = world.add_stand_in(std::vector<ConvexPart>{part}, mass, Mobility::free, {}, {0.5, 0.3});
+  const ProxyId body = world.add_stand_in(std::vector<ConvexPart>{part}, mass, Mobility::free, {}, {0.5, 0.3, 0});
   const Vec3 target = turn * Vec3(0.3, 0.3, 0.1);
-  world.add_sphere(0.1, 2, at(target + turn * Vec3(0, 0.1, 0), Vec3(1, -9, 2)), {0.5, 0.3});
+  world.add_sphere(0.1, 2, at(target + turn * Vec3(0, 0.1, 0), Vec3(1, -9, 2)), {0.5, 0.3, 0});
   solve(world, kHalfDt);
   ASSERT_EQ(world.contacts().size(), 1u);
   const Contact& contact = world.contacts()[0];

@@ -121,8 +121,8 @@ TEST_F(MeshSurfaceByTetgen, LimitsAndCancellingEndIt) {
   MeshingSetup hasty;
   hasty.name = "torus.obj";
   hasty.limits.seconds = 0.2;
-  EXPECT_THAT(message_of(torus, options(MeshingMethod::automatic, 0.03), hasty),
-              HasSubstr("torus.obj: TetGen did not finish within the time limit of 0.2 s"));
+  EXPECT_THAT(message_of(torus, options(MeshingMethod::tetgen, 0.03), hasty),
+              HasSubstr("torus.obj: TetGen cannot mesh it: TetGen did not finish within the time limit of 0.2 s"));
   MeshingSetup small;
   small.limits.memory_bytes = std::int64_t{40} << 20;
   EXPECT_THAT(message_of(torus, options(MeshingMethod::tetgen, 0.04), small), HasSubstr("memory limit of 40 MB"));
@@ -131,6 +131,19 @@ TEST_F(MeshSurfaceByTetgen, LimitsAndCancellingEndIt) {
   unwanted.monitor.stage = [&](std::string_view stage) { last = stage; };
   unwanted.monitor.cancelled = [&] { return last.starts_with("TetGen: Refining"); };
   EXPECT_THROW(mesh_surface(torus, options(MeshingMethod::tetgen, 0.03), unwanted), Cancelled);
+}
+
+TEST_F(MeshSurfaceByTetgen, WhereItTakesTooLongTheLatticeFillsAndIsNotKept) {
+  MeshingSetup hasty;
+  hasty.cache = test_folder() / "cache";
+  hasty.limits.seconds = 0.01;
+  const TriangleSurface torus = torus_surface(1, 0.4, 60, 30);
+  for (int i = 0; i < 2; ++i) {
+    const SurfaceMesh mesh = mesh_surface(torus, options(MeshingMethod::automatic, 0.1), hasty);
+    EXPECT_EQ(mesh.method, MeshingMethod::volumetric);
+    EXPECT_THAT(mesh.findings, Contains(HasSubstr("because TetGen did not finish within the time limit of 0.01 s")));
+    EXPECT_FALSE(mesh.from_cache) << "with more time it is another mesh";
+  }
 }
 
 TEST(MeshSurface, TheLatticeTakesSoundSurfacesToo) {

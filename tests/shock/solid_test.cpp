@@ -60,7 +60,7 @@ struct Box {
     std::vector<int> flagged;
     for (int i = 0; i < steps; ++i) {
       solid.compute_forces();
-      solid.advance(flagged);
+      solid.advance(1, flagged);
     }
   }
 };

@@ -3,25 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <set>
 
-#include "ui/style.h"
 #include "ui/widgets.h"
 #include "ui_driver.h"
 
 namespace griffith::ui {
 namespace {
 
-using ::testing::Field;
-
 const Material& material(const UiDriver& ui, std::size_t body = 0) { return ui.history.scene().bodies[body].material; }
-
-std::vector<CommandId> ids(const UiDriver& ui) {
-  std::vector<CommandId> result;
-  for (const Command& command : ui.commands) result.push_back(command.id);
-  return result;
-}
 
 TEST(EditorLayout, AsksForNothingByItself) {
   UiDriver ui(two_walls());
@@ -109,6 +99,19 @@ TEST(EditorLayout, PresetReplacesTheWholeMaterialOfTheSelectedBody) {
   EXPECT_LE(ui.history.entries().size(), 1u);
 }
 
+TEST(EditorLayout, APresetWhoseValuesWereEditedIsCalledSo) {
+  UiDriver ui(two_walls());
+  EXPECT_EQ(ui.value("material/preset"), "brick");
+  ui.drag("material/density", 40);
+  EXPECT_EQ(ui.value("material/preset"), "brick (edited)");
+  ui.history.undo();
+  ui.frame();
+  EXPECT_EQ(ui.value("material/preset"), "brick");
+  ui.history.change("name", [](Scene& scene) { scene.bodies[0].material.name = "mine"; });
+  ui.drag("material/density", 40);
+  EXPECT_EQ(ui.value("material/preset"), "mine");
+}
+
 TEST(EditorLayout, CriterionChoosesItsOwnResistance) {
   UiDriver ui(two_walls());
   ui.click("material/criterion");
@@ -116,93 +119,6 @@ TEST(EditorLayout, CriterionChoosesItsOwnResistance) {
   EXPECT_EQ(material(ui).criterion, FractureCriterion::separation_force);
   EXPECT_NE(find_tag(ui.tags, "material/separation_toughness"), nullptr);
   EXPECT_EQ(find_tag(ui.tags, "material/tensile_strength"), nullptr);
-}
-
-TEST(EditorLayout, ButtonsIssueTheirCommands) {
-  UiDriver ui(two_walls());
-  ui.click("command/simulation.step");
-  ui.click("command/simulation.run");
-  ui.click("command/simulation.reset");
-  EXPECT_THAT(ids(ui), ::testing::ElementsAre(CommandId::step, CommandId::toggle_run, CommandId::reset));
-}
-
-TEST(EditorLayout, MenusIssueTheirCommands) {
-  UiDriver ui(two_walls());
-  ui.click("menu/Simulation");
-  ui.click("menu/simulation.step");
-  EXPECT_THAT(ids(ui), ::testing::ElementsAre(CommandId::step));
-}
-
-TEST(EditorLayout, EveryShortcutIssuesItsCommandOnce) {
-  for (const CommandInfo& info : command_registry()) {
-    if (info.shortcut.key == key::kNone) continue;
-    UiDriver ui(two_walls());
-    ui.history.change("a", [](Scene& scene) { scene.name = "a"; });
-    ui.history.finish();
-    ui.history.change("b", [](Scene& scene) { scene.name = "b"; });
-    ui.history.undo();  // now there is something to undo and to redo
-    ui.state.view.range = Vec2(0, 1);
-    ui.press_key(info.shortcut.key, info.shortcut.ctrl, info.shortcut.shift);
-    EXPECT_THAT(ids(ui), ::testing::ElementsAre(info.id)) << info.name;
-  }
-}
-
-TEST(EditorLayout, CommandsHaveDifferentNamesAndShortcuts) {
-  std::set<std::string_view> names, shortcuts;
-  for (const CommandInfo& info : command_registry()) {
-    EXPECT_TRUE(names.insert(info.name).second) << info.name;
-    EXPECT_TRUE(info.shortcut_text.empty() || shortcuts.insert(info.shortcut_text).second) << info.shortcut_text;
-    EXPECT_EQ(info.shortcut_text.empty(), info.shortcut.key == key::kNone) << info.name;
-    EXPECT_FALSE(info.hint.empty()) << info.name;
-    EXPECT_EQ(command_info(info.id).name, info.name);
-  }
-}
-
-TEST(EditorLayout, NothingToUndoIssuesNoUndo) {
-  UiDriver ui(two_walls());
-  ui.click("command/edit.undo");
-  ui.press_key('Z', true);
-  EXPECT_TRUE(ui.commands.empty());
-  EXPECT_FALSE(find_tag(ui.tags, "command/edit.undo")->enabled);
-}
-
-TEST(EditorLayout, KeysTypedIntoAFieldAreNoShortcuts) {
-  UiDriver ui(two_walls());
-  ui.click("material/density", 1);
-  ui.frame();
-  ui.press_key('R');
-  EXPECT_TRUE(ui.commands.empty());
-}
-
-TEST(EditorLayout, ShortcutsDoNotReachBehindADialog) {
-  const std::vector<std::function<void(EditorState&)>> dialogs = {
-      [](EditorState& state) { state.work = "Filling with tetrahedra"; },
-      [](EditorState& state) {
-        state.error = ErrorMessage{"here", "broken", "mend it"};
-      },
-      [](EditorState& state) {
-        state.report = WorkReport{"Added", {}, {}};
-      },
-      [](EditorState& state) { state.show_open = true; },
-      [](EditorState& state) {
-        state.replacement = Replacement{{.id = CommandId::save}, "It is there."};
-      },
-      [](EditorState& state) { state.left_edits = "scene.json"; },
-      [](EditorState& state) { state.show_surface = true; },
-      [](EditorState& state) { state.show_help = true; }};
-  for (const auto& show : dialogs) {
-    UiDriver ui(two_walls());
-    ui.history.change("a", [](Scene& scene) { scene.name = "a"; });
-    ui.history.finish();
-    show(ui.state);
-    for (const CommandInfo& info : command_registry()) {
-      if (info.shortcut.key != key::kNone) ui.press_key(info.shortcut.key, info.shortcut.ctrl, info.shortcut.shift);
-    }
-    std::vector<CommandId> expected = {CommandId::screenshot};
-    if (ui.state.show_help) expected.push_back(CommandId::help);
-    expected.push_back(CommandId::quit);
-    EXPECT_EQ(ids(ui), expected);
-  }
 }
 
 TEST(EditorLayout, TheWayToWhereTheButtonWentDownIsNoDrag) {
@@ -255,7 +171,7 @@ TEST(EditorLayout, ClicksInTheViewPickAndFireAtTheCursor) {
   UiDriver ui(two_walls());
   ui.click("viewport");
   ui.click("viewport", 1);
-  ASSERT_THAT(ids(ui), ::testing::ElementsAre(CommandId::pick, CommandId::fire));
+  ASSERT_THAT(ui.issued(), ::testing::ElementsAre(CommandId::pick, CommandId::fire));
   for (const Command& command : ui.commands) {
     EXPECT_NEAR(command.cursor.x(), 0.5, 0.01);
     EXPECT_NEAR(command.cursor.y(), 0.5, 0.01);
@@ -267,7 +183,7 @@ TEST(EditorLayout, FireKeyAimsAtTheCursor) {
   const ImVec2 low = ui.state.viewport_minimum, size = ui.state.viewport_size;
   ui.move({low.x + 0.25f * size.x, low.y + 0.75f * size.y});
   ui.press_key('F');
-  ASSERT_THAT(ids(ui), ::testing::ElementsAre(CommandId::fire));
+  ASSERT_THAT(ui.issued(), ::testing::ElementsAre(CommandId::fire));
   EXPECT_NEAR(ui.commands[0].cursor.x(), 0.25, 0.01);
   EXPECT_NEAR(ui.commands[0].cursor.y(), 0.75, 0.01);
 }
@@ -278,91 +194,6 @@ TEST(EditorLayout, SpeedStaysBetweenAThousandthAndOne) {
   EXPECT_NEAR(ui.state.speed, 0.001, 1e-6);
   ui.drag("toolbar/speed", 3000);
   EXPECT_NEAR(ui.state.speed, 1, 1e-6);
-}
-
-TEST(EditorLayout, ErrorIsShownUntilClosed) {
-  UiDriver ui(two_walls());
-  ui.state.error = ErrorMessage{"wall.json#/bodies/0", "has no shape", "add a box"};
-  for (int i = 0; i < 3; ++i) ui.frame();
-  ui.click("command/simulation.step");  // behind the dialog
-  EXPECT_TRUE(ui.commands.empty());
-  ui.click("error/close");
-  EXPECT_FALSE(ui.state.error.has_value());
-  ui.click("command/simulation.step");
-  EXPECT_EQ(ui.commands.size(), 1u);
-}
-
-TEST(EditorLayout, AnErrorIsRedUntilTheUserGoesOn) {
-  UiDriver ui(two_walls());
-  ui.state.log.push_back({LogLevel::error, "broken"});
-  ui.state.error = ErrorMessage{"here", "broken", "mend it"};
-  for (int i = 0; i < 3; ++i) ui.frame();
-  EXPECT_EQ(find_tag(ui.tags, "status/message")->color, palette::kError);
-  ui.click("error/close");
-  EXPECT_EQ(find_tag(ui.tags, "status/message")->color, palette::kTextDim);
-  ui.state.log.push_back({LogLevel::warning, "odd"});
-  ui.frame();
-  EXPECT_EQ(find_tag(ui.tags, "status/message")->color, palette::kWarning);
-  ui.click("command/simulation.step");
-  EXPECT_EQ(find_tag(ui.tags, "status/message")->color, palette::kTextDim);
-}
-
-TEST(EditorLayout, EscapeClosesListsAndMenusAndNotTheDialogAroundThem) {
-  UiDriver ui(two_walls());
-  const auto escape = [&ui] {
-    ui.press_key(key::kEscape);
-    ui.frame();
-  };
-  ui.click("view/quantity");
-  ASSERT_NE(find_tag(ui.tags, "view/quantity/material"), nullptr);
-  escape();
-  EXPECT_EQ(find_tag(ui.tags, "view/quantity/material"), nullptr);
-  ui.click("menu/File");
-  escape();
-  EXPECT_EQ(ui.value("menu/File"), "closed");
-  ui.state.show_surface = true;
-  for (int i = 0; i < 3; ++i) ui.frame();
-  ui.click("surface/method");
-  escape();
-  EXPECT_EQ(find_tag(ui.tags, "surface/method/TetGen"), nullptr);
-  EXPECT_TRUE(ui.state.show_surface);
-  ui.click("surface/scale", 1);
-  ui.frame();
-  ui.press_key(key::kEscape);
-  EXPECT_TRUE(ui.state.show_surface) << "the key was meant for the number";
-  ui.press_key(key::kEscape);
-  EXPECT_FALSE(ui.state.show_surface);
-}
-
-TEST(EditorLayout, EscapeInAnUntouchedFieldLeavesTheDialog) {
-  UiDriver ui(two_walls());
-  ui.state.save_as = save_target("a.json");
-  for (int i = 0; i < 3; ++i) ui.frame();
-  ASSERT_TRUE(ImGui::GetIO().WantTextInput);
-  ui.press_key(key::kEscape);
-  EXPECT_FALSE(ui.state.save_as);
-}
-
-TEST(EditorLayout, OpenDialogTakesATypedPath) {
-  UiDriver ui(two_walls());
-  ui.state.show_open = true;
-  for (int i = 0; i < 3; ++i) ui.frame();
-  ui.click("open/path");
-  ui.type("a/b.json");
-  ASSERT_THAT(ids(ui), ::testing::ElementsAre(CommandId::open));
-  EXPECT_EQ(ui.commands[0].path, "a/b.json");
-  EXPECT_FALSE(ui.state.show_open);
-}
-
-TEST(EditorLayout, SaveDialogTakesATypedName) {
-  UiDriver ui(two_walls());
-  ui.state.save_as = save_target("/somewhere/walls.json");
-  for (int i = 0; i < 3; ++i) ui.frame();
-  EXPECT_EQ(ui.value("save/path"), "/somewhere/walls.json");
-  ui.type("../else/table");  // it has the focus, and what was there is replaced
-  ASSERT_THAT(ids(ui), ::testing::ElementsAre(CommandId::save));
-  EXPECT_EQ(ui.commands[0].path, "/else/table.json");
-  EXPECT_FALSE(ui.state.save_as);
 }
 
 TEST(EditorLayout, LongLabelsEndInDotsBeforeTheirWidget) {

@@ -65,6 +65,12 @@ std::string UiDriver::value(const std::string& tag) {
   return found ? found->value : "no widget " + tag;
 }
 
+std::vector<CommandId> UiDriver::issued() const {
+  std::vector<CommandId> ids;
+  for (const Command& command : commands) ids.push_back(command.id);
+  return ids;
+}
+
 void UiDriver::move(ImVec2 place) {
   ImGui::GetIO().MousePos = place;
   frame();

@@ -33,6 +33,8 @@ class UiDriver {
   /// Types text into what has the focus, then Enter.
   void type(const std::string& text);
   void press_key(int key, bool ctrl = false, bool shift = false);
+  /// What was asked for so far.
+  std::vector<CommandId> issued() const;
 
   EditorInput input;
   EditorState state;

@@ -33,7 +33,7 @@ TEST(NodeReport, WhatItShowsIsOfOneMomentAndAddsUp) {
         EXPECT_EQ(report.load, report.sum());
       } else {
         EXPECT_TRUE(report.load <= 0 || report.sum() > 0) << "a load comes from a pull";
-        EXPECT_NEAR(report.principal.values[2], report.sum(), 1e-9 * scale) << "no direction is weaker";
+        EXPECT_NEAR(report.principal.values[2], report.sum(), 1e-8 * scale) << "no direction is weaker";
       }
       by_tension_alone += report.load > 1 && report.principal.values[2] < 1e-9 * report.load;
       after_cracks += report.load > 1 && frame.separations[i].tensor.isZero(0);

@@ -2,6 +2,7 @@
 
 #include "sim/error.h"
 #include "sim/parallel.h"
+#include "sim/world/phases.h"
 #include "sim/world/world.h"
 #include "tests/world/scenes.h"
 
@@ -80,6 +81,18 @@ TEST(WorldSplinters, APatternThatCannotBeMadeIsNamed) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_EQ(error.where(), "#/bodies/0/splinters");
+  }
+}
+
+TEST(WorldSplinters, TheLimitHoldsForAllBodiesTogether) {
+  WorldState world(bricks(1));
+  world.splinters.splinters.resize(static_cast<std::size_t>(kMaxSplinterCells) - 10);  // as of other bodies
+  try {
+    build_world(world);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.where(), "#/bodies/0/splinters");
+    EXPECT_EQ(error.problem(), "brings the scene to more than 2 million splinters");
   }
 }
 

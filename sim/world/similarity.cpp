@@ -1,0 +1,184 @@
+#include "sim/world/similarity.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/solver/pivot.h"
+#include "sim/world/energy_phase.h"
+#include "sim/world/phases.h"
+#include "sim/world/placement.h"
+#include "sim/world/subdivision.h"
+
+namespace griffith {
+namespace {
+
+/// Waves would cross the whole body so often after the last event. Pieces of it are followed as long: cracks take about
+/// that time through them.
+constexpr double kTransits = 4;
+/// Down to here breaking speeds stay as they are.
+constexpr double kLeastFactor = 1.0 / 16;
+/// Impacts must be slower than this share of the slowed waves.
+constexpr double kImpactShare = 0.2;
+/// The length of a microstep times the highest frequency.
+constexpr double kMicrostepAtFrequency = 0.94;
+/// What each stretch may spend, whatever was spent before: a share of the budget.
+constexpr double kLeastShare = 1.0 / 8;
+/// Scaled bodies strain more: no more than this at their strength.
+constexpr double kMostStrain = 0.02;
+/// A shock that this share of the budget left can follow to its end is followed as it is.
+constexpr double kShareOfOneShock = 0.5;
+
+double least_factor(const WorldState& world, const Body& body) {
+  const Material& material = world.material_of(body);
+  if (material.yield_strength) return 1;  // flow has its own pace
+  const double for_speed = body.shock->impact_speed / (kImpactShare * bar_wave_speed(material)),
+               for_strain = material.tensile_strength / (kMostStrain * material.young_modulus);
+  return std::clamp(std::max(for_speed, for_strain), kLeastFactor, 1.0);
+}
+
+/// Where a body is, to tell its deformation from: a free one where it fits best, one that swings about its pivot, any
+/// other at its place at rest.
+Placement frame_of(const WorldState& world, const Body& body) {
+  if (!body.supported()) return placement_of(world, body.nodes);
+  const auto pivot = pivot_of(body.system->supports(), world.nodes.constraints, world.nodes.positions);
+  if (!pivot) return {};
+  Placement placement = placement_of(world, body.nodes);
+  placement.rest_center += placement.turn.transpose() * (pivot->place - placement.center);
+  placement.center = pivot->place;
+  return placement;
+}
+
+Vec3 displacement(const WorldState& world, const Placement& frame, NodeId node) {
+  return frame.turn.transpose() * (world.nodes.positions[node] - frame.to_world(world.mesh.rest_positions[node]));
+}
+
+/// That of the body as it would be under the full stiffness.
+Vec3 true_displacement(const WorldState& world, const Body& body, const Placement& frame, NodeId node) {
+  const Vec3& start = world.nodes.similarity_starts[node];
+  const double f = body.shock->similarity;
+  const Vec3 now = displacement(world, frame, node);
+  return f == 1 ? now : Vec3(start + f * (now - start));
+}
+
+/// Centre and angular momentum as before a change of shape.
+void keep_momentum(WorldState& world, const Body& body, const RigidMotion& before) {
+  const Vec3 shift = before.center - motion_of(world, body).center;
+  for (const NodeId node : body.nodes) world.nodes.positions[node] += shift;
+  restore_angular_momentum(world, body, before);
+}
+
+/// What the microsteps of all bodies in shock come to.
+struct Demand {
+  int tets = 0;
+  double microsteps = 0;         ///< of what is left of the step
+  double highest_frequency = 0;  ///< as slowed now [rad/s]
+};
+
+Demand demand_of(const WorldState& world, double left) {
+  Demand demand;
+  for (const Body& body : world.bodies) {
+    if (!body.shock) continue;
+    demand.tets += static_cast<int>(body.tets.size());
+    demand.highest_frequency = std::max(demand.highest_frequency, body.shock->similarity * body.shock->frequency);
+  }
+  demand.microsteps = left * demand.highest_frequency / kMicrostepAtFrequency;
+  return demand;
+}
+
+/// What the user is told of a body that is not followed under its full stiffness.
+ScaledImpact scaled_impact(const WorldState& world, const Body& body) {
+  const Material& material = world.material_of(body);
+  const double f = body.shock->similarity;
+  ScaledImpact impact = body.scaled.value_or(ScaledImpact());
+  impact.factor = f;
+  impact.young_modulus = f * f * material.young_modulus;
+  impact.tensile_strength = f * material.tensile_strength;
+  return impact;
+}
+
+}  // namespace
+
+ElasticLaw law_in_shock(const WorldState& world, const Body& body) {
+  ElasticLaw law = elastic_law(world.material_of(body));
+  if (!body.shock) return law;
+  law.lambda *= body.shock->similarity;
+  law.mu *= body.shock->similarity;
+  return law;
+}
+
+double slowed_wave_speed(const WorldState& world, const Body& body) {
+  return body.shock->similarity * bar_wave_speed(world.material_of(body));
+}
+
+double element_transit_time(const WorldState& world, const Body& body) {
+  return body.element_size / slowed_wave_speed(world, body);
+}
+
+double shock_window(const WorldState& world, const Body& body) {
+  return kTransits * world.extents[body.scene_body] / slowed_wave_speed(world, body);
+}
+
+double time_to_follow(const WorldState& world) {
+  double until = 0;
+  for (const Body& body : world.bodies)
+    if (body.shock) until = std::max(until, body.shock->last_event + shock_window(world, body) - world.time);
+  return until;
+}
+
+void choose_similarity(WorldState& world, double left) {
+  const double budget = 1e3 * world.scene.simulation.step_budget;
+  const double available = std::max(budget - world.microstep_work, kLeastShare * budget);
+  const Demand demand = demand_of(world, left);
+  const double work = demand.microsteps * kMicrostepWork * demand.tets,
+               followed = std::min(1.0, time_to_follow(world) / left);
+  const double frequency = demand.highest_frequency * available / work;
+  for (Body& body : world.bodies) {
+    if (!body.shock) continue;
+    const double factor = std::max(frequency / body.shock->frequency, least_factor(world, body));
+    if (followed * work > kShareOfOneShock * available && factor < body.shock->similarity) {
+      body.scaled.emplace().tets = demand.tets;
+      body.scaled->microsteps = demand.microsteps;
+      body.scaled->affordable = available / (kMicrostepWork * demand.tets);
+      set_similarity(world, body, factor);
+    }
+    if (body.shock->similarity < 1) body.scaled = scaled_impact(world, body);
+  }
+}
+
+void set_similarity(WorldState& world, Body& body, double factor) {
+  const double before = body.shock->similarity;
+  const ElasticLaw law = elastic_law(world.material_of(body));
+  ElementArrays& elements = world.elements;
+  for (const TetId tet : body.tets) {
+    const ElementDeformation deformation =
+        element_deformation(law.model, elements.rests[tet], corners_of(world.mesh, tet, world.nodes.positions));
+    const Mat3 free = deformation.strain - elements.plastic_strains[tet];
+    elements.similarity_strains[tet] = free - before / factor * (free - elements.similarity_strains[tet]);
+  }
+  const Placement frame = frame_of(world, body);
+  for (const NodeId node : body.nodes)
+    world.nodes.similarity_starts[node] =
+        (true_displacement(world, body, frame, node) - factor * displacement(world, frame, node)) / (1 - factor);
+  body.shock->similarity = factor;
+}
+
+void end_similarity(WorldState& world, Body& body) {
+  if (body.shock->similarity == 1) return;
+  const RigidMotion before = motion_of(world, body);
+  const double energy = energy_of(world, body);
+  const Placement frame = frame_of(world, body);
+  for (const NodeId node : body.nodes) {
+    const Vec3 place = frame.center + frame.turn * (world.mesh.rest_positions[node] - frame.rest_center +
+                                                    true_displacement(world, body, frame, node));
+    world.nodes.positions[node] += world.nodes.constraints[node].allowed * (place - world.nodes.positions[node]);
+  }
+  for (const TetId tet : body.tets) world.elements.similarity_strains[tet].setZero();
+  body.shock->similarity = 1;
+  if (!body.supported()) keep_momentum(world, body, before);
+  update_elements(world, body);
+  update_motion(world, body);
+  const Vec3 way = body.motion.center - before.center;
+  world.energy.scaling += energy - energy_of(world, body) + before.mass * world.scene.gravity.dot(way);
+}
+
+}  // namespace griffith

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "sim/world/world_state.h"
+
+/// Dynamic similarity of bodies in shock, for impacts that would take more microsteps than the budget leaves. With
+///   E′ = f² E,  σ_t′ = f σ_t,  K_Ic′ = f K_Ic
+/// at equal density and speed of impact, stresses are σ′ = f σ, and cracks go the same way 1/f times slower, in as many
+/// microsteps 1/f times longer. It holds for as long as the impact is slow against the slowed waves.
+namespace griffith {
+
+/// A body's elasticity as its stress follows from its strain now: that of the material times f, so that stress counts
+/// against the full strength.
+ElasticLaw law_in_shock(const WorldState& world, const Body& body);
+
+/// Of bodies in shock: lessens f where what is to be followed of their shocks would exceed the budget, `left` [s]
+/// before the end of the step.
+void choose_similarity(WorldState& world, double left);
+
+/// Takes a body in shock to another f. Stress, energy and motion stay.
+void set_similarity(WorldState& world, Body& body, double factor);
+
+/// Gives a body that leaves its shock the shape that belongs to its stress under the full stiffness. Momentum stays,
+/// and the places of supports.
+void end_similarity(WorldState& world, Body& body);
+
+/// The strain of an element without stress: plastic, and that which scaling made so [-].
+inline Mat3 stress_free_strain(const WorldState& world, TetId tet) {
+  return world.elements.plastic_strains[tet] + world.elements.similarity_strains[tet];
+}
+
+/// The bar wave's speed in a body in shock, as it is slowed now [m/s].
+double slowed_wave_speed(const WorldState& world, const Body& body);
+
+/// How long a wave takes to cross an element of the body as it is slowed now [s].
+double element_transit_time(const WorldState& world, const Body& body);
+
+/// What a microstep of one tet costs, in microseconds of a usual core: counted, not timed, so that a step does the same
+/// on every machine.
+inline constexpr double kMicrostepWork = 0.03;
+
+/// For how long waves are followed after the last blow or crack: until they would have crossed the whole scene body
+/// some times [s].
+double shock_window(const WorldState& world, const Body& body);
+
+/// Until the waves of all bodies in shock have been followed, if nothing new happens; 0 without any [s].
+double time_to_follow(const WorldState& world);
+
+}  // namespace griffith

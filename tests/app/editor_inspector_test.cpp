@@ -1,0 +1,130 @@
+#include "app/editor.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <imgui.h>
+
+#include "editor_fixture.h"
+#include "sim/elasticity/principal_stress.h"
+#include "sim/scene/scene_writer.h"
+#include "sim/world/node_report.h"
+#include "ui/units.h"
+
+namespace griffith::app {
+namespace {
+
+TEST_F(EditorTest, ClickInTheViewSelectsAnElementOfTheWall) {
+  click("viewport");
+  EXPECT_TRUE(editor_.state().selection.valid());
+  EXPECT_EQ(value("value/Element"), std::to_string(editor_.state().selection.tet.value));
+}
+
+TEST_F(EditorTest, SelectionIsExplainedAndSurvivesBreakingAndReset) {
+  click("viewport");
+  const ui::Selection selected = editor_.state().selection;
+  ASSERT_TRUE(selected.valid());
+  EXPECT_EQ(value("value/Node"), std::to_string(selected.node.value));
+  for (int i = 0; i < 12; ++i) click("command/simulation.step");
+  EXPECT_EQ(editor_.state().selection.rest_position, selected.rest_position);
+  EXPECT_NE(value("inspector/verdict").find("resistance"), std::string::npos);
+  EXPECT_GE(std::stoi(value("inspector/margin_plot")), 13);
+  const NodeReport report = node_report(editor_.frame(), editor_.state().selection.node);
+  EXPECT_EQ(value("inspector/element/0"),
+            ui::format_quantity(report.elements.front().share, report.by_tension ? "Pa" : "N", 3));
+  click("command/simulation.reset");
+  EXPECT_EQ(editor_.state().selection, selected);
+}
+
+TEST_F(EditorTest, KeysSliceTheBodiesAndSelectTheMostLoadedNode) {
+  const auto press = [this](int key) {
+    ImGui::GetIO().KeysDown[key] = true;
+    draw();
+    ImGui::GetIO().KeysDown[key] = false;
+    draw();
+  };
+  for (int i = 0; i < 6; ++i) click("command/simulation.step");
+  press('M');
+  ASSERT_TRUE(editor_.state().selection.valid());
+  const auto& separations = editor_.frame().separations;
+  for (const NodeSeparation& separation : separations)
+    EXPECT_LE(separation.margin, separations[static_cast<std::size_t>(editor_.state().selection.node)].margin);
+  press('X');
+  ASSERT_TRUE(editor_.state().view.slice);
+  const double offset = editor_.state().view.slice->offset;
+  editor_.state().camera_motion.slice_up = 0.1f;
+  draw();
+  EXPECT_NE(editor_.state().view.slice->offset, offset);
+  press('X');
+  EXPECT_FALSE(editor_.state().view.slice);
+}
+
+TEST_F(EditorTest, TheInspectorShowsWhatAddsUpAndTheMaterialOfWhatItExplains) {
+  Scene scene = small_wall();
+  BodyDescription other = scene.bodies[0];
+  other.name = "other";
+  other.position.x() = 4;
+  scene.bodies.insert(scene.bodies.begin(), other);
+  const auto path = test_folder() / "two.json";
+  write_scene(scene, path);
+  editor_.open(path);
+  wait_for_work();
+  for (int i = 0; i < 6; ++i) editor_.step();
+  editor_.state().selected_body = 0;
+  press_key('M');
+  const NodeId node = editor_.state().selection.node;
+  ASSERT_TRUE(node.valid());
+  const NodeReport report = node_report(editor_.frame(), node);
+  EXPECT_EQ(editor_.state().selected_body, editor_.frame().bodies[report.body].scene_body);
+  EXPECT_EQ(editor_.state().selected_body, 1) << "it is the one that was struck";
+  EXPECT_EQ(value("value/Together"), ui::format_quantity(report.sum(), report.by_tension ? "Pa" : "N", 3));
+  EXPECT_EQ(value("value/Load now"), ui::format_quantity(report.load, "Pa"));
+}
+
+TEST_F(EditorTest, RigidPiecesAreSaidToKeepTheStressThatThePictureShows) {
+  Scene scene = small_wall();
+  scene.projectiles.clear();
+  scene.bodies[0].supports.clear();
+  scene.bodies[0].material.tensile_strength = 1e9;
+  scene.ground = Ground();
+  const auto path = test_folder() / "lying.json";
+  write_scene(scene, path);
+  editor_.open(path);
+  wait_for_work();
+  for (int i = 0; i < 60; ++i) editor_.step();
+  ASSERT_TRUE(editor_.frame().bodies[0].rigid);
+  press_key('M');
+  EXPECT_FALSE(editor_.state().selection.valid());
+  EXPECT_THAT(value("status/message"), ::testing::HasSubstr("rigid"));
+  EXPECT_THAT(value("status/message"), ::testing::Not(::testing::HasSubstr("without stress")));
+  click("viewport");
+  ASSERT_TRUE(editor_.state().selection.valid());
+  const double stress = von_mises_stress(editor_.frame().stresses[editor_.state().selection.tet]);
+  ASSERT_GT(stress, 0);
+  EXPECT_EQ(value("value/Von Mises stress"), ui::format_quantity(stress, "Pa"));
+}
+
+/// The first free node that a load pulls at, of those with one element or with more; invalid where there is none.
+NodeId pulled_node(const Frame& frame, bool of_one_element) {
+  for (NodeId node(0); node < static_cast<std::int64_t>(frame.stars.size()); ++node.value) {
+    const bool wanted = (frame.stars[node].size() == 1) == of_one_element && frame.constraints[node].is_free();
+    if (wanted && node_report(frame, node).load > 0) return node;
+  }
+  return NodeId();
+}
+
+TEST_F(EditorTest, ANodeOfOneElementHasNoEigenvaluesToShow) {
+  for (int i = 0; i < 40 && !pulled_node(editor_.frame(), true).valid(); ++i) editor_.step();
+  const NodeId alone = pulled_node(editor_.frame(), true), among_others = pulled_node(editor_.frame(), false);
+  ASSERT_TRUE(alone.valid() && among_others.valid());
+  editor_.select_node(alone);
+  draw(2);
+  EXPECT_EQ(value("value/Eigenvalues"), "none: one element");
+  EXPECT_EQ(ui::find_tag(editor_.tags(), "value/Top eigenvector"), nullptr);
+  EXPECT_EQ(value("inspector/origin"), "the mean tensile stress of its elements");
+  editor_.select_node(among_others);
+  draw(2);
+  EXPECT_THAT(value("value/Eigenvalues"), ::testing::HasSubstr("N"));
+}
+
+}  // namespace
+}  // namespace griffith::app

@@ -1,0 +1,60 @@
+// What a microstep of a block of five-tet cells costs a tet: forces of the elements and motion of the nodes. Arguments:
+// tets, threads. Real time, since threads share it; on one thread that is CPU time on a quiet machine.
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+
+#include "sim/mesh/box_mesh.h"
+#include "sim/mesh/topology.h"
+#include "sim/parallel.h"
+#include "sim/shock/solid.h"
+
+namespace griffith::shock {
+namespace {
+
+/// A block of concrete that vibrates a little.
+Solid vibrating_block(int tets, ElementModel model) {
+  Material material = *find_material_preset("concrete");
+  material.element_model = model;
+  const double cells = std::cbrt(tets / 5.0);
+  const TetMesh mesh = build_mesh(make_box(Vec3::Ones(), Vec3::Constant(1 / std::round(cells)), BoxPattern::five_tet));
+  Solid solid;
+  for (const Vec3& rest : mesh.rest_positions)
+    solid.add_node({rest, Vec3::Zero(), 0.1 * Vec3(std::sin(9 * rest.x()), std::cos(7 * rest.y()), rest.z()),
+                    Vec3::Zero(), material.density / static_cast<double>(mesh.rest_positions.size())});
+  std::vector<std::array<int, 4>> corners;
+  std::vector<ElementRest> rests;
+  for (const auto& tet : mesh.tets) {
+    Corners places;
+    for (int i = 0; i < 4; ++i) places.col(i) = mesh.rest_positions[tet[i]];
+    rests.push_back(element_rest(places));
+    corners.push_back({tet[0], tet[1], tet[2], tet[3]});
+  }
+  const std::vector<Mat3> offsets(corners.size(), Mat3::Zero());
+  solid.add_body(elastic_law(material), material.density, corners, rests, offsets);
+  solid.finish();
+  solid.set_step(solid.stable_step(0.5));
+  return solid;
+}
+
+void microstep(benchmark::State& state, ElementModel model) {
+  const ThreadLimit limit(static_cast<int>(state.range(1)));
+  Solid solid = vibrating_block(static_cast<int>(state.range(0)), model);
+  std::vector<int> flagged;
+  for (auto _ : state) {
+    solid.compute_forces();
+    solid.advance(1, flagged);
+  }
+  state.counters["per tet"] = benchmark::Counter(
+      solid.tet_slots(), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK_CAPTURE(microstep, green_strain, ElementModel::green_strain)
+    ->ArgsProduct({{430, 2000, 10000, 50000}, {1, 2}})
+    ->UseRealTime();
+BENCHMARK_CAPTURE(microstep, corotational, ElementModel::corotational)
+    ->ArgsProduct({{430, 2000, 10000, 50000}, {1, 2}})
+    ->UseRealTime();
+
+}  // namespace
+}  // namespace griffith::shock

@@ -1,0 +1,112 @@
+#include "ui/commands.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <set>
+
+#include "ui_driver.h"
+
+namespace griffith::ui {
+namespace {
+
+TEST(Commands, ButtonsIssueTheirCommands) {
+  UiDriver ui(two_walls());
+  ui.click("command/simulation.step");
+  ui.click("command/simulation.run");
+  ui.click("command/simulation.reset");
+  EXPECT_THAT(ui.issued(), ::testing::ElementsAre(CommandId::step, CommandId::toggle_run, CommandId::reset));
+}
+
+TEST(Commands, MenusIssueTheirCommands) {
+  UiDriver ui(two_walls());
+  ui.click("menu/Simulation");
+  ui.click("menu/simulation.step");
+  EXPECT_THAT(ui.issued(), ::testing::ElementsAre(CommandId::step));
+}
+
+TEST(Commands, EveryShortcutIssuesItsCommandOnce) {
+  for (const CommandInfo& info : command_registry()) {
+    if (info.shortcut.key == key::kNone) continue;
+    UiDriver ui(two_walls());
+    ui.history.change("a", [](Scene& scene) { scene.name = "a"; });
+    ui.history.finish();
+    ui.history.change("b", [](Scene& scene) { scene.name = "b"; });
+    ui.history.undo();  // now there is something to undo and to redo
+    ui.state.view.range = Vec2(0, 1);
+    ui.press_key(info.shortcut.key, info.shortcut.ctrl, info.shortcut.shift);
+    EXPECT_THAT(ui.issued(), ::testing::ElementsAre(info.id)) << info.name;
+  }
+}
+
+TEST(Commands, CommandsHaveDifferentNamesAndShortcuts) {
+  std::set<std::string_view> names, shortcuts;
+  for (const CommandInfo& info : command_registry()) {
+    EXPECT_TRUE(names.insert(info.name).second) << info.name;
+    EXPECT_TRUE(info.shortcut_text.empty() || shortcuts.insert(info.shortcut_text).second) << info.shortcut_text;
+    EXPECT_EQ(info.shortcut_text.empty(), info.shortcut.key == key::kNone) << info.name;
+    EXPECT_FALSE(info.hint.empty()) << info.name;
+    EXPECT_EQ(command_info(info.id).name, info.name);
+  }
+}
+
+TEST(Commands, NothingToUndoIssuesNoUndo) {
+  UiDriver ui(two_walls());
+  ui.click("command/edit.undo");
+  ui.press_key('Z', true);
+  EXPECT_TRUE(ui.commands.empty());
+  EXPECT_FALSE(find_tag(ui.tags, "command/edit.undo")->enabled);
+}
+
+TEST(Commands, KeysTypedIntoAFieldAreNoShortcuts) {
+  UiDriver ui(two_walls());
+  ui.click("material/density", 1);
+  ui.frame();
+  ui.press_key('R');
+  EXPECT_TRUE(ui.commands.empty());
+}
+
+TEST(Commands, QuittingAndScreenshotsWorkWhileTyping) {
+  UiDriver ui(two_walls());
+  ui.click("material/density", 1);
+  ui.frame();
+  ASSERT_TRUE(ImGui::GetIO().WantTextInput);
+  ui.press_key(key::kF12);
+  ui.press_key('Q', true);
+  EXPECT_THAT(ui.issued(), ::testing::ElementsAre(CommandId::screenshot, CommandId::quit));
+}
+
+TEST(Commands, ShortcutsDoNotReachBehindADialog) {
+  const std::vector<std::function<void(EditorState&)>> dialogs = {
+      [](EditorState& state) { state.work = "Filling with tetrahedra"; },
+      [](EditorState& state) {
+        state.error = ErrorMessage{"here", "broken", "mend it"};
+      },
+      [](EditorState& state) {
+        state.report = WorkReport{"Added", {}, {}};
+      },
+      [](EditorState& state) { state.show_open = true; },
+      [](EditorState& state) {
+        state.replacement = Replacement{{.id = CommandId::save}, "It is there."};
+      },
+      [](EditorState& state) { state.left_edits = "scene.json"; },
+      [](EditorState& state) { state.show_surface = true; },
+      [](EditorState& state) { state.show_help = true; }};
+  for (const auto& show : dialogs) {
+    UiDriver ui(two_walls());
+    ui.history.change("a", [](Scene& scene) { scene.name = "a"; });
+    ui.history.finish();
+    show(ui.state);
+    for (const CommandInfo& info : command_registry()) {
+      if (info.shortcut.key != key::kNone) ui.press_key(info.shortcut.key, info.shortcut.ctrl, info.shortcut.shift);
+    }
+    std::vector<CommandId> expected = {CommandId::screenshot};
+    if (ui.state.show_help) expected.push_back(CommandId::help);
+    expected.push_back(CommandId::quit);
+    EXPECT_EQ(ui.issued(), expected);
+  }
+}
+
+}  // namespace
+}  // namespace griffith::ui

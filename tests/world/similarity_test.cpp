@@ -1,0 +1,229 @@
+// Impacts of more microsteps than the budget leaves: bodies scaled by dynamic similarity.
+
+#include "sim/world/similarity.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "sim/world/phases.h"
+#include "sim/world/shock_phase.h"
+#include "sim/world/world.h"
+
+namespace griffith {
+namespace {
+
+/// Weightless space with one body of boxes.
+Scene body_of(const Vec3& size, double element_size) {
+  Scene scene;
+  scene.gravity.setZero();
+  scene.ground.reset();
+  scene.simulation.time_step = 1.0 / 60;
+  BodyDescription body;
+  body.shape = BoxShape{size, Vec3::Constant(element_size), BoxPattern::five_tet};
+  body.material.tensile_strength = 1e6;
+  scene.bodies = {body};
+  return scene;
+}
+
+/// A bar that lands with its whole end on ground without friction.
+Scene landing_bar(double speed) {
+  Scene scene = body_of(Vec3(0.2, 1, 0.2), 0.1);
+  scene.ground = Ground{0, 0, 0};
+  scene.bodies[0].material.friction = 0;
+  scene.bodies[0].material.poisson_ratio = 0.3;
+  scene.bodies[0].position = Vec3(0, 0.55, 0);
+  scene.bodies[0].velocity = Vec3(0, -speed, 0);
+  return scene;
+}
+
+/// A body that a sphere strikes off its middle.
+Scene struck(const Vec3& size, double element_size, double mass, double speed) {
+  Scene scene = body_of(size, element_size);
+  ProjectileBurst shot;
+  shot.position = Vec3(0.02, 0.01, 0.5);
+  shot.speed = speed;
+  shot.mass = mass;
+  shot.radius = 0.05;
+  scene.projectiles = {shot};
+  return scene;
+}
+
+/// The lowest f of any body that a step was made with.
+double lowest_factor(const World& world) {
+  double lowest = 1;
+  for (const BodyView& body : world.frame().bodies)
+    if (body.scaled) lowest = std::min(lowest, body.scaled->factor);
+  return lowest;
+}
+
+struct Outcome {
+  bool broke = false;
+  double factor = 1;
+};
+
+Outcome outcome_of(const Scene& scene, double speed) {
+  World world(scene);
+  Outcome outcome;
+  const double time = 0.6 / speed + 0.03;
+  while (world.frame().time < time && world.frame().crack_events.empty()) {
+    world.step();
+    outcome.factor = std::min(outcome.factor, lowest_factor(world));
+  }
+  outcome.broke = !world.frame().crack_events.empty();
+  return outcome;
+}
+
+struct BreakingSpeed {
+  double speed = 0;   ///< the lowest that breaks the body, to 1 % [m/s]
+  double factor = 1;  ///< the lowest f on the way
+};
+
+BreakingSpeed breaking_speed(const std::function<Scene(double)>& scene_at, double time_step, double budget) {
+  BreakingSpeed found{300, 1};
+  for (double holds = 0.05; found.speed > 1.01 * holds;) {
+    const double middle = std::sqrt(holds * found.speed);
+    Scene scene = scene_at(middle);
+    scene.simulation.time_step = time_step;
+    scene.simulation.step_budget = budget;
+    const Outcome outcome = outcome_of(scene, middle);
+    (outcome.broke ? found.speed : holds) = middle;
+    found.factor = std::min(found.factor, outcome.factor);
+  }
+  return found;
+}
+
+TEST(Similarity, BreakingSpeedsDependNeitherOnTheBudgetNorOnTheTimeStep) {
+  const std::vector<std::function<Scene(double)>> scenes = {
+      [](double speed) { return landing_bar(speed); },
+      [](double speed) { return struck(Vec3(1, 0.1, 0.1), 0.1, 0.1, speed); },
+      [](double speed) { return struck(Vec3(1, 0.1, 0.1), 0.1, 1, speed); },
+      [](double speed) { return struck(Vec3(0.8, 0.8, 0.1), 0.1, 2, speed); },
+      [](double speed) { return struck(Vec3(0.6, 0.6, 0.6), 0.15, 20, speed); },
+  };
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const double resolved = breaking_speed(scenes[i], 1.0 / 4000, 1e6).speed;
+    for (const double time_step : {1.0 / 30, 1.0 / 120}) {
+      EXPECT_NEAR(breaking_speed(scenes[i], time_step, 10).speed, resolved, 0.1 * resolved) << "scene " << i;
+      const BreakingSpeed scaled = breaking_speed(scenes[i], time_step, 0.1);
+      EXPECT_LT(scaled.factor, 1) << "scene " << i;
+      EXPECT_NEAR(scaled.speed, resolved, 0.25 * resolved) << "scene " << i << ", f = " << scaled.factor;
+    }
+  }
+}
+
+/// A bar under tension, set up and in shock.
+struct StretchedBar {
+  WorldState world;
+
+  explicit StretchedBar(bool supported) : world(scene(supported)) {
+    build_world(world);
+    for (NodeId node(0); node < world.mesh.node_count(); ++node.value) {
+      const Vec3 rest = world.mesh.rest_positions[node];
+      world.nodes.positions[node] = rest + 1e-5 * Vec3(rest.x() + 0.5, 0.2 * (rest.x() + 0.5), 0);
+      world.nodes.velocities[node] = Vec3(1, rest.x(), 0.3);
+    }
+    update_elements(world);
+    update_motion(world, body());
+    enter_shock(world, body(), 1);
+  }
+  static Scene scene(bool supported) {
+    Scene scene = body_of(Vec3(1, 0.2, 0.2), 0.1);
+    if (supported) scene.bodies[0].supports = {{HalfSpaceRegion{Vec3(-0.5, 0, 0), -Vec3::UnitX()}}};
+    return scene;
+  }
+  Body& body() { return world.bodies[0]; }
+};
+
+TEST(Similarity, ScalingKeepsStressAndEnergy) {
+  for (const bool supported : {false, true}) {
+    StretchedBar bar(supported);
+    const std::vector<ElementState> before = bar.world.elements.states;
+    const double energy = mechanical_energy(bar.world, bar.body());
+    for (const double factor : {0.5, 0.125}) {
+      set_similarity(bar.world, bar.body(), factor);
+      update_elements(bar.world, bar.body());
+      EXPECT_NEAR(mechanical_energy(bar.world, bar.body()), energy, 1e-9 * energy);
+      for (TetId tet(0); tet < bar.world.mesh.tet_count(); ++tet.value)
+        EXPECT_LT((bar.world.elements.states[tet].stress - before[tet].stress).norm(), 1e-6 * before[tet].stress.norm());
+    }
+  }
+}
+
+// What a body deforms by while it is scaled is 1/f times as much as it would have been.
+TEST(Similarity, TheEndGivesTheShapeThatBelongsToTheStress) {
+  for (const bool supported : {false, true}) {
+    StretchedBar bar(supported);
+    WorldState& world = bar.world;
+    set_similarity(world, bar.body(), 0.25);
+    for (NodeId node(0); node < world.mesh.node_count(); ++node.value)
+      world.nodes.positions[node].x() += 4e-5 * (world.mesh.rest_positions[node].x() + 0.5);
+    update_elements(world, bar.body());
+    const std::vector<ElementState> scaled = world.elements.states;
+    const RigidMotion motion = motion_of(world, bar.body());
+    end_shock(world, bar.body());
+    for (TetId tet(0); tet < world.mesh.tet_count(); ++tet.value)
+      EXPECT_LT((world.elements.states[tet].stress - scaled[tet].stress).norm(), 1e-3 * scaled[tet].stress.norm());
+    for (const NodeId node : bar.body().nodes) {
+      if (world.nodes.held[node] == 0) continue;
+      EXPECT_LT((world.nodes.positions[node] - world.mesh.rest_positions[node]).norm(), 1e-12);
+    }
+    if (supported) continue;
+    const RigidMotion after = motion_of(world, bar.body());
+    EXPECT_LT((after.velocity - motion.velocity).norm(), 1e-12);
+    EXPECT_LT((after.center - motion.center).norm(), 1e-12);
+    const Vec3 spin = motion.inertia * motion.angular_velocity;
+    EXPECT_LT((after.inertia * after.angular_velocity - spin).norm(), 1e-9 * spin.norm());
+  }
+}
+
+/// A hanging bar, drawn to just below its strength, that a sphere touches.
+Scene loaded_bar(double mass) {
+  Scene scene = struck(Vec3(1, 0.1, 0.1), 0.1, mass, 2);
+  BodyDescription& bar = scene.bodies[0];
+  bar.material.poisson_ratio = 0;
+  bar.supports = {{HalfSpaceRegion{Vec3(-0.5, 0, 0), -Vec3::UnitX()}}};
+  Load pull;
+  pull.region = HalfSpaceRegion{Vec3(0.5, 0, 0), Vec3::UnitX()};
+  pull.kind = LoadKind::traction;
+  pull.traction = Vec3(0.97 * bar.material.tensile_strength, 0, 0);
+  bar.loads = {pull};
+  scene.simulation.step_budget = 0.1;
+  return scene;
+}
+
+TEST(Similarity, WhatStrainedABodyBeforeIsHeldAgainstItsFullStrength) {
+  World touched(loaded_bar(1e-6)), hit(loaded_bar(1));
+  double lowest = 1;
+  for (int i = 0; i < 30; ++i) {
+    touched.step();
+    hit.step();
+    lowest = std::min(lowest, lowest_factor(touched));
+  }
+  EXPECT_LT(lowest, 0.5) << "the touch was an impact";
+  EXPECT_TRUE(touched.frame().crack_events.empty());
+  EXPECT_FALSE(hit.frame().crack_events.empty()) << "and a blow does break it";
+}
+
+TEST(Similarity, WhatIsScaledIsTold) {
+  Scene scene = struck(Vec3(1, 0.1, 0.1), 0.1, 1, 2);
+  scene.simulation.step_budget = 0.1;
+  World world(scene);
+  std::optional<ScaledImpact> impact;
+  for (int i = 0; i < 200 && !impact; ++i) {
+    world.step();
+    impact = world.frame().bodies[0].scaled;
+  }
+  ASSERT_TRUE(impact);
+  const Material& material = scene.bodies[0].material;
+  const double speed = material.tensile_strength / std::sqrt(material.young_modulus * material.density);
+  const double effective = impact->tensile_strength / std::sqrt(impact->young_modulus * material.density);
+  EXPECT_NEAR(effective, speed, 1e-9 * speed);
+  EXPECT_EQ(impact->tets, 50);
+  EXPECT_EQ(reason(*impact).find("50 tetrahedra would take "), 0u) << reason(*impact);
+  EXPECT_GT(impact->microsteps, impact->affordable);
+}
+
+}  // namespace
+}  // namespace griffith
