@@ -1,5 +1,7 @@
 #include "sim/shock/element_block.h"
 
+#include "sim/elasticity/polar_decomposition.h"
+
 namespace griffith::shock {
 namespace {
 
@@ -64,6 +66,24 @@ void follow_rotation(const Matrix h, Lanes q[4]) {
   q[3] = p[3] - p[0] * x - p[1] * y - p[2] * z;
   const Lanes norm = all(1) / root(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
   for (int i = 0; i < 4; ++i) q[i] *= norm;
+}
+
+/// Newton's steps do not find the rotations of what has turned by more than about a right angle.
+void find_lost_rotations(const Matrix h, Lanes q[4]) {
+  constexpr float kAsymmetry = 1e-3F, kLeastTrace = 1;  // of the stretch RᵀF
+  Matrix b, k;
+  rotation_less_identity(q, b);
+  stretch(b, h, k);
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const Vec3 axial(k[2][1][lane] - k[1][2][lane], k[0][2][lane] - k[2][0][lane], k[1][0][lane] - k[0][1][lane]);
+    const float trace = k[0][0][lane] + k[1][1][lane] + k[2][2][lane] + 3;
+    if (!(axial.norm() > kAsymmetry || trace < kLeastTrace)) continue;
+    Mat3 gradient = Mat3::Identity();
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) gradient(i, j) += h[i][j][lane];
+    const Quat rotation(polar_rotation(gradient));
+    for (int i = 0; i < 4; ++i) q[i][lane] = static_cast<float>(rotation.coeffs()[i]);
+  }
 }
 
 /// Green's strain ½ (H + Hᵀ + HᵀH); the frame less the identity is H.
@@ -190,6 +210,7 @@ void settle_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* d
   displacement_gradient(block, displacements, h);
   if (law.model == ElementModel::corotational) {
     for (int i = 0; i < kNewtonSteps; ++i) follow_rotation(h, block.rotation);
+    find_lost_rotations(h, block.rotation);
     corotational_strain(h, block.rotation, frame, block.strain);
   } else {
     green_strain(h, block.strain);
