@@ -21,7 +21,8 @@ namespace {
 /// What can be told before the run of where its results go.
 void check_outputs(const SimulateOptions& options) {
   if (!options.export_file.empty()) check_export_path(options.export_file);
-  for (const std::filesystem::path& path : {options.stats, options.probes, options.energy, options.events, options.export_file})
+  for (const std::filesystem::path& path :
+       {options.stats, options.probes, options.energy, options.events, options.export_file})
     if (!path.empty()) check_replaceable(path);
   if (!options.export_pieces.empty()) check_folder(options.export_pieces);
 }

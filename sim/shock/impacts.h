@@ -61,8 +61,8 @@ class Impacts {
   std::span<Obstacle> obstacles() { return obstacles_; }
   std::span<const Blow> blows() const { return blows_; }
 
-  /// What the pushes took in microsteps of `dt` [s] [J], each at the mean velocity of its microstep, which ends with the
-  /// next one's forces: those the solid has to know.
+  /// What the pushes took in microsteps of `dt` [s] [J], each at the mean velocity of its microstep, which ends with
+  /// the next one's forces: those the solid has to know.
   double lost(const Solid& solid, double dt);
 
  private:

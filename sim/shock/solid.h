@@ -140,8 +140,8 @@ class Solid {
   std::vector<NodeValue> displacements_, velocities_, accelerations_;
   std::vector<ElementBlock> blocks_;
   std::vector<ViscousWork> viscous_works_;  ///< per block
-  std::vector<int> block_bodies_;    ///< per block
-  std::vector<CornerForce> forces_;  ///< 4·slot + corner
+  std::vector<int> block_bodies_;           ///< per block
+  std::vector<CornerForce> forces_;         ///< 4·slot + corner
   std::vector<int> stars_;
   double dt_ = 0, fastest_ = 0;
 };

@@ -33,8 +33,7 @@ struct EnergyAccount {
   double stored() const { return kinetic + elastic; }
   double put_in() const { return start + gravity + loads + supports + projectiles + edits; }
   double lost() const {
-    return plastic + contacts + material_damping + microstep_damping + time_integration + hand_over + scaling +
-           limited;
+    return plastic + contacts + material_damping + microstep_damping + time_integration + hand_over + scaling + limited;
   }
   double unaccounted() const { return put_in() - stored() - lost(); }
   /// What errors are held against: what came in from each source, whatever went out again by another.

@@ -58,17 +58,16 @@ EnergyNow energy_now(const WorldState& world) {
 }
 
 void open_account(WorldState& world) {
-  const EnergyNow now = energy_now(world);
   world.energy = {};
-  world.energy.start = now.stored;
-  world.potential_at_start = now.potential;
-  close_account(world);
+  world.potential_at_start = potential_energy(world);
+  close_account(world, elastic_energy(world));
+  world.energy.start = world.energy.stored();
   world.energy_before = world.energy;
 }
 
-void close_account(WorldState& world) {
+void close_account(WorldState& world, double elastic) {
   world.energy.kinetic = kinetic_energy(world);
-  world.energy.elastic = elastic_energy(world);
+  world.energy.elastic = elastic;
   world.energy.gravity = world.potential_at_start - potential_energy(world);
 }
 
@@ -77,7 +76,6 @@ void book_edit(WorldState& world, const EnergyNow& before) {
   const EnergyNow now = energy_now(world);
   world.energy.edits += now.stored + now.lost - before.stored - before.lost;
   world.potential_at_start += now.potential - before.potential;
-  close_account(world);
 }
 
 void book_launch(WorldState& world, const Projectile& projectile, const RigidState& state) {

@@ -18,8 +18,8 @@ double kinetic_energy_of_projectiles(const WorldState& world);
 
 /// The account of a world that is ready to start.
 void open_account(WorldState& world);
-/// What is there now. After each step.
-void close_account(WorldState& world);
+/// What is there now, `elastic` energy of all elements among it [J]. After each step.
+void close_account(WorldState& world, double elastic);
 /// What is there and the potential energy, to tell what an edit changes.
 struct EnergyNow {
   double stored = 0, potential = 0, lost = 0;  ///< [J]; lost: as booked so far

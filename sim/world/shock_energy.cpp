@@ -26,8 +26,7 @@ double ShockRun::relieved_energy() const {
 
 /// Of loads, and of what scaling leaves out of external forces.
 void ShockRun::add_external_works(EnergyAccount& spent) const {
-  const bool scaled =
-      std::ranges::any_of(bodies_, [&](BodyId id) { return world_.bodies[id].shock->similarity < 1; });
+  const bool scaled = std::ranges::any_of(bodies_, [&](BodyId id) { return world_.bodies[id].shock->similarity < 1; });
   if (!scaled && world_.loads.empty()) return;
   for (int i = 0; i < solid_.node_count(); ++i) {
     const Vec3 way = solid_.position(i) - starts_[i].position;

@@ -87,9 +87,9 @@ class ShockRun {
   std::vector<Overload> overloaded_;
   std::vector<int> flagged_;
   Opened opened_;
-  std::vector<Start> starts_;                     ///< per node of the solid
+  std::vector<Start> starts_;  ///< per node of the solid
   std::vector<Relieved> relieved_;
-  EnergyAccount first_;                           ///< what an account of this build starts from
+  EnergyAccount first_;  ///< what an account of this build starts from
   double dt_ = 0, time_ = 0, least_speed_ = 0;
   long microsteps_ = 0, looks_made_ = 0;
   bool rebuild_ = false;  ///< the mesh or its supports have changed

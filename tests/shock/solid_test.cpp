@@ -108,7 +108,8 @@ TEST_P(EveryModel, ForcesTurnWithElementsHoweverFarTheseHaveTurned) {
   for (int i = 0; i < straight.solid.node_count(); ++i) largest = std::max(largest, straight.solid.velocity(i).norm());
   for (const double angle : {1.0, 2.0, 3.0, 4.0, 5.0}) {
     Box turned(
-        Vec3(1, 0.5, 0.5), 0.25, material, [&](const Vec3& rest) { return Vec3(turn_of(angle) * bent(rest)); }, at_rest);
+        Vec3(1, 0.5, 0.5), 0.25, material, [&](const Vec3& rest) { return Vec3(turn_of(angle) * bent(rest)); },
+        at_rest);
     turned.advance(1);
     for (int i = 0; i < turned.solid.node_count(); ++i) {
       const Vec3 expected = turn_of(angle) * straight.solid.velocity(i);

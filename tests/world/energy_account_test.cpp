@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <optional>
 
 #include "scenes.h"
 #include "sim/parallel.h"
@@ -46,7 +47,7 @@ TEST(EnergyAccount, AFrictionlessBounceClosesThroughoutInMicrosteps) {
   for (int i = 0; i < 40; ++i) {
     world.step();
     const Frame frame = world.frame();
-    ASSERT_NEAR(frame.energy.unaccounted(), 0, kTolerance * frame.energy.start) << "step " << i;
+    ASSERT_NEAR(frame.energy.unaccounted(), 0, 1e-4 * frame.energy.start) << "step " << i;
     ASSERT_LE(frame.energy.stored(), 1.001 * frame.energy.put_in()) << "step " << i;
     microsteps += frame.report.microsteps;
   }
@@ -116,7 +117,8 @@ TEST(EnergyAccount, APlasticBarTakesItsYieldStressTimesItsFlow) {
 
 /// A shot at a wall on the ground that goes to pieces.
 Scene shot_at_wall(Integrator integrator) {
-  Scene scene = testing::shot_wall(Vec3(2, 2, 0.25), 0.25, testing::brick(0.5));
+  const double strength = integrator == Integrator::hybrid ? 0.5 : 0.02;  // long steps average a blow away
+  Scene scene = testing::shot_wall(Vec3(2, 2, 0.25), 0.25, testing::brick(strength));
   scene.simulation.integrator = integrator;
   scene.projectiles[0].start = 0;
   return scene;
@@ -130,7 +132,7 @@ TEST(EnergyAccount, AnImpactWithCracksClosesAndNothingIsGained) {
       world.step();
       const Frame frame = world.frame();
       sum += frame.energy_of_step;
-      ASSERT_LT(share_unaccounted(frame.energy), kTolerance) << "step " << i;
+      ASSERT_LT(share_unaccounted(frame.energy), 2e-3) << "step " << i;
       const double rounding = 1e-3 * frame.energy.turned_over();
       for (double EnergyAccount::*loss : {&EnergyAccount::contacts, &EnergyAccount::material_damping,
                                           &EnergyAccount::microstep_damping, &EnergyAccount::plastic})
@@ -193,15 +195,123 @@ TEST(EnergyAccount, AnEditedMaterialIsAccountedFor) {
   EXPECT_LT(share_unaccounted(world.frame().energy), kTolerance);
 }
 
+/// A bar in weightless space, held at one end, near the other end of which a sphere strikes it.
+Scene struck_bar() {
+  Scene scene;
+  scene.gravity.setZero();
+  scene.ground.reset();
+  scene.simulation.fracture = false;
+  scene.simulation.step_budget = 1e5;
+  BodyDescription bar;
+  bar.shape = BoxShape{Vec3(1, 0.1, 0.1), Vec3::Constant(0.1), BoxPattern::five_tet};
+  bar.material.tensile_strength = 1e6;  // so that the blow counts as one that could hurt
+  bar.supports = {{HalfSpaceRegion{Vec3(-0.5, 0, 0), -Vec3::UnitX()}}};
+  ProjectileBurst shot;
+  shot.position = Vec3(0.42, 0.01, 0.2);
+  shot.speed = 2;
+  shot.mass = 1;
+  shot.radius = 0.05;
+  scene.bodies = {bar};
+  scene.projectiles = {shot};
+  return scene;
+}
+
+TEST(EnergyAccount, ScaledBodiesTakeAsMuchLessFromTheirLoadsAsTheyAreScaled) {
+  Scene scene = struck_bar();
+  scene.simulation.step_budget = 0.1;
+  scene.bodies[0].loads = {{.region = HalfSpaceRegion{Vec3(0.5, 0, 0), Vec3::UnitX()},
+                            .kind = LoadKind::traction,
+                            .traction = Vec3(5e6, 0, -2e5)}};
+  World world(scene);
+  double compared = 0;
+  std::optional<double> factor;
+  EnergyAccount last;  // of a step that was scaled to its end, if the next one is scaled, too
+  for (int i = 0; i < 20; ++i) {
+    world.step();
+    const Frame frame = world.frame();
+    ASSERT_LT(share_unaccounted(frame.energy), 1e-3) << "step " << i;
+    const std::optional<ScaledImpact>& scaled = frame.bodies[0].scaled;
+    if (scaled && factor) {
+      EXPECT_NEAR(last.scaling, (1 - *factor) * last.loads, 1e-5 * std::abs(last.loads)) << "step " << i - 1;
+      compared += std::abs(last.loads);
+    }
+    factor = scaled ? std::optional(scaled->factor) : std::nullopt;
+    last = frame.energy_of_step;
+  }
+  EXPECT_GT(compared, 0.1 * world.frame().energy.turned_over());
+  EXPECT_FALSE(factor) << "and the shock has ended";
+}
+
+TEST(EnergyAccount, AScaledBodyClosesUnderItsWeight) {
+  Scene scene = struck_bar();
+  scene.simulation.step_budget = 0.1;
+  scene.gravity = Vec3(0, 0, -300);
+  scene.projectiles[0].position.z() = 0.12;
+  scene.projectiles[0].speed = 10;
+  scene.projectiles[0].mass = 0.1;
+  World world(scene);
+  double most = 0;
+  for (int i = 0; i < 40; ++i) {
+    world.step();
+    ASSERT_LT(share_unaccounted(world.frame().energy), 1e-3) << "step " << i;
+    most = std::max(most, std::abs(world.frame().energy.scaling));
+  }
+  EXPECT_GT(most, 0.1 * world.frame().energy.turned_over());
+  EXPECT_FALSE(world.frame().bodies[0].scaled) << "the shock has ended";
+}
+
+TEST(EnergyAccount, MovingSupportsWorkInMicrosteps) {
+  Scene scene = struck_bar();
+  scene.bodies[0].supports[0].kind = SupportKind::prescribed;
+  scene.bodies[0].supports[0].velocity = scene.bodies[0].velocity = Vec3(0, 0, 1);
+  scene.simulation.static_start = false;
+  scene.simulation.relative_residual = 1e-10;  // what a solve leaves over works, too
+  World world(scene);
+  double work = 0;
+  for (int i = 0; i < 20; ++i) {
+    world.step();
+    const Frame frame = world.frame();
+    ASSERT_LT(share_unaccounted(frame.energy), 1e-3) << "step " << i;
+    if (frame.report.microsteps > 0) work += std::abs(frame.energy_of_step.supports);
+  }
+  EXPECT_GT(work, 0.05 * world.frame().energy.turned_over());
+}
+
+/// A free plate that two spheres strike one after the other, too weakly to break it.
+TEST(EnergyAccount, WhatVibratesInAPieceIsLostWhenItTurnsRigid) {
+  Scene scene = struck_bar();
+  scene.bodies[0].shape = BoxShape{Vec3(1, 1, 0.05), Vec3(0.1, 0.1, 0.05), BoxPattern::five_tet};
+  scene.bodies[0].supports.clear();
+  scene.bodies[0].material.tensile_strength = 4e6;
+  scene.projectiles[0].position = Vec3(0.02, 0.01, 0.2);
+  scene.projectiles[0].speed = 1;
+  scene.projectiles[0].mass = 0.5;
+  scene.projectiles.push_back(scene.projectiles[0]);
+  scene.projectiles[1].position = Vec3(0.3, -0.2, 0.2);
+  scene.projectiles[1].start = 0.3;
+  World world(scene);
+  int struck = 0;
+  double lost = 0;
+  for (int i = 0; i < 70; ++i) {
+    const bool was_rigid = world.frame().bodies[0].rigid;
+    world.step();
+    const Frame frame = world.frame();
+    ASSERT_LT(share_unaccounted(frame.energy), 2e-4) << "step " << i;
+    struck += was_rigid && frame.report.microsteps > 0;
+    lost = std::max(lost, frame.energy_of_step.hand_over);
+  }
+  EXPECT_GT(struck, 0) << "and woken";
+  EXPECT_GT(lost, 0.01 * world.frame().energy.turned_over());
+}
+
 /// How long a scene is followed: until it has been struck, and some steps more.
-int steps_of(const std::string& scene, Integrator integrator) {
-  const bool shatters =
-      scene == "vase_shot" || scene == "column_collapse" || scene == "glass_pane" || scene == "spot_shot";
-  return shatters && integrator == Integrator::hybrid ? 10 : 24;
+int steps_of(const std::string& scene) {
+  const bool shatters_early = scene == "vase_shot" || scene == "glass_pane" || scene == "spot_shot";
+  return shatters_early ? 16 : 48;
 }
 
 TEST(EnergyAccount, EverySceneCloses) {
-  int scenes = 0;
+  int scenes = 0, cracked = 0;
   for (const auto& file : std::filesystem::directory_iterator(GRIFFITH_SOURCE_DIR "/scenes")) {
     if (file.path().extension() != ".json" || file.path().stem() == "scene.schema") continue;
     ++scenes;
@@ -209,14 +319,16 @@ TEST(EnergyAccount, EverySceneCloses) {
       Scene scene = read_scene(file.path());
       scene.simulation.integrator = integrator;
       World world(scene);
-      const int steps = scene.analysis == Analysis::equilibrium ? 1 : steps_of(file.path().stem(), integrator);
+      const int steps = scene.analysis == Analysis::equilibrium ? 1 : steps_of(file.path().stem());
       for (int i = 0; i < steps; ++i) world.step();
-      const EnergyAccount energy = world.frame().energy;
-      EXPECT_GT(energy.turned_over(), 0) << file.path();
-      EXPECT_LT(share_unaccounted(energy), kTolerance) << file.path();
+      const Frame frame = world.frame();
+      EXPECT_GT(frame.energy.turned_over(), 0) << file.path();
+      EXPECT_LT(share_unaccounted(frame.energy), kTolerance) << file.path();
+      cracked += integrator == Integrator::hybrid && !frame.crack_events.empty();
     }
   }
   EXPECT_GE(scenes, 20);
+  EXPECT_GE(cracked, 15) << "most were followed until they broke";
 }
 
 }  // namespace
