@@ -112,6 +112,8 @@ void add_simulate(CLI::App& program, Options& options) {
       ->type_name("FILE");
   command->add_option("--probes", options.simulate.probes, "Write the scene's probes as CSV, one row a time step")
       ->type_name("FILE");
+  command->add_option("--energy", options.simulate.energy, "Write where the energy went as CSV, one row a time step")
+      ->type_name("FILE");
   command
       ->add_option("--events", options.simulate.events,
                    "Write all crack events as JSON: place, plane, load, elements on both sides, bodies")

@@ -37,6 +37,7 @@ struct SimulateOptions {
   int frames = 0;
   std::filesystem::path stats;          ///< empty: a summary on stdout
   std::filesystem::path probes;         ///< empty: the scene's probes are not written down
+  std::filesystem::path energy;         ///< CSV of the energy account; empty: none
   std::filesystem::path events;         ///< JSON of all crack events; empty: none
   std::filesystem::path export_file;    ///< .vtu or .msh of the last frame; empty: none
   std::filesystem::path export_pieces;  ///< folder for the last frame's bodies as .obj; empty: none

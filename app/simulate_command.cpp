@@ -3,6 +3,7 @@
 
 #include "app/command_options.h"
 #include "app/crack_event_file.h"
+#include "app/energy_table.h"
 #include "app/export_frame.h"
 #include "app/export_pieces.h"
 #include "app/output.h"
@@ -20,7 +21,8 @@ namespace {
 /// What can be told before the run of where its results go.
 void check_outputs(const SimulateOptions& options) {
   if (!options.export_file.empty()) check_export_path(options.export_file);
-  for (const std::filesystem::path& path : {options.stats, options.probes, options.events, options.export_file})
+  for (const std::filesystem::path& path :
+       {options.stats, options.probes, options.energy, options.events, options.export_file})
     if (!path.empty()) check_replaceable(path);
   if (!options.export_pieces.empty()) check_folder(options.export_pieces);
 }
@@ -33,6 +35,8 @@ void simulate_command(const SimulateOptions& options) {
   World world = make_world(scene, options.scene);
   std::optional<ProbeTable> probes;
   if (!options.probes.empty()) probes.emplace(world, options.scene);
+  std::optional<EnergyTable> energy;
+  if (!options.energy.empty()) energy.emplace(world.frame());
   std::vector<Skin> skins;
   if (!options.export_pieces.empty()) skins = make_skins(world.frame(), scene);
   RunStatistics statistics(world.frame(), scene.simulation.time_step, options.threads);
@@ -42,12 +46,14 @@ void simulate_command(const SimulateOptions& options) {
       world.step();
       statistics.add(world.frame());
       if (probes) probes->add(world);
+      if (energy) energy->add(world.frame());
       progress.update(step);
     }
   }
   const Frame frame = world.frame();
   Outputs outputs;
   if (probes) outputs.write([&] { replace_file(options.probes, probes->csv()); });
+  if (energy) outputs.write([&] { replace_file(options.energy, energy->csv()); });
   if (!options.events.empty()) outputs.write([&] { replace_file(options.events, crack_events_json(frame)); });
   if (!options.export_file.empty()) outputs.write([&] { export_frame(options.export_file, frame); });
   if (!options.export_pieces.empty()) outputs.write([&] { export_pieces(options.export_pieces, frame, skins); });

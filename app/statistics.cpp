@@ -79,6 +79,15 @@ void add_totals(Json& json, const Totals& totals) {
   json["elastic_energy"] = totals.elastic_energy;
 }
 
+/// Where the energy came from and went, as EnergyAccount says.
+void add_energy(Json& json, const EnergyAccount& energy) {
+  Json& account = json["energy"];
+  for (const EnergyEntry& entry : energy_entries()) account[entry.key] = energy.*entry.value;
+  account["unaccounted"] = energy.unaccounted();
+  account["put_in"] = energy.turned_over();
+  account["crack_area"] = energy.crack_area;
+}
+
 }  // namespace
 
 RunStatistics::RunStatistics(const Frame& start, double time_step, int threads)
@@ -128,6 +137,7 @@ std::string RunStatistics::json(const Frame& frame, std::uint64_t state_hash) co
   json["mass"] = mass_of_bodies(frame);
   json["initial_mass"] = initial_mass_;
   add_totals(json, frame.totals);
+  add_energy(json, frame.energy);
   add_counters(json, sums_, largest_);
   json["scaled_impacts"] = Json::array();
   for (const auto& [scene_body, scaled] : scaled_)

@@ -20,13 +20,13 @@ class RunStatistics {
   /// Takes in the step that led to `frame`.
   void add(const Frame& frame);
 
-  /// One JSON object. SI units, times in milliseconds. Totals describe `frame`, the last one; `max_penetration`,
-  /// `max_relative_residual`, `solver_iterations`, `inverted_tets`, `non_finite_values` and `sleeping_bodies` are the
-  /// largest of any step,
-  /// `substeps`, `microsteps`, `contacts`, `cracks_postponed`, `cracks_suppressed`, `remeshing_refused`, `supports_torn`,
-  /// `unfinished_equilibria`, `unconverged_solves`, `shortened_motions` and `limited_impulses` sums over
-  /// all steps. `scaled_impacts` lists for each scene body whose impacts were scaled (ScaledImpact) the
-  /// slowest, with the effective material and the reason.
+  /// One JSON object. `energy` is the account since the start: energy_entries() by their keys, `unaccounted`, `put_in`
+  /// (the sum of all sources) and `crack_area`. SI units, times in milliseconds. Totals describe `frame`, the last one;
+  /// `max_penetration`, `max_relative_residual`, `solver_iterations`, `inverted_tets`, `non_finite_values` and
+  /// `sleeping_bodies` are the largest of any step, `substeps`, `microsteps`, `contacts`, `cracks_postponed`,
+  /// `cracks_suppressed`, `remeshing_refused`, `supports_torn`, `unfinished_equilibria`, `unconverged_solves`,
+  /// `shortened_motions` and `limited_impulses` sums over all steps. `scaled_impacts` lists for each scene body whose
+  /// impacts were scaled (ScaledImpact) the slowest, with the effective material and the reason.
   std::string json(const Frame& frame, std::uint64_t state_hash) const;
 
   /// The same for a person, a few lines.
@@ -42,7 +42,7 @@ class RunStatistics {
     int impacts = 0;        ///< steps in which it or a piece of it was scaled
     ScaledImpact slowest;
   };
-  std::map<int, ScaledBody> scaled_;             ///< by scene body
+  std::map<int, ScaledBody> scaled_;                 ///< by scene body
   std::array<std::vector<double>, 6> milliseconds_;  ///< of step, contact, elasticity, shock, separation, fracture
 };
 

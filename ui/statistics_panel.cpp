@@ -32,8 +32,6 @@ void mesh_rows(const Panel& panel) {
   count_row(panel, "Crack events", frame.crack_events.size());
   count_row(panel, "Contacts", static_cast<std::size_t>(std::max(frame.report.contacts, 0)));
   count_row(panel, "Substeps", static_cast<std::size_t>(std::max(frame.report.substeps, 0)));
-  value_row(panel, "Kinetic energy", format_quantity(frame.totals.kinetic_energy, "J", 3), palette::kText);
-  value_row(panel, "Elastic energy", format_quantity(frame.totals.elastic_energy, "J", 3), palette::kText);
 }
 
 /// What stood in for the material of the slowest body, and why.
@@ -84,18 +82,38 @@ void solver_rows(const Panel& panel) {
   value_row(panel, "Penetration", format_quantity(report.max_penetration, "m", 3), palette::kText);
 }
 
-void time_bar(const Panel& panel, const char* label, double milliseconds, double whole) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f ms", milliseconds);
+/// A value and, as a bar below it, its share of a whole.
+void share_row(const Panel& panel, const char* label, const std::string& text, double value, double whole) {
   value_row(panel, label, text, palette::kText);
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const float left = ImGui::GetWindowPos().x + ImGui::GetStyle().WindowPadding.x;
-  const float share = static_cast<float>(std::clamp(whole > 0 ? milliseconds / whole : 0, 0.0, 1.0));
+  const float share = static_cast<float>(std::clamp(whole > 0 ? value / whole : 0, 0.0, 1.0));
   const float thickness = 2 * ui_scale(panel);
   ImGui::GetWindowDrawList()->AddRectFilled({left, high.y}, {high.x, high.y + thickness}, palette::kField);
   ImGui::GetWindowDrawList()->AddRectFilled({left, high.y}, {left + share * (high.x - left), high.y + thickness},
                                             palette::kAccent);
   ImGui::Dummy({0, (low.y < high.y ? 1 : 0) * thickness / 2});
+}
+
+void time_bar(const Panel& panel, const char* label, double milliseconds, double whole) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f ms", milliseconds);
+  share_row(panel, label, text, milliseconds, whole);
+}
+
+void energy_row(const Panel& panel, const char* label, double energy, double whole, const char* meaning) {
+  share_row(panel, label, format_quantity(energy, "J", 3), energy, whole);
+  tooltip(meaning);
+}
+
+/// Where the energy came from, and where it is or went: shares of all that came in.
+void energy_rows(const Panel& panel) {
+  const EnergyAccount& energy = panel.input.frame.energy;
+  const double whole = energy.turned_over();
+  heading(panel, "Energy since the start");
+  for (const EnergyEntry& entry : energy_entries())
+    energy_row(panel, entry.label.data(), energy.*entry.value, whole, entry.meaning.data());
+  energy_row(panel, "Unaccounted", energy.unaccounted(), whole, "What the entries above do not explain.");
 }
 
 void timing_rows(const Panel& panel) {
@@ -113,6 +131,7 @@ void timing_rows(const Panel& panel) {
 
 void draw_statistics_panel(Panel& panel) {
   mesh_rows(panel);
+  energy_rows(panel);
   solver_rows(panel);
   if (panel.state.show_times) timing_rows(panel);
 }

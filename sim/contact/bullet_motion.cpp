@@ -123,6 +123,7 @@ void ContactWorld::Impl::move_projectiles(double dt) {
   for (std::size_t i : projectiles) {
     Object& object = objects[i];
     object.state.pose.translation += object.correction.translation;
+    object.pushed_out = object.correction.translation;
     turn_free(object, dt);
     object.correction = {};
   }

@@ -271,6 +271,7 @@ void ContactWorld::advance(double dt) { impl_->advance(dt); }
 ContactWorld::Correction ContactWorld::position_correction(ProxyId stand_in) const {
   return impl_->objects[stand_in].correction;
 }
+Vec3 ContactWorld::pushed_out(ProxyId projectile) const { return impl_->objects[projectile].pushed_out; }
 Vec3 ContactWorld::swept_center(ProxyId stand_in, double dt, double slow,
                                 const std::function<bool(ProxyId)>& stops) const {
   return impl_->swept_end(impl_->objects[stand_in], dt, {slow, stops});

@@ -34,6 +34,7 @@ struct Object {
   double inverse_mass = 0;                                        ///< 0 when held
   Mat3 inverse_inertia = Mat3::Zero();                            ///< in its own frame
   ContactWorld::Correction correction = {};
+  Vec3 pushed_out = Vec3::Zero();  ///< projectiles: the correction that the last advance() made [m]
   double impact_speed = std::numeric_limits<double>::infinity();  ///< from which it could be hurt [m/s]
   bool asleep = false;      ///< lies still: neither moved nor looked at until something disturbs it
   Pose resting_place = {};  ///< that it has hardly left

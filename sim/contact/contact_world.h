@@ -178,6 +178,8 @@ class ContactWorld {
     Vec3 translation = Vec3::Zero(), rotation = Vec3::Zero();
   };
   Correction position_correction(ProxyId stand_in) const;
+  /// How far overlaps pushed a projectile in the last advance() [m]; its state holds it already.
+  Vec3 pushed_out(ProxyId projectile) const;
 
   /// Rigid objects that, like all that they touch, have hardly moved for half a second fall asleep; once a step of `dt`
   /// [s]. Sleepers stand still and cost nothing until something touches one that is not quiet, or a neighbour is

@@ -46,19 +46,27 @@ void Impacts::close_cracks(Solid& solid) {
     const Vec3 normal = area.normalized();
     const std::array<double, 3> weights = weights_in(solid, sides.second, center);
     if (!std::ranges::all_of(weights, [](double weight) { return weight >= 0; })) continue;
-    double gap = -normal.dot(center), speed = 0, mobility = 0;
+    const auto opening_speed = [&] {
+      double speed = 0;
+      for (int i = 0; i < 3; ++i)
+        speed += normal.dot(weights[i] * solid.velocity(sides.second[i]) - solid.velocity(sides.first[i]) / 3);
+      return speed;
+    };
+    const double speed = opening_speed();
+    double gap = -normal.dot(center), mobility = 0;
     for (int i = 0; i < 3; ++i) {
       gap += weights[i] * normal.dot(solid.position(sides.second[i]));
-      speed += normal.dot(weights[i] * solid.velocity(sides.second[i]) - solid.velocity(sides.first[i]) / 3);
       mobility += solid.mobility(sides.first[i], normal) / 9 +
                   weights[i] * weights[i] * solid.mobility(sides.second[i], normal);
     }
     if (gap > 0 || gap * gap > area.norm() || speed >= 0 || mobility == 0) continue;
     const Vec3 impulse = speed / mobility * normal;
     for (int i = 0; i < 3; ++i) {
-      solid.push(sides.first[i], impulse / 3);
-      solid.push(sides.second[i], -weights[i] * impulse);
+      push_node(solid, sides.first[i], impulse / 3);
+      push_node(solid, sides.second[i], -weights[i] * impulse);
     }
+    // Where both sides end in one node, at the front, they do not part: more speed is left than the others lost.
+    lost_ += 0.5 * speed / mobility * (speed + opening_speed());
   }
 }
 

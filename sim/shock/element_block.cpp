@@ -1,5 +1,7 @@
 #include "sim/shock/element_block.h"
 
+#include "sim/elasticity/polar_decomposition.h"
+
 namespace griffith::shock {
 namespace {
 
@@ -66,6 +68,24 @@ void follow_rotation(const Matrix h, Lanes q[4]) {
   for (int i = 0; i < 4; ++i) q[i] *= norm;
 }
 
+/// Newton's steps do not find the rotations of what has turned by more than about a right angle.
+void find_lost_rotations(const Matrix h, Lanes q[4]) {
+  constexpr float kAsymmetry = 1e-3F, kLeastTrace = 1;  // of the stretch RᵀF
+  Matrix b, k;
+  rotation_less_identity(q, b);
+  stretch(b, h, k);
+  for (int lane = 0; lane < kLanes; ++lane) {
+    const Vec3 axial(k[2][1][lane] - k[1][2][lane], k[0][2][lane] - k[2][0][lane], k[1][0][lane] - k[0][1][lane]);
+    const float trace = k[0][0][lane] + k[1][1][lane] + k[2][2][lane] + 3;
+    if (!(axial.norm() > kAsymmetry || trace < kLeastTrace)) continue;
+    Mat3 gradient = Mat3::Identity();
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) gradient(i, j) += h[i][j][lane];
+    const Quat rotation(polar_rotation(gradient));
+    for (int i = 0; i < 4; ++i) q[i][lane] = static_cast<float>(rotation.coeffs()[i]);
+  }
+}
+
 /// Green's strain ½ (H + Hᵀ + HᵀH); the frame less the identity is H.
 void green_strain(const Matrix h, Symmetric strain) {
   for (int e = 0; e < 6; ++e) {
@@ -125,10 +145,32 @@ void write_forces(const ElementBlock& block, const Matrix p, Lanes stress, Quad*
     scatter(f[corner][0], f[corner][1], f[corner][2], stress, forces + corner + 1, 4);
 }
 
+/// Of the stress of strain a over strain b, but for the volume: λ tr(a) tr(b) + 2μ a : b.
+Lanes work_density(const BlockLaw& law, const Symmetric a, const Symmetric b) {
+  const Lanes trace = (a[0] + a[1] + a[2]) * (b[0] + b[1] + b[2]);
+  const Lanes normal = a[0] * b[0] + a[1] * b[1] + a[2] * b[2], shear = a[3] * b[3] + a[4] * b[4] + a[5] * b[5];
+  return all(law.lambda) * trace + all(2 * law.mu) * (normal + shear + shear);
+}
+
+/// What the work density of elastic strains counts with: those of slivers are a share of the strains over which
+/// stresses work.
+Lanes weight_of(const ElementBlock& block) {
+  return block.stiffness > all(0) ? block.volume / block.stiffness : all(0);
+}
+
+/// Adds the work of the call before; `rate` is that of the present one.
+void measure(const BlockLaw& law, const ElementBlock& block, const Symmetric rate, float viscosity, ViscousWork& work) {
+  Symmetric both;
+  for (int e = 0; e < 6; ++e) both[e] = work.rate[e] + rate[e];
+  work.work += all(0.5F * viscosity) * weight_of(block) * work_density(law, work.rate, both);
+  for (int e = 0; e < 6; ++e) work.rate[e] = rate[e];
+}
+
 template <ElementModel model>
-void force_elements_of(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements, Quad* forces) {
+void force_elements_of(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements, Quad* forces,
+                       ViscousWork& work, float viscosity) {
   Matrix h, rotation, product;
-  Symmetric strain, stress;
+  Symmetric strain, stress, rate;
   displacement_gradient(block, displacements, h);
   if constexpr (model == ElementModel::corotational) {
     corotational_strain(h, block.rotation, rotation, strain);
@@ -138,10 +180,11 @@ void force_elements_of(const BlockLaw& law, ElementBlock& block, const WideQuad*
   for (int e = 0; e < 6; ++e) strain[e] = block.stiffness * (strain[e] - block.offset[e]);
   const Lanes largest = at_least(largest_stress(law, strain), 0);
   for (int e = 0; e < 6; ++e) {
-    const Lanes rate = strain[e] - block.strain[e];
+    rate[e] = strain[e] - block.strain[e];
     block.strain[e] = strain[e];
-    strain[e] += all(law.viscosity) * rate;
+    strain[e] += all(law.viscosity) * rate[e];
   }
+  measure(law, block, rate, viscosity, work);
   const Lanes pressure = all(law.lambda) * (strain[0] + strain[1] + strain[2]);
   for (int e = 0; e < 6; ++e) {
     stress[e] = all(2 * law.mu) * strain[e];
@@ -154,12 +197,17 @@ void force_elements_of(const BlockLaw& law, ElementBlock& block, const WideQuad*
 
 }  // namespace
 
-void force_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements, Quad* forces) {
+void force_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements, Quad* forces,
+                    ViscousWork& work, float viscosity) {
   if (law.model == ElementModel::corotational) {
-    force_elements_of<ElementModel::corotational>(law, block, displacements, forces);
+    force_elements_of<ElementModel::corotational>(law, block, displacements, forces, work, viscosity);
   } else {
-    force_elements_of<ElementModel::green_strain>(law, block, displacements, forces);
+    force_elements_of<ElementModel::green_strain>(law, block, displacements, forces, work, viscosity);
   }
+}
+
+Lanes work_of_last(const BlockLaw& law, const ElementBlock& block, const ViscousWork& work) {
+  return all(0.5F * law.viscosity) * weight_of(block) * work_density(law, work.rate, work.rate);
 }
 
 void settle_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements) {
@@ -168,6 +216,7 @@ void settle_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* d
   displacement_gradient(block, displacements, h);
   if (law.model == ElementModel::corotational) {
     for (int i = 0; i < kNewtonSteps; ++i) follow_rotation(h, block.rotation);
+    find_lost_rotations(h, block.rotation);
     corotational_strain(h, block.rotation, frame, block.strain);
   } else {
     green_strain(h, block.strain);

@@ -271,14 +271,15 @@ double Impacts::friction_of(const Solid& solid, const Touch& touch) const {
 }
 
 void Impacts::act(Solid& solid, const Touch& touch, const Vec3& impulse) {
-  for (int i = 0; i < touch.count; ++i) solid.push(touch.nodes[i], touch.weights[i] * impulse);
-  touch.obstacle >= 0 ? obstacles_[touch.obstacle].push(touch.place, -impulse) : solid.push(touch.other_node, -impulse);
+  for (int i = 0; i < touch.count; ++i) push_node(solid, touch.nodes[i], touch.weights[i] * impulse);
+  touch.obstacle >= 0 ? obstacles_[touch.obstacle].push(touch.place, -impulse)
+                      : push_node(solid, touch.other_node, -impulse);
 }
 
 void Impacts::take_back(Solid& solid, const Touch& touch, const Vec3& impulse, double time) {
   const auto shift = [&](int node, const Vec3& share) {
     const double size = share.norm();
-    if (size > 0) solid.shift(node, time * solid.mobility(node, share / size) * share);
+    if (size > 0) shift_node(solid, node, time * solid.mobility(node, share / size) * share);
   };
   for (int i = 0; i < touch.count; ++i) shift(touch.nodes[i], touch.weights[i] * impulse);
   if (touch.obstacle < 0) return shift(touch.other_node, -impulse);
@@ -300,14 +301,16 @@ bool Impacts::push(Solid& solid, Touch& touch, double dt, double least_speed) {
     impulse += std::min(friction_of(solid, touch) * speed / mobility, stopping) / slip * sliding;
   }
   act(solid, touch, impulse);
-  const Vec3 after = approach_of(solid, touch);
+  Vec3 after = approach_of(solid, touch);
   // Friction and the levers of light things may turn a push into a gain: then it goes no further than where it takes
   // most.
   if (impulse.dot(velocity + after) < 0) {
     const double share = impulse.dot(velocity) / impulse.dot(velocity - after);
     act(solid, touch, (share - 1) * impulse);
     impulse *= share;
+    after = velocity + share * (after - velocity);
   }
+  lost_ += 0.5 * impulse.dot(velocity + after);
   const double time = std::min(dt, touch.depth / speed);
   take_back(solid, touch, impulse, time);
   touch.depth -= time * speed;
@@ -328,6 +331,7 @@ double Impacts::fastest_of(const Solid& solid) const {
 
 void Impacts::resolve(Solid& solid, double dt, double least_speed) {
   blows_.clear();
+  settle_pushed(solid, dt);
   for (Obstacle& obstacle : obstacles_) obstacle.move(dt);
   const double way = 2 * dt * fastest_of(solid);
   if (reach_left_ < 0) list_candidates(solid, way);
@@ -339,6 +343,7 @@ void Impacts::resolve(Solid& solid, double dt, double least_speed) {
   }
   reach_left_ -= std::max(way, 2 * dt * fastest_of(solid));
   if (!cracks_.empty()) close_cracks(solid);
+  note_pushed(solid);
 }
 
 }  // namespace griffith::shock

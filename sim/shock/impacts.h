@@ -61,6 +61,10 @@ class Impacts {
   std::span<Obstacle> obstacles() { return obstacles_; }
   std::span<const Blow> blows() const { return blows_; }
 
+  /// What the pushes took in microsteps of `dt` [s] [J], each at the mean velocity of its microstep, which ends with
+  /// the next one's forces: those the solid has to know.
+  double lost(const Solid& solid, double dt);
+
  private:
   /// A point of a face, or a node, and what it meets.
   struct Touch {
@@ -90,6 +94,12 @@ class Impacts {
     int node = 0;
     SurfaceSide side;
   };
+  /// What pushes did to a node in the last microstep.
+  struct Pushed {
+    int node = 0;
+    Vec3 change = Vec3::Zero();  ///< of its velocity [m/s]
+    Vec3 way = Vec3::Zero();     ///< that it was shifted [m]
+  };
 
   const SurfaceLaw& surface_at(const Solid& solid, int node) const;
   void list_candidates(const Solid& solid, double way);
@@ -114,6 +124,11 @@ class Impacts {
   void take_back(Solid& solid, const Touch& touch, const Vec3& impulse, double time);
   bool push(Solid& solid, Touch& touch, double dt, double least_speed);
   void close_cracks(Solid& solid);
+  Pushed& pushed(const Solid& solid, int node);
+  void push_node(Solid& solid, int node, const Vec3& impulse);
+  void shift_node(Solid& solid, int node, const Vec3& way);
+  void note_pushed(const Solid& solid);
+  void settle_pushed(const Solid& solid, double dt);
 
   std::vector<SurfaceSide> surface_;
   std::vector<CrackSides> cracks_;
@@ -124,6 +139,9 @@ class Impacts {
   std::vector<Touch> touches_;
   std::vector<int> order_;  ///< of touches, the deepest first
   std::vector<Blow> blows_;
+  std::vector<Pushed> pushed_;
+  std::vector<int> pushed_at_;  ///< per node: index into pushed_, or -1
+  double lost_ = 0;
   double element_size_, margin_ = 0, reach_left_ = -1;
 };
 

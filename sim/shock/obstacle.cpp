@@ -33,8 +33,10 @@ Mat3 Obstacle::inertia_now() const {
 
 void Obstacle::push(const Vec3& place, const Vec3& impulse) {
   if (inverse_mass == 0) return;
+  const Vec3 before = velocity_at(place);
   state.velocity += inverse_mass * impulse;
   state.angular_velocity += inertia_now() * (place - state.pose.translation).cross(impulse);
+  energy_gained += 0.5 * impulse.dot(before + velocity_at(place));
 }
 
 double Obstacle::mobility(const Vec3& place, const Vec3& direction) const {

@@ -31,6 +31,7 @@ struct Obstacle {
   Mat3 inverse_inertia = Mat3::Zero();  ///< in its own frame
   RigidState state;
   double friction = 0.6;
+  double energy_gained = 0;  ///< by pushes: their work at the mean of its velocities before and after [J]
 
   bool is_sphere() const { return solids.empty(); }
   Vec3 velocity_at(const Vec3& place) const {

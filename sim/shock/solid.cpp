@@ -144,6 +144,7 @@ void Solid::add_body(const ElasticLaw& law, double density, std::span<const std:
 
 void Solid::finish() {
   forces_.resize(4 * static_cast<std::size_t>(tet_slots()));
+  viscous_works_.resize(blocks_.size());
   std::vector<int> fill(nodes_.size(), 0);
   const auto each_corner = [&](auto use) {
     for (int slot = 0; slot < tet_slots(); ++slot) {
@@ -189,9 +190,12 @@ void Solid::set_step(double dt) {
 void Solid::compute_forces() {
   constexpr int kGrain = 256;  // 2,048 tets: fewer are done before another thread could start
   parallel_for(static_cast<int>(blocks_.size()), kGrain, [&](int begin, int end) {
-    for (int b = begin; b < end; ++b)
-      force_elements(bodies_[block_bodies_[b]].law, blocks_[b], &displacements_[0].value,
-                     &forces_[4 * static_cast<std::size_t>(kLanes) * b].value);
+    for (int b = begin; b < end; ++b) {
+      const SolidBody& body = bodies_[block_bodies_[b]];
+      force_elements(body.law, blocks_[b], &displacements_[0].value,
+                     &forces_[4 * static_cast<std::size_t>(kLanes) * b].value, viscous_works_[b],
+                     static_cast<float>(body.damping / dt_));
+    }
   });
 }
 

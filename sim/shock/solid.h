@@ -100,7 +100,9 @@ class Solid {
     return std::span(stars_).subspan(nodes_[node].first, nodes_[node].count);
   }
   /// Whether a tet is a sliver that was relieved: what it strains beyond its elastic_strain() is permanent.
-  bool is_relieved(int slot) const { return blocks_[slot / kLanes].stiffness[slot % kLanes] < 1; }
+  bool is_relieved(int slot) const { return stiffness(slot) < 1; }
+  /// What a tet has of the law's stiffness, 0..1.
+  float stiffness(int slot) const { return blocks_[slot / kLanes].stiffness[slot % kLanes]; }
   /// What of a tet's strain in the body's turn has stress under the law.
   Mat3 elastic_strain(int slot, const Mat3& strain) const;
   int corner(int slot, int corner) const { return blocks_[slot / kLanes].nodes[corner][slot % kLanes]; }
@@ -115,6 +117,15 @@ class Solid {
   void shift(int node, const Vec3& way) { displacements_[node].value += WideQuad{way[0], way[1], way[2], 0}; }
   /// The velocity change that a unit impulse along `direction` brings along it [1/kg].
   double mobility(int node, const Vec3& direction) const;
+  /// What viscosity has taken [J]: half of what it does in the present forces, if these will get half a kick.
+  double viscous_work() const;
+  /// From now on, forces are elastic alone.
+  void stop_viscosity();
+  /// Of the change of velocities by half a kick of the present forces [J].
+  double half_kick_energy() const;
+  /// Of a node by external forces; by all present forces, where it is free to go [m/s²].
+  Vec3 external_acceleration(int node) const { return vector(accelerations_[node].value); }
+  Vec3 acceleration(int node) const;
   /// Of any node, as advance() left it [m/s].
   double fastest() const { return fastest_; }
 
@@ -136,8 +147,9 @@ class Solid {
   std::vector<Vec3> references_;
   std::vector<NodeValue> displacements_, velocities_, accelerations_;
   std::vector<ElementBlock> blocks_;
-  std::vector<int> block_bodies_;    ///< per block
-  std::vector<CornerForce> forces_;  ///< 4·slot + corner
+  std::vector<ViscousWork> viscous_works_;  ///< per block
+  std::vector<int> block_bodies_;           ///< per block
+  std::vector<CornerForce> forces_;         ///< 4·slot + corner
   std::vector<int> stars_;
   double dt_ = 0, fastest_ = 0;
 };

@@ -6,6 +6,7 @@
 #include "sim/fracture/resistance.h"
 #include "sim/mesh/topology.h"
 #include "sim/parallel.h"
+#include "sim/world/energy_phase.h"
 #include "sim/world/phases.h"
 
 namespace griffith {
@@ -119,7 +120,7 @@ void update_motion(WorldState& world, Body& body) {
   body.orientation = Quat(polar_rotation(correlation / correlation.norm())).normalized();
 }
 
-void rebuild_shape(WorldState& world, Body& body) {
+double rebuild_shape(WorldState& world, Body& body) {
   body.nodes = nodes_of(world.mesh, body.tets);
   body.surface.clear();
   for (TetId tet : body.tets)
@@ -141,7 +142,11 @@ void rebuild_shape(WorldState& world, Body& body) {
   body.rigid = body.tets.size() == 1 && !body.supported();
   body.calm_steps = 0;
   body.highest_frequency = 0;
-  if (body.rigid) clear_stress(world, body);
+  if (!body.rigid) return 0;
+  update_elements(world, body);
+  const double before = mechanical_energy(world, body);
+  clear_stress(world, body);
+  return before - energy_of(world, body);
 }
 
 void add_stand_ins(WorldState& world, std::span<Body> bodies) {
@@ -188,13 +193,15 @@ void part_bodies(WorldState& world, std::span<const BodyId> opened) {
   std::vector<BodyId> changed(opened.begin(), opened.end());
   const std::span<Body> parted = std::span(world.bodies).subspan(first_new);
   for (const Body& body : parted) changed.push_back(body.id);
+  std::vector<double> lost(changed.size(), 0.0);
   parallel_for(static_cast<int>(changed.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       Body& body = world.bodies[changed[i]];
-      rebuild_shape(world, body);
+      lost[i] = rebuild_shape(world, body);
       body.collision_parts = collision_parts(world, body);
     }
   });
+  for (const double energy : lost) world.energy.hand_over += energy;
   for (BodyId id : opened) reshape_stand_in(world, world.bodies[id]);
   add_stand_ins(world, parted);
 }

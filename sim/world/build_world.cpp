@@ -5,6 +5,7 @@
 #include "sim/mesh/topology.h"
 #include "sim/parallel.h"
 #include "sim/scene/body_pose.h"
+#include "sim/world/energy_phase.h"
 #include "sim/world/phases.h"
 #include "sim/world/shape_mesh.h"
 
@@ -253,6 +254,7 @@ void build_world(WorldState& world, const Monitor& monitor) {
   place_stand_ins(world);
   update_elements(world);
   evaluate_separation(world, false);
+  open_account(world);
   publish(world);
 }
 

@@ -5,6 +5,7 @@
 #include "sim/parallel.h"
 #include "sim/rotation.h"
 #include "sim/solver/rigid_motion.h"
+#include "sim/world/energy_phase.h"
 #include "sim/world/face_contacts.h"
 #include "sim/world/phases.h"
 #include "sim/world/settle_contacts.h"
@@ -221,7 +222,9 @@ void limit_energy(WorldState& world, TouchedBodies& touched, double dt) {
     const ElasticResponse& response = touched.responses[i];
     const Eigen::Matrix3Xd velocities =
         response.free_velocities + factors[i] * (response.velocities - response.free_velocities);
-    world.bodies[touched.bodies[i].body].contact_work = factors[i] * response.impulses.cwiseProduct(velocities).sum();
+    double& work = world.bodies[touched.bodies[i].body].contact_work;
+    work = factors[i] * response.impulses.cwiseProduct(velocities).sum();
+    world.energy.contacts -= work;
     if (factors[i] == 1) continue;
     ++world.report.limited_impulses;
     set_velocities(world, touched.bodies[i], factors[i]);
@@ -236,6 +239,7 @@ void apply_corrections(WorldState& world) {
     const Mat3 turn = rotation_by(correction.rotation).toRotationMatrix();
     const Vec3 center = body.motion.center;
     body.motion.center += correction.translation;
+    world.energy.limited += body.motion.mass * world.scene.gravity.dot(correction.translation);
     if (body.rigid) {
       body.orientation = (Quat(turn) * body.orientation).normalized();
       body.motion.inertia = turn * body.motion.inertia * turn.transpose();
@@ -296,13 +300,16 @@ void place_stand_ins(WorldState& world) {
 }
 
 void rest_bodies(WorldState& world, double time_step) {
+  const double moving = kinetic_energy_of_projectiles(world);
   world.contact_world.fall_asleep(time_step);
+  world.energy.hand_over += moving - kinetic_energy_of_projectiles(world);
   for (const Body& body : world.bodies)
     if (!body.rigid) world.contact_world.wake(body.stand_in);
   take_sleep(world);
   for (Body& body : world.bodies) {
     if (!body.asleep) continue;
     ++world.report.sleeping_bodies;
+    world.energy.hand_over += kinetic_energy(body.motion);
     body.motion.velocity = body.motion.angular_velocity = Vec3::Zero();
     for (NodeId node : body.nodes) world.nodes.velocities[node].setZero();
   }
@@ -334,6 +341,7 @@ void resolve_contacts(WorldState& world, double dt) {
   tell_rigid_velocities(world);
   world.contact_world.advance(dt);
   take_rigid_velocities(world);
+  book_rigid_contacts(world, dt);
   apply_corrections(world);
   note_loads(world, dt);
   note_contacts(world);

@@ -2,6 +2,7 @@
 
 #include "sim/parallel.h"
 #include "sim/solver/static_solve.h"
+#include "sim/world/energy_phase.h"
 #include "sim/world/phases.h"
 
 namespace griffith {
@@ -56,7 +57,9 @@ void find_equilibrium(WorldState& world, double time, double displacement_time,
   const std::vector<std::vector<PressedFace>> pressed = pressed_faces(world, time);
   for (Body& body : world.bodies) {
     if (body.rigid || !concerns(body)) continue;
+    const BodySnapshot before = snapshot(world, body);
     settle(world, body, problem_of(world, body, displacements, loads, pressed[body.id]), monitor);
+    world.energy += spent_in_equilibrium(world, body, before, displacement_time);
     freeze_if_broken_down(world, body);
   }
 }

@@ -7,6 +7,7 @@
 #include "sim/fracture/split.h"
 #include "sim/world/phases.h"
 #include "sim/world/cracking.h"
+#include "sim/world/energy_phase.h"
 #include "sim/world/subdivision.h"
 
 namespace griffith {
@@ -98,7 +99,9 @@ void date_open_faces(WorldState& world, const std::vector<TetId>& parted) {
   for (TetId tet : parted)
     for (int face = 0; face < 4; ++face) {
       const bool open = !world.mesh.neighbours[tet][face].valid() && !(world.elements.first_surface[tet] >> face & 1);
-      if (open && std::isnan(world.elements.opened[tet][face])) world.elements.opened[tet][face] = world.time;
+      if (!open || !std::isnan(world.elements.opened[tet][face])) continue;
+      world.elements.opened[tet][face] = world.time;
+      book_crack(world, tet, face);
     }
 }
 

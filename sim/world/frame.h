@@ -17,6 +17,7 @@
 #include "sim/linear_algebra.h"
 #include "sim/solver/node_constraint.h"
 #include "sim/splinters/splinters.h"
+#include "sim/world/energy_account.h"
 #include "sim/world/probes.h"
 
 namespace griffith {
@@ -124,6 +125,7 @@ struct Frame {
   std::span<const CrackEvent> crack_events;  ///< all so far, oldest first
   int fragments = 0;                         ///< connected pieces beyond the scene's own bodies
   Totals totals;
+  EnergyAccount energy, energy_of_step;  ///< since the start, and what the last step changed in it
   StepReport report;
 };
 

@@ -8,6 +8,7 @@
 #include "sim/parallel.h"
 #include "sim/rotation.h"
 #include "sim/solver/pivot.h"
+#include "sim/world/energy_phase.h"
 #include "sim/world/phases.h"
 
 namespace griffith {
@@ -136,23 +137,6 @@ double work_done(const WorldState& world, const Body& body, const std::vector<Ve
   return work;
 }
 
-/// Positions, velocities and plastic strains of a body, to go back to.
-struct Snapshot {
-  std::vector<Vec3> positions, velocities;
-  std::vector<Mat3> plastic_strains;
-};
-
-Snapshot snapshot(const WorldState& world, const Body& body) {
-  Snapshot taken;
-  for (NodeId node : body.nodes) {
-    taken.positions.push_back(world.nodes.positions[node]);
-    taken.velocities.push_back(world.nodes.velocities[node]);
-  }
-  if (world.material_of(body).yield_strength)
-    for (TetId tet : body.tets) taken.plastic_strains.push_back(world.elements.plastic_strains[tet]);
-  return taken;
-}
-
 /// What of a node's velocity does not deform the body: of its motion as a whole, its swinging or its supports.
 std::function<Vec3(NodeId)> rigid_velocity_of(const WorldState& world, const Body& body) {
   if (!body.supported())
@@ -167,7 +151,7 @@ std::function<Vec3(NodeId)> rigid_velocity_of(const WorldState& world, const Bod
 }
 
 /// Back to a snapshot, with `share` of the velocities that deform the body.
-void restore(WorldState& world, const Body& body, const Snapshot& taken, double share) {
+void restore(WorldState& world, const Body& body, const BodySnapshot& taken, double share) {
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     world.nodes.positions[body.nodes[i]] = taken.positions[i];
     world.nodes.velocities[body.nodes[i]] = taken.velocities[i];
@@ -199,11 +183,11 @@ double energy_of_strain(const WorldState& world, const Body& body, double strain
 /// Moves an elastic body and takes its stress. Where parts of it turn far in one step, as on a hinge that a crack left,
 /// the linearised step stretches it: then it deforms less, so that it has no more energy than it was given. Whether it
 /// had to.
-bool move_elastic(WorldState& world, const Body& body, const std::vector<Vec3>& external, double dt) {
+bool move_elastic(WorldState& world, const Body& body, const BodySnapshot& before, const std::vector<Vec3>& external,
+                  double dt) {
   constexpr double kTolerance = 1e-5;
   const bool checked = !world.integrates_explicitly();
   const double given = checked ? body.energy + work_done(world, body, external, dt) : 0;
-  const Snapshot before = checked ? snapshot(world, body) : Snapshot{};
   move_nodes(world, body, external, dt);
   update_elements(world, body);
   if (!checked) return false;
@@ -266,9 +250,8 @@ Wrench wrench_of(const WorldState& world, const Body& body, const std::vector<Ve
 }
 
 double mechanical_energy(const WorldState& world, const Body& body) {
-  double energy = 0;
+  double energy = elastic_energy(world, body);
   for (NodeId node : body.nodes) energy += 0.5 * world.nodes.masses[node] * world.nodes.velocities[node].squaredNorm();
-  for (TetId tet : body.tets) energy += world.elements.rests[tet].volume * world.elements.states[tet].energy_density;
   return energy;
 }
 
@@ -294,6 +277,9 @@ void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>&
   const auto [force, torque] = wrench_of(world, body, forces);
   RigidMotion& motion = body.motion;
   const double damping = 1 + dt * world.material_of(body).mass_damping;
+  body.start.force = force;
+  body.start.torque = torque;
+  body.start.falls = true;
   motion.velocity = (motion.velocity + dt / motion.mass * force) / damping;
   motion.angular_velocity = (motion.angular_velocity + dt * (motion.inertia.inverse() * torque)) / damping;
 }
@@ -314,29 +300,38 @@ void freeze_if_broken_down(WorldState& world, Body& body) {
 
 void freeze(WorldState& world, Body& body) {
   ++world.report.non_finite_values;
+  const double before = energy_of(world, body);
   if (body.supported())
     for (NodeId node : body.nodes) world.nodes.velocities[node] = world.nodes.reactions[node] = Vec3::Zero();
   clear_stress(world, body);
   body.motion = motion_of(world, body);
   stiffen(world, body);
+  if (std::isfinite(before)) world.energy.limited += before - energy_of(world, body);
 }
 
 void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt) {
+  world.substep_start.solved_velocities = world.nodes.velocities;
   std::vector<std::uint8_t> shortened(world.bodies.size(), 0);
+  std::vector<EnergyAccount> spent(world.bodies.size());
   parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       Body& body = world.bodies[i];
       if (body.asleep || body.shock) continue;
       if (body.rigid) {
+        const RigidMotion before = body.motion;
         move_rigid(world, body, dt);
+        spent[i] = spent_in_rigid_move(world, body, before, dt);
       } else {
-        shortened[i] = move_elastic(world, body, external, dt);
+        const BodySnapshot before = snapshot(world, body);
+        shortened[i] = move_elastic(world, body, before, external, dt);
+        spent[i] = spent_in_move(world, body, before, external, dt, shortened[i] != 0);
         update_motion(world, body);
       }
     }
   });
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     Body& body = world.bodies[i];
+    if (!body.asleep && !body.shock) world.energy += spent[i];
     freeze_if_broken_down(world, body);
     world.report.shortened_motions += shortened[i];
     if (!body.sways()) continue;
@@ -347,9 +342,11 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
 
 void wake(WorldState& world, Body& body) {
   world.contact_world.wake(body.stand_in);
+  const double before = elastic_energy(world, body);
   body.rigid = body.asleep = false;
   body.calm_steps = 0;
   update_elements(world, body);  // it has turned since
+  world.energy.hand_over += before - elastic_energy(world, body);
 }
 
 void calm_bodies(WorldState& world) {
@@ -357,7 +354,10 @@ void calm_bodies(WorldState& world) {
   for (Body& body : world.bodies) {
     if (!body.sways() || body.supported()) continue;
     body.calm_steps = is_calm(world, body) ? body.calm_steps + 1 : 0;
-    if (body.tets.size() == 1 || body.calm_steps >= kCalmSteps) stiffen(world, body);
+    if (body.tets.size() > 1 && body.calm_steps < kCalmSteps) continue;
+    const double before = energy_of(world, body);
+    stiffen(world, body);
+    world.energy.hand_over += before - energy_of(world, body);
   }
 }
 

@@ -128,8 +128,9 @@ void hand_out_tets(WorldState& world, BodyId id, std::vector<std::vector<TetId>>
 /// Rebuilds what follows from the tets of a body with a stand-in: all that rebuild_shape() does, collision parts and
 /// stand-in.
 void rebuild_body(WorldState& world, Body& body);
-/// Nodes, surface, system and motion of a body. Writes to what is the body's own alone.
-void rebuild_shape(WorldState& world, Body& body);
+/// Nodes, surface, system and motion of a body. Writes to what is the body's own alone. Returns the energy that it lost
+/// where it is rigid from now on [J].
+double rebuild_shape(WorldState& world, Body& body);
 /// Makes the stand-ins of bodies that have none yet out of their collision parts, in the contact world.
 void add_stand_ins(WorldState& world, std::span<Body> bodies);
 /// Convex parts of the body's present shape, relative to its centre of mass: of the splinters that it owns where the

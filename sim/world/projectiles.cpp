@@ -7,6 +7,7 @@
 #include "sim/meshing/surface.h"
 #include "sim/scene/body_pose.h"
 #include "sim/scene/scene_fields.h"
+#include "sim/world/energy_phase.h"
 #include "sim/world/phases.h"
 
 namespace griffith {
@@ -135,6 +136,7 @@ void launch_projectiles(WorldState& world) {
                             ? world.contact_world.add_convex(projectile.hull->corners,
                                                              {projectile.mass, projectile.inertia}, state, surface)
                             : world.contact_world.add_sphere(projectile.radius, projectile.mass, state, surface);
+    book_launch(world, projectile, state);
   }
   pending.erase(pending.begin(), due);
 }

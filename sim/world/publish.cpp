@@ -3,6 +3,7 @@
 #include <tuple>
 #include <utility>
 
+#include "sim/world/energy_phase.h"
 #include "sim/world/phases.h"
 
 namespace griffith {
@@ -105,6 +106,7 @@ void publish(WorldState& world) {
     add_projectile(projectile, state, world.totals);
   }
   merge_contacts(world);
+  close_account(world, world.totals.elastic_energy);
   world.load_forces.assign(world.loads.empty() ? 0 : world.nodes.positions.size(), Vec3::Zero());
   if (!world.loads.empty()) add_load_forces(world, world.time, world.load_forces);
 }

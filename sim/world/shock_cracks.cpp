@@ -178,6 +178,7 @@ void ShockRun::follow(std::span<const NodeCopy> copies, const std::vector<TetId>
       local_of_node_[copy] = locals.back();
       nodes_.push_back(copy);
       looks_.emplace_back();
+      starts_.push_back(Start(starts_[index]));
     }
     solid_.node(index).inverse_mass = 1 / world_.nodes.masses[original];
     solid_.part(index, locals, stars);

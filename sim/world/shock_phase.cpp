@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/world/energy_phase.h"
 #include "sim/world/phases.h"
 #include "sim/world/shock_run.h"
 #include "sim/world/similarity.h"
@@ -231,8 +232,10 @@ void make_rigid_if_unharmed(WorldState& world, Body& body) {
   evaluate_separation(world, body);
   const auto is_unharmed = [&](NodeId node) { return world.nodes.separations[node].margin < kUnharmed; };
   if (!std::ranges::all_of(body.nodes, is_unharmed)) return;
+  const double before = energy_of(world, body);
   clear_stress(world, body);
   stiffen(world, body);
+  world.energy.hand_over += before - energy_of(world, body);
 }
 
 }  // namespace
@@ -280,9 +283,11 @@ std::vector<shock::Obstacle> obstacles_of_shock(const WorldState& world, double 
 
 void run_shock(WorldState& world, std::vector<shock::Obstacle> obstacles, double duration) {
   take_velocities(world, obstacles);
+  const ObstacleAccount account(world, obstacles);
   ShockRun run(world, std::move(obstacles));
   run.run(duration);
   for (const shock::Obstacle& obstacle : run.obstacles()) place_obstacle(world, obstacle);
+  account.book(world, run.obstacles());
   run.finish(duration);
 }
 

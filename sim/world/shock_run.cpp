@@ -5,6 +5,7 @@
 #include <map>
 
 #include "sim/mesh/topology.h"
+#include "sim/world/energy_phase.h"
 #include "sim/world/phases.h"
 #include "sim/world/similarity.h"
 
@@ -26,6 +27,7 @@ ShockRun::ShockRun(WorldState& world, std::vector<shock::Obstacle> obstacles) : 
 void ShockRun::build(std::vector<shock::Obstacle> obstacles) {
   solid_ = {};
   bodies_.clear(), turns_.clear(), nodes_.clear(), tets_.clear(), surfaces_.clear(), overloaded_.clear();
+  starts_.clear();
   local_of_node_.assign(world_.nodes.positions.size(), -1);
   slot_of_tet_.assign(world_.mesh.tets.size(), -1);
   const std::vector<Vec3> external = external_forces(world_);
@@ -72,6 +74,7 @@ void ShockRun::add_nodes(const std::vector<NodeId>& nodes, const Placement& plac
     local_of_node_[node] = solid_.add_node(
         {reference, world_.nodes.positions[node] - reference, world_.nodes.velocities[node], acceleration, mass});
     nodes_.push_back(node);
+    starts_.push_back({world_.nodes.positions[node], external[node] / mass});
     if (is_held(node)) solid_.constrain(local_of_node_[node], world_.nodes.constraints[node]);
   }
 }
@@ -150,6 +153,7 @@ void ShockRun::run(double duration) {
     const int interval = std::max(1, static_cast<int>(kLookInterval * transit / dt_ + 0.2));
     for (int i = 0; i < steps && !rebuild_; ++i) {
       solid_.compute_forces();
+      if (i == 0) begin_account();
       solid_.advance(0.5 * (1 + previous_dt / dt_), flagged_);
       previous_dt = dt_;
       time_ += dt_;
@@ -158,13 +162,15 @@ void ShockRun::run(double duration) {
       note_blows();
       if (microsteps_ % interval == 0) look();
     }
+    if (rebuild_) solid_.stop_viscosity();
+    solid_.compute_forces();
+    if (!rebuild_) solid_.kick(0.5);
+    book_account();
     if (rebuild_) {
       world_.time = time_;
       build({impacts_->obstacles().begin(), impacts_->obstacles().end()});
     }
   }
-  solid_.compute_forces();
-  solid_.kick(0.5);
   world_.report.microsteps += static_cast<int>(microsteps_);
   world_.microstep_work += kMicrostepWork * static_cast<double>(microsteps_ * solid_.tet_slots());
 }
@@ -199,10 +205,13 @@ void ShockRun::write_back() {
 /// What a relieved sliver strains beyond what it answers with stress is permanent: under its full stiffness it would
 /// give back more than was put in. `strain`: all of it [-].
 void ShockRun::let_sliver_yield(TetId tet, const Mat3& strain) {
+  world_.elements.plastic_strains[tet] = strain - elastic_strain(tet, strain) - world_.elements.similarity_strains[tet];
+}
+
+Mat3 ShockRun::elastic_strain(TetId tet, const Mat3& strain) const {
   const int slot = slot_of_tet_[tet];
   const Mat3& turn = turns_[solid_.body_of_slot(slot)];
-  const Mat3 elastic = turn.transpose() * solid_.elastic_strain(slot, turn * strain * turn.transpose()) * turn;
-  world_.elements.plastic_strains[tet] = strain - elastic - world_.elements.similarity_strains[tet];
+  return turn.transpose() * solid_.elastic_strain(slot, turn * strain * turn.transpose()) * turn;
 }
 
 void ShockRun::finish(double duration) {
@@ -213,7 +222,11 @@ void ShockRun::finish(double duration) {
   if (!opened_.bodies.empty()) part_opened(world_, opened_);
   for (Body& body : world_.bodies) {
     if (!body.shock) continue;
-    update_elements(world_, body);
+    if (!body.rigid) {
+      const BodySnapshot before = snapshot(world_, body);
+      update_elements(world_, body);
+      world_.energy.plastic += plastic_work(world_, body, before);
+    }
     update_motion(world_, body);
     if (!body.rigid) continue;
     body.shock.reset();

@@ -35,6 +35,10 @@ class ShockRun {
     double over_since = -1;  ///< [s]; negative: was not overloaded in the last look
     long last = -2;          ///< look in which it was overloaded
   };
+  /// Where a node was when it was added, and its acceleration by external forces, however its body is scaled.
+  struct Start {
+    Vec3 position, external;  ///< [m], [m/s²]
+  };
   struct Overload {
     double margin = 0;
     NodeId node;
@@ -57,7 +61,12 @@ class ShockRun {
   void update_threshold(int index);
   void bring_up_to_date(TetId tet);
   void let_sliver_yield(TetId tet, const Mat3& strain);
+  Mat3 elastic_strain(TetId tet, const Mat3& strain) const;
   void write_back();
+  void begin_account();
+  void book_account();
+  double relieved_energy(bool at_start) const;
+  void add_external_works(EnergyAccount& spent) const;
   int local(NodeId node) const { return local_of_node_[node]; }
   const Body& body_of(NodeId node) const;
   double transit_time(NodeId node) const;
@@ -76,6 +85,8 @@ class ShockRun {
   std::vector<Overload> overloaded_;
   std::vector<int> flagged_;
   Opened opened_;
+  std::vector<Start> starts_;  ///< per node of the solid
+  EnergyAccount first_;        ///< what an account of this build starts from
   double dt_ = 0, time_ = 0, least_speed_ = 0;
   long microsteps_ = 0, looks_made_ = 0;
   bool rebuild_ = false;  ///< the mesh or its supports have changed

@@ -7,6 +7,7 @@
 
 #include "sim/disjoint_sets.h"
 #include "sim/solver/pivot.h"
+#include "sim/world/energy_phase.h"
 #include "sim/world/phases.h"
 #include "sim/world/placement.h"
 #include "sim/world/subdivision.h"
@@ -218,6 +219,7 @@ void set_similarity(WorldState& world, Body& body, double factor) {
 void end_similarity(WorldState& world, Body& body) {
   if (body.shock->similarity == 1) return;
   const RigidMotion before = motion_of(world, body);
+  const double energy = energy_of(world, body);
   const Placement frame = frame_of(world, body);
   for (const NodeId node : body.nodes) {
     const Vec3 place = frame.center + frame.turn * (world.mesh.rest_positions[node] - frame.rest_center +
@@ -229,6 +231,8 @@ void end_similarity(WorldState& world, Body& body) {
   if (!body.supported()) keep_momentum(world, body, before);
   update_elements(world, body);
   update_motion(world, body);
+  const Vec3 way = body.motion.center - before.center;
+  world.energy.scaling += energy - energy_of(world, body) + before.mass * world.scene.gravity.dot(way);
 }
 
 }  // namespace griffith

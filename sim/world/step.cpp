@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "sim/world/energy_phase.h"
 #include "sim/world/phases.h"
 #include "sim/world/shock_phase.h"
 #include "sim/world/world.h"
@@ -37,6 +38,7 @@ void fracture(WorldState& world, double substep) {
 
 /// Contacts and motion of everything but the bodies in shock.
 void move(WorldState& world, double dt) {
+  note_substep_start(world);
   StepTimings& timings = world.report.milliseconds;
   std::vector<Vec3> external;
   {
@@ -147,6 +149,7 @@ void World::step() { advance(impl_->state); }
 void advance(WorldState& world) {
   world.report = {};
   world.contact_views.clear();
+  world.energy_before = world.energy;
   for (Body& body : world.bodies) body.scaled.reset();
   {
     PhaseTimer timer(world.report.milliseconds.step);

@@ -44,6 +44,12 @@ void append_element(WorldState& world, const TetBisection& halves) {
   world.bodies[elements.bodies[tet]].tets.push_back(halves.child);
 }
 
+double kinetic_energy_of(const WorldState& world, const auto& nodes) {
+  double energy = 0;
+  for (const NodeId node : nodes) energy += 0.5 * world.nodes.masses[node] * world.nodes.velocities[node].squaredNorm();
+  return energy;
+}
+
 /// Corners or faces of tets.
 using Places = std::set<std::pair<TetId, int>>;
 
@@ -126,12 +132,16 @@ void follow_places(WorldState& world, const Subdivision& subdivision) {
 void follow_subdivision(WorldState& world, const Subdivision& subdivision) {
   if (subdivision.tets.empty()) return;
   for (const EdgeNode& node : subdivision.nodes) append_node(world.nodes, node);
+  std::set<NodeId> relumped;  // new ones weigh nothing yet
+  for (const EdgeNode& node : subdivision.nodes) relumped.insert({node.node, node.a, node.b});
+  world.energy.hand_over += kinetic_energy_of(world, relumped);
   for (const TetBisection& halves : subdivision.tets) append_element(world, halves);
   for (const TetBisection& halves : subdivision.tets)
     for (TetId tet : {halves.tet, halves.child})
       world.elements.rests[tet] = element_rest(corners_of(world.mesh, tet, world.mesh.rest_positions));
   for (const EdgeNode& node : subdivision.nodes)
     for (NodeId changed : {node.node, node.a, node.b}) world.nodes.masses[changed] = node_mass(world, changed);
+  world.energy.hand_over -= kinetic_energy_of(world, relumped);
   follow_places(world, subdivision);
 }
 
@@ -153,7 +163,9 @@ void restore_angular_momentum(WorldState& world, const MotionsBefore& motions) {
     if (!before) continue;
     Body& body = world.bodies[id];
     body.nodes = nodes_of(world.mesh, body.tets);
+    world.energy.hand_over += kinetic_energy_of(world, body.nodes);
     restore_angular_momentum(world, body, *before);
+    world.energy.hand_over -= kinetic_energy_of(world, body.nodes);
   }
 }
 

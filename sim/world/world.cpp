@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "sim/world/energy_phase.h"
 #include "sim/world/phases.h"
 #include "sim/world/shock_phase.h"
 #include "sim/world/world_impl.h"
@@ -106,6 +107,8 @@ Frame World::frame() const {
   frame.fragments = static_cast<int>(
       std::count_if(world.bodies.begin(), world.bodies.end(), [](const Body& body) { return body.parent.valid(); }));
   frame.totals = world.totals;
+  frame.energy = frame.energy_of_step = world.energy;
+  frame.energy_of_step -= world.energy_before;
   frame.report = world.report;
   return frame;
 }
@@ -118,6 +121,7 @@ void World::set_material(int scene_body, const Material& material) {
   WorldState& world = impl_->state;
   assert(scene_body >= 0 && scene_body < static_cast<int>(world.materials.size()));
   check_substep_count(world, scene_body, material);
+  const EnergyNow before = energy_now(world);
   world.materials[scene_body] = material;
   if (world.step == 0) take_back_start(world, scene_body);
   change_bodies(world, scene_body);
@@ -127,6 +131,7 @@ void World::set_material(int scene_body, const Material& material) {
   }
   update_elements(world);
   judge_anew(world, scene_body);
+  book_edit(world, before);
   publish(world);
 }
 

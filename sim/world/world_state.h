@@ -15,6 +15,7 @@
 #include "sim/solver/elastic_system.h"
 #include "sim/solver/rigid_motion.h"
 #include "sim/splinters/splinters.h"
+#include "sim/world/energy_account.h"
 #include "sim/world/frame.h"
 #include "sim/world/loads.h"
 #include "sim/world/probes.h"
@@ -62,6 +63,14 @@ struct ContactLoad {
   Vec3 force = Vec3::Zero();  ///< [N]
 };
 
+/// How a rigid body began a substep, and what acted on it.
+struct RigidStart {
+  Vec3 velocity = Vec3::Zero(), angular_velocity = Vec3::Zero();
+  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();  ///< external, gravity too [N], [N·m]
+  bool rigid = false;                                ///< what is elastic now was woken by contacts
+  bool falls = false;                                ///< gravity acted on it: what sleeps at first is not moved by it
+};
+
 /// A connected piece of elastic material and its stand-in in the contact world.
 struct Body {
   BodyId id, parent;
@@ -85,6 +94,7 @@ struct Body {
   std::optional<ScaledImpact> scaled;    ///< of the last step, if any
   double energy = 0;                     ///< kinetic and elastic, when the substep began [J]
   double contact_work = 0;               ///< of the contacts in the substep, at the velocities after it [J]
+  RigidStart start;                      ///< of the present substep
   std::vector<ContactLoad> harmless;     ///< of a rigid body: what it carried when it was calm, by object
   double compliance_factor = 1;          ///< true compliance at contacts over the estimated one, as seen last
 
@@ -115,6 +125,13 @@ struct PendingShot {
 struct PostponedCrack {
   NodeId node;
   NodeSeparation separation;
+};
+
+/// What moved how when a substep began, for the energy account.
+struct SubstepStart {
+  std::vector<Vec3> velocities;         ///< per node [m/s]
+  std::vector<Vec3> solved_velocities;  ///< per node, after contacts and before bodies move [m/s]
+  std::vector<RigidState> projectiles;  ///< per projectile
 };
 
 /// Everything behind a World: constant set-up (scene, rest data) and mutable state.
@@ -153,6 +170,9 @@ struct WorldState {
   std::vector<ContactView> contact_views;
   std::vector<Vec3> load_forces;  ///< per node, for the frame [N]; empty without loads
   Totals totals;
+  EnergyAccount energy, energy_before;  ///< so far; before the present step
+  double potential_at_start = 0;        ///< of gravity, with what was launched since [J]
+  SubstepStart substep_start;
 
   bool integrates_explicitly() const { return scene.simulation.integrator == Integrator::symplectic_euler; }
   /// Whose stand-in this is; invalid for projectiles and the ground.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -56,6 +57,8 @@ TEST(Statistics, EveryFieldIsThereAndMakesSense) {
     EXPECT_GE(stats[name].get<double>(), 0) << name;
   }
   EXPECT_TRUE(stats["scaled_impacts"].is_array());
+  for (const EnergyEntry& entry : energy_entries()) EXPECT_TRUE(stats["energy"][entry.key].is_number()) << entry.key;
+  EXPECT_LT(std::abs(stats["energy"]["unaccounted"].get<double>()), 0.01 * stats["energy"]["put_in"].get<double>());
   EXPECT_EQ(stats["frames"], 25);
   EXPECT_EQ(stats["threads"], 1);
   EXPECT_GE(stats["substeps"].get<int>(), 25);

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "sim/world/frame.h"
+
+namespace griffith::app {
+
+/// The energy account as CSV (RFC 4180): step, time, one column an entry of energy_entries(), `unaccounted` and the
+/// area of cracks; since the start, one row a frame from the start on. Numbers are the shortest that read back as the
+/// same double.
+class EnergyTable {
+ public:
+  /// Writes the heading and the row of `frame`.
+  explicit EnergyTable(const Frame& frame);
+
+  void add(const Frame& frame);
+  const std::string& csv() const { return csv_; }
+
+ private:
+  std::string csv_;
+};
+
+}  // namespace griffith::app

@@ -1,0 +1,34 @@
+#include "sim/shock/solid.h"
+
+namespace griffith::shock {
+
+double Solid::viscous_work() const {
+  double sum = 0;
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const BlockLaw& law = bodies_[block_bodies_[b]].law;
+    const Lanes work = viscous_works_[b].work + work_of_last(law, blocks_[b], viscous_works_[b]);
+    for (int lane = 0; lane < kLanes; ++lane) sum += work[lane];
+  }
+  return sum;
+}
+
+void Solid::stop_viscosity() {
+  for (SolidBody& body : bodies_) body.law.viscosity = 0;
+}
+
+Vec3 Solid::acceleration(int index) const {
+  Vec3 force = Vec3::Zero();
+  for (const int entry : star(index))
+    for (int i = 0; i < 3; ++i) force[i] += forces_[entry].value[i];
+  const SolidNode& moved = nodes_[index];
+  const Vec3 free = moved.inverse_mass * force + external_acceleration(index);
+  return moved.constraint < 0 ? free : constraints_[moved.constraint].constraint.allowed * free;
+}
+
+double Solid::half_kick_energy() const {
+  double sum = 0;
+  for (int i = 0; i < node_count(); ++i) sum += acceleration(i).squaredNorm() / nodes_[i].inverse_mass;
+  return 0.125 * dt_ * dt_ * sum;
+}
+
+}  // namespace griffith::shock
