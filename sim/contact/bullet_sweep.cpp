@@ -51,8 +51,23 @@ Separation scaled_separation(const PlacedShape& a, const PlacedShape& b, double 
 
 }  // namespace
 
+namespace {
+
+bool is_sphere(const PlacedShape& shape) { return shape.convex->getShapeType() == SPHERE_SHAPE_PROXYTYPE; }
+
+/// A sphere's margin is its radius.
+Separation separation_of_spheres(const PlacedShape& a, const PlacedShape& b) {
+  const Vec3 center = from_bullet(b.transform.getOrigin()), apart = from_bullet(a.transform.getOrigin()) - center;
+  const double distance = apart.norm();
+  const Vec3 normal = distance > 0 ? Vec3(apart / distance) : Vec3::UnitY();
+  return {distance - a.convex->getMargin() - b.convex->getMargin(), normal, center + b.convex->getMargin() * normal};
+}
+
+}  // namespace
+
 Separation separation(const PlacedShape& a, const PlacedShape& b) {
   if (!b.convex) return separation_from_ground(a, b.ground_height);
+  if (is_sphere(a) && is_sphere(b)) return separation_of_spheres(a, b);
   const double thinner = std::min(a.convex->getMargin(), b.convex->getMargin());
   return thinner < kSmallMargin ? scaled_separation(a, b, std::exp2(std::ceil(std::log2(kSmallMargin / thinner))))
                                 : separation(*a.convex, a.transform, *b.convex, b.transform);

@@ -86,10 +86,7 @@ ContactWorld::Impl::Impl(const Vec3& world_gravity)
   dispatcher.registerCollisionCreateFunc(CONVEX_HULL_SHAPE_PROXYTYPE, STATIC_PLANE_PROXYTYPE, &hull_ground);
   dispatcher.registerCollisionCreateFunc(STATIC_PLANE_PROXYTYPE, CONVEX_HULL_SHAPE_PROXYTYPE, &ground_hull);
   dispatcher.registerCollisionCreateFunc(CONVEX_HULL_SHAPE_PROXYTYPE, CONVEX_HULL_SHAPE_PROXYTYPE, &hull_hull);
-  // Unlike the special one for two spheres, the general algorithm sees them before they overlap.
-  dispatcher.registerCollisionCreateFunc(
-      SPHERE_SHAPE_PROXYTYPE, SPHERE_SHAPE_PROXYTYPE,
-      configuration.getCollisionAlgorithmCreateFunc(CONVEX_HULL_SHAPE_PROXYTYPE, CONVEX_HULL_SHAPE_PROXYTYPE));
+  dispatcher.registerCollisionCreateFunc(SPHERE_SHAPE_PROXYTYPE, SPHERE_SHAPE_PROXYTYPE, &sphere_sphere);
 }
 
 ContactWorld::Impl::~Impl() {

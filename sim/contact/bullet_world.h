@@ -13,6 +13,7 @@
 #include "sim/contact/bullet_ground_contact.h"
 #include "sim/contact/bullet_hull_contact.h"
 #include "sim/contact/bullet_shapes.h"
+#include "sim/contact/bullet_sphere_contact.h"
 #include "sim/contact/bullet_sweep.h"
 #include "sim/contact/contact_world.h"
 #include "sim/contact/impulse_solver.h"
@@ -199,6 +200,7 @@ struct ContactWorld::Impl {
   btDefaultCollisionConfiguration configuration;
   contact::Dispatcher dispatcher;
   contact::HullGroundAlgorithm::Factory hull_ground, ground_hull;
+  contact::SphereSphereAlgorithm::Factory sphere_sphere;
   contact::HullHullAlgorithm::Factory hull_hull;
   contact::PairCache pairs;
   btDbvtBroadphase broadphase;

@@ -5,9 +5,9 @@
 
 #include "sim/fracture/remesh.h"
 #include "sim/fracture/split.h"
-#include "sim/world/phases.h"
 #include "sim/world/cracking.h"
 #include "sim/world/energy_phase.h"
+#include "sim/world/phases.h"
 #include "sim/world/subdivision.h"
 
 namespace griffith {

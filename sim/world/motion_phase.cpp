@@ -74,8 +74,8 @@ void move_swinging(WorldState& world, const Body& body, const Pivot& pivot, cons
                    double dt) {
   const Turning before = turning_of(world, body, pivot);
   const Vec3 mean = mean_spin(world, body, pivot, before.spin, external, dt);
-  const Mat3 turn = pivot.axes.cols() == 3 ? free_turn(before.inertia, mean, dt)
-                                           : rotation_by(dt * mean).toRotationMatrix();
+  const Mat3 turn =
+      pivot.axes.cols() == 3 ? free_turn(before.inertia, mean, dt) : rotation_by(dt * mean).toRotationMatrix();
   for (NodeId node : body.nodes) {
     Vec3 &position = world.nodes.positions[node], &velocity = world.nodes.velocities[node];
     const Vec3 from = position, deforming = velocity - before.spin.cross(position - pivot.place);
@@ -91,8 +91,8 @@ void move_swinging(WorldState& world, const Body& body, const Pivot& pivot, cons
       pivot.axes * (inertia.inverse() * (pivot.axes.transpose() * (turned * (before.inertia * before.spin))));
   for (NodeId node : body.nodes) {
     Vec3& velocity = world.nodes.velocities[node];
-    velocity = world.nodes.constraints[node].allowed *
-               (velocity + spin.cross(world.nodes.positions[node] - pivot.place));
+    velocity =
+        world.nodes.constraints[node].allowed * (velocity + spin.cross(world.nodes.positions[node] - pivot.place));
   }
 }
 

@@ -74,7 +74,8 @@ void add_projectile(const Projectile& projectile, const RigidState& state, Total
 }
 
 ProjectileView view_of(const Projectile& projectile, const RigidState& state) {
-  ProjectileView view{state.pose.translation, state.velocity, state.pose.rotation, projectile.radius, projectile.mass, {}, {}};
+  ProjectileView view{
+      state.pose.translation, state.velocity, state.pose.rotation, projectile.radius, projectile.mass, {}, {}};
   if (projectile.hull) {
     view.corners = projectile.hull->corners;
     view.faces = projectile.hull->faces;

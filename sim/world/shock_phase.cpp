@@ -182,14 +182,6 @@ bool have_just_parted(const WorldState& world, BodyId a, BodyId b) {
          world.time - std::max(world.bodies[a].shock_ended, world.bodies[b].shock_ended) < kApart;
 }
 
-/// How fast a body's nodes move against its centre, spinning or deforming, at most [m/s].
-double inner_speed(const WorldState& world, const Body& body) {
-  double fastest = 0;
-  for (const NodeId node : body.nodes)
-    fastest = std::max(fastest, (world.nodes.velocities[node] - body.motion.velocity).norm());
-  return fastest;
-}
-
 /// Whether a body is one for microsteps, struck at this speed [m/s]: their elements stand no large strains, nor large
 /// turns in a microstep. What is soft, or spins nearly as fast as its waves run, or has elements so small or flat that
 /// a wave crosses many others in a microstep of theirs, is left to the implicit step.

@@ -20,7 +20,7 @@ namespace {
 constexpr double kTransits = 4;
 /// Down to here breaking speeds stay as they are.
 constexpr double kLeastFactor = 1.0 / 16;
-/// Impacts must be slower than this share of the slowed waves.
+/// Impacts and spins must be slower than this share of the slowed waves.
 constexpr double kImpactShare = 0.2;
 /// The length of a microstep times the highest frequency.
 constexpr double kMicrostepAtFrequency = 0.887;
@@ -34,7 +34,8 @@ constexpr double kShareOfOneShock = 0.5;
 double least_factor(const WorldState& world, const Body& body) {
   const Material& material = world.material_of(body);
   if (material.yield_strength) return 1;  // flow has its own pace
-  const double for_speed = body.shock->impact_speed / (kImpactShare * bar_wave_speed(material)),
+  const double speed = std::max(body.shock->impact_speed, inner_speed(world, body)),
+               for_speed = speed / (kImpactShare * bar_wave_speed(material)),
                for_strain = material.tensile_strength / (kMostStrain * material.young_modulus);
   return std::clamp(std::max(for_speed, for_strain), kLeastFactor, 1.0);
 }
@@ -109,6 +110,13 @@ ElasticLaw law_in_shock(const WorldState& world, const Body& body) {
   return law;
 }
 
+double inner_speed(const WorldState& world, const Body& body) {
+  double fastest = 0;
+  for (const NodeId node : body.nodes)
+    fastest = std::max(fastest, (world.nodes.velocities[node] - body.motion.velocity).norm());
+  return fastest;
+}
+
 double slowed_wave_speed(const WorldState& world, const Body& body) {
   return body.shock->similarity * bar_wave_speed(world.material_of(body));
 }
@@ -130,8 +138,9 @@ double time_to_follow(const WorldState& world) {
 
 namespace {
 
-/// Per scene body: the least index of those in shock that it may meet within `duration` [s], straight or through others.
-/// They share one f: where waves are slowed in one of two bodies alone, its faces give way too far to the other's.
+/// Per scene body: the least index of those in shock that it may meet within `duration` [s], straight or through
+/// others. They share one f: where waves are slowed in one of two bodies alone, its faces give way too far to the
+/// other's.
 std::vector<int> groups_in_shock(const WorldState& world, double duration) {
   const int count = static_cast<int>(world.scene.bodies.size());
   std::vector<Eigen::AlignedBox3d> boxes(count);
@@ -216,10 +225,11 @@ void set_similarity(WorldState& world, Body& body, double factor) {
   body.shock->similarity = factor;
 }
 
-void end_similarity(WorldState& world, Body& body) {
-  if (body.shock->similarity == 1) return;
+namespace {
+
+/// The shape that belongs to a body's stress under its full stiffness; momentum and the places of supports stay.
+void take_true_shape(WorldState& world, Body& body) {
   const RigidMotion before = motion_of(world, body);
-  const double energy = energy_of(world, body);
   const Placement frame = frame_of(world, body);
   for (const NodeId node : body.nodes) {
     const Vec3 place = frame.center + frame.turn * (world.mesh.rest_positions[node] - frame.rest_center +
@@ -230,9 +240,43 @@ void end_similarity(WorldState& world, Body& body) {
   body.shock->similarity = 1;
   if (!body.supported()) keep_momentum(world, body, before);
   update_elements(world, body);
+}
+
+/// ε = C⁻¹ σ.
+Mat3 strain_of(const ElasticLaw& law, const Mat3& stress) {
+  const double share = law.lambda / (3 * law.lambda + 2 * law.mu);
+  return (stress - share * stress.trace() * Mat3::Identity()) / (2 * law.mu);
+}
+
+/// The shape and stress that a body had: what of its strain the full stiffness does not explain is permanent.
+void keep_shape(WorldState& world, const Body& body, const BodySnapshot& before) {
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+    world.nodes.positions[body.nodes[i]] = before.positions[i];
+    world.nodes.velocities[body.nodes[i]] = before.velocities[i];
+  }
+  const ElasticLaw law = elastic_law(world.material_of(body));
+  for (std::size_t i = 0; i < body.tets.size(); ++i) {
+    const TetId tet = body.tets[i];
+    const Corners corners = corners_of(world.mesh, tet, world.nodes.positions);
+    const Mat3 strain = element_deformation(law.model, world.elements.rests[tet], corners).strain;
+    world.elements.plastic_strains[tet] = strain - strain_of(law, before.stresses[i]);
+  }
+  update_elements(world, body);
+}
+
+}  // namespace
+
+void end_similarity(WorldState& world, Body& body) {
+  if (body.shock->similarity == 1) return;
+  constexpr double kMostGain = 1.05;  // of elastic energy: where supports hold on to what moves
+  const RigidMotion motion = motion_of(world, body);
+  const BodySnapshot before = snapshot(world, body);
+  const double energy = energy_of(world, body), elastic = elastic_energy(world, body);
+  take_true_shape(world, body);
+  if (elastic_energy(world, body) > kMostGain * elastic) keep_shape(world, body, before);
   update_motion(world, body);
-  const Vec3 way = body.motion.center - before.center;
-  world.energy.scaling += energy - energy_of(world, body) + before.mass * world.scene.gravity.dot(way);
+  const Vec3 way = body.motion.center - motion.center;
+  world.energy.scaling += energy - energy_of(world, body) + motion.mass * world.scene.gravity.dot(way);
 }
 
 }  // namespace griffith

@@ -20,13 +20,17 @@ void choose_similarity(WorldState& world, double left);
 void set_similarity(WorldState& world, Body& body, double factor);
 
 /// Gives a body that leaves its shock the shape that belongs to its stress under the full stiffness. Momentum stays,
-/// and the places of supports.
+/// and the places of supports. A body that this would strain, as one whose halves have turned on a crack, keeps the
+/// shape that it has, as if it had yielded.
 void end_similarity(WorldState& world, Body& body);
 
 /// The strain of an element without stress: plastic, and that which scaling made so [-].
 inline Mat3 stress_free_strain(const WorldState& world, TetId tet) {
   return world.elements.plastic_strains[tet] + world.elements.similarity_strains[tet];
 }
+
+/// How fast a body's nodes move against its centre, spinning or deforming, at most [m/s].
+double inner_speed(const WorldState& world, const Body& body);
 
 /// The bar wave's speed in a body in shock, as it is slowed now [m/s].
 double slowed_wave_speed(const WorldState& world, const Body& body);

@@ -42,7 +42,7 @@ std::vector<WeightedRows> weighted_rows(const WorldState& world, std::span<const
 }
 
 /// Cross matrices of the arms from the body's centre of mass to `place` of each point.
-std::vector<Mat3> arm_matrices(const Body& body, std::span<const TouchedPoint> points, Vec3 TouchedPoint::* place) {
+std::vector<Mat3> arm_matrices(const Body& body, std::span<const TouchedPoint> points, Vec3 TouchedPoint::*place) {
   std::vector<Mat3> arms;
   for (const TouchedPoint& point : points) arms.push_back(cross_matrix(point.*place - body.motion.center));
   return arms;
@@ -72,8 +72,8 @@ PointCompliance implicit_compliance(const WorldState& world, const Body& body, s
   const double damping = 1 + dt * world.material_of(body).mass_damping;
   const std::vector<Mat3> whole(points.size(), Mat3::Identity());
   compliance.add_modes(Mat3::Identity() / (damping * body.motion.mass), whole, false);
-  compliance.add_modes(body.motion.inertia.inverse() / damping,
-                       arm_matrices(body, points, &TouchedPoint::contact), false);
+  compliance.add_modes(body.motion.inertia.inverse() / damping, arm_matrices(body, points, &TouchedPoint::contact),
+                       false);
   return compliance;
 }
 

@@ -117,7 +117,7 @@ TEST_F(ViewsTest, EveryLayerShowsItsSignsInItsColours) {
       {"velocities", sign_color::kVelocity, true},
       {"contacts", sign_color::kImpulse, true},
       {"fracture_planes", {1.0f, 0.62f, 0.08f}, false},
-      {"candidate_plane", sign_color::kBelow, true},
+      {"candidate_plane", sign_color::kBelow, false},
       {"element_forces", sign_color::kTension, true},
       {"body_frames", {0.86f, 0.22f, 0.20f}, true},
       {"collision_shapes", id_color(0), true},
