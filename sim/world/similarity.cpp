@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "sim/disjoint_sets.h"
 #include "sim/solver/pivot.h"
@@ -163,6 +164,7 @@ std::vector<int> groups_in_shock(const WorldState& world, double duration) {
 /// What the bodies of a group ask for.
 struct GroupDemand {
   double least_factor = 0, highest_frequency = 0, similarity = 1;
+  std::optional<ScaledImpact> scaled;  ///< of the slowest
 
   /// The f at which no frequency exceeds `frequency` [rad/s], and nobody's waves run faster than another's by now.
   double factor(double frequency) const {
@@ -177,7 +179,9 @@ std::vector<GroupDemand> group_demands(const WorldState& world, const std::vecto
     GroupDemand& demand = demands[groups[body.scene_body]];
     demand.least_factor = std::max(demand.least_factor, least_factor(world, body));
     demand.highest_frequency = std::max(demand.highest_frequency, body.shock->frequency);
-    demand.similarity = std::min(demand.similarity, body.shock->similarity);
+    if (body.shock->similarity >= demand.similarity) continue;
+    demand.similarity = body.shock->similarity;
+    demand.scaled = body.scaled;
   }
   return demands;
 }
@@ -193,15 +197,18 @@ void choose_similarity(WorldState& world, double left) {
   const bool is_too_much = followed * work > kShareOfOneShock * available;
   const double frequency =
       is_too_much ? demand.highest_frequency * available / work : std::numeric_limits<double>::infinity();
+  ScaledImpact told;
+  told.tets = demand.tets;
+  told.microsteps = demand.microsteps;
+  told.affordable = available / (kMicrostepWork * demand.tets);
   const std::vector<int> groups = groups_in_shock(world, left);
   const std::vector<GroupDemand> demands = group_demands(world, groups);
   for (Body& body : world.bodies) {
     if (!body.shock) continue;
-    const double factor = demands[groups[body.scene_body]].factor(frequency);
+    const GroupDemand& group = demands[groups[body.scene_body]];
+    const double factor = group.factor(frequency);
     if (factor < body.shock->similarity) {
-      body.scaled.emplace().tets = demand.tets;
-      body.scaled->microsteps = demand.microsteps;
-      body.scaled->affordable = available / (kMicrostepWork * demand.tets);
+      body.scaled = frequency / group.highest_frequency < group.similarity ? told : group.scaled;
       set_similarity(world, body, factor);
     }
     if (body.shock->similarity < 1) body.scaled = scaled_impact(world, body);

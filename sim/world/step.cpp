@@ -150,7 +150,8 @@ void advance(WorldState& world) {
   world.report = {};
   world.contact_views.clear();
   world.energy_before = world.energy;
-  for (Body& body : world.bodies) body.scaled.reset();
+  for (Body& body : world.bodies)
+    if (!body.shock) body.scaled.reset();
   {
     PhaseTimer timer(world.report.milliseconds.step);
     const double time_step = world.scene.simulation.time_step;
