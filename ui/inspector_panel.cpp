@@ -18,10 +18,11 @@ constexpr std::size_t kMostElements = 8, kMostEvents = 4;  // listed
 
 /// Three values with the prefix of the largest: "3.02, -1.85, -12.7 kPa".
 std::string triple(const Vec3& values, const char* unit) {
-  const SiPrefix prefix = si_prefix(values.cwiseAbs().maxCoeff(), unit);
+  const double largest = values.cwiseAbs().maxCoeff();
+  const SiPrefix prefix = si_prefix(largest, unit);
+  const auto shown = [&](double value) { return std::abs(value) < 1e-9 * largest ? 0 : value / prefix.factor; };
   char text[96];
-  std::snprintf(text, sizeof text, "%.3g, %.3g, %.3g ", values[0] / prefix.factor, values[1] / prefix.factor,
-                values[2] / prefix.factor);
+  std::snprintf(text, sizeof text, "%.3g, %.3g, %.3g ", shown(values[0]), shown(values[1]), shown(values[2]));
   return text + std::string(prefix.symbol) + unit;
 }
 
