@@ -257,6 +257,33 @@ TEST(SphereContact, ASpinBringsASphereNoNearer) {
   EXPECT_FALSE(world.impact_expected(kDt, 0.2));
 }
 
+TEST(SphereContact, WhatTurnsFarAwayStopsNothing) {
+  ContactWorld world(Vec3::Zero());
+  const ProxyId ball = world.add_sphere(0.1, 1, at(Vec3(3, 0, 0), Vec3(0, 1, 0)), {});
+  RigidState turning = at(Vec3::Zero());
+  turning.angular_velocity = Vec3(0, 0, 3 / kDt);  // nearly half a turn
+  const Vec3 size(1, 0.2, 0.2);
+  world.add_stand_in(box_parts(size), box_mass(size, 1), Mobility::free, turning, {});
+  step(world);
+  EXPECT_LT((world.state(ball).pose.translation - Vec3(3, kDt, 0)).norm(), 1e-12);
+}
+
+TEST(SphereContact, SpheresInsideOneAnotherMeetAlongTheLineOfTheirCentres) {
+  for (const double apart : {0.0, 1e-9, 0.01, 0.2, 0.499}) {
+    ContactWorld world(Vec3::Zero());
+    const Vec3 way = Vec3(1, 2, -2) / 3;
+    const ProxyId a = world.add_sphere(0.2, 1, at(Vec3(5, 6, 7) + apart * way), {});
+    world.add_sphere(0.3, 1, at(Vec3(5, 6, 7)), {});
+    world.detect();
+    ASSERT_EQ(world.contacts().size(), 1u) << apart;
+    const Contact& contact = world.contacts()[0];
+    EXPECT_NEAR(contact.distance, apart - 0.5, 1e-12) << apart;
+    EXPECT_NEAR(contact.normal.norm(), 1, 1e-12) << apart;
+    if (apart < 1e-6) continue;
+    EXPECT_NEAR(contact.normal.dot(contact.a == a ? way : Vec3(-way)), 1, 1e-9) << apart;
+  }
+}
+
 TEST(SphereContact, RestIsNoImpact) {
   ContactWorld world(Vec3(0, -9.81, 0));
   world.add_ground(0, {});
