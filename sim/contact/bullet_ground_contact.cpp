@@ -1,7 +1,5 @@
 #include "sim/contact/bullet_ground_contact.h"
 
-#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
-
 #include <algorithm>
 
 #include "sim/contact/bullet_shapes.h"
@@ -11,11 +9,7 @@ namespace griffith::contact {
 HullGroundAlgorithm::HullGroundAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
                                          const btCollisionObjectWrapper* hull, const btCollisionObjectWrapper* plane,
                                          bool plane_first)
-    : btCollisionAlgorithm(info),
-      manifold_(info.m_dispatcher1->getNewManifold(hull->getCollisionObject(), plane->getCollisionObject())),
-      plane_first_(plane_first) {}
-
-HullGroundAlgorithm::~HullGroundAlgorithm() { m_dispatcher->releaseManifold(manifold_); }
+    : ManifoldAlgorithm(info, hull, plane), plane_first_(plane_first) {}
 
 void HullGroundAlgorithm::processCollision(const btCollisionObjectWrapper* first,
                                            const btCollisionObjectWrapper* second, const btDispatcherInfo&,

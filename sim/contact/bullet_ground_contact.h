@@ -2,23 +2,17 @@
 
 // Private to sim/contact.
 
-#include <btBulletCollisionCommon.h>
+#include "sim/contact/bullet_manifold_algorithm.h"
 
 namespace griffith::contact {
 
 /// Contacts of a hull with a plane: every corner near the plane at once, where Bullet's own algorithm finds one a step.
-class HullGroundAlgorithm final : public btCollisionAlgorithm {
+class HullGroundAlgorithm final : public ManifoldAlgorithm {
  public:
   HullGroundAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* hull,
                       const btCollisionObjectWrapper* plane, bool plane_first);
-  ~HullGroundAlgorithm() override;
   void processCollision(const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second,
                         const btDispatcherInfo&, btManifoldResult* result) override;
-  btScalar calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&,
-                                 btManifoldResult*) override {
-    return 1;
-  }
-  void getAllContactManifolds(btManifoldArray& manifolds) override { manifolds.push_back(manifold_); }
 
   /// Makes the algorithm for (hull, plane) and, with `m_swapped`, for (plane, hull).
   struct Factory final : btCollisionAlgorithmCreateFunc {
@@ -28,7 +22,6 @@ class HullGroundAlgorithm final : public btCollisionAlgorithm {
   };
 
  private:
-  btPersistentManifold* manifold_;
   bool plane_first_;
 };
 

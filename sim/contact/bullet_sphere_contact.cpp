@@ -1,18 +1,8 @@
 #include "sim/contact/bullet_sphere_contact.h"
 
-#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
-
 #include "sim/contact/bullet_sweep.h"
 
 namespace griffith::contact {
-
-SphereSphereAlgorithm::SphereSphereAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
-                                             const btCollisionObjectWrapper* first,
-                                             const btCollisionObjectWrapper* second)
-    : btCollisionAlgorithm(info),
-      manifold_(info.m_dispatcher1->getNewManifold(first->getCollisionObject(), second->getCollisionObject())) {}
-
-SphereSphereAlgorithm::~SphereSphereAlgorithm() { m_dispatcher->releaseManifold(manifold_); }
 
 void SphereSphereAlgorithm::processCollision(const btCollisionObjectWrapper* first,
                                              const btCollisionObjectWrapper* second, const btDispatcherInfo&,

@@ -2,33 +2,23 @@
 
 // Private to sim/contact.
 
-#include <btBulletCollisionCommon.h>
+#include "sim/contact/bullet_manifold_algorithm.h"
 
 namespace griffith::contact {
 
 /// The contact of two spheres in closed form, from within reach to one inside the other. Bullet's own algorithm for two
 /// spheres sees them when they overlap only, its general one takes a thousand times as long where they overlap by far.
-class SphereSphereAlgorithm final : public btCollisionAlgorithm {
+class SphereSphereAlgorithm final : public ManifoldAlgorithm {
  public:
-  SphereSphereAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* first,
-                        const btCollisionObjectWrapper* second);
-  ~SphereSphereAlgorithm() override;
+  using ManifoldAlgorithm::ManifoldAlgorithm;
   void processCollision(const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second,
                         const btDispatcherInfo&, btManifoldResult* result) override;
-  btScalar calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&,
-                                 btManifoldResult*) override {
-    return 1;
-  }
-  void getAllContactManifolds(btManifoldArray& manifolds) override { manifolds.push_back(manifold_); }
 
   struct Factory final : btCollisionAlgorithmCreateFunc {
     btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
                                                    const btCollisionObjectWrapper* first,
                                                    const btCollisionObjectWrapper* second) override;
   };
-
- private:
-  btPersistentManifold* manifold_;
 };
 
 }  // namespace griffith::contact

@@ -3,29 +3,13 @@
 #include <algorithm>
 #include <numeric>
 
+#include "sim/disjoint_sets.h"
+
 namespace griffith {
 namespace {
 
 /// Less than this share of its neighbour's volume, and a splinter joins it.
 constexpr double kSmallestShare = 0.1;
-
-/// Disjoint sets of fragments (Tarjan 1975), each known by its lowest member.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0); }
-
-  int find(int member) {
-    while (parents_[member] != member) member = parents_[member] = parents_[parents_[member]];
-    return member;
-  }
-  void join(int a, int b) {
-    a = find(a), b = find(b);
-    parents_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<int> parents_;
-};
 
 /// Looks up the fragment of a tet in a cell.
 class FragmentTable {
@@ -49,7 +33,7 @@ class FragmentTable {
 
 /// The neighbour with the largest common wall, per group that is small beside it; -1 for the others.
 std::vector<int> neighbours_to_join(const std::vector<FragmentContact>& contacts, const std::vector<double>& volumes,
-                                    Groups& groups) {
+                                    DisjointSets& groups) {
   struct Common {
     int group, neighbour;
     double area;
@@ -75,7 +59,7 @@ std::vector<int> neighbours_to_join(const std::vector<FragmentContact>& contacts
   return chosen;
 }
 
-std::vector<double> group_volumes(const std::vector<Fragment>& fragments, Groups& groups) {
+std::vector<double> group_volumes(const std::vector<Fragment>& fragments, DisjointSets& groups) {
   std::vector<double> volumes(fragments.size(), 0);
   for (std::size_t i = 0; i < fragments.size(); ++i) volumes[groups.find(static_cast<int>(i))] += fragments[i].volume;
   return volumes;
@@ -83,7 +67,7 @@ std::vector<double> group_volumes(const std::vector<Fragment>& fragments, Groups
 
 /// Every round joins all that are small; what they grow to may be small beside something else.
 void join_small_groups(const std::vector<Fragment>& fragments, const std::vector<FragmentContact>& contacts,
-                       Groups& groups) {
+                       DisjointSets& groups) {
   for (bool joined = true; joined;) {
     joined = false;
     const std::vector<int> chosen = neighbours_to_join(contacts, group_volumes(fragments, groups), groups);
@@ -161,7 +145,7 @@ std::vector<FragmentContact> find_contacts(const TetMesh& mesh, const CellPartit
 
 std::vector<int> group_fragments(const CellPartition& cells, const std::vector<Fragment>& fragments,
                                  const std::vector<FragmentContact>& contacts) {
-  Groups groups(fragments.size());
+  DisjointSets groups(static_cast<int>(fragments.size()));
   for (const FragmentContact& contact : contacts)
     if (cells[fragments[contact.a].cell].splinter == cells[fragments[contact.b].cell].splinter)
       groups.join(contact.a, contact.b);

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
-#include "sim/disjoint_sets.h"
+#include "sim/contact/connected_groups.h"
 #include "sim/solver/pivot.h"
 #include "sim/world/energy_phase.h"
 #include "sim/world/phases.h"
@@ -152,13 +153,11 @@ std::vector<int> groups_in_shock(const WorldState& world, double duration) {
       boxes[body.scene_body].extend(world.nodes.positions[node] + duration * world.nodes.velocities[node]);
     }
   }
-  DisjointSets groups(count);
+  std::vector<std::pair<int, int>> meetings;
   for (int a = 0; a < count; ++a)
     for (int b = 0; b < a; ++b)
-      if (!boxes[a].isEmpty() && !boxes[b].isEmpty() && boxes[a].intersects(boxes[b])) groups.join(a, b);
-  std::vector<int> least(count);
-  for (int i = 0; i < count; ++i) least[i] = groups.find(i);
-  return least;
+      if (!boxes[a].isEmpty() && !boxes[b].isEmpty() && boxes[a].intersects(boxes[b])) meetings.emplace_back(a, b);
+  return contact::connected_groups(count, meetings);
 }
 
 /// What the bodies of a group ask for.
@@ -195,6 +194,8 @@ void choose_similarity(WorldState& world, double left) {
   const double work = demand.microsteps * kMicrostepWork * demand.tets,
                followed = std::min(1.0, time_to_follow(world) / left);
   const bool is_too_much = followed * work > kShareOfOneShock * available;
+  const auto is_scaled = [](const Body& body) { return body.shock && body.shock->similarity < 1; };
+  if (!is_too_much && std::ranges::none_of(world.bodies, is_scaled)) return;
   const double frequency =
       is_too_much ? demand.highest_frequency * available / work : std::numeric_limits<double>::infinity();
   ScaledImpact told;
