@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -305,11 +306,10 @@ double ContactWorld::Impl::striking_speed(std::size_t first, std::size_t second,
 }
 
 /// Sorts the swept extents along x and looks at those that overlap, where at least one object is fast enough.
-std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double dt, double minimum_speed,
-                                                                          bool first_alone) const {
+std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double dt, double minimum_speed) const {
   struct Extent {
     std::size_t object;
-    double minimum, maximum;
+    Eigen::AlignedBox3d box;
     bool fast;
   };
   std::vector<Extent> extents;
@@ -318,29 +318,54 @@ std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double
     const double speed = striking_speed(a, b, dt, minimum_speed);
     if (speed > 0)
       found.push_back({ProxyId(static_cast<std::int64_t>(a)), ProxyId(static_cast<std::int64_t>(b)), speed});
-    return first_alone && speed > 0;
   };
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const Object& object = objects[i];
     if (!object.body) continue;
     if (object.kind == Kind::ground) {
       for (std::size_t j = 0; j < objects.size(); ++j)
-        if (objects[j].moves() && look(j, i)) return found;
+        if (objects[j].moves()) look(j, i);
       continue;
     }
     const double speed = (object.state.velocity + dt * gravity).norm() + turning_speed(object);
-    const double reach = object.shape.radius + dt * speed, x = object.state.pose.translation.x();
-    extents.push_back({i, x - reach, x + reach, speed > minimum_speed / 2});
+    const Vec3 center = object.state.pose.translation,
+               reach = Vec3::Constant(object.shape.radius + dt * speed);
+    extents.push_back({i, {center - reach, center + reach}, speed > minimum_speed / 2});
   }
   std::stable_sort(extents.begin(), extents.end(),
-                   [](auto& left, auto& right) { return left.minimum < right.minimum; });
+                   [](auto& left, auto& right) { return left.box.min().x() < right.box.min().x(); });
   for (auto a = extents.begin(); a != extents.end(); ++a)
-    for (auto b = a + 1; b != extents.end() && b->minimum <= a->maximum; ++b) {
-      if (!a->fast && !b->fast) continue;
+    for (auto b = a + 1; b != extents.end() && b->box.min().x() <= a->box.max().x(); ++b) {
+      if ((!a->fast && !b->fast) || !a->box.intersects(b->box)) continue;
       if (!objects[a->object].moves() && !objects[b->object].moves()) continue;
-      if (look(a->object, b->object)) return found;
+      look(a->object, b->object);
     }
   return found;
+}
+
+/// By bisection, each time among those alone that meet before the end of the interval.
+double ContactWorld::Impl::time_before_impact(double most, double minimum_speed, double tolerance) const {
+  std::vector<Encounter> first = expected_impacts(most, minimum_speed);
+  if (first.empty()) return most;
+  const auto meet = [&](double time) {
+    return [this, time, minimum_speed](const Encounter& pair) {
+      return striking_speed(pair.a, pair.b, time, minimum_speed) > 0;
+    };
+  };
+  if (std::ranges::any_of(first, meet(tolerance))) return 0;  // debris, mostly
+  double calm = tolerance, struck = most;
+  while (struck - calm > tolerance) {
+    const double middle = 0.5 * (calm + struck);
+    std::vector<Encounter> earlier;
+    std::ranges::copy_if(first, std::back_inserter(earlier), meet(middle));
+    if (earlier.empty()) {
+      calm = middle;
+    } else {
+      struck = middle;
+      first = std::move(earlier);
+    }
+  }
+  return calm;
 }
 
 }  // namespace griffith

@@ -276,11 +276,11 @@ Vec3 ContactWorld::swept_center(ProxyId stand_in, double dt, double slow,
 Vec3 ContactWorld::velocity_after(const Vec3& velocity, const Vec3& way, double dt) const {
   return impl_->velocity_after(velocity, way, dt);
 }
-bool ContactWorld::impact_expected(double dt, double minimum_speed) const {
-  return !impl_->expected_impacts(dt, minimum_speed, true).empty();
-}
 std::vector<ContactWorld::Encounter> ContactWorld::expected_impacts(double dt, double minimum_speed) const {
-  return impl_->expected_impacts(dt, minimum_speed, false);
+  return impl_->expected_impacts(dt, minimum_speed);
+}
+double ContactWorld::time_before_impact(double most, double minimum_speed, double tolerance) const {
+  return impl_->time_before_impact(most, minimum_speed, tolerance);
 }
 double ContactWorld::max_penetration() const {
   double deepest = 0;

@@ -191,7 +191,8 @@ struct ContactWorld::Impl {
   Vec3 velocity_at_touch(const contact::Object& projectile, Vec3 velocity, const TouchAhead& touch, const Vec3& center,
                          double dt) const;
   double striking_speed(std::size_t a, std::size_t b, double dt, double minimum_speed) const;
-  std::vector<ContactWorld::Encounter> expected_impacts(double dt, double minimum_speed, bool first_alone) const;
+  std::vector<ContactWorld::Encounter> expected_impacts(double dt, double minimum_speed) const;
+  double time_before_impact(double most, double minimum_speed, double tolerance) const;
 
   Vec3 gravity;
   double ground_height = 0;

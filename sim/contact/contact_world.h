@@ -192,17 +192,17 @@ class ContactWorld {
   /// The approach speed from which an impact could hurt an object [m/s]; infinite, as for spheres and the ground,
   /// unless told otherwise.
   void set_impact_speed(ProxyId object, double speed);
-  /// Whether, moving freely for `dt`, any pair would meet with an approach speed above `minimum_speed` [m/s] that could
-  /// hurt one of them; the reason to take substeps. On the safe side: an object that turns counts as if all of it moved
-  /// with its fastest point. Pairs that touch already count if they approach that fast.
-  bool impact_expected(double dt, double minimum_speed) const;
   /// Two objects that may meet.
   struct Encounter {
     ProxyId a, b;
     double approach = 0;  ///< the fastest that they come together [m/s]
   };
-  /// The pairs behind impact_expected(), each once.
+  /// Pairs that, moving freely for `dt`, would meet with an approach speed above `minimum_speed` [m/s] that could hurt
+  /// one of them, each once. On the safe side: an object that turns counts as if all of it moved with its fastest point.
+  /// Pairs that touch already count if they approach that fast.
   std::vector<Encounter> expected_impacts(double dt, double minimum_speed) const;
+  /// How long there are none of these, 0..`most`, to within `tolerance` [s].
+  double time_before_impact(double most, double minimum_speed, double tolerance) const;
 
   /// Deepest overlap in contacts(), beyond what fresh cracks are allowed [m], >= 0.
   double max_penetration() const;

@@ -69,6 +69,18 @@ PrincipalValues principal_values(const Mat3& symmetric) {
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
+LargestPrincipal largest_principal(const Mat3& symmetric) {
+  const double isolated = isolated_eigenvalue(symmetric);
+  const Vec3 axis = eigenvector(symmetric, isolated);
+  if (3 * isolated >= symmetric.trace()) return {axis.dot(symmetric * axis), axis};
+  // The smallest one stands apart: the largest is that of the plane across it.
+  const Vec3 u = axis.unitOrthogonal(), v = axis.cross(u);
+  const double a = u.dot(symmetric * u), b = u.dot(symmetric * v), c = v.dot(symmetric * v);
+  const double half = 0.5 * (a - c), radius = std::hypot(half, b);
+  const Vec3 direction = half >= 0 ? Vec3((half + radius) * u + b * v) : Vec3(b * u + (radius - half) * v);
+  return {0.5 * (a + c) + radius, radius > 0 ? direction.normalized() : u};
+}
+
 Vec3 principal_stresses(const Mat3& stress) {
   if (!stress.allFinite()) return Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
   return Eigen::SelfAdjointEigenSolver<Mat3>(stress, Eigen::EigenvaluesOnly).eigenvalues().reverse();

@@ -11,6 +11,13 @@ struct PrincipalValues {
 };
 PrincipalValues principal_values(const Mat3& symmetric);
 
+/// The largest principal value alone, and a unit direction of it, in a third of the time.
+struct LargestPrincipal {
+  double value = 0;
+  Vec3 direction = Vec3::UnitX();
+};
+LargestPrincipal largest_principal(const Mat3& symmetric);
+
 /// The principal stresses, largest first [Pa]: more exact than principal_values(), and not a number for a stress that
 /// is not finite.
 Vec3 principal_stresses(const Mat3& stress);

@@ -29,8 +29,9 @@ int local_corner(const SeparationInput& input, TetId tet, NodeId node) {
 
 /// The unit normal n with the largest n·S n / n·T n.
 Vec3 weakest_normal(const Mat3& tensor, const DirectionalStrength& strength) {
-  const Mat3 root = strength.is_uniform() ? Mat3(Mat3::Identity()) : strength.inverse_root();
-  return (root * principal_values(root * tensor * root).directions.col(2)).normalized();
+  if (strength.is_uniform()) return largest_principal(tensor).direction;
+  const Mat3 root = strength.inverse_root();
+  return (root * largest_principal(root * tensor * root).direction).normalized();
 }
 
 /// Sums over the elements round a node, seen across a plane.
@@ -59,7 +60,7 @@ StarSums sum_star(const SeparationInput& input, NodeId node, const Vec3& normal)
 
 Mat3 force_dyad(const Vec3& force) {
   const double length = force.norm();
-  return length > 0 ? Mat3(force * force.transpose() / length) : Mat3(Mat3::Zero());
+  return length > 0 ? Mat3(force * force.transpose() * (1 / length)) : Mat3(Mat3::Zero());
 }
 
 SplitForce split_force(const SeparationInput& input, TetId tet, NodeId node) {
@@ -87,13 +88,12 @@ Mat3 separation_tensor(const SeparationInput& input, NodeId node) {
 
 CandidatePlane candidate_plane(const SeparationInput& input, NodeId node, const Mat3& tensor,
                                const DirectionalStrength& strength) {
-  const PrincipalValues principal = principal_values(tensor);
-  const double largest_eigenvalue = principal.values[2];
+  const auto [largest_eigenvalue, pulled] = largest_principal(tensor);
   CandidatePlane plane;
-  plane.normal = strength.is_uniform() ? Vec3(principal.directions.col(2)) : weakest_normal(tensor, strength);
+  plane.normal = strength.is_uniform() ? pulled : weakest_normal(tensor, strength);
   plane.pulled = plane.normal;
   plane.eigenvalue = plane.normal.dot(tensor * plane.normal);
-  const StarSums sums = sum_star(input, node, principal.directions.col(2));
+  const StarSums sums = sum_star(input, node, pulled);
   plane.volume = sums.volume;
   if (sums.volume == 0) return plane;
   // Where hardly any face meets the plane (a star of one tet, say) the quotient means nothing: no plane can carry more
@@ -102,6 +102,7 @@ CandidatePlane candidate_plane(const SeparationInput& input, NodeId node, const 
     plane.stress = std::min(1 / sums.area, sums.largest / largest_eigenvalue) * plane.eigenvalue;
 
   const Mat3 average = sums.tension / sums.volume;
+  if (strength.is_uniform() && average.norm() <= plane.stress) return plane;  // no plane has more than that
   const Vec3 normal = weakest_normal(average, strength);
   const double stress = normal.dot(average * normal);
   if (stress * strength.share(plane.normal) <= plane.stress * strength.share(normal)) return plane;

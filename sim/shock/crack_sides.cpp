@@ -40,8 +40,9 @@ Vec3 area_of(const Solid& solid, const Sides& sides) {
 /// The sides of a crack that close on each other meet without rebound, at the centre of the first, so that no torque is
 /// made. Those that have slid further apart are left to the contacts of whole pieces.
 void Impacts::close_cracks(Solid& solid) {
-  for (const CrackSides& crack : cracks_) {
-    const Sides sides = nodes_of(solid, crack);
+  for (WatchedCrack& crack : cracks_) {
+    if (is_clear(crack)) continue;
+    const Sides sides = nodes_of(solid, crack.sides);
     const Vec3 area = area_of(solid, sides), center = center_of(solid, sides.first);
     const Vec3 normal = area.normalized();
     const std::array<double, 3> weights = weights_in(solid, sides.second, center);
@@ -59,6 +60,7 @@ void Impacts::close_cracks(Solid& solid) {
       mobility += solid.mobility(sides.first[i], normal) / 9 +
                   weights[i] * weights[i] * solid.mobility(sides.second[i], normal);
     }
+    note_gap(crack, gap);
     if (gap > 0 || gap * gap > area.norm() || speed >= 0 || mobility == 0) continue;
     const Vec3 impulse = speed / mobility * normal;
     for (int i = 0; i < 3; ++i) {

@@ -61,58 +61,76 @@ std::pair<double, Vec3> outermost_face(const ConvexSolid& solid, const Vec3& loc
   return {most, normal};
 }
 
+/// Whether an obstacle may be no further than `margin` from something in that box: by the sphere round it, or by the
+/// faces of what has none.
+bool may_be_near(const Obstacle& obstacle, const Eigen::AlignedBox3d& box, double margin) {
+  const Pose& pose = obstacle.state.pose;
+  if (std::isfinite(obstacle.radius)) {
+    const double reach = obstacle.radius + margin;
+    return !(box.squaredExteriorDistance(pose.translation) > reach * reach);
+  }
+  const Vec3 center = pose.to_local(box.center());
+  return std::ranges::any_of(obstacle.solids, [&](const ConvexSolid& solid) {
+    const auto [outside, normal] = outermost_face(solid, center);
+    return outside - 0.5 * (pose.rotation * normal).cwiseAbs().dot(box.sizes()) < margin;
+  });
+}
+
 }  // namespace
 
 Impacts::Impacts(std::vector<SurfaceSide> surface, std::vector<CrackSides> cracks, std::vector<Obstacle> obstacles,
                  std::vector<SurfaceLaw> surfaces, double element_size)
     : surface_(std::move(surface)),
-      cracks_(std::move(cracks)),
       obstacles_(std::move(obstacles)),
       surfaces_(std::move(surfaces)),
       candidates_(obstacles_.size()),
-      element_size_(element_size) {}
+      element_size_(element_size) {
+  for (const CrackSides& crack : cracks) cracks_.push_back({{}, crack});
+  catch_up();
+}
 
 void Impacts::open(const CrackSides& sides) {
-  cracks_.push_back(sides);
+  cracks_.push_back({{}, sides});
   const auto add = [&](int slot, const std::array<int, 3>& corners) {
     surface_.push_back({slot, 6 - corners[0] - corners[1] - corners[2]});
   };
   add(sides.first_slot, sides.first_corners);
   add(sides.second_slot, sides.second_corners);
   // Nothing is between them yet: it has to get there.
-  reach_left_ = std::min(reach_left_, kReachOfCracks * margin_);
+  listed_until_ = std::min(listed_until_, travelled_ + kReachOfCracks * margin_);
 }
 
-void Impacts::list_near_obstacle(const Solid& solid, const Obstacle& obstacle, double margin,
-                                 Candidates& candidates) const {
-  candidates = {};
-  const double reach = obstacle.radius + margin;
-  for (const SurfaceSide& side : surface_)
-    if (!(box_of(solid, side).exteriorDistance(obstacle.state.pose.translation) > reach))
-      candidates.sides.push_back(side);
-  std::vector<int> nodes;
-  if (!obstacle.is_sphere())
-    for (const SurfaceSide& side : candidates.sides)
-      for (const int node : nodes_of(solid, side)) nodes.push_back(node);
-  std::ranges::sort(nodes);
-  const auto repeated = std::ranges::unique(nodes);
-  nodes.erase(repeated.begin(), repeated.end());
+void Impacts::list_near_obstacle(const Solid& solid, const Obstacle& obstacle, Candidates& candidates) {
+  candidates.sides.clear(), candidates.nodes.clear(), candidates.samples.clear();
+  near_.clear();
+  for (const BoxedSide& boxed : boxed_)
+    if (may_be_near(obstacle, boxed.box, margin_)) near_.push_back(boxed);
+  if (obstacle.is_sphere()) {
+    for (const BoxedSide& near : near_) candidates.sides.push_back({{}, near.side});
+    return;
+  }
+  near_nodes_.clear();
+  for (const BoxedSide& near : near_)
+    for (const int node : nodes_of(solid, near.side)) near_nodes_.push_back(node);
+  std::ranges::sort(near_nodes_);
+  const auto repeated = std::ranges::unique(near_nodes_);
+  near_nodes_.erase(repeated.begin(), repeated.end());
   for (int part = 0; part < static_cast<int>(obstacle.solids.size()); ++part)
-    list_near_part(solid, obstacle, part, nodes, margin, candidates);
+    list_near_part(solid, obstacle, part, candidates);
 }
 
 /// Of the nodes of the sides near an obstacle those that are near one of its parts, and that part's samples near the
 /// sides.
-void Impacts::list_near_part(const Solid& solid, const Obstacle& obstacle, int part, const std::vector<int>& nodes,
-                             double margin, Candidates& candidates) const {
+void Impacts::list_near_part(const Solid& solid, const Obstacle& obstacle, int part, Candidates& candidates) const {
   const ConvexSolid& convex = obstacle.solids[part];
-  for (const int node : nodes)
-    if (outermost_face(convex, obstacle.state.pose.to_local(solid.position(node))).first < margin)
-      candidates.nodes.push_back({part, node});
+  for (const int node : near_nodes_)
+    if (outermost_face(convex, obstacle.state.pose.to_local(solid.position(node))).first < margin_)
+      candidates.nodes.push_back({{}, part, node});
   for (int sample = 0; sample < static_cast<int>(convex.samples.size()); ++sample) {
     const Vec3 place = obstacle.state.pose.to_world(convex.samples[sample]);
-    for (const SurfaceSide& side : candidates.sides)
-      if (box_of(solid, side).exteriorDistance(place) < margin) candidates.samples.push_back({part, sample, side});
+    for (const BoxedSide& near : near_)
+      if (near.box.squaredExteriorDistance(place) < margin_ * margin_)
+        candidates.samples.push_back({{}, part, sample, near.side});
   }
 }
 
@@ -121,31 +139,23 @@ const SurfaceLaw& Impacts::surface_at(const Solid& solid, int node) const {
 }
 
 /// Nodes near sides of other bodies, by a sweep along x.
-void Impacts::list_pairs(const Solid& solid, double margin) {
+void Impacts::list_pairs(const Solid& solid) {
   pairs_.clear();
   const auto differs = [&](const SurfaceLaw& surface) { return surface.family != surfaces_.front().family; };
   if (std::ranges::none_of(surfaces_, differs)) return;
-  struct Placed {
-    double low, high;
-    SurfaceSide side;
-  };
-  std::vector<Placed> sides;
   std::vector<std::pair<double, int>> nodes;
-  for (const SurfaceSide& side : surface_) {
-    const Eigen::AlignedBox3d box = box_of(solid, side);
-    sides.push_back({box.min().x() - margin, box.max().x() + margin, side});
-    for (const int node : nodes_of(solid, side)) nodes.emplace_back(solid.position(node).x(), node);
-  }
+  for (const BoxedSide& boxed : boxed_)
+    for (const int node : nodes_of(solid, boxed.side)) nodes.emplace_back(solid.position(node).x(), node);
   std::ranges::sort(nodes);
   const auto repeated = std::ranges::unique(nodes);
   nodes.erase(repeated.begin(), repeated.end());
-  for (const Placed& placed : sides) {
-    const int family = surfaces_[solid.body_of_slot(placed.side.slot)].family;
-    const Eigen::AlignedBox3d box = box_of(solid, placed.side);
-    for (auto at = std::ranges::lower_bound(nodes, std::pair(placed.low, -1));
-         at != nodes.end() && at->first <= placed.high; ++at)
-      if (surface_at(solid, at->second).family != family && box.exteriorDistance(solid.position(at->second)) < margin)
-        pairs_.push_back({at->second, placed.side});
+  for (const auto& [box, side] : boxed_) {
+    const int family = surfaces_[solid.body_of_slot(side.slot)].family;
+    for (auto at = std::ranges::lower_bound(nodes, std::pair(box.min().x() - margin_, -1));
+         at != nodes.end() && at->first <= box.max().x() + margin_; ++at)
+      if (box.squaredExteriorDistance(solid.position(at->second)) < margin_ * margin_ &&
+          surface_at(solid, at->second).family != family)
+        pairs_.push_back({{}, at->second, side});
   }
   std::ranges::stable_sort(pairs_, {}, &NodeAndSide::node);
 }
@@ -155,53 +165,69 @@ void Impacts::list_candidates(const Solid& solid, double way) {
   margin_ = std::clamp(kMicrostepsOfCandidates * way, 0.25 * element_size_, element_size_);
   for (const Obstacle& obstacle : obstacles_)
     if (obstacle.inverse_mass > 0 && std::isfinite(obstacle.radius)) margin_ = std::max(margin_, 0.1 * obstacle.radius);
-  for (std::size_t i = 0; i < obstacles_.size(); ++i) list_near_obstacle(solid, obstacles_[i], margin_, candidates_[i]);
-  list_pairs(solid, margin_);
-  reach_left_ = margin_;
+  catch_up();
+  boxed_.clear();
+  for (const SurfaceSide& side : surface_) boxed_.push_back({box_of(solid, side), side});
+  for (std::size_t i = 0; i < obstacles_.size(); ++i) list_near_obstacle(solid, obstacles_[i], candidates_[i]);
+  list_pairs(solid);
+  listed_until_ = travelled_ + margin_;
+}
+
+/// Of things that are so far apart [m].
+void Impacts::note_gap(Watched& watched, double gap) const {
+  if (gap > 0) watched.clear_until = travelled_ + gap;
 }
 
 void Impacts::touch_sphere(const Solid& solid, int index) {
   const Obstacle& sphere = obstacles_[index];
   const Vec3& center = sphere.state.pose.translation;
-  for (const SurfaceSide& side : candidates_[index].sides) {
-    Touch touch{.nodes = nodes_of(solid, side), .obstacle = index};
+  for (WatchedSide& near : candidates_[index].sides) {
+    if (is_clear(near)) continue;
+    Touch touch{.nodes = nodes_of(solid, near.side), .obstacle = index};
     const Vec3 a = solid.position(touch.nodes[0]), b = solid.position(touch.nodes[1]),
                c = solid.position(touch.nodes[2]);
     touch.weights = nearest_weights(center, a, b, c);
     touch.place = touch.weights[0] * a + touch.weights[1] * b + touch.weights[2] * c;
     const Vec3 away = center - touch.place;
     touch.depth = sphere.radius - away.norm();
+    note_gap(near, -touch.depth);
     if (touch.depth < 0 || (b - a).cross(c - a).dot(center - a) <= 0) continue;
     touch.normal = away.normalized();
     touches_.push_back(touch);
   }
 }
 
-bool Impacts::is_behind(const Solid& solid, const SurfaceSide& side, const Vec3& point, Touch& touch) const {
-  constexpr double kOutside = -0.02;  // of a side: corners that meet corners touch though they shift a little
+double Impacts::gap_behind(const Solid& solid, const SurfaceSide& side, const Vec3& point, Touch& touch) const {
+  constexpr double kOutside = 0.02;  // of a side: corners that meet corners touch though they shift a little
+  constexpr double kShare = 0.5;     // sides turn about their edges
   touch.nodes = nodes_of(solid, side);
   const Vec3 a = solid.position(touch.nodes[0]), b = solid.position(touch.nodes[1]), c = solid.position(touch.nodes[2]);
   const Vec3 normal = (b - a).cross(c - a);
-  if (normal.dot(point - a) > 0) return false;
   const double area = normal.norm();
   touch.normal = normal / area;
   touch.depth = -touch.normal.dot(point - a);
-  if (touch.depth > 0.5 * element_size_) return false;
+  if (touch.depth < 0) return -touch.depth;
+  if (touch.depth > 0.5 * element_size_) return kShare * (touch.depth - 0.5 * element_size_);
   touch.weights = weights_in_triangle(a, b, c, normal, area * area, point);
   touch.place = point;
-  return std::ranges::all_of(touch.weights, [](double weight) { return weight >= kOutside; });
+  const double beyond = -kOutside - std::ranges::min(touch.weights);
+  if (!(beyond > 0)) return 0;
+  const double longest = std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+  return kShare * beyond * area / longest;
 }
 
 /// Nodes inside a convex part, and its sample points behind sides.
 void Impacts::touch_convex(const Solid& solid, int index) {
   const Obstacle& obstacle = obstacles_[index];
-  const Candidates& candidates = candidates_[index];
+  Candidates& candidates = candidates_[index];
   const Pose& pose = obstacle.state.pose;
-  for (const auto& [part, node] : candidates.nodes) {
-    const Vec3 place = solid.position(node);
-    const auto [outside, normal] = outermost_face(obstacle.solids[part], pose.to_local(place));
+  for (PartAndNode& near : candidates.nodes) {
+    if (is_clear(near)) continue;
+    const Vec3 place = solid.position(near.node);
+    const auto [outside, normal] = outermost_face(obstacle.solids[near.part], pose.to_local(place));
+    note_gap(near, outside);
     if (outside > 0) continue;
-    Touch touch{.nodes = {node, node, node}, .count = 1, .obstacle = index, .place = place};
+    Touch touch{.nodes = {near.node, near.node, near.node}, .count = 1, .obstacle = index, .place = place};
     touch.normal = -(pose.rotation * normal);
     touch.depth = -outside;
     touches_.push_back(touch);
@@ -214,9 +240,11 @@ void Impacts::touch_convex(const Solid& solid, int index) {
     std::optional<Touch> shallowest;
     auto at = first;
     for (; at != candidates.samples.end() && same_sample(*at, *first); ++at) {
+      if (is_clear(*at)) continue;
       Touch touch{.obstacle = index};
-      if (is_behind(solid, at->side, place, touch) && (!shallowest || touch.depth < shallowest->depth))
-        shallowest = touch;
+      const double gap = gap_behind(solid, at->side, place, touch);
+      note_gap(*at, gap);
+      if (gap == 0 && (!shallowest || touch.depth < shallowest->depth)) shallowest = touch;
     }
     if (shallowest) touches_.push_back(*shallowest);
     first = at;
@@ -230,9 +258,11 @@ void Impacts::touch_bodies(const Solid& solid) {
     const Vec3 place = solid.position(node);
     std::optional<Touch> shallowest;
     for (; at != pairs_.end() && at->node == node; ++at) {
+      if (is_clear(*at)) continue;
       Touch touch{.other_node = node};
-      if (is_behind(solid, at->side, place, touch) && (!shallowest || touch.depth < shallowest->depth))
-        shallowest = touch;
+      const double gap = gap_behind(solid, at->side, place, touch);
+      note_gap(*at, gap);
+      if (gap == 0 && (!shallowest || touch.depth < shallowest->depth)) shallowest = touch;
     }
     if (shallowest) touches_.push_back(*shallowest);
   }
@@ -291,8 +321,10 @@ void Impacts::take_back(Solid& solid, const Touch& touch, const Vec3& impulse, d
 /// press two surfaces together would else let them creep into each other step by step, and waves lose their energy.
 bool Impacts::push(Solid& solid, Touch& touch, double dt, double least_speed) {
   const Vec3 velocity = approach_of(solid, touch);
-  const double speed = -velocity.dot(touch.normal), mobility = mobility_of(solid, touch, touch.normal);
-  if (speed <= kNegligibleSpeed || mobility == 0) return false;
+  const double speed = -velocity.dot(touch.normal);
+  if (speed <= kNegligibleSpeed) return false;
+  const double mobility = mobility_of(solid, touch, touch.normal);
+  if (mobility == 0) return false;
   Vec3 impulse = -speed / mobility * touch.normal;  // on the solid
   const Vec3 sliding = velocity + speed * touch.normal;
   const double slip = sliding.norm();
@@ -329,19 +361,25 @@ double Impacts::fastest_of(const Solid& solid) const {
   return fastest;
 }
 
+void Impacts::catch_up() {
+  for (Obstacle& obstacle : obstacles_) obstacle.move(0);
+}
+
 void Impacts::resolve(Solid& solid, double dt, double least_speed) {
   blows_.clear();
   settle_pushed(solid, dt);
-  for (Obstacle& obstacle : obstacles_) obstacle.move(dt);
+  for (std::size_t i = 0; i < obstacles_.size(); ++i)
+    candidates_[i].empty() ? obstacles_[i].wait(dt) : obstacles_[i].move(dt);
   const double way = 2 * dt * fastest_of(solid);
-  if (reach_left_ < 0) list_candidates(solid, way);
+  travelled_ += way;
+  if (travelled_ > listed_until_) list_candidates(solid, way);
   find_touches(solid);
-  for (int round = 0; round < kRounds; ++round) {
-    bool any = false;
+  bool any = !touches_.empty();
+  for (int round = 0; round < kRounds && any; ++round) {
+    any = false;
     for (const int index : order_) any |= push(solid, touches_[index], dt, least_speed);
-    if (!any) break;
   }
-  reach_left_ -= std::max(way, 2 * dt * fastest_of(solid));
+  if (!touches_.empty()) travelled_ += std::max(0.0, 2 * dt * fastest_of(solid) - way);  // pushes may throw things back
   if (!cracks_.empty()) close_cracks(solid);
   note_pushed(solid);
 }

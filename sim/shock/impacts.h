@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 #include <span>
 #include <vector>
@@ -55,6 +56,8 @@ class Impacts {
   /// Between the forces and the motion of a microstep of `dt`: finds what overlaps and pushes it, then moves the
   /// obstacles. Blows faster than `least_speed` are noted.
   void resolve(Solid& solid, double dt, double least_speed);
+  /// Moves obstacles with nothing near to where they are by now.
+  void catch_up();
   /// Faces that a crack opened: what else is there may touch them from now on.
   void open(const CrackSides& sides);
 
@@ -76,23 +79,40 @@ class Impacts {
     Vec3 place = Vec3::Zero(), normal = Vec3::UnitY();  ///< normal: from the solid to the other
     double depth = 0;
   };
+  /// Things that may touch, but not before everything has travelled so far in all [m].
+  struct Watched {
+    double clear_until = 0;
+  };
+  struct WatchedSide : Watched {
+    SurfaceSide side;
+  };
   /// A sample of a convex part near a side.
-  struct SampleAndSide {
+  struct SampleAndSide : Watched {
     int part = 0, sample = 0;
     SurfaceSide side;
   };
-  struct PartAndNode {
+  struct PartAndNode : Watched {
     int part = 0, node = 0;
   };
-  /// What of the surface may touch an obstacle.
+  /// A side and what is round it now.
+  struct BoxedSide {
+    Eigen::AlignedBox3d box;
+    SurfaceSide side;
+  };
+  /// What of the surface may touch an obstacle: sides of it a sphere, nodes and samples anything else.
   struct Candidates {
-    std::vector<SurfaceSide> sides;
+    std::vector<WatchedSide> sides;
     std::vector<PartAndNode> nodes;
     std::vector<SampleAndSide> samples;  ///< by part and sample
+
+    bool empty() const { return sides.empty() && nodes.empty() && samples.empty(); }
   };
-  struct NodeAndSide {
+  struct NodeAndSide : Watched {
     int node = 0;
     SurfaceSide side;
+  };
+  struct WatchedCrack : Watched {
+    CrackSides sides;
   };
   /// What pushes did to a node in the last microstep.
   struct Pushed {
@@ -102,19 +122,20 @@ class Impacts {
   };
 
   const SurfaceLaw& surface_at(const Solid& solid, int node) const;
+  bool is_clear(const Watched& watched) const { return travelled_ < watched.clear_until; }
+  void note_gap(Watched& watched, double gap) const;
   void list_candidates(const Solid& solid, double way);
   /// Of all nodes and obstacles [m/s].
   double fastest_of(const Solid& solid) const;
-  void list_near_obstacle(const Solid& solid, const Obstacle& obstacle, double margin, Candidates& candidates) const;
-  void list_near_part(const Solid& solid, const Obstacle& obstacle, int part, const std::vector<int>& nodes,
-                      double margin, Candidates& candidates) const;
-  void list_pairs(const Solid& solid, double margin);
+  void list_near_obstacle(const Solid& solid, const Obstacle& obstacle, Candidates& candidates);
+  void list_near_part(const Solid& solid, const Obstacle& obstacle, int part, Candidates& candidates) const;
+  void list_pairs(const Solid& solid);
   void find_touches(const Solid& solid);
   void touch_sphere(const Solid& solid, int obstacle);
   void touch_convex(const Solid& solid, int obstacle);
   void touch_bodies(const Solid& solid);
-  /// Whether a point lies behind a side, no deeper than half an element.
-  bool is_behind(const Solid& solid, const SurfaceSide& side, const Vec3& point, Touch& touch) const;
+  /// How far a point is from lying behind a side, no deeper than half an element: 0 where it does [m].
+  double gap_behind(const Solid& solid, const SurfaceSide& side, const Vec3& point, Touch& touch) const;
   Vec3 approach_of(const Solid& solid, const Touch& touch) const;
   double mobility_of(const Solid& solid, const Touch& touch, const Vec3& direction) const;
   double friction_of(const Solid& solid, const Touch& touch) const;
@@ -131,9 +152,12 @@ class Impacts {
   void settle_pushed(const Solid& solid, double dt);
 
   std::vector<SurfaceSide> surface_;
-  std::vector<CrackSides> cracks_;
+  std::vector<WatchedCrack> cracks_;
   std::vector<Obstacle> obstacles_;
   std::vector<SurfaceLaw> surfaces_;    ///< per body of the solid
+  std::vector<BoxedSide> boxed_;        ///< the surface, while candidates are listed
+  std::vector<BoxedSide> near_;         ///< of it, near one obstacle
+  std::vector<int> near_nodes_;         ///< of these
   std::vector<Candidates> candidates_;  ///< per obstacle
   std::vector<NodeAndSide> pairs_;      ///< nodes near sides of other bodies, by node
   std::vector<Touch> touches_;
@@ -142,7 +166,9 @@ class Impacts {
   std::vector<Pushed> pushed_;
   std::vector<int> pushed_at_;  ///< per node: index into pushed_, or -1
   double lost_ = 0;
-  double element_size_, margin_ = 0, reach_left_ = -1;
+  double element_size_, margin_ = 0;
+  double travelled_ = 0;      ///< bound on how much nearer any two things can have come [m]
+  double listed_until_ = -1;  ///< candidates are complete up to there [m]
 };
 
 }  // namespace griffith::shock

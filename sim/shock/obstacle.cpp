@@ -26,29 +26,28 @@ ConvexSolid convex_solid(const ConvexHull& hull, double spacing) {
   return solid;
 }
 
-Mat3 Obstacle::inertia_now() const {
-  const Mat3 turn = state.pose.rotation.toRotationMatrix();
-  return turn * inverse_inertia * turn.transpose();
-}
-
 void Obstacle::push(const Vec3& place, const Vec3& impulse) {
   if (inverse_mass == 0) return;
   const Vec3 before = velocity_at(place);
   state.velocity += inverse_mass * impulse;
-  state.angular_velocity += inertia_now() * (place - state.pose.translation).cross(impulse);
+  state.angular_velocity += inverse_inertia_now_ * (place - state.pose.translation).cross(impulse);
   energy_gained += 0.5 * impulse.dot(before + velocity_at(place));
 }
 
 double Obstacle::mobility(const Vec3& place, const Vec3& direction) const {
   if (inverse_mass == 0) return 0;
   const Vec3 lever = (place - state.pose.translation).cross(direction);
-  return inverse_mass + lever.dot(inertia_now() * lever);
+  return inverse_mass + lever.dot(inverse_inertia_now_ * lever);
 }
 
 void Obstacle::move(double dt) {
+  dt += waited_;
+  waited_ = 0;
   state.pose.translation += dt * state.velocity;
   if (!state.angular_velocity.isZero(0))
     state.pose.rotation = (Quat(rotation_by(dt * state.angular_velocity)) * state.pose.rotation).normalized();
+  const Mat3 turn = state.pose.rotation.toRotationMatrix();
+  inverse_inertia_now_ = turn * inverse_inertia * turn.transpose();
 }
 
 }  // namespace griffith::shock

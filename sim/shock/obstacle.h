@@ -37,13 +37,17 @@ struct Obstacle {
   Vec3 velocity_at(const Vec3& place) const {
     return state.velocity + state.angular_velocity.cross(place - state.pose.translation);
   }
-  /// The inverse inertia as it lies now.
-  Mat3 inertia_now() const;
   void push(const Vec3& place, const Vec3& impulse);
   /// The velocity change along a unit direction at a place by a unit impulse there [1/kg].
   double mobility(const Vec3& place, const Vec3& direction) const;
-  /// Moves it by its velocity.
+  /// Moves it by its velocity, for what it has waited as well: once at least, before it is pushed.
   void move(double dt);
+  /// Moves it later.
+  void wait(double dt) { waited_ += dt; }
+
+ private:
+  double waited_ = 0;  ///< [s]
+  Mat3 inverse_inertia_now_ = Mat3::Zero();  ///< in the world frame
 };
 
 }  // namespace griffith::shock

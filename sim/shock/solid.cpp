@@ -239,7 +239,7 @@ void Solid::hold(int index, double drift) {
   SolidConstraint& held = constraints_[index];
   const Vec3 free = velocity(held.node);
   const Vec3 allowed = held.constraint.allowed * free + held.constraint.velocity;
-  held.impulse += (allowed - free) / nodes_[held.node].inverse_mass;
+  held.take((allowed - free) / nodes_[held.node].inverse_mass);
   velocities_[held.node].value = wide(allowed);
   displacements_[held.node].value += drift * velocities_[held.node].value;
 }
@@ -264,7 +264,7 @@ void Solid::push(int node, const Vec3& impulse) {
   if (pushed.constraint >= 0) {
     SolidConstraint& held = constraints_[pushed.constraint];
     const Vec3 allowed = held.constraint.allowed * change;
-    held.impulse += (allowed - change) / pushed.inverse_mass;
+    held.take((allowed - change) / pushed.inverse_mass);
     change = allowed;
   }
   velocities_[node].value += wide(change);

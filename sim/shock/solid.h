@@ -24,6 +24,12 @@ struct SolidConstraint {
   int node = 0;
   NodeConstraint constraint;
   Vec3 impulse = Vec3::Zero();  ///< of the support on the node so far [N·s]
+  double work = 0;              ///< of the support as it moves [J]
+
+  void take(const Vec3& reaction) {
+    impulse += reaction;
+    work += reaction.dot(constraint.velocity);
+  }
 };
 
 /// What moves in the microsteps.
@@ -61,6 +67,8 @@ class Solid {
   /// A node that moves as another does, with its own mass [kg], for part().
   int copy_node(int node, double mass);
   void constrain(int node, const NodeConstraint& constraint);
+  /// Another constraint for the same node, free as well.
+  void constrain_again(int index, const NodeConstraint& constraint) { constraints_[index].constraint = constraint; }
   /// A body of tets with these corners, seen in the body's present turn. Gradients as ElementRest.
   ///   offsets   strain without stress per tet: plastic strain, in the present turn [-]
   ///   density   [kg/m³]

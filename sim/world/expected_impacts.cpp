@@ -5,14 +5,7 @@
 namespace griffith {
 
 double time_before_impact(const WorldState& world, double most, double tolerance) {
-  const double speed = least_impact_speed(world);
-  if (!world.contact_world.impact_expected(most, speed)) return most;
-  double calm = 0, struck = most;
-  while (struck - calm > tolerance) {
-    const double middle = 0.5 * (calm + struck);
-    (world.contact_world.impact_expected(middle, speed) ? struck : calm) = middle;
-  }
-  return calm;
+  return world.contact_world.time_before_impact(most, least_impact_speed(world), tolerance);
 }
 
 // What rests falls by g·dt in every step, and is caught again.

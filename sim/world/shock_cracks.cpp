@@ -3,6 +3,7 @@
 
 #include "sim/fracture/resistance.h"
 #include "sim/mesh/topology.h"
+#include "sim/parallel.h"
 #include "sim/world/phases.h"
 #include "sim/world/shock_run.h"
 #include "sim/world/similarity.h"
@@ -16,6 +17,8 @@ constexpr double kOverloadTime = 0.75;
 constexpr double kCrackSpeed = 0.3;
 /// Elements are screened by the stress of another frame than the nodes are judged by.
 constexpr float kScreeningShare = 0.97F;
+/// Elements and nodes that are judged side by side: fewer are done before another thread could start.
+constexpr int kGrain = 128;
 
 }  // namespace
 
@@ -61,13 +64,8 @@ double ShockRun::transit_time(NodeId node) const {
 /// The state of an element as it is now, of which the separation tensors are made.
 void ShockRun::bring_up_to_date(TetId tet) {
   const int slot = slot_of_tet_[tet];
-  if (seen_[slot] == microsteps_) return;
-  seen_[slot] = microsteps_;
   Corners corners;
-  for (int i = 0; i < 4; ++i) {
-    const int index = solid_.corner(slot, i);
-    corners.col(i) = world_.nodes.positions[nodes_[index]] = solid_.position(index);
-  }
+  for (int i = 0; i < 4; ++i) corners.col(i) = solid_.position(solid_.corner(slot, i));
   const Body& body = world_.bodies[world_.elements.bodies[tet]];
   const ElasticLaw law = law_in_shock(world_, body);
   const ElementDeformation deformation = element_deformation(law.model, world_.elements.rests[tet], corners);
@@ -75,9 +73,37 @@ void ShockRun::bring_up_to_date(TetId tet) {
   world_.elements.states[tet] = element_state(law, deformation, stress_free_strain(world_, tet));
 }
 
+/// Nodes that are judged need the states of all elements round them, and places to split their stars by.
+void ShockRun::bring_stars_up_to_date() {
+  stale_.clear();
+  for (const int index : flagged_)
+    for (const TetId tet : world_.mesh.stars[nodes_[index]]) {
+      const int slot = slot_of_tet_[tet];
+      if (seen_[slot] == microsteps_) continue;
+      seen_[slot] = microsteps_;
+      stale_.push_back(tet);
+      for (int i = 0; i < 4; ++i) {
+        const int corner = solid_.corner(slot, i);
+        world_.nodes.positions[nodes_[corner]] = solid_.position(corner);
+      }
+    }
+  parallel_for(static_cast<int>(stale_.size()), kGrain, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) bring_up_to_date(stale_[i]);
+  });
+}
+
 void ShockRun::look() {
   ++looks_made_;
   overloaded_.clear();
+  std::erase_if(flagged_, [&](int index) { return time_ < looks_[index].ready; });
+  bring_stars_up_to_date();
+  const SeparationInput input = separation_input(world_);
+  parallel_for(static_cast<int>(flagged_.size()), kGrain, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const NodeId node = nodes_[flagged_[i]];
+      world_.nodes.separations[node] = evaluate_node(world_, input, body_of(node), node, false);
+    }
+  });
   for (const int index : flagged_) judge(index);
   std::ranges::sort(overloaded_, [](const Overload& a, const Overload& b) {
     return a.margin != b.margin ? a.margin > b.margin : a.node < b.node;
@@ -93,20 +119,17 @@ void ShockRun::look() {
   }
 }
 
+/// Whether a node has been overloaded for long enough.
 void ShockRun::judge(int index) {
   Look& seen = looks_[index];
-  if (time_ < seen.ready) return;
   const NodeId node = nodes_[index];
-  for (const TetId tet : world_.mesh.stars[node]) bring_up_to_date(tet);
-  const Body& body = body_of(node);
-  const NodeSeparation separation = evaluate_node(world_, separation_input(world_), body, node, false);
-  world_.nodes.separations[node] = separation;
-  world_.report.peak_margin = std::max(world_.report.peak_margin, separation.margin);
-  if (separation.margin <= 1) return;
+  const double margin = world_.nodes.separations[node].margin;
+  world_.report.peak_margin = std::max(world_.report.peak_margin, margin);
+  if (margin <= 1) return;
   if (seen.last != looks_made_ - 1 || seen.over_since < 0) seen.over_since = time_;
   seen.last = looks_made_;
   const double wait = kOverloadTime * transit_time(node);
-  if (time_ - seen.over_since + 1e-3 * dt_ >= wait) overloaded_.push_back({separation.margin, node});
+  if (time_ - seen.over_since + 1e-3 * dt_ >= wait) overloaded_.push_back({margin, node});
 }
 
 /// Nodes of these tets at which a crack ends.
@@ -141,13 +164,13 @@ void ShockRun::open(const Overload& overload) {
   ++world_.report.cracks;
   opened_.bodies.insert(id);
   world_.bodies[id].shock->last_event = time_;
-  if (world_.crack_events.back().torn_off) {
-    if (!rebuild_) write_back();
-    world_.bodies[id].system.reset();
-    rebuild_ = true;
-  }
+  const bool torn_off = world_.crack_events.back().torn_off;
+  if (torn_off) world_.bodies[id].system.reset();
   if (rebuild_) return;
   follow(std::span(opened_.copies).subspan(first_copy), star, neighbours);
+  if (torn_off)
+    for (int held = 0; held < static_cast<int>(solid_.constraints().size()); ++held)
+      solid_.constrain_again(held, world_.nodes.constraints[nodes_[solid_.constraints()[held].node]]);
   for (const TetId tet : star)
     for (const NodeId near : world_.mesh.tets[tet]) {
       const bool new_front = world_.nodes.at_crack_front[near] && std::ranges::find(front, near) == front.end();

@@ -59,8 +59,7 @@ void ShockRun::book_account() {
   spent.hand_over = first_.hand_over - relieved_energy(false);
   spent.contacts = impacts_->lost(solid_, dt_);
   spent.microstep_damping = solid_.viscous_work();
-  for (const shock::SolidConstraint& held : solid_.constraints())
-    spent.supports += held.impulse.dot(held.constraint.velocity);
+  for (const shock::SolidConstraint& held : solid_.constraints()) spent.supports += held.work;
   add_external_works(spent);
   if (std::isfinite(spent.lost()) && std::isfinite(spent.put_in())) world_.energy += spent;
 }

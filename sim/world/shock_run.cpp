@@ -162,6 +162,7 @@ void ShockRun::run(double duration) {
       note_blows();
       if (microsteps_ % interval == 0) look();
     }
+    impacts_->catch_up();
     if (rebuild_) solid_.stop_viscosity();
     solid_.compute_forces();
     if (!rebuild_) solid_.kick(0.5);

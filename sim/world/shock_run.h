@@ -60,6 +60,7 @@ class ShockRun {
               const std::vector<std::array<TetId, 4>>& neighbours);
   void update_threshold(int index);
   void bring_up_to_date(TetId tet);
+  void bring_stars_up_to_date();
   void let_sliver_yield(TetId tet, const Mat3& strain);
   Mat3 elastic_strain(TetId tet, const Mat3& strain) const;
   void write_back();
@@ -83,13 +84,14 @@ class ShockRun {
   std::vector<long> seen_;                        ///< per slot: microstep at which its state was made
   std::vector<Look> looks_;                       ///< per node of the solid
   std::vector<Overload> overloaded_;
+  std::vector<TetId> stale_;
   std::vector<int> flagged_;
   Opened opened_;
   std::vector<Start> starts_;  ///< per node of the solid
   EnergyAccount first_;        ///< what an account of this build starts from
   double dt_ = 0, time_ = 0, least_speed_ = 0;
   long microsteps_ = 0, looks_made_ = 0;
-  bool rebuild_ = false;  ///< the mesh or its supports have changed
+  bool rebuild_ = false;  ///< the mesh has changed
 };
 
 }  // namespace griffith

@@ -239,12 +239,26 @@ TEST(SphereContact, AnImpactIsForetold) {
     world.set_impact_speed(plate, 10);
     world.add_sphere(0.2, 25, at(Vec3(0, 0, 0.5), Vec3(0, 0, approaching ? -40 : 40)), {});
     world.detect();
-    EXPECT_EQ(world.impact_expected(kDt, 1), approaching);
-    EXPECT_FALSE(world.impact_expected(kDt / 4, 1));  // too far off
-    EXPECT_FALSE(world.impact_expected(kDt, 50));     // too slow
+    EXPECT_NE(world.expected_impacts(kDt, 1).empty(), approaching);
+    EXPECT_TRUE(world.expected_impacts(kDt / 4, 1).empty());  // too far off
+    EXPECT_TRUE(world.expected_impacts(kDt, 50).empty());     // too slow
     world.set_impact_speed(plate, 50);
-    EXPECT_FALSE(world.impact_expected(kDt, 1));  // too slow to hurt
+    EXPECT_TRUE(world.expected_impacts(kDt, 1).empty());  // too slow to hurt
   }
+}
+
+TEST(SphereContact, TimeBeforeAnImpactIsThatOfFreeFlight) {
+  ContactWorld world(Vec3::Zero());
+  const Vec3 size(2, 2, 0.1);
+  world.set_impact_speed(world.add_stand_in(box_parts(size), box_mass(size, 80), Mobility::held, {}, {}), 10);
+  world.add_sphere(0.2, 25, at(Vec3(0, 0, 0.5), Vec3(0, 0, -40)), {});   // 0.25 m off
+  world.add_sphere(0.2, 25, at(Vec3(0, 0, -0.6), Vec3(0, 0, 50)), {});   // 0.35 m off
+  world.add_sphere(0.2, 25, at(Vec3(0.7, 0, 0.3), Vec3(0, 0, -9)), {});  // too slow to hurt
+  world.detect();
+  const double tolerance = 1e-5;
+  EXPECT_NEAR(world.time_before_impact(kDt, 1, tolerance), 0.25 / 40, 2 * tolerance);
+  EXPECT_EQ(world.time_before_impact(0.006, 1, tolerance), 0.006);
+  EXPECT_EQ(world.time_before_impact(kDt, 60, tolerance), kDt);
 }
 
 TEST(SphereContact, ASpinBringsASphereNoNearer) {
@@ -254,7 +268,7 @@ TEST(SphereContact, ASpinBringsASphereNoNearer) {
   state.angular_velocity = Vec3(0, 0, -25);
   world.set_impact_speed(world.add_sphere(0.2, 25, state, {}), 1);
   world.detect();
-  EXPECT_FALSE(world.impact_expected(kDt, 0.2));
+  EXPECT_TRUE(world.expected_impacts(kDt, 0.2).empty());
 }
 
 TEST(SphereContact, WhatTurnsFarAwayStopsNothing) {
@@ -289,7 +303,7 @@ TEST(SphereContact, RestIsNoImpact) {
   world.add_ground(0, {});
   world.add_sphere(0.2, 25, at(Vec3(0, 0.2, 0)), {});
   for (int i = 0; i < 20; ++i) {
-    EXPECT_FALSE(world.impact_expected(kDt, 0.5));
+    EXPECT_TRUE(world.expected_impacts(kDt, 0.5).empty());
     step(world);
   }
 }
