@@ -25,6 +25,7 @@ void append_nodes(WorldState& world, const BodyDescription& body) {
   nodes.separations.resize(placed.size());
   nodes.reactions.resize(placed.size(), Vec3::Zero());
   nodes.similarity_starts.resize(placed.size(), Vec3::Zero());
+  nodes.pushed_at.resize(placed.size(), -std::numeric_limits<double>::infinity());
 }
 
 /// Places a copy of the shape's mesh in the world's.

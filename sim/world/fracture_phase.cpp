@@ -53,6 +53,7 @@ void append_copy(WorldState& world, const NodeCopy& copy) {
   nodes.separations.emplace_back();
   nodes.reactions.emplace_back(Vec3::Zero());
   nodes.similarity_starts.push_back(Vec3(nodes.similarity_starts[copy.original]));
+  nodes.pushed_at.push_back(double(nodes.pushed_at[copy.original]));
   nodes.separations[copy.original] = {};
 }
 

@@ -16,6 +16,8 @@ namespace {
 constexpr double kCourant = 0.5;
 /// Overload is looked for at this interval, in the time that a wave takes to cross an element.
 constexpr double kLookInterval = 0.375;
+/// A node that is pushed again sooner is still pressed on, in the time that a wave takes to cross an element.
+constexpr double kPressing = 4;
 
 }  // namespace
 
@@ -178,8 +180,12 @@ void ShockRun::run(double duration) {
 
 void ShockRun::note_blows() {
   for (const shock::Impacts::Blow& blow : impacts_->blows()) {
-    Body& body = world_.bodies[body_of(nodes_[blow.node]).id];
-    body.shock->last_event = time_;
+    const NodeId node = nodes_[blow.node];
+    Body& body = world_.bodies[body_of(node).id];
+    // What presses on, or has got stuck, blows at every microstep: no news.
+    const bool is_new = time_ - world_.nodes.pushed_at[node] > kPressing * transit_time(node);
+    world_.nodes.pushed_at[node] = time_;
+    if (is_new) body.shock->last_event = time_;
     body.shock->impact_speed = std::max(body.shock->impact_speed, blow.approach);
     const shock::Obstacle* obstacle = blow.obstacle >= 0 ? &impacts_->obstacles()[blow.obstacle] : nullptr;
     world_.contact_views.push_back(

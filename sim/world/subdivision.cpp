@@ -23,6 +23,7 @@ void append_node(NodeArrays& nodes, const EdgeNode& node) {
   nodes.separations.emplace_back();
   nodes.reactions.emplace_back(Vec3::Zero());
   nodes.similarity_starts.emplace_back(Vec3::Zero());
+  nodes.pushed_at.push_back(-std::numeric_limits<double>::infinity());
 }
 
 /// The deformation gradient is the same in both halves, and so is all that follows from it.

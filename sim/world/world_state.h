@@ -35,6 +35,7 @@ struct NodeArrays {
   std::vector<NodeSeparation> separations;
   std::vector<Vec3> reactions;               ///< what supports did to the node in the last step [N]
   std::vector<Vec3> similarity_starts;       ///< of bodies in shock with f < 1: displacement from rest at its start [m]
+  std::vector<double> pushed_at;             ///< when something pushed it hard in a shock last [s]; −∞: never
 };
 
 /// Per tet; the rests change by remeshing alone.

@@ -159,7 +159,7 @@ TEST(SkinPicture, CornersHaveTheSurfacesNormals) {
 
 /// A square with texture coordinates as the lid of a cube.
 TEST(SkinPicture, TextureCoordinatesAreDrawnAndExported) {
-  Scene scene = cube_of_surface(0.02);
+  Scene scene = cube_of_surface(0.2);
   test_file("cube.obj",
             "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv -1 2 -1\nv 1 2 -1\nv 1 2 1\nv -1 2 1\n"
             "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"

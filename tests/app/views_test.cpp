@@ -116,7 +116,7 @@ TEST_F(ViewsTest, EveryLayerShowsItsSignsInItsColours) {
       {"separation_axes", sign_color::kCompression, true},
       {"velocities", sign_color::kVelocity, true},
       {"contacts", sign_color::kImpulse, true},
-      {"fracture_planes", {1.0f, 0.62f, 0.08f}, false},
+      {"fracture_planes", {0.36f, 0.26f, 0.52f}, false},  // the old ones: there are many
       {"candidate_plane", sign_color::kBelow, false},
       {"element_forces", sign_color::kTension, true},
       {"body_frames", {0.86f, 0.22f, 0.20f}, true},
