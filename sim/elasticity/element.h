@@ -6,7 +6,7 @@
 namespace griffith {
 
 /// Corner positions, forces or gradients of a tet: one column a corner.
-using Corners = Eigen::Matrix<double, 3, 4>;
+using Corners = Eigen::Matrix<double, 3, 4, Eigen::DontAlign>;
 
 /// The constant part of a linear tetrahedron.
 struct ElementRest {
@@ -66,7 +66,7 @@ inline Corners nodal_forces(const ElementRest& rest, const Mat3& frame, const Ma
 }
 
 /// Blocks K_i0 .. K_i3, one after the other.
-using StiffnessRow = Eigen::Matrix<double, 3, 12>;
+using StiffnessRow = Eigen::Matrix<double, 3, 12, Eigen::DontAlign>;
 
 /// A corner's row of the element's stiffness for the implicit step [N/m], with a_i = B g_i:
 ///   K_ij = V [ lambda a_i a_jᵀ + mu a_j a_iᵀ + mu (g_i·g_j) B Bᵀ + (g_iᵀ sigma⁺ g_j) I ]
