@@ -204,8 +204,8 @@ void require_no_crowd(const WorldState& world) {
         throw InputError("#/bodies", "stand inside one another in more than a million pairs", "move them apart");
 }
 
-void add_scene_bodies(WorldState& world, const Monitor& monitor) {
-  ShapeMeshes shapes;
+void add_scene_bodies(WorldState& world, const GivenMeshes& given, const Monitor& monitor) {
+  ShapeMeshes shapes(given);
   std::vector<Pieces> pieces;
   make_meshes(world.scene, shapes, monitor);
   monitor.enter("Building the bodies");
@@ -234,7 +234,7 @@ double node_mass(const WorldState& world, NodeId node) {
   return mass;
 }
 
-void build_world(WorldState& world, const Monitor& monitor) {
+void build_world(WorldState& world, const Monitor& monitor, const GivenMeshes& given) {
   check_probes(world.scene);
   for (const BodyDescription& body : world.scene.bodies) {
     world.materials.push_back(body.material);
@@ -242,7 +242,7 @@ void build_world(WorldState& world, const Monitor& monitor) {
   }
   if (const auto& ground = world.scene.ground)
     world.contact_world.add_ground(ground->height, {ground->friction, ground->restitution});
-  add_scene_bodies(world, monitor);
+  add_scene_bodies(world, given, monitor);
   world.extents.resize(world.scene.bodies.size(), 0);
   for (const Body& body : world.bodies)
     world.extents[body.scene_body] = std::max(world.extents[body.scene_body], body.extent);

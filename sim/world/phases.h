@@ -4,6 +4,7 @@
 
 #include "sim/fracture/separation_tensor.h"
 #include "sim/meshing/monitor.h"
+#include "sim/world/given_meshes.h"
 #include "sim/world/world_state.h"
 
 /// The phases of a step, in the order in which advance() calls them.
@@ -13,7 +14,7 @@ namespace griffith {
 void advance(WorldState& world);
 
 /// Builds meshes, bodies and the contact world. Throws InputError for meshes that cannot be simulated.
-void build_world(WorldState& world, const Monitor& monitor = {});
+void build_world(WorldState& world, const Monitor& monitor = {}, const GivenMeshes& given = {});
 
 /// Makes a body's splinters, if it has a pattern for them. Throws InputError for one that cannot be made.
 void place_splinters(WorldState& world, int scene_body, const RestBody& body, const Monitor& monitor);

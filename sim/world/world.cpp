@@ -60,8 +60,10 @@ void judge_anew(WorldState& world, int scene_body) {
 
 }  // namespace
 
-World::World(const Scene& scene, const Monitor& monitor) : impl_(std::make_unique<Impl>(WorldState(scene))) {
-  build_world(impl_->state, monitor);
+World::World(const Scene& scene, const Monitor& monitor) : World(scene, GivenMeshes(), monitor) {}
+World::World(const Scene& scene, const GivenMeshes& meshes, const Monitor& monitor)
+    : impl_(std::make_unique<Impl>(WorldState(scene))) {
+  build_world(impl_->state, monitor, meshes);
 }
 World::~World() = default;
 World::World(World&&) noexcept = default;

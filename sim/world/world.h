@@ -7,6 +7,7 @@
 #include "sim/meshing/monitor.h"
 #include "sim/scene/scene.h"
 #include "sim/world/frame.h"
+#include "sim/world/given_meshes.h"
 
 namespace griffith {
 
@@ -17,6 +18,8 @@ class World {
   /// Builds meshes and set-up. Throws InputError when a mesh or a value of the scene is unusable, Cancelled when the
   /// monitor, which is told of work that may last, says so.
   explicit World(const Scene& scene, const Monitor& monitor = {});
+  /// The same with meshes from memory in place of those files.
+  World(const Scene& scene, const GivenMeshes& meshes, const Monitor& monitor = {});
   ~World();
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
