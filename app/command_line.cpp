@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <griffith/version.h>
 #include <map>
 #include <memory>
 #include <new>
