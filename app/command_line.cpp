@@ -1,5 +1,7 @@
 #include "app/command_line.h"
 
+#include <griffith/version.h>
+
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>

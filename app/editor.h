@@ -169,7 +169,7 @@ class Editor {
   std::vector<ui::MarginSample> margins_;  ///< of the selected node
   StepPacer pacer_;
   double step_seconds_ = 0, picture_seconds_ = 0;  ///< smoothed
-  bool laid_out_ = false;  ///< the size of the picture is known
+  bool laid_out_ = false;                          ///< the size of the picture is known
   bool wants_to_quit_ = false, screenshot_wanted_ = false;
 };
 

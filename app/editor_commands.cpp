@@ -133,7 +133,7 @@ void Editor::receive_world() {
 }
 
 void Editor::give_up_work() {
-  if (loader_.work() == Work::follow) {
+  if (loader_.reason() == LoadReason::follow) {
     go_back_to_built();
   } else {
     seen_revision_ = -1;  // it may have taken the place of a world that was to follow an edit
@@ -141,11 +141,11 @@ void Editor::give_up_work() {
 }
 
 void Editor::take_world(WorldLoader::Loaded loaded) {
-  if (loaded.work == Work::follow) return take_followed(std::move(loaded));
+  if (loaded.reason == LoadReason::follow) return take_followed(std::move(loaded));
   world_ = std::move(loaded.world);
   display_ = std::move(loaded.display);
-  if (loaded.work == Work::recover) return show_recovered(std::move(loaded.scene), loaded.path);
-  if (loaded.work == Work::open) {
+  if (loaded.reason == LoadReason::recover) return show_recovered(std::move(loaded.scene), loaded.path);
+  if (loaded.reason == LoadReason::open) {
     if (autosave_) autosave_->remove();
     file_time_ = opened_time_;
     show_scene(std::move(loaded.scene), std::move(loaded.path));

@@ -23,7 +23,7 @@ fs::path file_named(std::string name) {
 void Editor::open(const fs::path& path) {
   try {
     opened_time_ = time_of_file(path);
-    loader_.start(Work::open, read_scene(path), path, most_tets());
+    loader_.start(LoadReason::open, read_scene(path), path, most_tets());
     loader_.wait(kPatience);
     receive_world();
   } catch (const InputError& error) {
@@ -106,7 +106,7 @@ void Editor::ask_for_left_edits(bool of_any) {
 void Editor::recover() {
   if (!autosave_ || !autosave_->has_found()) return;
   LeftEdits edits = autosave_->found_edits();
-  loader_.start(Work::recover, std::move(edits.scene), std::move(edits.file), most_tets());
+  loader_.start(LoadReason::recover, std::move(edits.scene), std::move(edits.file), most_tets());
   loader_.wait(kPatience);
   receive_world();
 }

@@ -22,7 +22,7 @@ Scene start_of(Scene scene) {
 }  // namespace
 
 void Editor::follow() {
-  loader_.start(Work::follow, history_.scene(), path_, most_tets());
+  loader_.start(LoadReason::follow, history_.scene(), path_, most_tets());
   loader_.wait(kPatience);
   receive_world();
 }

@@ -83,7 +83,7 @@ void Editor::add_surface() {
     scene.bodies.push_back(std::move(body));
     return scene;
   };
-  loader_.start(Work::add_body, std::move(make_scene), path_, most_tets());
+  loader_.start(LoadReason::add_body, std::move(make_scene), path_, most_tets());
 }
 
 void Editor::report_surface() {

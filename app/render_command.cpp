@@ -7,7 +7,7 @@
 #include "app/command_options.h"
 #include "app/editor.h"
 #include "app/explanation.h"
-#include "app/interface.h"
+#include "app/imgui_context_owner.h"
 #include "app/named_view.h"
 #include "app/output.h"
 #include "app/picture_options.h"
@@ -81,16 +81,16 @@ struct Writing {
 };
 
 /// The picture in `texture` with the writing over it. `scale`: of the writing.
-render::Image written_over(Interface& interface, const render::Target& target, unsigned texture, const Writing& writing,
-                           float scale) {
-  interface.begin_frame(target.width(), target.height());
+render::Image written_over(ImGuiContextOwner& imgui, const render::Target& target, unsigned texture,
+                           const Writing& writing, float scale) {
+  imgui.begin_frame(target.width(), target.height());
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImDrawList* list = ImGui::GetBackgroundDrawList();
   list->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), {0, 0}, size, {0, 1}, {1, 0});
-  ui::draw_labels(list, writing.labels, interface.fonts(), {0, 0}, size, scale);
-  if (writing.legend) ui::draw_legend(list, *writing.legend, interface.fonts(), {{0, 0}, size}, scale);
+  ui::draw_labels(list, writing.labels, imgui.fonts(), {0, 0}, size, scale);
+  if (writing.legend) ui::draw_legend(list, *writing.legend, imgui.fonts(), {{0, 0}, size}, scale);
   target.bind();
-  interface.end_frame();
+  imgui.end_frame();
   return target.image();
 }
 
@@ -100,7 +100,7 @@ void render_plainly(const RenderOptions& options, Scene scene) {
   const EmbeddedDisplay display = embedded_display(world.frame(), scene);
   render::Renderer renderer;
   const float scale = writing_scale(options.width, options.height);
-  Interface interface(std::min(scale, kLargestFont));
+  ImGuiContextOwner imgui(std::min(scale, kLargestFont));
   const render::Target target(options.width, options.height);
   SteadyRange range;
   range.follow(world.frame(), scene.view.quantity);
@@ -119,14 +119,14 @@ void render_plainly(const RenderOptions& options, Scene scene) {
   // Where the first picture leaves room it stays, so that it does not hop about in a sequence.
   ui::LegendCorner corner = {};
   if (const auto legend = scene_legend(first, false))
-    corner = legend_corner(first, camera, *legend, interface.fonts(), size, scale);
+    corner = legend_corner(first, camera, *legend, imgui.fonts(), size, scale);
   const auto picture = [&] {
     const render::DrawScene drawn = draw_scene();
     renderer.render(drawn, camera, picture_options(options.width, options.height, options.samples, scene.view));
     Writing writing{scene_legend(drawn, scene.view.range.has_value()), scene_labels(drawn, camera, aspect)};
     if (writing.legend) writing.legend->corner = corner;
     if (!options.legend || (!writing.legend && writing.labels.empty())) return renderer.image();
-    return written_over(interface, target, renderer.color_texture(), writing, scale);
+    return written_over(imgui, target, renderer.color_texture(), writing, scale);
   };
   save_pictures(options, step, picture);
   explain(options, world.frame(), scene);
@@ -137,17 +137,17 @@ void render_editor(const RenderOptions& options, const Scene& scene) {
   editor.use_camera(options.camera);
   editor.use_view(options.view);
   editor.state().show_times = false;
-  Interface interface(1);
+  ImGuiContextOwner imgui(1);
   const render::Target target(options.width, options.height);
   const auto picture = [&] {
     if (options.node) editor.state().selection = selected(options, editor.frame());
     for (int i = 0; i < kFramesToLayOut; ++i) {
       editor.draw_picture(options.samples);
-      interface.begin_frame(options.width, options.height);
-      editor.draw_panels(interface.fonts());
+      imgui.begin_frame(options.width, options.height);
+      editor.draw_panels(imgui.fonts());
       target.bind();
       target.clear({});
-      interface.end_frame();
+      imgui.end_frame();
     }
     return target.image();
   };

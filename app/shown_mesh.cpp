@@ -30,8 +30,8 @@ std::vector<Vec3> exploded_offsets(const Frame& frame, double explode) {
 
 double mean_element_size(const Frame& frame) {
   double volume = 0;
-  for (const ElementRest& rest : frame.rests) volume += rest.volume;
-  return frame.rests.empty() ? 1 : std::cbrt(6 * volume / static_cast<double>(frame.rests.size()));
+  for (const RestElement& rest : frame.rest_elements) volume += rest.volume;
+  return frame.rest_elements.empty() ? 1 : std::cbrt(6 * volume / static_cast<double>(frame.rest_elements.size()));
 }
 
 }  // namespace

@@ -142,12 +142,12 @@ std::string RunStatistics::json(const Frame& frame, std::uint64_t state_hash) co
   json["scaled_impacts"] = Json::array();
   for (const auto& [scene_body, scaled] : scaled_)
     json["scaled_impacts"].push_back({{"scene_body", scene_body},
-                                        {"impacts", scaled.impacts},
-                                        {"step", scaled.step},
-                                        {"factor", scaled.slowest.factor},
-                                        {"young_modulus", scaled.slowest.young_modulus},
-                                        {"tensile_strength", scaled.slowest.tensile_strength},
-                                        {"reason", reason(scaled.slowest)}});
+                                      {"impacts", scaled.impacts},
+                                      {"step", scaled.step},
+                                      {"factor", scaled.slowest.factor},
+                                      {"young_modulus", scaled.slowest.young_modulus},
+                                      {"tensile_strength", scaled.slowest.tensile_strength},
+                                      {"reason", reason(scaled.slowest)}});
   json["state_hash"] = hash_text(state_hash);
   json["threads"] = threads_;
   json["peak_memory_bytes"] = peak_memory_bytes();
@@ -162,24 +162,23 @@ std::string RunStatistics::summary(const Frame& frame, std::uint64_t state_hash)
   const TimeSummary times = summarize(milliseconds_[0]);
   const StepReport& l = largest_;
   char text[1024];
-  std::snprintf(
-      text, sizeof text,
-      "%lld steps of %.4g ms: %zu tetrahedra, %zu nodes, %zu pieces (%d fragments), %zu crack events\n"
-      "step time: median %.2f ms, 99 %% below %.2f ms, longest %.2f ms\n"
-      "solver: at most %d iterations, relative residual at most %.1e, %d unconverged\n"
-      "trouble: %d cracks postponed, %d suppressed, %d unfinished equilibria, %d inverted tetrahedra, %d values not finite\n"
-      "state hash %s\n",
-      static_cast<long long>(frame.step), 1e3 * time_step_, frame.tets.size(), frame.positions.size(),
-      frame.bodies.size(), frame.fragments, frame.crack_events.size(), times.median, times.p99, times.max,
-      l.solver_iterations, l.max_relative_residual, sums_.unconverged_solves, sums_.cracks_postponed,
-      sums_.cracks_suppressed, sums_.unfinished_equilibria, l.inverted_tets, l.non_finite_values,
-      hash_text(state_hash).c_str());
+  std::snprintf(text, sizeof text,
+                "%lld steps of %.4g ms: %zu tetrahedra, %zu nodes, %zu pieces (%d fragments), %zu crack events\n"
+                "step time: median %.2f ms, 99 %% below %.2f ms, longest %.2f ms\n"
+                "solver: at most %d iterations, relative residual at most %.1e, %d unconverged\n"
+                "trouble: %d cracks postponed, %d suppressed, %d unfinished equilibria, %d inverted tetrahedra, %d "
+                "values not finite\n"
+                "state hash %s\n",
+                static_cast<long long>(frame.step), 1e3 * time_step_, frame.tets.size(), frame.positions.size(),
+                frame.bodies.size(), frame.fragments, frame.crack_events.size(), times.median, times.p99, times.max,
+                l.solver_iterations, l.max_relative_residual, sums_.unconverged_solves, sums_.cracks_postponed,
+                sums_.cracks_suppressed, sums_.unfinished_equilibria, l.inverted_tets, l.non_finite_values,
+                hash_text(state_hash).c_str());
   std::string lines = text;
   for (const auto& [scene_body, scaled] : scaled_) {
     const ScaledImpact& slowest = scaled.slowest;
     std::snprintf(text, sizeof text, "scaled: body %d in %d impacts, down to %.3g Pa and a strength of %.3g Pa: %s\n",
-                  scene_body, scaled.impacts, slowest.young_modulus, slowest.tensile_strength,
-                  reason(slowest).c_str());
+                  scene_body, scaled.impacts, slowest.young_modulus, slowest.tensile_strength, reason(slowest).c_str());
     lines += text;
   }
   return lines;

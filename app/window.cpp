@@ -12,7 +12,7 @@
 
 #include "app/command_options.h"
 #include "app/editor.h"
-#include "app/interface.h"
+#include "app/imgui_context_owner.h"
 #include "app/output.h"
 #include "app/scene_files.h"
 #include "app/starting_scene.h"
@@ -30,7 +30,7 @@ static_assert(ui::key::kLeftShift == GLFW_KEY_LEFT_SHIFT && ui::key::kRightSuper
 
 constexpr int kWidth = 1500, kHeight = 940, kSamples = 4;
 constexpr int kLeastWidth = 1024, kLeastHeight = 600;  // design pixels; smaller, panels would cover each other
-constexpr double kLongestFrame = 0.25;  // seconds; what is longer was an interruption
+constexpr double kLongestFrame = 0.25;                 // seconds; what is longer was an interruption
 
 /// GLFW and its one window, with its OpenGL context current.
 class Window {
@@ -170,20 +170,20 @@ void save_screenshot(Editor& editor, const Window& window) {
   }
 }
 
-void draw_frame(Editor& editor, Interface& interface, const Window& window, WindowInput& input) {
+void draw_frame(Editor& editor, ImGuiContextOwner& imgui, const Window& window, WindowInput& input) {
   editor.draw_picture(kSamples);
   input.begin_frame();
-  interface.begin_frame();
-  editor.draw_panels(interface.fonts());
+  imgui.begin_frame();
+  editor.draw_panels(imgui.fonts());
   int width = 0, height = 0;
   glfwGetFramebufferSize(window.handle(), &width, &height);
   glViewport(0, 0, width, height);
   glClearColor(0, 0, 0, 1);
   glClear(GL_COLOR_BUFFER_BIT);
-  interface.end_frame();
+  imgui.end_frame();
 }
 
-void loop(Editor& editor, Interface& interface, const Window& window, WindowInput& input, int exit_after) {
+void loop(Editor& editor, ImGuiContextOwner& imgui, const Window& window, WindowInput& input, int exit_after) {
   double last = glfwGetTime();
   for (int drawn = 1; !editor.wants_to_quit(); ++drawn) {
     glfwPollEvents();
@@ -195,7 +195,7 @@ void loop(Editor& editor, Interface& interface, const Window& window, WindowInpu
     editor.advance(std::min(now - last, kLongestFrame));
     editor.autosave(now);
     last = now;
-    draw_frame(editor, interface, window, input);
+    draw_frame(editor, imgui, window, input);
     if (editor.take_screenshot_request()) save_screenshot(editor, window);
     if (drawn == exit_after) return;
     glfwSetWindowTitle(window.handle(), editor.title().c_str());
@@ -211,10 +211,10 @@ void run_editor(const EditorOptions& options) {
   Scene scene = named ? read_scene(options.scene) : starting_scene();
   const Window window;
   Editor editor(std::move(scene), options.scene);
-  Interface interface(window.scale());
+  ImGuiContextOwner imgui(window.scale());
   WindowInput input(window, editor);
   editor.keep_edits_safe(state_folder());
-  loop(editor, interface, window, input, options.exit_after);
+  loop(editor, imgui, window, input, options.exit_after);
   if (!options.screenshot.empty()) save_picture(options.screenshot, window_image(window));
 }
 

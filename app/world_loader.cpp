@@ -23,24 +23,24 @@ WorldLoader::Loaded WorldLoader::build(const Order& order, const std::shared_ptr
   if (const double tets = expected_tets(scene, monitor); tets > order.most_tets) throw LargeMesh(tets);
   World world = make_world(scene, order.path, monitor);
   EmbeddedDisplay display = embedded_display(world.frame(), scene);
-  return {order.work, std::move(scene), order.path, std::move(world), std::move(display)};
+  return {order.reason, std::move(scene), order.path, std::move(world), std::move(display)};
 }
 
-void WorldLoader::start(Work work, Scene scene, std::filesystem::path path, double most_tets) {
+void WorldLoader::start(LoadReason reason, Scene scene, std::filesystem::path path, double most_tets) {
   start(
-      work, [scene = std::move(scene)](const Monitor&) { return scene; }, std::move(path), most_tets);
+      reason, [scene = std::move(scene)](const Monitor&) { return scene; }, std::move(path), most_tets);
 }
 
-void WorldLoader::start(Work work, MakeScene make_scene, std::filesystem::path path, double most_tets) {
+void WorldLoader::start(LoadReason reason, MakeScene make_scene, std::filesystem::path path, double most_tets) {
   cancel();
-  order_ = {work, std::move(make_scene), std::move(path), most_tets};
+  order_ = {reason, std::move(make_scene), std::move(path), most_tets};
   shared_ = std::make_shared<Shared>();
   shared_->stage = "Building the bodies";
   result_ = std::async(std::launch::async, build, order_, shared_);
 }
 
 void WorldLoader::start_again() {
-  start(order_.work, order_.make_scene, order_.path, std::numeric_limits<double>::infinity());
+  start(order_.reason, order_.make_scene, order_.path, std::numeric_limits<double>::infinity());
 }
 
 bool WorldLoader::wait(double seconds) const {

@@ -16,7 +16,7 @@
 namespace griffith::app {
 
 /// What a world is built for.
-enum class Work { open, recover, add_body, follow };
+enum class LoadReason { open, recover, add_body, follow };
 
 /// The mesh that is asked for is so large that it may be a slip.
 struct LargeMesh : std::exception {
@@ -28,7 +28,7 @@ struct LargeMesh : std::exception {
 class WorldLoader {
  public:
   struct Loaded {
-    Work work = Work::open;
+    LoadReason reason = LoadReason::open;
     Scene scene;
     std::filesystem::path path;
     World world;
@@ -40,10 +40,10 @@ class WorldLoader {
 
   /// Starts to build the world of a scene from the file `path`; what was being built before is given up. Where about
   /// more than `most_tets` tetrahedra would be made, take() throws LargeMesh before any is.
-  void start(Work work, Scene scene, std::filesystem::path path, double most_tets);
+  void start(LoadReason reason, Scene scene, std::filesystem::path path, double most_tets);
   /// The same for a scene that takes work itself.
   using MakeScene = std::function<Scene(const Monitor&)>;
-  void start(Work work, MakeScene make_scene, std::filesystem::path path, double most_tets);
+  void start(LoadReason reason, MakeScene make_scene, std::filesystem::path path, double most_tets);
   /// Starts what was started last again, however large it is.
   void start_again();
   /// Waits for `seconds` at most; whether the result is there to be taken.
@@ -52,7 +52,7 @@ class WorldLoader {
   /// LargeMesh.
   std::optional<Loaded> take();
   /// What the world that was started last is for.
-  Work work() const { return order_.work; }
+  LoadReason reason() const { return order_.reason; }
   /// What is being done; empty when nothing is.
   std::string stage() const;
   /// Gives up what is being built. Returns at once: its thread ends by itself when it next asks.
@@ -68,7 +68,7 @@ class WorldLoader {
 
   /// What is to be built.
   struct Order {
-    Work work = Work::open;
+    LoadReason reason = LoadReason::open;
     MakeScene make_scene;
     std::filesystem::path path;
     double most_tets = 0;

@@ -46,20 +46,20 @@ DepthRange depth_range(const Camera& camera, const Eigen::AlignedBox3f& bounds) 
 
 }  // namespace
 
-Eigen::Matrix4f view_matrix(const Camera& camera) {
+Mat4 view_matrix(const Camera& camera) {
   const Axes frame = axes(camera);
   Eigen::Matrix3f rotation;
   rotation << frame.right.transpose(), frame.up.transpose(), -frame.forward.transpose();
-  Eigen::Matrix4f view = Eigen::Matrix4f::Identity();
+  Mat4 view = Mat4::Identity();
   view.topLeftCorner<3, 3>() = rotation;
   view.topRightCorner<3, 1>() = -rotation * camera.position;
   return view;
 }
 
-Eigen::Matrix4f projection_matrix(const Camera& camera, float aspect, const Eigen::AlignedBox3f& bounds) {
+Mat4 projection_matrix(const Camera& camera, float aspect, const Eigen::AlignedBox3f& bounds) {
   const auto [near_plane, far_plane] = depth_range(camera, bounds);
   const float cotangent = 1 / tangent_of_half_angle(camera);
-  Eigen::Matrix4f projection = Eigen::Matrix4f::Zero();
+  Mat4 projection = Mat4::Zero();
   projection(0, 0) = cotangent / aspect;
   projection(1, 1) = cotangent;
   projection(2, 2) = (far_plane + near_plane) / (near_plane - far_plane);

@@ -18,11 +18,13 @@ struct Ray {
   Eigen::Vector3f origin, direction;
 };
 
+using Mat4 = Eigen::Matrix<float, 4, 4, Eigen::DontAlign>;  // packed as in std140
+
 /// World to eye (right-handed, looking down −z).
-Eigen::Matrix4f view_matrix(const Camera& camera);
+Mat4 view_matrix(const Camera& camera);
 
 /// Eye to clip space (OpenGL convention). Near and far planes enclose `bounds`, which may be empty.
-Eigen::Matrix4f projection_matrix(const Camera& camera, float aspect, const Eigen::AlignedBox3f& bounds);
+Mat4 projection_matrix(const Camera& camera, float aspect, const Eigen::AlignedBox3f& bounds);
 
 /// Turns about the target: `yaw` about the vertical (positive: the camera moves to its right), `pitch` towards the
 /// zenith [radians]; stops short of the poles. The distance to the target stays.

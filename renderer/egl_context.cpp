@@ -89,7 +89,7 @@ bool is_software(EGLDeviceEXT device) {
 }
 
 /// One way to a context: a display's platform and the name it goes by in messages.
-struct Attempt {
+struct SubstepRetry {
   EGLenum platform;
   void* native_display;
   std::string name;
@@ -97,8 +97,8 @@ struct Attempt {
 };
 
 /// In the order in which they are tried.
-std::vector<Attempt> attempts() {
-  std::vector<Attempt> hardware, software;
+std::vector<SubstepRetry> attempts() {
+  std::vector<SubstepRetry> hardware, software;
   const std::vector<EGLDeviceEXT> found = devices();
   for (std::size_t i = 0; i < found.size(); ++i) {
     const std::string name = "device " + std::to_string(i);
@@ -115,7 +115,7 @@ std::vector<Attempt> attempts() {
   return hardware;
 }
 
-void open_display(EglState& state, const Attempt& attempt) {
+void open_display(EglState& state, const SubstepRetry& attempt) {
   state.display = eglGetPlatformDisplayEXT(attempt.platform, attempt.native_display, nullptr);
   if (state.display == EGL_NO_DISPLAY) throw RenderError(egl_error("eglGetPlatformDisplay"));
   if (!eglInitialize(state.display, nullptr, nullptr)) throw RenderError(egl_error("eglInitialize"));
@@ -147,7 +147,7 @@ std::string gl_string(GLenum name) {
 }
 
 /// Current when it returns; throws RenderError with the reason.
-std::unique_ptr<EglState> make_context(const Attempt& attempt) {
+std::unique_ptr<EglState> make_context(const SubstepRetry& attempt) {
   auto state = std::make_unique<EglState>();
   open_display(*state, attempt);
   create_context(*state);
@@ -157,16 +157,16 @@ std::unique_ptr<EglState> make_context(const Attempt& attempt) {
   return state;
 }
 
-std::vector<Attempt> only_device(std::vector<Attempt> all, int index) {
+std::vector<SubstepRetry> only_device(std::vector<SubstepRetry> all, int index) {
   const std::string name = "device " + std::to_string(index);
-  std::erase_if(all,
-                [&](const Attempt& attempt) { return attempt.name != name && attempt.name != name + " (software)"; });
+  std::erase_if(
+      all, [&](const SubstepRetry& attempt) { return attempt.name != name && attempt.name != name + " (software)"; });
   return all;
 }
 
-std::string list_of_names(const std::vector<Attempt>& all) {
+std::string list_of_names(const std::vector<SubstepRetry>& all) {
   std::string names;
-  for (const Attempt& attempt : all) names += (names.empty() ? "" : ", ") + attempt.name;
+  for (const SubstepRetry& attempt : all) names += (names.empty() ? "" : ", ") + attempt.name;
   return names.empty() ? "none" : names;
 }
 
@@ -174,10 +174,10 @@ std::string list_of_names(const std::vector<Attempt>& all) {
 
 EglContext::EglContext(std::optional<int> device_index) {
   require_libraries();
-  const std::vector<Attempt> all = attempts();
-  const std::vector<Attempt> chosen = device_index ? only_device(all, *device_index) : all;
+  const std::vector<SubstepRetry> all = attempts();
+  const std::vector<SubstepRetry> chosen = device_index ? only_device(all, *device_index) : all;
   std::string tried;
-  for (const Attempt& attempt : chosen) {
+  for (const SubstepRetry& attempt : chosen) {
     if (state_ && !attempt.maybe_hardware) break;
     try {
       std::unique_ptr<EglState> made = make_context(attempt);

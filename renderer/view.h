@@ -2,13 +2,13 @@
 
 #include <Eigen/Core>
 
+#include "renderer/camera.h"
 #include "renderer/gl_objects.h"
 
 namespace griffith::render {
 
 inline constexpr GLuint kViewBinding = 0;
 
-using Mat4 = Eigen::Matrix<float, 4, 4, Eigen::DontAlign>;  // packed as in std140
 using Vec4 = Eigen::Matrix<float, 4, 1, Eigen::DontAlign>;
 
 /// What all shaders know about the picture: the uniform block `View` of shaders/common.glsl, std140.

@@ -5,8 +5,9 @@
 
 namespace griffith {
 
-// Unaligned types: they pack tightly in arrays and are safe members of any value type.
-using Vec2 = Eigen::Vector2d;
+// Unaligned types: they pack tightly in arrays, are safe members of any value type, and lie alike in memory whatever
+// instruction set a source is compiled for. (Three components are never aligned.)
+using Vec2 = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 using Quat = Eigen::Quaternion<double, Eigen::DontAlign>;

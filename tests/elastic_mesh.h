@@ -12,13 +12,14 @@ namespace griffith::testing {
 struct ElasticMesh {
   TetMesh mesh;
   Material material;
-  std::vector<ElementRest> rests;
+  std::vector<RestElement> rest_elements;
   std::vector<Vec3> positions, velocities;
 
   ElasticMesh(const TetSoup& soup, const Material& of) : mesh(build_mesh(soup)), material(of) {
     positions = mesh.rest_positions;
     velocities.assign(positions.size(), Vec3::Zero());
-    for (TetId tet(0); tet < mesh.tet_count(); ++tet.value) rests.push_back(element_rest(corners(tet, positions)));
+    for (TetId tet(0); tet < mesh.tet_count(); ++tet.value)
+      rest_elements.push_back(rest_element(corners(tet, positions)));
   }
 
   ElasticLaw law() const { return elastic_law(material); }
@@ -28,10 +29,10 @@ struct ElasticMesh {
     return c;
   }
   ElementDeformation deformation(TetId tet, std::span<const Vec3> nodes) const {
-    return element_deformation(material.element_model, rests[tet], corners(tet, nodes));
+    return element_deformation(material.element_model, rest_elements[tet], corners(tet, nodes));
   }
   void add_elastic_forces(TetId tet, const ElementState& state, std::vector<Vec3>& forces) const {
-    const Corners f = nodal_forces(rests[tet], state.frame, state.stress);
+    const Corners f = nodal_forces(rest_elements[tet], state.frame, state.stress);
     for (int i = 0; i < 4; ++i) forces[mesh.tets[tet][i]] += f.col(i);
   }
 };

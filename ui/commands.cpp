@@ -21,7 +21,12 @@ constexpr std::array<CommandInfo, 24> kRegistry = {{
      {'F'},
      "F"},
     {CommandId::pick, "view.pick", "Pick", "Inspect the element under the cursor; left click in the view", {}, ""},
-    {CommandId::frame_all, "view.frame_all", "Frame all", "Bring everything into the picture, but for shards that flew far", {key::kHome}, "Home"},
+    {CommandId::frame_all,
+     "view.frame_all",
+     "Frame all",
+     "Bring everything into the picture, but for shards that flew far",
+     {key::kHome},
+     "Home"},
     {CommandId::toggle_edges, "view.edges", "Element edges", "Show or hide the edges of the elements", {'E'}, "E"},
     {CommandId::toggle_range_lock,
      "view.lock_range",
@@ -65,7 +70,12 @@ constexpr std::array<CommandInfo, 24> kRegistry = {{
      {'S', true, true},
      "Ctrl+Shift+S"},
     {CommandId::recover, "file.recover", "Recover", "Take up edits that were cut short", {}, ""},
-    {CommandId::discard_copy, "file.discard_copy", "Discard copy", "Delete the copy of edits that were cut short", {}, ""},
+    {CommandId::discard_copy,
+     "file.discard_copy",
+     "Discard copy",
+     "Delete the copy of edits that were cut short",
+     {},
+     ""},
     {CommandId::leave_copy, "file.leave_copy", "Leave copy", "Ask again at the next start", {}, ""},
     {CommandId::screenshot,
      "file.screenshot",
@@ -140,7 +150,8 @@ void issue_shortcuts(Panel& panel) {
   const Vec2 cursor = cursor_place(panel.state);
   const Dialog dialog = shown_dialog(panel.state);
   for (const CommandInfo& info : kRegistry) {
-    if (passes(info.id, dialog, typing) && shortcut_pressed(info.shortcut)) issue(panel, {.id = info.id, .cursor = cursor});
+    if (passes(info.id, dialog, typing) && shortcut_pressed(info.shortcut))
+      issue(panel, {.id = info.id, .cursor = cursor});
   }
 }
 

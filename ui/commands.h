@@ -52,7 +52,7 @@ inline constexpr int kNone = 0, kSpace = 32, kEscape = 256, kHome = 268, kF1 = 2
 inline constexpr int kLeftShift = 340, kLeftControl = 341, kLeftAlt = 342, kLeftSuper = 343;
 inline constexpr int kRightShift = 344, kRightControl = 345, kRightAlt = 346, kRightSuper = 347;
 inline constexpr int kFirstModifier = kLeftShift, kLastModifier = kRightSuper;
-}
+}  // namespace key
 
 struct Shortcut {
   int key = key::kNone;

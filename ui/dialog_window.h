@@ -10,7 +10,18 @@ inline constexpr ImGuiWindowFlags kDialogFlags = ImGuiWindowFlags_NoResize | ImG
 
 /// One at a time is shown, and nothing else takes orders meanwhile.
 enum class Dialog {
-  none, work, error, large_mesh, report, left_edits, replacement, save_as, unsaved, surface, open, help
+  none,
+  work,
+  error,
+  large_mesh,
+  report,
+  left_edits,
+  replacement,
+  save_as,
+  unsaved,
+  surface,
+  open,
+  help
 };
 
 /// The one that is due.

@@ -109,11 +109,11 @@ struct EditorState {
   std::optional<double> large_mesh;  ///< the tetrahedra that work would make: so many that it waits for an answer
   bool build_large_mesh = false;     ///< the answer is yes
   std::optional<ErrorMessage> error;
-  std::optional<Command> unsaved;  ///< waits for an answer: it would lose edits that are not saved
-  std::optional<SaveTarget> save_as;             ///< being asked for
-  std::optional<Replacement> replacement;        ///< waits for an answer
-  std::optional<Command> after_save;             ///< what the scene is being saved for
-  std::string left_edits;  ///< which edits were cut short and are waiting for an answer; empty: none
+  std::optional<Command> unsaved;          ///< waits for an answer: it would lose edits that are not saved
+  std::optional<SaveTarget> save_as;       ///< being asked for
+  std::optional<Replacement> replacement;  ///< waits for an answer
+  std::optional<Command> after_save;       ///< what the scene is being saved for
+  std::string left_edits;                  ///< which edits were cut short and are waiting for an answer; empty: none
   std::vector<LogLine> log;
   std::size_t log_seen = 0;              ///< so many of the lines are older than the last thing that the user did
   std::array<char, 512> path_text = {};  ///< being typed in the open dialog

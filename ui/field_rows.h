@@ -116,9 +116,9 @@ class FieldRows {
     if (removed || added) note(row, {true, true});
     end_part();
   }
-  template <int N>
-  void draw(const FieldRow& row, Eigen::Matrix<double, N, 1>& vector, const Numbers& numbers) {
-    Eigen::Matrix<double, N, 1> wanted = vector;
+  template <int N, int Options>
+  void draw(const FieldRow& row, Eigen::Matrix<double, N, 1, Options>& vector, const Numbers& numbers) {
+    Eigen::Matrix<double, N, 1, Options> wanted = vector;
     Edit edit = draw_field(panel_, row, numbers, std::span<double>(wanted.data(), N));
     const FieldRow first{row.tag + "/0", row.label, row.description};
     if (edit.changed && numbers.nonzero && wanted.isZero(0)) {

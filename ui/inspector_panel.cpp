@@ -52,8 +52,9 @@ void margin_rows(const Panel& panel, const NodeReport& report, const Material& m
 void tensor_rows(const Panel& panel, const NodeReport& report) {
   if (report.elements.size() == 1 && report.principal.values.isZero(0)) {
     value_row(panel, "Eigenvalues", "none: one element", palette::kTextDim);
-    tooltip("The separation tensor weighs the elements of a node against each other. Here is one alone, whose own "
-            "tensile stress is the load.");
+    tooltip(
+        "The separation tensor weighs the elements of a node against each other. Here is one alone, whose own "
+        "tensile stress is the load.");
     return;
   }
   value_row(panel, "Eigenvalues", triple(Vec3(report.principal.values.reverse()), "N"), palette::kText);

@@ -107,8 +107,7 @@ std::string legend_title(const Legend& legend) {
 ScreenArea legend_card(const Legend& legend, LegendCorner corner, const Fonts& fonts, const ScreenArea& picture,
                        float scale) {
   constexpr float kMargin = 14, kOtherCards = 40;  // design pixels; the others: marks and hints in the editor's view
-  const float text_width =
-      fonts.small->CalcTextSizeA(kSmallText * scale, FLT_MAX, 0, written_title(legend).c_str()).x;
+  const float text_width = fonts.small->CalcTextSizeA(kSmallText * scale, FLT_MAX, 0, written_title(legend).c_str()).x;
   const ImVec2 size = {std::max(text_width + 2 * kPadding * scale, 110 * scale + bars_width(legend, scale)),
                        std::clamp(0.4f * (picture.maximum.y - picture.minimum.y), 90 * scale, 300 * scale)};
   const bool left = corner == LegendCorner::upper_left || corner == LegendCorner::lower_left;

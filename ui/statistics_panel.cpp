@@ -47,9 +47,9 @@ void scaled_row(const Panel& panel) {
   const auto factor = [](const BodyView& body) { return body.scaled ? body.scaled->factor : 1; };
   const auto count = std::ranges::count_if(bodies, [](const BodyView& body) { return body.scaled.has_value(); });
   const auto slowest = std::ranges::min_element(bodies, {}, factor);
-  trouble_row(
-      panel, "Scaled bodies", static_cast<int>(count), palette::kWarning,
-      count > 0 ? scaled_text(*slowest->scaled).c_str() : "Their waves would have taken more microsteps than step_budget leaves.");
+  trouble_row(panel, "Scaled bodies", static_cast<int>(count), palette::kWarning,
+              count > 0 ? scaled_text(*slowest->scaled).c_str()
+                        : "Their waves would have taken more microsteps than step_budget leaves.");
 }
 
 void solver_rows(const Panel& panel) {

@@ -85,8 +85,8 @@ std::string clamped_note(double typed, const Numbers& numbers) {
   const std::string_view unit = unit_symbol(numbers);
   const bool high = typed > numbers.maximum;
   return format_quantity(typed, unit, 6) + (high ? " is more than " : " is less than ") +
-         format_quantity(high ? numbers.maximum : numbers.minimum, unit) + " and was set to it: " +
-         range_text_with_prefix(numbers) + " is possible.";
+         format_quantity(high ? numbers.maximum : numbers.minimum, unit) +
+         " and was set to it: " + range_text_with_prefix(numbers) + " is possible.";
 }
 
 std::optional<double> parse_quantity(std::string_view text, std::string_view unit) {

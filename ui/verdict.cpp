@@ -25,8 +25,8 @@ Verdict overloaded(const NodeReport& report, const Frame& frame, bool fracture) 
 }
 
 std::string scaled_text(const ScaledImpact& impact) {
-  return "Shown at " + format_quantity(100 * impact.factor * impact.factor, "", 2) +
-         " % of its stiffness, " + format_quantity(1 / impact.factor, "", 2) + " times slower: " + reason(impact) + ".";
+  return "Shown at " + format_quantity(100 * impact.factor * impact.factor, "", 2) + " % of its stiffness, " +
+         format_quantity(1 / impact.factor, "", 2) + " times slower: " + reason(impact) + ".";
 }
 
 std::string breaking(const CrackEvent& event, const char* unit) {

@@ -8,7 +8,8 @@ namespace griffith::ui {
 
 /// Why no node can be the most loaded one.
 inline constexpr char kNothingStrained[] =
-    "all pieces move as rigid bodies. What little stress they were left with stays as it is until something strikes them.";
+    "all pieces move as rigid bodies. What little stress they were left with stays as it is until something strikes "
+    "them.";
 
 /// Why a node broke, or did not, in a sentence or two.
 struct Verdict {

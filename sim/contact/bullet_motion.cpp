@@ -230,8 +230,8 @@ Vec3 ContactWorld::Impl::velocity_at_touch(const Object& projectile, Vec3 veloci
   return velocity * (speed / std::max({velocity.norm(), speed, std::numeric_limits<double>::min()}));
 }
 
-/// How far a projectile may get into a stand-in [m]. An elastic body gives way where it was touched, as the solve knows
-/// and its stand-in, which does not deform, does not show.
+/// How far a projectile may get into a proxy [m]. An elastic body gives way where it was touched, as the solve knows
+/// and its proxy, which does not deform, does not show.
 double ContactWorld::Impl::allowed_depth(const Object& projectile, const Object& other) const {
   constexpr double kElasticShare = 0.5;  // of a sphere: its centre stays outside
   const bool gives_way = other.elastic && std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
@@ -244,8 +244,8 @@ double ContactWorld::Impl::allowed_depth(const Object& projectile, const Object&
 
 namespace {
 
-/// Whether the spheres round two objects touch while the one moves from `center` by `way` and the other turns and moves on
-/// from a share of the substep.
+/// Whether the spheres round two objects touch while the one moves from `center` by `way` and the other turns and moves
+/// on from a share of the substep.
 bool may_come_near(const Object& object, const Vec3& center, const Vec3& way, const Object& other, double share,
                    double dt) {
   constexpr double kRounding = 1 + 1e-9;
@@ -290,19 +290,19 @@ std::vector<ContactWorld::Impl::TouchAhead> ContactWorld::Impl::touches_ahead(co
 double ContactWorld::Impl::striking_speed(std::size_t first, std::size_t second, double dt,
                                           double minimum_speed) const {
   const Object &a = objects[first], &b = objects[second];
-  const double hurting_speed = std::max(minimum_speed, std::min(a.impact_speed, b.impact_speed));
+  const double damage_speed = std::max(minimum_speed, std::min(a.impact_speed, b.impact_speed));
   const auto velocity = [&](const Object& object) {
     return object.moves() ? Vec3(object.state.velocity + dt * gravity) : object.state.velocity;
   };
   const Vec3 relative = velocity(a) - velocity(b);
   const double turning = turning_speed(a) + turning_speed(b);
-  if (relative.norm() + turning <= hurting_speed) return 0;
+  if (relative.norm() + turning <= damage_speed) return 0;
   double fastest = 0;
   const Sweep sweep{a, b, a.state.pose.translation, dt * relative, dt * turning};
   for_each_touch(sweep, ground_height, [&](const Touch& touch, std::size_t) {
     fastest = std::max(fastest, turning - touch.normal.dot(relative));
   });
-  return fastest > hurting_speed ? fastest : 0;
+  return fastest > damage_speed ? fastest : 0;
 }
 
 /// Sorts the swept extents along x and looks at those that overlap, where at least one object is fast enough.
@@ -328,8 +328,7 @@ std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double
       continue;
     }
     const double speed = (object.state.velocity + dt * gravity).norm() + turning_speed(object);
-    const Vec3 center = object.state.pose.translation,
-               reach = Vec3::Constant(object.shape.radius + dt * speed);
+    const Vec3 center = object.state.pose.translation, reach = Vec3::Constant(object.shape.radius + dt * speed);
     extents.push_back({i, {center - reach, center + reach}, speed > minimum_speed / 2});
   }
   std::stable_sort(extents.begin(), extents.end(),

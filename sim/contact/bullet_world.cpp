@@ -173,20 +173,20 @@ ProxyId ContactWorld::add_convex(const ConvexPart& corners, const RigidMass& mas
                     mass);
 }
 
-ProxyId ContactWorld::add_stand_in(std::span<const ConvexPart> parts, const RigidMass& mass, Mobility mobility,
-                                   const RigidState& state, const SurfaceProperties& surface) {
-  return add_stand_ins({{{parts, mass, mobility, state, surface}}}).front();
+ProxyId ContactWorld::add_proxy(std::span<const ConvexPart> parts, const RigidMass& mass, Mobility mobility,
+                                const RigidState& state, const SurfaceProperties& surface) {
+  return add_proxies({{{parts, mass, mobility, state, surface}}}).front();
 }
 
-std::vector<ProxyId> ContactWorld::add_stand_ins(std::span<const StandIn> stand_ins) {
-  std::vector<Shape> shapes(stand_ins.size());
-  parallel_for(static_cast<int>(stand_ins.size()), 16, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) shapes[i] = hull_shape(stand_ins[i].parts);
+std::vector<ProxyId> ContactWorld::add_proxies(std::span<const Proxy> proxies) {
+  std::vector<Shape> shapes(proxies.size());
+  parallel_for(static_cast<int>(proxies.size()), 16, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) shapes[i] = hull_shape(proxies[i].parts);
   });
   std::vector<ProxyId> ids;
-  for (std::size_t i = 0; i < stand_ins.size(); ++i) {
-    const StandIn& added = stand_ins[i];
-    ids.push_back(impl_->add({.kind = Kind::stand_in,
+  for (std::size_t i = 0; i < proxies.size(); ++i) {
+    const Proxy& added = proxies[i];
+    ids.push_back(impl_->add({.kind = Kind::proxy,
                               .mobility = added.mobility,
                               .shape = std::move(shapes[i]),
                               .state = added.state,
@@ -196,17 +196,17 @@ std::vector<ProxyId> ContactWorld::add_stand_ins(std::span<const StandIn> stand_
   return ids;
 }
 
-void ContactWorld::reshape(ProxyId stand_in, std::span<const ConvexPart> parts, const RigidMass& mass,
-                           Mobility mobility, const RigidState& state) {
-  Object& object = impl_->objects[stand_in];
-  assert(object.kind == Kind::stand_in && object.body);
-  impl_->wake(stand_in);
-  impl_->wake_neighbours(stand_in);
+void ContactWorld::reshape(ProxyId proxy, std::span<const ConvexPart> parts, const RigidMass& mass, Mobility mobility,
+                           const RigidState& state) {
+  Object& object = impl_->objects[proxy];
+  assert(object.kind == Kind::proxy && object.body);
+  impl_->wake(proxy);
+  impl_->wake_neighbours(proxy);
   impl_->retire(object);
   object.mobility = mobility;
   object.state = state;
   object.shape = hull_shape(parts);
-  impl_->attach(stand_in, mass);
+  impl_->attach(proxy, mass);
 }
 
 void ContactWorld::remove(ProxyId object) {
@@ -265,13 +265,13 @@ std::vector<double> ContactWorld::limit_energy(double dt, std::span<const Elasti
   return impl_->limit_energy(dt, elastic);
 }
 void ContactWorld::advance(double dt) { impl_->advance(dt); }
-ContactWorld::Correction ContactWorld::position_correction(ProxyId stand_in) const {
-  return impl_->objects[stand_in].correction;
+ContactWorld::Correction ContactWorld::position_correction(ProxyId proxy) const {
+  return impl_->objects[proxy].correction;
 }
 Vec3 ContactWorld::pushed_out(ProxyId projectile) const { return impl_->objects[projectile].pushed_out; }
-Vec3 ContactWorld::swept_center(ProxyId stand_in, double dt, double slow,
+Vec3 ContactWorld::swept_center(ProxyId proxy, double dt, double slow,
                                 const std::function<bool(ProxyId)>& stops) const {
-  return impl_->swept_end(impl_->objects[stand_in], dt, {slow, stops});
+  return impl_->swept_end(impl_->objects[proxy], dt, {slow, stops});
 }
 Vec3 ContactWorld::velocity_after(const Vec3& velocity, const Vec3& way, double dt) const {
   return impl_->velocity_after(velocity, way, dt);

@@ -23,7 +23,7 @@ namespace griffith::contact {
 /// Distance less the overlap that is allowed; a gap stays a gap.
 double distance_beyond(double distance, double allowed_overlap);
 
-enum class Kind { ground, projectile, stand_in };
+enum class Kind { ground, projectile, proxy };
 
 struct Object {
   Kind kind;
@@ -133,8 +133,8 @@ struct ContactWorld::Impl {
   void drop_contacts_of(const std::vector<bool>& dropped);
   std::vector<int> drop_near_misses(double dt, std::span<const double> approach);
   int solve(double dt, std::span<const ElasticResponse> elastic, bool again);
-  std::vector<contact::Responder> rigid_responders(double dt) const;
-  std::vector<contact::ContactRow> rows(double dt) const;
+  std::vector<contact::SolverBody> rigid_responders(double dt) const;
+  std::vector<contact::ContactConstraint> rows(double dt) const;
   double least_speed(const Contact& contact, double dt) const;
   double rebound_speed(const Contact& contact, double dt) const;
   bool strikes(const Contact& contact, double dt) const;
@@ -147,7 +147,7 @@ struct ContactWorld::Impl {
   };
   std::vector<Momentum> impulse_sums() const;
   void take_impulses(double dt);
-  void correct_positions(const std::vector<contact::ContactRow>& rows, double dt);
+  void correct_positions(const std::vector<contact::ContactConstraint>& rows, double dt);
   void limit_lift(double dt);
 
   // Rest.
@@ -214,7 +214,7 @@ struct ContactWorld::Impl {
   std::vector<contact::Memory> memories;                 ///< per contact
   std::vector<contact::NodeContact> node_contacts;       ///< that the owner put in
   std::vector<contact::NodeContact> past_node_contacts;  ///< of the last substep, by key
-  std::vector<contact::ContactRow> solved;               ///< per contact: as solve() found it
+  std::vector<contact::ContactConstraint> solved;        ///< per contact: as solve() found it
 };
 
 }  // namespace griffith

@@ -30,8 +30,8 @@ Mat3 contact_axes(const Vec3& normal) {
 }
 
 /// The responder of a rigid object.
-Responder rigid_responder(const Object& object) {
-  Responder responder;
+SolverBody rigid_responder(const Object& object) {
+  SolverBody responder;
   if (object.asleep) return responder;
   responder.inverse_mass = object.inverse_mass;
   const Mat3 rotation = object.state.pose.rotation.toRotationMatrix();
@@ -47,11 +47,11 @@ double smaller_radius(const Object& a, const Object& b) {
 /// Of a free object, if it moved so as it lies [J].
 double kinetic_energy(const Object& object, const Vec3& velocity, const Vec3& spin) {
   const Vec3 own_spin = object.state.pose.rotation.conjugate() * spin;
-  return 0.5 * (velocity.squaredNorm() / object.inverse_mass +
-                own_spin.dot(object.inverse_inertia.inverse() * own_spin));
+  return 0.5 *
+         (velocity.squaredNorm() / object.inverse_mass + own_spin.dot(object.inverse_inertia.inverse() * own_spin));
 }
 
-Vec3 rigid_velocity(const Responder& responder, const ContactEnd& end) {
+Vec3 rigid_velocity(const SolverBody& responder, const ContactEnd& end) {
   return responder.velocity + responder.angular_velocity.cross(end.arm);
 }
 
@@ -61,8 +61,8 @@ double contact::distance_beyond(double distance, double allowed_overlap) {
   return distance < 0 ? std::min(0.0, distance + allowed_overlap) : distance;
 }
 
-std::vector<Responder> ContactWorld::Impl::rigid_responders(double dt) const {
-  std::vector<Responder> made;
+std::vector<SolverBody> ContactWorld::Impl::rigid_responders(double dt) const {
+  std::vector<SolverBody> made;
   made.reserve(objects.size());
   for (const Object& object : objects) {
     made.push_back(rigid_responder(object));
@@ -73,12 +73,12 @@ std::vector<Responder> ContactWorld::Impl::rigid_responders(double dt) const {
   return made;
 }
 
-std::vector<ContactRow> ContactWorld::Impl::rows(double dt) const {
-  std::vector<ContactRow> made(contacts.size());
+std::vector<ContactConstraint> ContactWorld::Impl::rows(double dt) const {
+  std::vector<ContactConstraint> made(contacts.size());
   for (std::size_t i = 0; i < made.size(); ++i) {
     const Contact& contact = contacts[i];
     const Object &a = objects[contact.a], &b = objects[contact.b];
-    ContactRow& row = made[i];
+    ContactConstraint& row = made[i];
     row.a = {static_cast<int>(contact.a.value), -1, contact.position - a.state.pose.translation};
     row.b = {static_cast<int>(contact.b.value), -1, contact.position - b.state.pose.translation};
     row.axes = contact_axes(contact.normal);
@@ -126,7 +126,7 @@ double ContactWorld::Impl::least_speed(const Contact& contact, double dt) const 
 
 int ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elastic, bool again) {
   assert(dt > 0);
-  std::vector<Responder> answering = rigid_responders(dt);
+  std::vector<SolverBody> answering = rigid_responders(dt);
   solved = rows(dt);
   for (Object& object : objects) object.elastic = false;
   std::vector<const ElasticResponse*> response_of(objects.size(), nullptr);
@@ -134,7 +134,7 @@ int ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elasti
     objects[response.object].elastic = true;
     response_of[response.object] = &response;
     for (std::size_t point = 0; point < response.contacts.size(); ++point) {
-      ContactRow& row = solved[response.contacts[point]];
+      ContactConstraint& row = solved[response.contacts[point]];
       (row.a.responder == response.object.value ? row.a : row.b).point = static_cast<int>(point);
     }
   }
@@ -150,7 +150,7 @@ int ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elasti
   parallel_for(static_cast<int>(elastic.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const ElasticResponse& response = elastic[i];
-      Responder& responder = answering[response.object];
+      SolverBody& responder = answering[response.object];
       responder.compliance = &response.compliance;
       responder.elastic.emplace(response.compliance,
                                 response.velocities - respond(response.compliance, response.impulses));
@@ -176,7 +176,7 @@ std::vector<double> ContactWorld::Impl::limit_energy(double dt, std::span<const 
   // The energy that impulses of s times their size add: s·linear + s²·quadratic. What an implicit step does to an
   // elastic body adds no more than the work at the velocities after it.
   std::vector<double> linear(objects.size(), 0.0), quadratic(objects.size(), 0.0);
-  const std::vector<Responder> rigid = rigid_responders(dt);
+  const std::vector<SolverBody> rigid = rigid_responders(dt);
   const std::vector<Momentum> sums = impulse_sums();
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (objects[i].elastic) continue;
@@ -233,7 +233,7 @@ void ContactWorld::Impl::take_impulses(double dt) {
   for (std::size_t i = 0; i < objects.size(); ++i) {
     Object& object = objects[i];
     if (!object.moves() || object.elastic) continue;
-    const Responder responder = rigid_responder(object);
+    const SolverBody responder = rigid_responder(object);
     if (object.kind == Kind::projectile) object.state.velocity += dt * gravity;
     object.state.velocity += responder.inverse_mass * sums[i].linear;
     object.state.angular_velocity += responder.inverse_inertia * sums[i].angular;
@@ -241,9 +241,9 @@ void ContactWorld::Impl::take_impulses(double dt) {
 }
 
 /// Displacements that take out a share of the overlaps, as velocities of a solve of their own.
-void ContactWorld::Impl::correct_positions(const std::vector<ContactRow>& rows, double dt) {
+void ContactWorld::Impl::correct_positions(const std::vector<ContactConstraint>& rows, double dt) {
   for (Object& object : objects) object.correction = {};
-  std::vector<ContactRow> overlaps = rows;
+  std::vector<ContactConstraint> overlaps = rows;
   bool any = false;
   for (std::size_t i = 0; i < overlaps.size(); ++i) {
     const Contact& contact = contacts[i];
@@ -255,7 +255,7 @@ void ContactWorld::Impl::correct_positions(const std::vector<ContactRow>& rows, 
     any |= excess > 0;
   }
   if (!any) return;
-  std::vector<Responder> moving;
+  std::vector<SolverBody> moving;
   for (const Object& object : objects) moving.push_back(rigid_responder(object));
   solve_impulses(overlaps, moving, kRoughly);
   for (std::size_t i = 0; i < objects.size(); ++i)

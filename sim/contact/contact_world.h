@@ -12,7 +12,7 @@
 
 namespace griffith {
 
-/// A rigid object of the contact world: an elastic body's stand-in, a projectile or the ground.
+/// A rigid object of the contact world: an elastic body's proxy, a projectile or the ground.
 using ProxyId = Id<struct ProxyTag>;
 
 /// One convex part of a body's shape: its corner points in the body's own frame (origin at the centre of mass) [m].
@@ -71,8 +71,8 @@ struct ElasticResponse {
 
 /// Finds and solves the contacts of everything. Bullet, in double precision, finds them.
 ///
-/// A substep is: add, reshape() and remove(), set_state() of all stand-ins, detect(), solve(), advance(), impulses out
-/// of contacts(). Spheres and convex projectiles are moved by advance(), and gravity acts on them there; stand-ins are
+/// A substep is: add, reshape() and remove(), set_state() of all proxies, detect(), solve(), advance(), impulses out
+/// of contacts(). Spheres and convex projectiles are moved by advance(), and gravity acts on them there; proxies are
 /// not: their owner sets velocities that hold all external forces already, and places them with the next set_state(),
 /// after adding position_correction().
 ///
@@ -99,11 +99,11 @@ class ContactWorld {
   /// The same for a convex body: its corners in its own frame (origin at the centre of mass), not all in a plane.
   ProxyId add_convex(const ConvexPart& corners, const RigidMass& mass, const RigidState& state,
                      const SurfaceProperties& surface);
-  /// The stand-in of an elastic body: at least one part. When held, its mass is not used.
-  ProxyId add_stand_in(std::span<const ConvexPart> parts, const RigidMass& mass, Mobility mobility,
-                       const RigidState& state, const SurfaceProperties& surface);
-  /// What add_stand_in() takes.
-  struct StandIn {
+  /// The proxy of an elastic body: at least one part. When held, its mass is not used.
+  ProxyId add_proxy(std::span<const ConvexPart> parts, const RigidMass& mass, Mobility mobility,
+                    const RigidState& state, const SurfaceProperties& surface);
+  /// What add_proxy() takes.
+  struct Proxy {
     std::span<const ConvexPart> parts;
     RigidMass mass;
     Mobility mobility;
@@ -111,11 +111,11 @@ class ContactWorld {
     SurfaceProperties surface;
   };
   /// Adds many in their order: as one by one, but their shapes are made in parallel.
-  std::vector<ProxyId> add_stand_ins(std::span<const StandIn> stand_ins);
-  /// A new shape and mass for a stand-in whose body lost a piece. Pairs that overlap when first seen after
-  /// add_stand_in() or reshape() are fresh cracks: they are neither pushed apart nor do they bounce. That much overlap
+  std::vector<ProxyId> add_proxies(std::span<const Proxy> proxies);
+  /// A new shape and mass for a proxy whose body lost a piece. Pairs that overlap when first seen after
+  /// add_proxy() or reshape() are fresh cracks: they are neither pushed apart nor do they bounce. That much overlap
   /// stays allowed until it has shrunk, save with the ground.
-  void reshape(ProxyId stand_in, std::span<const ConvexPart> parts, const RigidMass& mass, Mobility mobility,
+  void reshape(ProxyId proxy, std::span<const ConvexPart> parts, const RigidMass& mass, Mobility mobility,
                const RigidState& state);
   /// The id is never given out again. Contacts listed so far are void, here and in reshape().
   void remove(ProxyId object);
@@ -164,10 +164,10 @@ class ContactWorld {
   /// owner set since.
   void advance(double dt);
 
-  /// Where a stand-in's centre of mass is after `dt` [s] at its velocity [m]: short of that where it would pass through
+  /// Where a proxy's centre of mass is after `dt` [s] at its velocity [m]: short of that where it would pass through
   /// something else, as seen after advance(). What it moves against by less than `slow` [m] is left to the next
   /// detection, as is all for which `stops` says no.
-  Vec3 swept_center(ProxyId stand_in, double dt, double slow, const std::function<bool(ProxyId)>& stops) const;
+  Vec3 swept_center(ProxyId proxy, double dt, double slow, const std::function<bool(ProxyId)>& stops) const;
   /// The velocity of what was to move by `velocity` [m/s] for `dt` [s] and came along `way` [m]: what stopped short has
   /// not fallen as fast as the whole of its fall would have made it.
   Vec3 velocity_after(const Vec3& velocity, const Vec3& way, double dt) const;
@@ -177,7 +177,7 @@ class ContactWorld {
   struct Correction {
     Vec3 translation = Vec3::Zero(), rotation = Vec3::Zero();
   };
-  Correction position_correction(ProxyId stand_in) const;
+  Correction position_correction(ProxyId proxy) const;
   /// How far overlaps pushed a projectile in the last advance() [m]; its state holds it already.
   Vec3 pushed_out(ProxyId projectile) const;
 
@@ -198,8 +198,8 @@ class ContactWorld {
     double approach = 0;  ///< the fastest that they come together [m/s]
   };
   /// Pairs that, moving freely for `dt`, would meet with an approach speed above `minimum_speed` [m/s] that could hurt
-  /// one of them, each once. On the safe side: an object that turns counts as if all of it moved with its fastest point.
-  /// Pairs that touch already count if they approach that fast.
+  /// one of them, each once. On the safe side: an object that turns counts as if all of it moved with its fastest
+  /// point. Pairs that touch already count if they approach that fast.
   std::vector<Encounter> expected_impacts(double dt, double minimum_speed) const;
   /// How long there are none of these, 0..`most`, to within `tolerance` [s].
   double time_before_impact(double most, double minimum_speed, double tolerance) const;

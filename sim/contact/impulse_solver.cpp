@@ -21,12 +21,12 @@ struct PreparedRow {
   double largest_tangential;           ///< eigenvalue of that block
 };
 
-Vec3 velocity_at(const Responder& responder, const ContactEnd& end) {
+Vec3 velocity_at(const SolverBody& responder, const ContactEnd& end) {
   if (responder.elastic) return responder.elastic->velocity(end.point);
   return responder.velocity + responder.angular_velocity.cross(end.arm);
 }
 
-void push(Responder& responder, const ContactEnd& end, const Vec3& impulse) {
+void push(SolverBody& responder, const ContactEnd& end, const Vec3& impulse) {
   if (responder.elastic) {
     responder.elastic->push(end.point, impulse);
   } else if (responder.inverse_mass > 0) {
@@ -35,13 +35,13 @@ void push(Responder& responder, const ContactEnd& end, const Vec3& impulse) {
   }
 }
 
-Mat3 compliance_of(const Responder& responder, const ContactEnd& end) {
+Mat3 compliance_of(const SolverBody& responder, const ContactEnd& end) {
   if (responder.compliance) return responder.compliance->block(end.point);
   const Mat3 arm = cross_matrix(end.arm);
   return responder.inverse_mass * Mat3::Identity() - arm * responder.inverse_inertia * arm;
 }
 
-PreparedRow prepare(const ContactRow& row, std::span<const Responder> responders) {
+PreparedRow prepare(const ContactConstraint& row, std::span<const SolverBody> responders) {
   PreparedRow prepared;
   prepared.ready = true;
   const Mat3 compliance =
@@ -55,7 +55,7 @@ PreparedRow prepare(const ContactRow& row, std::span<const Responder> responders
   return prepared;
 }
 
-void apply(const ContactRow& row, const Vec3& impulse, std::span<Responder> responders) {
+void apply(const ContactConstraint& row, const Vec3& impulse, std::span<SolverBody> responders) {
   const Vec3 world = row.axes * impulse;
   push(responders[row.a.responder], row.a, world);
   push(responders[row.b.responder], row.b, -world);
@@ -70,13 +70,14 @@ Vec2 friction_impulse(const Vec2& impulse, const Vec2& sliding, double limit, co
   return length > limit ? Vec2(limit / length * opposing) : opposing;
 }
 
-Vec3 relative_velocity(const ContactRow& row, std::span<const Responder> responders) {
+Vec3 relative_velocity(const ContactConstraint& row, std::span<const SolverBody> responders) {
   return velocity_at(responders[row.a.responder], row.a) - velocity_at(responders[row.b.responder], row.b);
 }
 
 /// Solves one row among the others' present impulses, with which its ends have this relative `velocity` (world axes);
 /// returns the change of velocity that this made.
-double relax(ContactRow& row, const Vec3& velocity, const PreparedRow& prepared, std::span<Responder> responders) {
+double relax(ContactConstraint& row, const Vec3& velocity, const PreparedRow& prepared,
+             std::span<SolverBody> responders) {
   const double stiffness = prepared.compliance(0, 0);
   if (!(stiffness > 0)) return 0;
   const Vec3 along_axes = row.axes.transpose() * velocity;
@@ -94,12 +95,13 @@ double relax(ContactRow& row, const Vec3& velocity, const PreparedRow& prepared,
 }
 
 /// The rows of objects that hang together by contacts, in their order.
-std::vector<std::vector<int>> groups_of_rows(std::span<const ContactRow> rows, std::span<const Responder> responders) {
+std::vector<std::vector<int>> groups_of_rows(std::span<const ContactConstraint> rows,
+                                             std::span<const SolverBody> responders) {
   const auto answers = [&](const ContactEnd& end) {
     return responders[end.responder].compliance || responders[end.responder].inverse_mass > 0;
   };
   std::vector<std::pair<int, int>> touching;
-  for (const ContactRow& row : rows)
+  for (const ContactConstraint& row : rows)
     if (answers(row.a) && answers(row.b)) touching.emplace_back(row.a.responder, row.b.responder);
   const std::vector<int> group_of = connected_groups(static_cast<int>(responders.size()), touching);
   std::vector<int> index_of(responders.size(), -1);
@@ -119,13 +121,13 @@ std::vector<std::vector<int>> groups_of_rows(std::span<const ContactRow> rows, s
 /// One group's sweeps. In a heap most rows are near misses: what pushes is swept every time, the rest now and then.
 class GroupSolver {
  public:
-  GroupSolver(std::span<ContactRow> rows, const std::vector<int>& members, std::span<Responder> responders)
+  GroupSolver(std::span<ContactConstraint> rows, const std::vector<int>& members, std::span<SolverBody> responders)
       : responders_(responders) {
     for (int member : members) {
-      const ContactRow& row = *rows_.emplace_back(&rows[member]);
+      const ContactConstraint& row = *rows_.emplace_back(&rows[member]);
       speed_ = std::max(speed_, row.least_speed - row.axes.col(0).dot(relative_velocity(row, responders)));
     }
-    for (const ContactRow* row : rows_)
+    for (const ContactConstraint* row : rows_)
       if (!row->impulse.isZero(0)) apply(*row, row->impulse, responders_);
     prepared_.resize(rows_.size());
     before_.resize(rows_.size());
@@ -195,8 +197,8 @@ class GroupSolver {
     last_size_ = size;
   }
 
-  std::span<Responder> responders_;
-  std::vector<ContactRow*> rows_;
+  std::span<SolverBody> responders_;
+  std::vector<ContactConstraint*> rows_;
   std::vector<PreparedRow> prepared_;
   std::vector<int> busy_;                 // rows that the last look at all found pushing
   std::vector<Vec3> before_, direction_;  // impulses before the sweep; the last change of impulses
@@ -206,7 +208,7 @@ class GroupSolver {
 
 }  // namespace
 
-int solve_impulses(std::span<ContactRow> rows, std::span<Responder> responders, const SolverLimits& limits) {
+int solve_impulses(std::span<ContactConstraint> rows, std::span<SolverBody> responders, const SolverLimits& limits) {
   int relaxations = 0;
   for (const std::vector<int>& members : groups_of_rows(rows, responders))
     relaxations += GroupSolver(rows, members, responders).solve(limits);

@@ -11,7 +11,7 @@ namespace griffith::contact {
 
 /// How an object answers impulses, and its velocities so far. A rigid one by mass and inertia, an immovable one not at
 /// all, an elastic one by the compliance that couples its contact points.
-struct Responder {
+struct SolverBody {
   double inverse_mass = 0;                      ///< [1/kg]
   Mat3 inverse_inertia = Mat3::Zero();          ///< world frame [1/(kg·m²)]
   Vec3 velocity = Vec3::Zero();                 ///< [m/s]
@@ -27,7 +27,7 @@ struct ContactEnd {
   Vec3 arm = Vec3::Zero();  ///< from the centre of mass [m]
 };
 
-struct ContactRow {
+struct ContactConstraint {
   ContactEnd a, b;
   Mat3 axes = Mat3::Identity();  ///< columns: the normal from b to a, and two tangents
   double friction = 0;
@@ -47,6 +47,7 @@ struct SolverLimits {
 /// pushes only and keeps its parting speed at or above `least_speed`; the tangential one stops the sliding within
 /// friction's disc. Velocities of the responders hold everything but the rows' impulses before, those too after.
 /// Impulses are within their limits however early the sweeps end. Returns how many times a row was solved.
-int solve_impulses(std::span<ContactRow> rows, std::span<Responder> responders, const SolverLimits& limits = {});
+int solve_impulses(std::span<ContactConstraint> rows, std::span<SolverBody> responders,
+                   const SolverLimits& limits = {});
 
 }  // namespace griffith::contact

@@ -9,12 +9,12 @@
 
 namespace griffith {
 
-ElementRest element_rest(const Corners& rest_corners) {
+RestElement rest_element(const Corners& rest_corners) {
   const Mat3 edges = rest_corners.rightCols<3>().colwise() - rest_corners.col(0);
   const double determinant = edges.determinant();
   assert(determinant > 0 && "meshes are oriented and checked before elements are made");
   const Mat3 inverse = edges.inverse();
-  ElementRest rest;
+  RestElement rest;
   rest.shape_gradients.rightCols<3>() = inverse.transpose();
   rest.shape_gradients.col(0) = -inverse.transpose().rowwise().sum();
   rest.volume = determinant / 6;
@@ -25,7 +25,7 @@ ElasticLaw elastic_law(const Material& material) {
   return {material.element_model, lame_lambda(material), shear_modulus(material)};
 }
 
-ElementDeformation element_deformation(ElementModel model, const ElementRest& rest, const Corners& corners) {
+ElementDeformation element_deformation(ElementModel model, const RestElement& rest, const Corners& corners) {
   const Mat3 gradient = deformation_gradient(rest, corners);
   const bool inverted = !(gradient.determinant() > 0);
   if (model == ElementModel::green_strain && !inverted)
@@ -52,7 +52,7 @@ Mat3 cauchy_stress(const Mat3& frame, const Mat3& stress) {
   return frame * stress * frame.transpose() / std::max(frame.determinant(), kSmallestVolumeRatio);
 }
 
-StiffnessRow stiffness_row(const ElasticLaw& law, const ElementRest& rest, const ElementState& state, int corner) {
+StiffnessRow stiffness_row(const ElasticLaw& law, const RestElement& rest, const ElementState& state, int corner) {
   const Corners gradients = state.frame * rest.shape_gradients;
   const Mat3 metric = law.mu * state.frame * state.frame.transpose();
   const Vec3 gradient = rest.shape_gradients.col(corner), a = gradients.col(corner);

@@ -6,16 +6,16 @@
 namespace griffith {
 
 /// Corner positions, forces or gradients of a tet: one column a corner.
-using Corners = Eigen::Matrix<double, 3, 4>;
+using Corners = Eigen::Matrix<double, 3, 4, Eigen::DontAlign>;
 
 /// The constant part of a linear tetrahedron.
-struct ElementRest {
+struct RestElement {
   Corners shape_gradients;  ///< column i: g_i = grad N_i in rest space [1/m]
   double volume = 0;        ///< V at rest [m³], > 0
 };
 
 /// Rest data of a positively oriented tet with these corners [m].
-ElementRest element_rest(const Corners& rest_corners);
+RestElement rest_element(const Corners& rest_corners);
 
 /// How an element's stress follows from its corners: the strain it measures, and Lamé's constants.
 struct ElasticLaw {
@@ -25,7 +25,7 @@ struct ElasticLaw {
 ElasticLaw elastic_law(const Material& material);
 
 /// F = sum_i x_i g_iᵀ.
-inline Mat3 deformation_gradient(const ElementRest& rest, const Corners& corners) {
+inline Mat3 deformation_gradient(const RestElement& rest, const Corners& corners) {
   return corners * rest.shape_gradients.transpose();
 }
 
@@ -40,7 +40,7 @@ struct ElementDeformation {
   Mat3 strain = Mat3::Zero();
   bool inverted = false;  ///< det F <= 0
 };
-ElementDeformation element_deformation(ElementModel model, const ElementRest& rest, const Corners& corners);
+ElementDeformation element_deformation(ElementModel model, const RestElement& rest, const Corners& corners);
 
 /// The stressed state of an element. Stresses are in rest space: corotated Cauchy stress, or the second
 /// Piola-Kirchhoff stress for Green's strain [Pa].
@@ -61,18 +61,18 @@ ElementState element_state(const ElasticLaw& law, const ElementDeformation& defo
 Mat3 cauchy_stress(const Mat3& frame, const Mat3& stress);
 
 /// Nodal forces of a stress of rest space, in the world frame: f_i = −V B sigma g_i [N].
-inline Corners nodal_forces(const ElementRest& rest, const Mat3& frame, const Mat3& stress) {
+inline Corners nodal_forces(const RestElement& rest, const Mat3& frame, const Mat3& stress) {
   return -rest.volume * (frame * stress) * rest.shape_gradients;
 }
 
 /// Blocks K_i0 .. K_i3, one after the other.
-using StiffnessRow = Eigen::Matrix<double, 3, 12>;
+using StiffnessRow = Eigen::Matrix<double, 3, 12, Eigen::DontAlign>;
 
 /// A corner's row of the element's stiffness for the implicit step [N/m], with a_i = B g_i:
 ///   K_ij = V [ lambda a_i a_jᵀ + mu a_j a_iᵀ + mu (g_i·g_j) B Bᵀ + (g_iᵀ sigma⁺ g_j) I ]
 /// The last, geometric term is there for Green's strain alone; its tensile part sigma⁺ keeps the matrix positive
 /// semidefinite under compression too, and in pure tension K = −∂f/∂x exactly. The corotational row leaves out the
 /// change of Q, so that it is exact at rest.
-StiffnessRow stiffness_row(const ElasticLaw& law, const ElementRest& rest, const ElementState& state, int corner);
+StiffnessRow stiffness_row(const ElasticLaw& law, const RestElement& rest, const ElementState& state, int corner);
 
 }  // namespace griffith

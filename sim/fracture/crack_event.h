@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "sim/fracture/separation_tensor.h"
 #include "sim/fracture/scaled_impact.h"
+#include "sim/fracture/separation_tensor.h"
 #include "sim/ids.h"
 #include "sim/linear_algebra.h"
 

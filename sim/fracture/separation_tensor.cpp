@@ -44,7 +44,7 @@ StarSums sum_star(const SeparationInput& input, NodeId node, const Vec3& normal)
   StarSums sums;
   for (TetId tet : input.stars[node]) {
     if (!counts(input, tet, node)) continue;
-    const ElementRest& rest = input.rests[tet];
+    const RestElement& rest = input.rest_elements[tet];
     const ElementState& state = input.states[tet];
     const Vec3 face = cofactor(state.frame) * rest.shape_gradients.col(local_corner(input, tet, node));
     const Mat3 tensile_stress = cauchy_stress(state.frame, state.tensile_stress);
@@ -64,10 +64,10 @@ Mat3 force_dyad(const Vec3& force) {
 }
 
 SplitForce split_force(const SeparationInput& input, TetId tet, NodeId node) {
-  return split_force(input.rests[tet], input.states[tet], local_corner(input, tet, node));
+  return split_force(input.rest_elements[tet], input.states[tet], local_corner(input, tet, node));
 }
 
-SplitForce split_force(const ElementRest& rest, const ElementState& state, int corner) {
+SplitForce split_force(const RestElement& rest, const ElementState& state, int corner) {
   const Vec3 gradient = rest.shape_gradients.col(corner);
   const Vec3 tensile = -rest.volume * (state.frame * (state.tensile_stress * gradient));
   return {tensile, -rest.volume * (state.frame * (state.stress * gradient)) - tensile};
@@ -113,12 +113,13 @@ double tension_share(const SeparationInput& input, TetId tet, NodeId node, const
   if (!counts(input, tet, node)) return 0;
   const ElementState& state = input.states[tet];
   const Mat3 tension = cauchy_stress(state.frame, state.tensile_stress);
-  return input.rests[tet].volume / plane.volume * plane.normal.dot(tension * plane.normal);
+  return input.rest_elements[tet].volume / plane.volume * plane.normal.dot(tension * plane.normal);
 }
 
 DirectionalStrength strength_at(const SeparationInput& input, NodeId node, const Weakness& weakness) {
   Vec3 axis = Vec3::Zero();
-  for (TetId tet : input.stars[node]) axis += input.rests[tet].volume * (input.states[tet].frame * weakness.direction);
+  for (TetId tet : input.stars[node])
+    axis += input.rest_elements[tet].volume * (input.states[tet].frame * weakness.direction);
   return directional_strength(weakness, axis.normalized());
 }
 

@@ -18,7 +18,7 @@ Mat3 force_dyad(const Vec3& force);
 struct SeparationInput {
   std::span<const std::array<NodeId, 4>> tets;  // per tet: corners
   std::span<const std::vector<TetId>> stars;    // per node: its tets
-  std::span<const ElementRest> rests;           // per tet
+  std::span<const RestElement> rest_elements;   // per tet
   std::span<const ElementState> states;         // per tet
   std::span<const NodeConstraint> constraints;  // per node; empty: all are free
 };
@@ -27,7 +27,7 @@ struct SeparationInput {
 struct SplitForce {
   Vec3 tensile = Vec3::Zero(), compressive = Vec3::Zero();  ///< f_e⁺, f_e⁻
 };
-SplitForce split_force(const ElementRest& rest, const ElementState& state, int corner);
+SplitForce split_force(const RestElement& rest, const ElementState& state, int corner);
 SplitForce split_force(const SeparationInput& input, TetId tet, NodeId node);
 
 /// The separation tensor of a node in the world frame [N] (O'Brien & Hodgins 1999, eq. 16):

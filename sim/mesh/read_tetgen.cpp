@@ -15,7 +15,7 @@ int read_points(FileCursor& cursor, TetSoup& soup) {
   for (int i = 0; i < count; ++i) {
     const int number = cursor.number<int>("a point's number");
     if (i == 0) first = number;
-    if (first < 0 || first > 1 || number - first != i)
+    if (first < 0 || first > 1 || number != first + i)
       cursor.fail("point number " + std::to_string(number), "points are numbered in turn from 0 or 1");
     Vec3 point;
     for (double& coordinate : point) coordinate = cursor.number<double>("x, y, z");

@@ -29,7 +29,7 @@ struct Cut {
 /// The lattice with what is known of the border.
 class Stuffing {
  public:
-  Stuffing(const Solid& solid, const BccLattice& lattice, int levels, const Monitor& monitor)
+  Stuffing(const ImplicitSolid& solid, const BccLattice& lattice, int levels, const Monitor& monitor)
       : solid_(solid), lattice_(lattice), levels_(levels), monitor_(monitor) {}
 
   TetSoup run() {
@@ -61,7 +61,7 @@ class Stuffing {
   void add_truncated_corner(const std::array<int, 4>& inner, int outer);
   void add_wedge(int a, int b, int outer1, int outer2);
 
-  const Solid& solid_;
+  const ImplicitSolid& solid_;
   const BccLattice& lattice_;
   int levels_;
   const Monitor& monitor_;
@@ -263,8 +263,8 @@ void Stuffing::add_wedge(int a, int b, int outer1, int outer2) {
 
 }  // namespace
 
-TetSoup stuff_isosurface(const Solid& solid, const Eigen::AlignedBox3d& box, double cube_edge, const std::string& name,
-                         const Monitor& monitor, int levels) {
+TetSoup stuff_isosurface(const ImplicitSolid& solid, const Eigen::AlignedBox3d& box, double cube_edge,
+                         const std::string& name, const Monitor& monitor, int levels) {
   const BccLattice lattice(box, cube_edge, name);
   return Stuffing(solid, lattice, levels, monitor).run();
 }

@@ -10,7 +10,7 @@
 namespace griffith {
 
 /// Something with an inside. Asked from many threads at once.
-struct Solid {
+struct ImplicitSolid {
   std::function<bool(const Vec3& point)> inside;
   /// How far the border is on the way from an inner point to an outer one: 0 at the first, 1 at the second.
   std::function<double(const Vec3& inner, const Vec3& outer)> crossing;
@@ -21,7 +21,7 @@ struct Solid {
 /// 164.8° (their table 1), whatever the solid. What is thinner than a lattice cube may be lost. `box` holds the solid;
 /// `cube_edge` is the lattice's longer edge [m] at the border; deep inside, edges may be longer by 2^`levels`. Throws
 /// InputError, about `name`, when the lattice is too fine, and Cancelled.
-TetSoup stuff_isosurface(const Solid& solid, const Eigen::AlignedBox3d& box, double cube_edge, const std::string& name,
-                         const Monitor& monitor = {}, int levels = 0);
+TetSoup stuff_isosurface(const ImplicitSolid& solid, const Eigen::AlignedBox3d& box, double cube_edge,
+                         const std::string& name, const Monitor& monitor = {}, int levels = 0);
 
 }  // namespace griffith

@@ -81,20 +81,20 @@ FilledSurface fill(const TriangleSurface& surface, const SurfaceReport& report, 
       return filled;
     }
     if (options.method == MeshingMethod::tetgen)
-      throw InputError(setup.name, "TetGen cannot mesh it: " + result.refusal,
-                       (result.remedy.empty() ? "repair the surface" : result.remedy) +
-                           ", or take the method volumetric");
+      throw InputError(
+          setup.name, "TetGen cannot mesh it: " + result.refusal,
+          (result.remedy.empty() ? "repair the surface" : result.remedy) + ", or take the method volumetric");
     filled.refusal = result.refusal;
     filled.remedy = result.remedy;
   }
   filled.soup = stuff_surface(surface, element_size, options.grading, setup.name, setup.monitor);
   if (filled.soup.tets.empty()) {
     const bool sound = unsound(report).empty();
-    throw InputError(setup.name,
-                     (sound ? "is thinner than the elements everywhere" : "has no inside that could be filled") +
-                         instead_of_tetgen(filled),
-                     sound ? for_tetgen_or(filled, "give a smaller element size")
-                           : "close its holes, or give it a thickness");
+    throw InputError(
+        setup.name,
+        (sound ? "is thinner than the elements everywhere" : "has no inside that could be filled") +
+            instead_of_tetgen(filled),
+        sound ? for_tetgen_or(filled, "give a smaller element size") : "close its holes, or give it a thickness");
   }
   prepare(filled.soup, setup.name);
   return filled;

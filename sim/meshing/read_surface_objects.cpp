@@ -39,15 +39,26 @@ void require_known_file(const fs::path& path) {
   if (extension == ".ply") require_ply_header(path);
 }
 
-/// Beside this program, else where it was built.
-fs::path reader_program() {
-  constexpr char kName[] = "griffith_surface_reader";
+constexpr char kReader[] = "griffith_surface_reader";
+
+fs::path folder_of_this_program() {
   std::error_code error;
-  const fs::path beside = fs::read_symlink("/proc/self/exe", error).parent_path() / kName;
+  return fs::read_symlink("/proc/self/exe", error).parent_path();
+}
+
+/// Beside this program, else where it was built, else by name alone, which looks it up in PATH.
+fs::path reader_program() {
+  std::error_code error;
+  const fs::path beside = folder_of_this_program() / kReader;
   if (fs::exists(beside, error)) return beside;
   if (fs::exists(GRIFFITH_SURFACE_READER, error)) return GRIFFITH_SURFACE_READER;
-  throw std::runtime_error(std::string(kName) + " is missing: it belongs beside the program, in " +
-                           beside.parent_path().string());
+  return kReader;
+}
+
+[[noreturn]] void refuse_without_reader() {
+  throw std::runtime_error(std::string(kReader) + " is missing: copy it beside the program, into " +
+                           folder_of_this_program().string() +
+                           ", or name its folder in PATH (it is installed with the library, in bin)");
 }
 
 /// Ten times what the slowest format takes, of memory up to what TetGen may take.
@@ -67,7 +78,7 @@ void require_success(const ProcessOutcome& outcome, const ProcessLimits& limits,
   if (outcome.end == ProcessOutcome::End::killed_by_signal)
     throw InputError(path.string(), "cannot be read: its reader was ended by signal " + std::to_string(outcome.code),
                      kRemedy);
-  if (outcome.end != ProcessOutcome::End::exited) throw std::runtime_error("griffith_surface_reader cannot be started");
+  if (outcome.end == ProcessOutcome::End::not_found) refuse_without_reader();
   if (outcome.code == 0) return;
   if (outcome.code == kReaderOutOfMemory)
     throw InputError(path.string(),

@@ -39,7 +39,7 @@ TetSoup stuff_surface(const TriangleSurface& surface, double element_size, doubl
                       const Monitor& monitor) {
   const TriangleTree tree(surface);
   const Eigen::AlignedBox3d box = bounds(surface);
-  Solid solid;
+  ImplicitSolid solid;
   solid.inside = [&](const Vec3& point) { return box.contains(point) && is_inside(tree, point); };
   solid.crossing = [&](const Vec3& inner, const Vec3& outer) { return crossing(tree, inner, outer); };
   return stuff_isosurface(solid, box, element_size, name, monitor, static_cast<int>(std::log2(grading)));

@@ -24,8 +24,8 @@ bool check_components(const Place& place, const Numbers& numbers) {
   return place.document.problems.size() == before;
 }
 
-template <int N>
-void read_vector(const Place& place, Eigen::Matrix<double, N, 1>& value, const Numbers& numbers) {
+template <int N, int Options>
+void read_vector(const Place& place, Eigen::Matrix<double, N, 1, Options>& value, const Numbers& numbers) {
   const std::string one_number = numbers.uniform ? " (or one number)" : "";
   if (numbers.uniform && place.json.is_number()) {
     double component = 0;
@@ -37,7 +37,7 @@ void read_vector(const Place& place, Eigen::Matrix<double, N, 1>& value, const N
     return place.reject("an array of " + std::to_string(N) + " numbers" + one_number + ", each " + range_text(numbers));
   }
   if (!check_components(place, numbers)) return;
-  Eigen::Matrix<double, N, 1> vector;
+  Eigen::Matrix<double, N, 1, Options> vector;
   for (int i = 0; i < N; ++i) vector[i] = place.json[i].template get<double>();
   // Squares of components below 1e-100 vanish.
   if (numbers.nonzero && vector.template lpNorm<Eigen::Infinity>() < 1e-100) {

@@ -43,20 +43,20 @@ struct BodyDescription {
 
 /// `count` equal projectiles, `interval` apart, the first at `start`.
 struct ProjectileBurst {
-  int count = 1;                         ///< 1..10000
-  double interval = 0.25;                ///< [s], >= 0
-  double start = 0;                      ///< [s], >= 0
-  Vec3 position = Vec3(0, 1, 5);         ///< of the centre of mass [m]
-  Vec3 direction = Vec3(0, 0, -1);       ///< of flight; any length but 0
-  double speed = 40;                     ///< [m/s], >= 0
-  double mass = 25;                      ///< [kg], > 0
-  double radius = 0.2;                   ///< of a sphere [m], > 0
-  std::optional<double> density;         ///< [kg/m³], > 0; says the mass in place of `mass`
-  std::optional<ProjectileShape> shape;  ///< none: a sphere
-  Vec3 rotation_degrees = Vec3::Zero();  ///< at launch, about the fixed x, then y, then z axis [degrees]
-  Vec3 angular_velocity = Vec3::Zero();  ///< at launch [rad/s]
-  double friction = 0.6;                 ///< Coulomb's
-  double restitution = 0.1;              ///< 1 bounces back fully
+  int count = 1;                                        ///< 1..10000
+  double interval = 0.25;                               ///< [s], >= 0
+  double start = 0;                                     ///< [s], >= 0
+  Vec3 position = Vec3(0, 1, 5);                        ///< of the centre of mass [m]
+  Vec3 direction = Vec3(0, 0, -1);                      ///< of flight; any length but 0
+  double speed = 40;                                    ///< [m/s], >= 0
+  double mass = 25;                                     ///< [kg], > 0
+  double radius = 0.2;                                  ///< of a sphere [m], > 0
+  std::optional<double> density = std::nullopt;         ///< [kg/m³], > 0; says the mass in place of `mass`
+  std::optional<ProjectileShape> shape = std::nullopt;  ///< none: a sphere
+  Vec3 rotation_degrees = Vec3::Zero();                 ///< at launch, about the fixed x, then y, then z axis [degrees]
+  Vec3 angular_velocity = Vec3::Zero();                 ///< at launch [rad/s]
+  double friction = 0.6;                                ///< Coulomb's
+  double restitution = 0.1;                             ///< 1 bounces back fully
   bool operator==(const ProjectileBurst&) const = default;
 };
 
@@ -92,7 +92,7 @@ struct SimulationSettings {
   int max_solver_iterations = 400;  ///< per body and substep, 1..100000
   bool fracture = true;
   int max_cracks_per_step = 10000;  ///< splits a step; what is over waits for the next step, 1..1000000
-  int min_fragment_tets = 1;      ///< a split that would part off fewer tets does not happen, 1..1000
+  int min_fragment_tets = 1;        ///< a split that would part off fewer tets does not happen, 1..1000
   bool operator==(const SimulationSettings&) const = default;
 };
 

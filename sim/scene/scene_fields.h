@@ -229,7 +229,8 @@ void describe(Archive& archive, ProjectileBurst& burst) {
                 "Rotation at launch about the fixed x, then y, then z axis");
   archive.field("angular_velocity", burst.angular_velocity, between(-1e4, 1e4, "rad/s"), "Spin at launch");
   archive.field("friction", burst.friction, between(0, 10, "-"), "Coulomb's coefficient of friction");
-  archive.field("restitution", burst.restitution, between(0, 1, "-"), "Coefficient of restitution: 1 bounces back fully");
+  archive.field("restitution", burst.restitution, between(0, 1, "-"),
+                "Coefficient of restitution: 1 bounces back fully");
   archive.require(!burst.density || burst.mass == ProjectileBurst{}.mass, "density", "stands beside a mass",
                   "take one of them out");
   archive.require(!burst.shape || burst.radius == ProjectileBurst{}.radius, "radius", "stands beside another shape",
@@ -246,9 +247,10 @@ void describe(Archive& archive, Ground& ground) {
 template <class Archive>
 void describe(Archive& archive, SimulationSettings& settings) {
   archive.field("time_step", settings.time_step, between(1e-5, 0.1, "s"), "Time step");
-  archive.field("integrator", settings.integrator, OneOf{{"implicit", "hybrid", "explicit"}},
-                "How bodies move through a step: by a linear system (implicit), by that and by microsteps in bodies that are "
-                "struck or crack (hybrid), or by as many small steps as stability asks for (explicit)");
+  archive.field(
+      "integrator", settings.integrator, OneOf{{"implicit", "hybrid", "explicit"}},
+      "How bodies move through a step: by a linear system (implicit), by that and by microsteps in bodies that are "
+      "struck or crack (hybrid), or by as many small steps as stability asks for (explicit)");
   archive.field("static_start", settings.static_start, Flag{},
                 "Whether supported bodies start at rest under gravity and their loads at time 0");
   archive.field("impact_substeps", settings.impact_substeps, between(1, 256),

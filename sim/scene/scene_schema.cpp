@@ -28,8 +28,8 @@ Json schema_of(int, const Numbers& numbers) { return number_schema("integer", nu
 Json schema_of(const std::vector<int>&, const Numbers& numbers) {
   return {{"type", "array"}, {"items", number_schema("integer", numbers)}};
 }
-template <int N>
-Json schema_of(const Eigen::Matrix<double, N, 1>&, const Numbers& numbers) {
+template <int N, int Options>
+Json schema_of(const Eigen::Matrix<double, N, 1, Options>&, const Numbers& numbers) {
   Json schema = {{"type", "array"}, {"items", number_schema("number", numbers)}, {"minItems", N}, {"maxItems", N}};
   if (numbers.nonzero) schema["not"] = {{"const", std::vector<int>(N, 0)}};
   if (numbers.uniform) return {{"anyOf", {number_schema("number", numbers), std::move(schema)}}};

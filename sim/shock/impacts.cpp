@@ -55,7 +55,7 @@ std::pair<double, Vec3> outermost_face(const ConvexSolid& solid, const Vec3& loc
   double most = -std::numeric_limits<double>::infinity();
   Vec3 normal = Vec3::UnitY();
   for (const HalfSpace& face : solid.faces) {
-    const double distance = face.normal.dot(local) - face.distance;
+    const double distance = face.distance(local);
     if (distance > most) most = distance, normal = face.normal;
   }
   return {most, normal};

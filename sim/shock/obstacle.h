@@ -4,14 +4,9 @@
 
 #include "sim/contact/contact_world.h"
 #include "sim/contact/convex_hull.h"
+#include "sim/half_space.h"
 
 namespace griffith::shock {
-
-/// The side of a plane to which `normal` does not point: normal · x <= distance.
-struct HalfSpace {
-  Vec3 normal = Vec3::UnitY();  ///< unit length
-  double distance = 0;          ///< [m]
-};
 
 /// A convex solid in its own frame [m].
 struct ConvexSolid {
@@ -46,7 +41,7 @@ struct Obstacle {
   void wait(double dt) { waited_ += dt; }
 
  private:
-  double waited_ = 0;  ///< [s]
+  double waited_ = 0;                        ///< [s]
   Mat3 inverse_inertia_now_ = Mat3::Zero();  ///< in the world frame
 };
 

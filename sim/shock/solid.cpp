@@ -29,7 +29,7 @@ double largest_eigenvalue(const Mat3& symmetric) {
 /// The highest frequency of a tet with a quarter of its mass at each corner [rad/s]. Along the axes of
 /// A = Σ g_i g_iᵀ, with eigenvalues a_i, shear has the eigenvalues mu (a_i + a_j), and stretch those of
 /// lambda √(a_i a_j) + 2 mu a_i δ_ij; all times 4/ρ.
-double element_frequency(const ElasticLaw& law, double density, const ElementRest& rest) {
+double element_frequency(const ElasticLaw& law, double density, const RestElement& rest) {
   const Mat3 spread = rest.shape_gradients * rest.shape_gradients.transpose();
   Eigen::SelfAdjointEigenSolver<Mat3> solver;
   const Vec3 a = solver.computeDirect(spread, Eigen::EigenvaluesOnly).eigenvalues().cwiseMax(0);
@@ -40,34 +40,35 @@ double element_frequency(const ElasticLaw& law, double density, const ElementRes
   return std::sqrt(4 / density * std::max(shear, largest_eigenvalue(stretch)));
 }
 
-std::vector<double> element_frequencies(const ElasticLaw& law, double density, std::span<const ElementRest> rests) {
+std::vector<double> element_frequencies(const ElasticLaw& law, double density,
+                                        std::span<const RestElement> rest_elements) {
   std::vector<double> frequencies;
-  frequencies.reserve(rests.size());
-  for (const ElementRest& rest : rests) frequencies.push_back(element_frequency(law, density, rest));
+  frequencies.reserve(rest_elements.size());
+  for (const RestElement& rest : rest_elements) frequencies.push_back(element_frequency(law, density, rest));
   return frequencies;
 }
 
 /// The highest frequency that is left to elements. What is small, but no sliver, keeps its own.
-double relieved_limit(const ElasticLaw& law, double density, std::span<const ElementRest> rests,
+double relieved_limit(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements,
                       std::span<const double> frequencies) {
   const double young_modulus = law.mu * (3 * law.lambda + 2 * law.mu) / (law.lambda + law.mu);
   const double speed = std::sqrt(young_modulus / density);
   double limit = 0, volume = 0;
   std::vector<double> slivers;
-  for (std::size_t i = 0; i < rests.size(); ++i) {
-    volume += rests[i].volume;
-    const bool is_sliver = frequencies[i] * std::cbrt(6 * rests[i].volume) > kSliverFrequency * speed;
+  for (std::size_t i = 0; i < rest_elements.size(); ++i) {
+    volume += rest_elements[i].volume;
+    const bool is_sliver = frequencies[i] * std::cbrt(6 * rest_elements[i].volume) > kSliverFrequency * speed;
     if (is_sliver)
       slivers.push_back(frequencies[i]);
     else
       limit = std::max(limit, frequencies[i]);
   }
-  const auto relieved = static_cast<std::size_t>(kSliverShare * static_cast<double>(rests.size()));
+  const auto relieved = static_cast<std::size_t>(kSliverShare * static_cast<double>(rest_elements.size()));
   if (slivers.size() > relieved) {
     std::ranges::nth_element(slivers, slivers.begin() + static_cast<std::ptrdiff_t>(relieved), std::ranges::greater());
     limit = std::max(limit, slivers[relieved]);
   }
-  return std::min(limit, kHighestFrequency * speed / std::cbrt(6 * volume / static_cast<double>(rests.size())));
+  return std::min(limit, kHighestFrequency * speed / std::cbrt(6 * volume / static_cast<double>(rest_elements.size())));
 }
 
 /// Leaves an element a share of its stiffness.
@@ -80,8 +81,8 @@ void relieve(ElementBlock& block, std::size_t lane, double share) {
 
 }  // namespace
 
-double highest_frequency(const ElasticLaw& law, double density, std::span<const ElementRest> rests) {
-  return relieved_limit(law, density, rests, element_frequencies(law, density, rests));
+double highest_frequency(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements) {
+  return relieved_limit(law, density, rest_elements, element_frequencies(law, density, rest_elements));
 }
 
 int Solid::add_node(const SolidNodeStart& start) {
@@ -107,7 +108,7 @@ void Solid::constrain(int node, const NodeConstraint& constraint) {
 }
 
 void Solid::add_body(const ElasticLaw& law, double density, std::span<const std::array<int, 4>> tets,
-                     std::span<const ElementRest> rests, std::span<const Mat3> offsets) {
+                     std::span<const RestElement> rest_elements, std::span<const Mat3> offsets) {
   SolidBody body;
   body.law = {law.model, static_cast<float>(law.lambda), static_cast<float>(law.mu), 0};
   body.first_block = static_cast<int>(blocks_.size());
@@ -122,18 +123,18 @@ void Solid::add_body(const ElasticLaw& law, double density, std::span<const std:
     for (int corner = 0; corner < 4; ++corner) block.nodes[corner][lane] = used ? tets[i][corner] : unused;
     for (int a = 0; a < 4; ++a) block.rotation[a][lane] = a == 3 ? 1.0F : 0.0F;
     for (int e = 0; e < 6; ++e) block.offset[e][lane] = block.strain[e][lane] = 0;
-    block.volume[lane] = used ? static_cast<float>(rests[i].volume) : 0.0F;
+    block.volume[lane] = used ? static_cast<float>(rest_elements[i].volume) : 0.0F;
     block.stiffness[lane] = 1;
     for (int k = 0; k < 3; ++k)
       for (int a = 0; a < 3; ++a)
-        block.gradients[k][a][lane] = used ? static_cast<float>(rests[i].shape_gradients(a, k + 1)) : 0.0F;
+        block.gradients[k][a][lane] = used ? static_cast<float>(rest_elements[i].shape_gradients(a, k + 1)) : 0.0F;
     if (!used) continue;
     constexpr int kRow[6] = {0, 1, 2, 0, 1, 0}, kColumn[6] = {0, 1, 2, 1, 2, 2};
     for (int e = 0; e < 6; ++e) block.offset[e][lane] = static_cast<float>(offsets[i](kRow[e], kColumn[e]));
   }
-  const std::vector<double> frequencies = element_frequencies(law, density, rests);
-  body.frequency = relieved_limit(law, density, rests, frequencies);
-  for (std::size_t i = 0; i < rests.size(); ++i) {
+  const std::vector<double> frequencies = element_frequencies(law, density, rest_elements);
+  body.frequency = relieved_limit(law, density, rest_elements, frequencies);
+  for (std::size_t i = 0; i < rest_elements.size(); ++i) {
     if (frequencies[i] <= body.frequency) continue;
     relieve(blocks_[body.first_block + i / kLanes], i % kLanes, std::pow(body.frequency / frequencies[i], 2));
     ++body.relieved;

@@ -55,7 +55,7 @@ struct SolidBody {
 inline constexpr double kHighestFrequency = 200;
 
 /// The highest frequency of a body with these elements, once its slivers are relieved [rad/s].
-double highest_frequency(const ElasticLaw& law, double density, std::span<const ElementRest> rests);
+double highest_frequency(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements);
 
 /// Tetrahedral bodies under explicit dynamics: lumped masses, symplectic Euler, eight elements at a time. State is in
 /// double precision, the elements' arithmetic in single precision on displacements from a placement near the present
@@ -69,11 +69,11 @@ class Solid {
   void constrain(int node, const NodeConstraint& constraint);
   /// Another constraint for the same node, free as well.
   void constrain_again(int index, const NodeConstraint& constraint) { constraints_[index].constraint = constraint; }
-  /// A body of tets with these corners, seen in the body's present turn. Gradients as ElementRest.
+  /// A body of tets with these corners, seen in the body's present turn. Gradients as RestElement.
   ///   offsets   strain without stress per tet: plastic strain, in the present turn [-]
   ///   density   [kg/m³]
   void add_body(const ElasticLaw& law, double density, std::span<const std::array<int, 4>> tets,
-                std::span<const ElementRest> rests, std::span<const Mat3> offsets);
+                std::span<const RestElement> rest_elements, std::span<const Mat3> offsets);
   /// Once all bodies are there: stars, slots of forces, rotations.
   void finish();
 

@@ -5,8 +5,8 @@
 namespace griffith {
 
 SolveReport conjugate_gradient(const BlockSparseMatrix& a, const RigidModePreconditioner& preconditioner,
-                               const NodeVectors& b, NodeVectors& x, double tolerance, double scale,
-                               int max_iterations, const std::function<bool()>& given_up) {
+                               const NodeVectors& b, NodeVectors& x, double tolerance, double scale, int max_iterations,
+                               const std::function<bool()>& given_up) {
   NodeVectors a_p, z;
   multiply(a, x, a_p);
   const double guess_energy = dot(x, a_p);

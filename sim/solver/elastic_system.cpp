@@ -84,8 +84,7 @@ SolveReport solve_swinging(const BlockSparseMatrix& a, const RigidModePreconditi
   const auto swing = [&](const NodeVectors& velocities) {
     const Vec3 spin = turning_about(pivot, positions, velocities, masses).spin;
     NodeVectors field(3, positions.cols());
-    for (Eigen::Index row = 0; row < field.cols(); ++row)
-      field.col(row) = spin.cross(positions.col(row) - pivot.place);
+    for (Eigen::Index row = 0; row < field.cols(); ++row) field.col(row) = spin.cross(positions.col(row) - pivot.place);
     return field;
   };
   const auto centrifugal = [&](const NodeVectors& rigid, NodeVectors& impulses) {
@@ -131,18 +130,18 @@ void ElasticSystem::rebuild_support_rows(const TetMesh& mesh, std::span<const No
   reactions_.assign(supports().size(), Vec3::Zero());
 }
 
-void ElasticSystem::assemble(const ImplicitStep& step, const ElasticLaw& law, std::span<const ElementRest> rests,
-                             std::span<const ElementState> states, std::span<const Vec3> positions,
-                             std::span<const double> masses) {
-  assemble(MatrixFactors{1 + step.dt * step.mass_damping, step.dt * (step.dt + step.stiffness_damping)}, law, rests,
-           states, positions, masses);
+void ElasticSystem::assemble(const ImplicitStep& step, const ElasticLaw& law,
+                             std::span<const RestElement> rest_elements, std::span<const ElementState> states,
+                             std::span<const Vec3> positions, std::span<const double> masses) {
+  assemble(MatrixFactors{1 + step.dt * step.mass_damping, step.dt * (step.dt + step.stiffness_damping)}, law,
+           rest_elements, states, positions, masses);
 }
 
-void ElasticSystem::assemble(const MatrixFactors& factors, const ElasticLaw& law, std::span<const ElementRest> rests,
-                             std::span<const ElementState> states, std::span<const Vec3> positions,
-                             std::span<const double> masses) {
-  rows_.assemble(factors, law, rests, states, masses);
-  support_rows_.assemble(factors, law, rests, states, masses);
+void ElasticSystem::assemble(const MatrixFactors& factors, const ElasticLaw& law,
+                             std::span<const RestElement> rest_elements, std::span<const ElementState> states,
+                             std::span<const Vec3> positions, std::span<const double> masses) {
+  rows_.assemble(factors, law, rest_elements, states, masses);
+  support_rows_.assemble(factors, law, rest_elements, states, masses);
   project_sliding_rows();
   preconditioner_->update(rows_.matrix, gather(positions));
 }
@@ -216,11 +215,11 @@ SolveReport ElasticSystem::respond(const ImplicitStep& step, std::span<const Vec
   if (is_free()) return solve_free(step, gather(positions), gather_masses(masses), b, false, change);
   project(b);
   const std::optional<Pivot> pivot = pivot_of(supports(), constraints, positions);
-  const SolveReport report =
-      pivot ? solve_swinging(rows_.matrix, *preconditioner_, step, *pivot, gather(positions), gather_masses(masses), b,
-                             false, change)
-            : conjugate_gradient(rows_.matrix, *preconditioner_, b, change, step.relative_residual,
-                                 std::sqrt(dot(b, b)), step.max_iterations);
+  const SolveReport report = pivot
+                                 ? solve_swinging(rows_.matrix, *preconditioner_, step, *pivot, gather(positions),
+                                                  gather_masses(masses), b, false, change)
+                                 : conjugate_gradient(rows_.matrix, *preconditioner_, b, change, step.relative_residual,
+                                                      std::sqrt(dot(b, b)), step.max_iterations);
   project(change);
   const BlockSparseMatrix& a = support_rows_.matrix;
   for (int support = 0; support < a.rows(); ++support) {

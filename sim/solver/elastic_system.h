@@ -57,11 +57,11 @@ class ElasticSystem {
 
   /// Builds the matrix and its preconditioner for the present states and positions. Spans are per node or tet of the
   /// mesh; all tets of a body share `law`.
-  void assemble(const ImplicitStep& step, const ElasticLaw& law, std::span<const ElementRest> rests,
+  void assemble(const ImplicitStep& step, const ElasticLaw& law, std::span<const RestElement> rest_elements,
                 std::span<const ElementState> states, std::span<const Vec3> positions, std::span<const double> masses);
 
   /// The same for any combination of mass and stiffness, for solve_projected().
-  void assemble(const MatrixFactors& factors, const ElasticLaw& law, std::span<const ElementRest> rests,
+  void assemble(const MatrixFactors& factors, const ElasticLaw& law, std::span<const RestElement> rest_elements,
                 std::span<const ElementState> states, std::span<const Vec3> positions, std::span<const double> masses);
 
   /// Replaces the velocities of the body's nodes by v⁺ under `forces` (elastic plus external, per node of the mesh
@@ -81,8 +81,8 @@ class ElasticSystem {
   /// The values of nodes() out of values per node of the mesh, one column a row.
   NodeVectors gather(std::span<const Vec3> values) const;
 
-  /// What the supports did in the last solve() or respond(), per node of supports(): the force on the node in its blocked directions
-  /// [N], from the balance of its momentum.
+  /// What the supports did in the last solve() or respond(), per node of supports(): the force on the node in its
+  /// blocked directions [N], from the balance of its momentum.
   std::span<const Vec3> reaction_forces() const { return reactions_; }
 
   /// The change of velocity of nodes() by `impulses` (per node of the mesh [N·s]) in the step of the last solve(): what
@@ -95,8 +95,8 @@ class ElasticSystem {
   /// solve(); rows of constrained nodes are not to be held.
   SolveReport hold(std::span<const HeldRow> held, std::span<const Vec3> positions, double tolerance, int max_iterations,
                    NodeVectors& impulses, NodeVectors& x);
-  /// About J A⁻¹ Jᵀ for these points: by the preconditioner, which is close for what is smooth and within a small factor
-  /// for what is not. Weights hold what sliding leaves free; after assemble().
+  /// About J A⁻¹ Jᵀ for these points: by the preconditioner, which is close for what is smooth and within a small
+  /// factor for what is not. Weights hold what sliding leaves free; after assemble().
   PointCompliance compliance(std::span<const WeightedRows> points) const { return preconditioner_->compliance(points); }
   /// The same of a free body's deformation alone: its rigid motion follows from its momentum, exactly.
   PointCompliance deforming_compliance(std::span<const WeightedRows> points, std::span<const Vec3> positions,
@@ -125,7 +125,7 @@ class ElasticSystem {
   ElementRows rows_;          // S A S, one row a node that is not held
   ElementRows support_rows_;  // A, one row a constrained node; columns are nodes of the mesh
   std::vector<SlidingRow> sliding_;
-  std::vector<int> row_of_support_column_;  // per block of support_rows_, -1 for held nodes
+  std::vector<int> row_of_support_column_;          // per block of support_rows_, -1 for held nodes
   std::vector<Vec3> solved_reactions_, reactions_;  // of the last solve(); with the last respond()
   std::unique_ptr<RigidModePreconditioner> preconditioner_, held_preconditioner_;  // the second for hold()
 };

@@ -101,14 +101,15 @@ std::vector<int> ElementRows::patch(const TetMesh& mesh, std::span<const NodeId>
   return previous;
 }
 
-void ElementRows::assemble(const MatrixFactors& factors, const ElasticLaw& law, std::span<const ElementRest> rests,
-                           std::span<const ElementState> states, std::span<const double> masses) {
+void ElementRows::assemble(const MatrixFactors& factors, const ElasticLaw& law,
+                           std::span<const RestElement> rest_elements, std::span<const ElementState> states,
+                           std::span<const double> masses) {
   parallel_for(matrix.rows(), 256, [&](int begin, int end) {
     for (int row = begin; row < end; ++row) {
       for (int k = matrix.row_starts[row]; k < matrix.row_starts[row + 1]; ++k) matrix.blocks[k].setZero();
       for (int e = tet_starts[row]; e < tet_starts[row + 1]; ++e) {
         const TetAtNode& entry = tets[e];
-        const StiffnessRow stiffness = stiffness_row(law, rests[entry.tet], states[entry.tet], entry.corner);
+        const StiffnessRow stiffness = stiffness_row(law, rest_elements[entry.tet], states[entry.tet], entry.corner);
         for (int i = 0; i < 4; ++i)
           if (entry.slots[i] >= 0) matrix.blocks[entry.slots[i]] += factors.stiffness * stiffness.middleCols<3>(3 * i);
       }

@@ -40,7 +40,7 @@ struct ElementRows {
   std::vector<int> patch(const TetMesh& mesh, std::span<const NodeId> node_list, std::span<const int> column_of_node);
   /// Computes all blocks for the present states. Spans are per node or tet of the mesh; the diagonal block of row i
   /// is in the column of node i.
-  void assemble(const MatrixFactors& factors, const ElasticLaw& law, std::span<const ElementRest> rests,
+  void assemble(const MatrixFactors& factors, const ElasticLaw& law, std::span<const RestElement> rest_elements,
                 std::span<const ElementState> states, std::span<const double> masses);
 
  private:

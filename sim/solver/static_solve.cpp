@@ -154,9 +154,9 @@ Balance StaticSolver::balance() {
   if (problem_.add_follower_loads) problem_.add_follower_loads(positions_, result.loads);
   std::vector<Vec3> forces = result.loads;
   for (TetId tet : problem_.tets) {
-    const Corners f = nodal_forces(problem_.rests[tet], states_[tet].frame, states_[tet].stress);
+    const Corners f = nodal_forces(problem_.rest_elements[tet], states_[tet].frame, states_[tet].stress);
     for (int i = 0; i < 4; ++i) forces[problem_.mesh.tets[tet][i]] += f.col(i);
-    result.elastic_energy += problem_.rests[tet].volume * states_[tet].energy_density;
+    result.elastic_energy += problem_.rest_elements[tet].volume * states_[tet].energy_density;
   }
   result.forces = relieve(forces);
   result.external = result.loads;
@@ -190,7 +190,7 @@ double StaticSolver::rounding_level() const {
 /// Solves K d = residual with these known displacements; returns d of all nodes.
 std::vector<Vec3> StaticSolver::newton_step(const Balance& now, std::span<const NodeConstraint> constraints) {
   constexpr double kTolerance = 1e-6;
-  system_.assemble(MatrixFactors{0, 1}, problem_.law, problem_.rests, states_, positions_, problem_.masses);
+  system_.assemble(MatrixFactors{0, 1}, problem_.law, problem_.rest_elements, states_, positions_, problem_.masses);
   const NodeVectors b = system_.gather(now.residual);
   NodeVectors x = NodeVectors::Zero(3, b.cols());
   const SolveReport linear =

@@ -12,7 +12,7 @@ namespace griffith {
 struct StaticProblem {
   const TetMesh& mesh;
   std::span<const TetId> tets;  ///< the body's, ascending
-  std::span<const ElementRest> rests;
+  std::span<const RestElement> rest_elements;
   ElasticLaw law;
   std::span<const double> masses;  ///< [kg]
   /// What supports block; the known velocities count as displacements to make [m].

@@ -16,9 +16,7 @@ struct Maker {
   CellPartition operator()(const VoronoiSplinters& pattern) const { return make_voronoi_cells(pattern, bounds); }
   CellPartition operator()(const RadialSplinters& pattern) const { return make_radial_cells(pattern, bounds); }
   CellPartition operator()(const BrickSplinters& pattern) const { return make_brick_cells(pattern, bounds); }
-  CellPartition operator()(const PointSplinters& pattern) const {
-    return make_point_cells(pattern, bounds, folder);
-  }
+  CellPartition operator()(const PointSplinters& pattern) const { return make_point_cells(pattern, bounds, folder); }
   CellPartition operator()(const CellSplinters& pattern) const {
     return read_cells(file_path(folder, pattern.path), pattern.scale);
   }

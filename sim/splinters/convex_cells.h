@@ -6,18 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "sim/half_space.h"
 #include "sim/splinters/splinter_pattern.h"
 
 namespace griffith {
-
-/// The half-space normal · x <= offset.
-struct HalfSpace {
-  Vec3 normal = Vec3::UnitX();  ///< unit vector, out of the half-space
-  double offset = 0;            ///< [m]
-
-  double distance(const Vec3& point) const { return normal.dot(point) - offset; }
-  HalfSpace opposite() const { return {-normal, -offset}; }
-};
 
 /// A side of a cell, or a part of one, and what lies beyond.
 struct CellWall {

@@ -25,8 +25,8 @@ Eigen::VectorXd gather(const std::vector<double>& values, const std::vector<Node
   return gathered;
 }
 
-/// A stand-in for the body as it is.
-ContactWorld::StandIn stand_in_of(const WorldState& world, const Body& body) {
+/// A proxy for the body as it is.
+ContactWorld::Proxy proxy_of(const WorldState& world, const Body& body) {
   const Material& material = world.material_of(body);
   return {body.collision_parts,
           {body.motion.mass, body.motion.inertia},
@@ -35,10 +35,10 @@ ContactWorld::StandIn stand_in_of(const WorldState& world, const Body& body) {
           {material.friction, material.restitution}};
 }
 
-void reshape_stand_in(WorldState& world, const Body& body) {
-  const auto [parts, mass, mobility, state, surface] = stand_in_of(world, body);
-  world.contact_world.reshape(body.stand_in, parts, mass, mobility, state);
-  world.contact_world.set_impact_speed(body.stand_in, hurting_speed(world, body));
+void reshape_proxy(WorldState& world, const Body& body) {
+  const auto [parts, mass, mobility, state, surface] = proxy_of(world, body);
+  world.contact_world.reshape(body.proxy, parts, mass, mobility, state);
+  world.contact_world.set_impact_speed(body.proxy, damage_speed(world, body));
 }
 
 /// Longest edge of the box round the body at rest [m].
@@ -58,7 +58,7 @@ double weakest_share_of(const WorldState& world, const Body& body) {
 }
 
 /// The component that goes on as the body itself: a supported one before a free one, then the largest.
-std::size_t heir(const WorldState& world, const std::vector<std::vector<TetId>>& components) {
+std::size_t surviving_piece(const WorldState& world, const std::vector<std::vector<TetId>>& components) {
   const auto rank = [&](const std::vector<TetId>& tets) {
     const bool held = std::any_of(tets.begin(), tets.end(), [&](TetId tet) {
       const auto& corners = world.mesh.tets[tet];
@@ -74,7 +74,7 @@ std::size_t heir(const WorldState& world, const std::vector<std::vector<TetId>>&
 
 }  // namespace
 
-double hurting_speed(const WorldState& world, const Body& body) {
+double damage_speed(const WorldState& world, const Body& body) {
   // Slower meetings do not come near the breaking speed sigma_t / (rho c).
   constexpr double kShareOfBreakingSpeed = 0.5;
   if (body.tets.size() == 1) return std::numeric_limits<double>::infinity();
@@ -105,7 +105,7 @@ RigidMotion motion_of(const WorldState& world, const Body& body) {
 
 double mean_element_size(const WorldState& world, std::span<const TetId> tets) {
   double volume = 0;
-  for (TetId tet : tets) volume += world.elements.rests[tet].volume;
+  for (TetId tet : tets) volume += world.elements.rest_elements[tet].volume;
   return std::cbrt(6 * volume / static_cast<double>(tets.size()));
 }
 
@@ -149,27 +149,27 @@ double rebuild_shape(WorldState& world, Body& body) {
   return before - energy_of(world, body);
 }
 
-void add_stand_ins(WorldState& world, std::span<Body> bodies) {
-  std::vector<ContactWorld::StandIn> added;
-  for (const Body& body : bodies) added.push_back(stand_in_of(world, body));
-  const std::vector<ProxyId> ids = world.contact_world.add_stand_ins(added);
+void add_proxies(WorldState& world, std::span<Body> bodies) {
+  std::vector<ContactWorld::Proxy> added;
+  for (const Body& body : bodies) added.push_back(proxy_of(world, body));
+  const std::vector<ProxyId> ids = world.contact_world.add_proxies(added);
   if (ids.empty()) return;
   world.body_of_proxy.resize(ids.back() + 1);
   for (std::size_t i = 0; i < ids.size(); ++i) {
-    bodies[i].stand_in = ids[i];
+    bodies[i].proxy = ids[i];
     world.body_of_proxy[ids[i]] = bodies[i].id;
-    world.contact_world.set_impact_speed(ids[i], hurting_speed(world, bodies[i]));
+    world.contact_world.set_impact_speed(ids[i], damage_speed(world, bodies[i]));
   }
 }
 
 void rebuild_body(WorldState& world, Body& body) {
   rebuild_shape(world, body);
   body.collision_parts = collision_parts(world, body);
-  reshape_stand_in(world, body);
+  reshape_proxy(world, body);
 }
 
-void hand_out_tets(WorldState& world, BodyId id, std::vector<std::vector<TetId>> pieces) {
-  const std::size_t kept = heir(world, pieces);
+void assign_pieces(WorldState& world, BodyId id, std::vector<std::vector<TetId>> pieces) {
+  const std::size_t kept = surviving_piece(world, pieces);
   world.bodies[id].tets = std::move(pieces[kept]);
   for (TetId tet : world.bodies[id].tets) world.elements.bodies[tet] = id;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -187,9 +187,9 @@ void hand_out_tets(WorldState& world, BodyId id, std::vector<std::vector<TetId>>
   }
 }
 
-void part_bodies(WorldState& world, std::span<const BodyId> opened) {
+void split_bodies(WorldState& world, std::span<const BodyId> opened) {
   const std::size_t first_new = world.bodies.size();
-  for (BodyId id : opened) hand_out_tets(world, id, connected_components(world.mesh, world.bodies[id].tets));
+  for (BodyId id : opened) assign_pieces(world, id, connected_components(world.mesh, world.bodies[id].tets));
   std::vector<BodyId> changed(opened.begin(), opened.end());
   const std::span<Body> parted = std::span(world.bodies).subspan(first_new);
   for (const Body& body : parted) changed.push_back(body.id);
@@ -202,8 +202,8 @@ void part_bodies(WorldState& world, std::span<const BodyId> opened) {
     }
   });
   for (const double energy : lost) world.energy.hand_over += energy;
-  for (BodyId id : opened) reshape_stand_in(world, world.bodies[id]);
-  add_stand_ins(world, parted);
+  for (BodyId id : opened) reshape_proxy(world, world.bodies[id]);
+  add_proxies(world, parted);
 }
 
 }  // namespace griffith

@@ -14,18 +14,12 @@ namespace {
 
 void append_nodes(WorldState& world, const BodyDescription& body) {
   NodeArrays& nodes = world.nodes;
-  const auto& placed = world.mesh.rest_positions;
-  nodes.positions.insert(nodes.positions.end(), placed.begin() + std::ssize(nodes.positions), placed.end());
-  nodes.velocities.resize(placed.size(), body.velocity);
-  nodes.constraints.resize(placed.size());
-  nodes.held.resize(placed.size(), 0);
-  nodes.masses.resize(placed.size(), 0);
-  nodes.at_crack_front.resize(placed.size(), 0);
-  nodes.rows.resize(placed.size(), -1);
-  nodes.separations.resize(placed.size());
-  nodes.reactions.resize(placed.size(), Vec3::Zero());
-  nodes.similarity_starts.resize(placed.size(), Vec3::Zero());
-  nodes.pushed_at.resize(placed.size(), -std::numeric_limits<double>::infinity());
+  const std::size_t first = nodes.positions.size();
+  nodes.resize(world.mesh.rest_positions.size());
+  for (std::size_t i = first; i < nodes.positions.size(); ++i) {
+    nodes.positions[i] = world.mesh.rest_positions[i];
+    nodes.velocities[i] = body.velocity;
+  }
 }
 
 /// Places a copy of the shape's mesh in the world's.
@@ -47,12 +41,11 @@ std::optional<Weakness> place_weakness(const BodyDescription& body) {
 }
 
 void draw_strengths(WorldState& world, const std::optional<StrengthScatter>& scatter, NodeId first) {
-  world.nodes.strength_factors.resize(world.mesh.stars.size(), 1);
   if (!scatter) return;
   std::vector<double> volumes;
   for (NodeId node = first; node < world.mesh.node_count(); ++node.value) {
     volumes.push_back(0);
-    for (TetId tet : world.mesh.stars[node]) volumes.back() += world.elements.rests[tet].volume / 4;
+    for (TetId tet : world.mesh.stars[node]) volumes.back() += world.elements.rest_elements[tet].volume / 4;
   }
   const std::vector<double> factors = strength_factors(*scatter, volumes);
   std::copy(factors.begin(), factors.end(), world.nodes.strength_factors.begin() + first);
@@ -60,19 +53,13 @@ void draw_strengths(WorldState& world, const std::optional<StrengthScatter>& sca
 
 void append_elements(WorldState& world, TetId first) {
   ElementArrays& elements = world.elements;
+  elements.resize(world.mesh.tets.size());
   for (TetId tet = first; tet < world.mesh.tet_count(); ++tet.value) {
-    elements.rests.push_back(element_rest(corners_of(world.mesh, tet, world.mesh.rest_positions)));
+    elements.rest_elements[tet] = rest_element(corners_of(world.mesh, tet, world.mesh.rest_positions));
     int faces = 0;
     for (int face = 0; face < 4; ++face) faces |= !world.mesh.neighbours[tet][face].valid() << face;
-    elements.first_surface.push_back(static_cast<std::uint8_t>(faces));
+    elements.first_surface[tet] = static_cast<std::uint8_t>(faces);
   }
-  elements.states.resize(world.mesh.tets.size());
-  elements.plastic_strains.resize(world.mesh.tets.size(), Mat3::Zero());
-  elements.similarity_strains.resize(world.mesh.tets.size(), Mat3::Zero());
-  elements.stresses.resize(world.mesh.tets.size(), Mat3::Zero());
-  elements.bodies.resize(world.mesh.tets.size());
-  constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
-  elements.opened.resize(world.mesh.tets.size(), {kNever, kNever, kNever, kNever});
 }
 
 /// Of a scene body that turns about `center`: one of its pieces.
@@ -101,7 +88,7 @@ Pieces add_bodies(WorldState& world, int scene_body, TetId first_tet, const Shap
   std::vector<std::vector<TetId>> pieces = shape.pieces;
   for (std::vector<TetId>& piece : pieces)
     for (TetId& tet : piece) tet.value += first_tet;
-  hand_out_tets(world, body.id, std::move(pieces));
+  assign_pieces(world, body.id, std::move(pieces));
   for (std::size_t i = first; i < world.bodies.size(); ++i) world.bodies[i].parent = BodyId();
   return {first, world.bodies.size(), shape};
 }
@@ -149,7 +136,7 @@ Vec3 center_of_mass(std::span<const Body> pieces) {
   return moment / mass;
 }
 
-/// What follows from the tets of a scene body's pieces, but for their stand-ins; touches nothing of other scene bodies.
+/// What follows from the tets of a scene body's pieces, but for their proxies; touches nothing of other scene bodies.
 void complete(WorldState& world, const Pieces& pieces) {
   const std::span<Body> bodies = std::span(world.bodies).subspan(pieces.first, pieces.end - pieces.first);
   for (const Body& body : bodies)
@@ -205,8 +192,8 @@ void require_no_crowd(const WorldState& world) {
         throw InputError("#/bodies", "stand inside one another in more than a million pairs", "move them apart");
 }
 
-void add_scene_bodies(WorldState& world, const Monitor& monitor) {
-  ShapeMeshes shapes;
+void add_scene_bodies(WorldState& world, const GivenMeshes& given, const Monitor& monitor) {
+  ShapeMeshes shapes(given);
   std::vector<Pieces> pieces;
   make_meshes(world.scene, shapes, monitor);
   monitor.enter("Building the bodies");
@@ -221,7 +208,7 @@ void add_scene_bodies(WorldState& world, const Monitor& monitor) {
   });
   if (monitor.is_cancelled()) throw Cancelled();
   require_no_crowd(world);
-  add_stand_ins(world, world.bodies);
+  add_proxies(world, world.bodies);
 }
 
 }  // namespace
@@ -230,12 +217,12 @@ double node_mass(const WorldState& world, NodeId node) {
   double mass = 0;
   for (TetId tet : world.mesh.stars[node]) {
     const Body& body = world.bodies[world.elements.bodies[tet]];
-    mass += world.material_of(body).density * world.elements.rests[tet].volume / 4;
+    mass += world.material_of(body).density * world.elements.rest_elements[tet].volume / 4;
   }
   return mass;
 }
 
-void build_world(WorldState& world, const Monitor& monitor) {
+void build_world(WorldState& world, const Monitor& monitor, const GivenMeshes& given) {
   check_probes(world.scene);
   for (const BodyDescription& body : world.scene.bodies) {
     world.materials.push_back(body.material);
@@ -243,7 +230,7 @@ void build_world(WorldState& world, const Monitor& monitor) {
   }
   if (const auto& ground = world.scene.ground)
     world.contact_world.add_ground(ground->height, {ground->friction, ground->restitution});
-  add_scene_bodies(world, monitor);
+  add_scene_bodies(world, given, monitor);
   world.extents.resize(world.scene.bodies.size(), 0);
   for (const Body& body : world.bodies)
     world.extents[body.scene_body] = std::max(world.extents[body.scene_body], body.extent);
@@ -252,7 +239,7 @@ void build_world(WorldState& world, const Monitor& monitor) {
   if (monitor.is_cancelled()) throw Cancelled();
   monitor.enter("Finding the start");
   find_static_start(world, -1, monitor);
-  place_stand_ins(world);
+  place_proxies(world);
   update_elements(world);
   evaluate_separation(world, false);
   open_account(world);

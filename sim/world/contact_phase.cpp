@@ -32,8 +32,8 @@ bool is_left_to_shock(const WorldState& world, const Contact& contact) {
 Vec3 load_of(const WorldState& world, const Body& body, ProxyId other, double dt) {
   Vec3 force = Vec3::Zero();
   for (const Contact& contact : world.contact_world.contacts()) {
-    if (contact.a == body.stand_in && contact.b == other) force += contact.impulse / dt;
-    if (contact.b == body.stand_in && contact.a == other) force -= contact.impulse / dt;
+    if (contact.a == body.proxy && contact.b == other) force += contact.impulse / dt;
+    if (contact.b == body.proxy && contact.a == other) force -= contact.impulse / dt;
   }
   return force;
 }
@@ -89,14 +89,14 @@ void tell_rigid_velocities(WorldState& world) {
   for (const Body& body : world.bodies) {
     if (body.supported() || body.asleep) continue;
     const RigidMotion motion = body.rigid ? body.motion : motion_of(world, body);
-    world.contact_world.set_velocity(body.stand_in, motion.velocity, motion.angular_velocity);
+    world.contact_world.set_velocity(body.proxy, motion.velocity, motion.angular_velocity);
   }
 }
 
 void take_rigid_velocities(WorldState& world) {
   for (Body& body : world.bodies) {
     if (!body.rigid || body.asleep || body.supported()) continue;
-    const RigidState state = world.contact_world.state(body.stand_in);
+    const RigidState state = world.contact_world.state(body.proxy);
     body.motion.velocity = state.velocity;
     body.motion.angular_velocity = state.angular_velocity;
   }
@@ -178,7 +178,7 @@ Answer answer(WorldState& world, TouchedBody& touched, ElasticResponse& response
   Eigen::Matrix3Xd impulses(3, touched.points.size());
   for (Eigen::Index k = 0; k < impulses.cols(); ++k) {
     const Contact& contact = contacts[response.contacts[k]];
-    impulses.col(k) = contact.a == body.stand_in ? contact.impulse : Vec3(-contact.impulse);
+    impulses.col(k) = contact.a == body.proxy ? contact.impulse : Vec3(-contact.impulse);
   }
   const Eigen::Matrix3Xd added = impulses - response.impulses;
   if (added.isZero(0)) return {};
@@ -234,7 +234,7 @@ void limit_energy(WorldState& world, TouchedBodies& touched, double dt) {
 void apply_corrections(WorldState& world) {
   for (Body& body : world.bodies) {
     if (body.supported() || body.asleep) continue;
-    const ContactWorld::Correction correction = world.contact_world.position_correction(body.stand_in);
+    const ContactWorld::Correction correction = world.contact_world.position_correction(body.proxy);
     if (correction.translation.isZero(0) && correction.rotation.isZero(0)) continue;
     const Mat3 turn = rotation_by(correction.rotation).toRotationMatrix();
     const Vec3 center = body.motion.center;
@@ -254,7 +254,7 @@ void apply_corrections(WorldState& world) {
 
 /// What the contact world woke is awake.
 void take_sleep(WorldState& world) {
-  for (Body& body : world.bodies) body.asleep = body.rigid && world.contact_world.asleep(body.stand_in);
+  for (Body& body : world.bodies) body.asleep = body.rigid && world.contact_world.asleep(body.proxy);
 }
 
 void solve_impulses(WorldState& world, const TouchedBodies& touched, double dt, bool again) {
@@ -290,21 +290,21 @@ TouchedBodies solve_contacts(WorldState& world, double dt) {
 
 }  // namespace
 
-void place_stand_ins(WorldState& world) {
+void place_proxies(WorldState& world) {
   for (const Body& body : world.bodies) {
     if (body.asleep) continue;
     RigidState state{{body.motion.center, body.orientation}, body.motion.velocity, body.motion.angular_velocity};
     if (body.supported()) state.velocity = state.angular_velocity = Vec3::Zero();
-    world.contact_world.set_state(body.stand_in, state);
+    world.contact_world.set_state(body.proxy, state);
   }
 }
 
-void rest_bodies(WorldState& world, double time_step) {
+void update_sleep(WorldState& world, double time_step) {
   const double moving = kinetic_energy_of_projectiles(world);
   world.contact_world.fall_asleep(time_step);
   world.energy.hand_over += moving - kinetic_energy_of_projectiles(world);
   for (const Body& body : world.bodies)
-    if (!body.rigid) world.contact_world.wake(body.stand_in);
+    if (!body.rigid) world.contact_world.wake(body.proxy);
   take_sleep(world);
   for (Body& body : world.bodies) {
     if (!body.asleep) continue;
@@ -326,7 +326,7 @@ std::vector<Vec3> external_forces(const WorldState& world) {
 void drop_contacts_of_shocks(WorldState& world) {
   std::vector<bool> in_shock(world.body_of_proxy.size(), false);
   for (const Body& body : world.bodies)
-    if (body.shock) in_shock[body.stand_in] = true;
+    if (body.shock) in_shock[body.proxy] = true;
   world.contact_world.drop_contacts_of(in_shock);
 }
 

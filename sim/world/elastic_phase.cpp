@@ -17,7 +17,7 @@ void update_element(WorldState& world, const ElasticLaw& law, const std::optiona
                     double similarity, TetId tet) {
   ElementArrays& elements = world.elements;
   const ElementDeformation deformation =
-      element_deformation(law.model, elements.rests[tet], corners_of(world.mesh, tet, world.nodes.positions));
+      element_deformation(law.model, elements.rest_elements[tet], corners_of(world.mesh, tet, world.nodes.positions));
   if (plastic) elements.plastic_strains[tet] = flow(*plastic, deformation, elements.plastic_strains[tet]);
   elements.states[tet] = element_state(law, deformation, stress_free_strain(world, tet));
   elements.states[tet].energy_density *= similarity;
@@ -32,8 +32,8 @@ void add_elastic_forces(const WorldState& world, const Body& body, std::vector<V
       const NodeId node = body.nodes[i];
       for (TetId tet : world.mesh.stars[node]) {
         const int corner = local_corner(world.mesh, tet, node);
-        const Vec3 traction = elements.states[tet].stress * elements.rests[tet].shape_gradients.col(corner);
-        forces[node] -= elements.rests[tet].volume * (elements.states[tet].frame * traction);
+        const Vec3 traction = elements.states[tet].stress * elements.rest_elements[tet].shape_gradients.col(corner);
+        forces[node] -= elements.rest_elements[tet].volume * (elements.states[tet].frame * traction);
       }
     }
   });
@@ -117,8 +117,8 @@ void assemble_systems(WorldState& world, double dt) {
 
 void assemble_system(WorldState& world, Body& body, double dt) {
   if (world.integrates_explicitly()) return;
-  body.system->assemble(implicit_step(world, body, dt), elastic_law(world.material_of(body)), world.elements.rests,
-                        world.elements.states, world.nodes.positions, world.nodes.masses);
+  body.system->assemble(implicit_step(world, body, dt), elastic_law(world.material_of(body)),
+                        world.elements.rest_elements, world.elements.states, world.nodes.positions, world.nodes.masses);
 }
 
 void take_reactions(WorldState& world, const Body& body) {

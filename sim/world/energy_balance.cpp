@@ -8,8 +8,8 @@ namespace {
 
 double elastic_energy(const WorldState& world) {
   double sum = 0;
-  for (std::size_t i = 0; i < world.elements.rests.size(); ++i)
-    sum += world.elements.rests[i].volume * world.elements.states[i].energy_density;
+  for (std::size_t i = 0; i < world.elements.rest_elements.size(); ++i)
+    sum += world.elements.rest_elements[i].volume * world.elements.states[i].energy_density;
   return sum;
 }
 
@@ -45,7 +45,8 @@ double potential_energy(const WorldState& world) {
 
 double elastic_energy(const WorldState& world, const Body& body) {
   double energy = 0;
-  for (TetId tet : body.tets) energy += world.elements.rests[tet].volume * world.elements.states[tet].energy_density;
+  for (TetId tet : body.tets)
+    energy += world.elements.rest_elements[tet].volume * world.elements.states[tet].energy_density;
   return energy;
 }
 

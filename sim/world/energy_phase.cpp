@@ -20,7 +20,7 @@ struct RigidImpulse {
 /// What contacts did to everything, per ProxyId; of moved objects about their centres before they move.
 std::vector<RigidImpulse> contact_impulses(const WorldState& world) {
   std::vector<Vec3> centers(world.body_of_proxy.size(), Vec3::Zero());
-  for (const Body& body : world.bodies) centers[body.stand_in] = body.motion.center;
+  for (const Body& body : world.bodies) centers[body.proxy] = body.motion.center;
   for (std::size_t i = 0; i < world.projectiles.size(); ++i) {
     const auto object = static_cast<std::size_t>(world.projectiles[i].object.value);
     if (object >= centers.size()) centers.resize(object + 1, Vec3::Zero());
@@ -102,7 +102,7 @@ double energy_of_change(const WorldState& world, const Body& body, const BodySna
   return parallel_sum(static_cast<int>(body.tets.size()), [&](int begin, int end) {
     double sum = 0;
     for (int i = begin; i < end; ++i)
-      sum += 0.5 * world.elements.rests[body.tets[i]].volume *
+      sum += 0.5 * world.elements.rest_elements[body.tets[i]].volume *
              twice_energy_density(law, unyielded_stress(world, body, before, law.mu, i) - before.stresses[i]);
     return sum;
   });
@@ -116,7 +116,7 @@ struct ElasticWorks {
 };
 
 /// Of a tet over ways of its corners, but for what is stored.
-ElasticWorks works_of_tet(const ElasticLaw& law, const ElementRest& rest, const Mat3& frame, const Mat3& stress,
+ElasticWorks works_of_tet(const ElasticLaw& law, const RestElement& rest, const Mat3& frame, const Mat3& stress,
                           const Corners& ways) {
   const Mat3 gradient = deformation_gradient(rest, ways), turned = frame.transpose() * gradient;
   const Mat3 strain = 0.5 * (turned + turned.transpose());
@@ -134,7 +134,7 @@ ElasticWorks elastic_works(const WorldState& world, const Body& body, const Body
   parallel_for(static_cast<int>(of_tets.size()), 1024, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const TetId tet = body.tets[i];
-      const ElementRest& rest = world.elements.rests[tet];
+      const RestElement& rest = world.elements.rest_elements[tet];
       const Corners ways = dt * corners_of(world.mesh, tet, world.substep_start.solved_velocities);
       of_tets[i] = works_of_tet(law, rest, before.frames[i], before.stresses[i], ways);
       of_tets[i].stored = rest.volume * (world.elements.states[tet].energy_density -
@@ -212,7 +212,7 @@ void book_rigid_contacts(WorldState& world, double dt) {
   const std::vector<RigidImpulse> impulses = contact_impulses(world);
   for (const Body& body : world.bodies)
     if (body.rigid && !body.asleep && !body.shock && !body.supported())
-      book_rigid_contacts(world, body, impulses[body.stand_in], dt);
+      book_rigid_contacts(world, body, impulses[body.proxy], dt);
   for (std::size_t i = 0; i < world.projectiles.size(); ++i)
     book_projectile(world, i, impulses[world.projectiles[i].object], dt);
 }
@@ -245,7 +245,7 @@ double plastic_work(const WorldState& world, const Body& body, const BodySnapsho
     const Mat3 flowed = world.elements.plastic_strains[tet] - before.plastic_strains[i];
     // At the mean of the stresses before and after it flowed.
     const Mat3 stress = world.elements.states[tet].stress + mu * flowed;
-    work += world.elements.rests[tet].volume * stress.cwiseProduct(flowed).sum();
+    work += world.elements.rest_elements[tet].volume * stress.cwiseProduct(flowed).sum();
   }
   return work;
 }

@@ -17,12 +17,12 @@ StaticProblem problem_of(const WorldState& world, const Body& body, std::span<co
       for (int i = begin; i < end; ++i) {
         const TetId tet = body.tets[i];
         const ElementDeformation deformation =
-            element_deformation(law.model, elements.rests[tet], corners_of(world.mesh, tet, positions));
+            element_deformation(law.model, elements.rest_elements[tet], corners_of(world.mesh, tet, positions));
         states[tet] = element_state(law, deformation, elements.plastic_strains[tet]);
       }
     });
   };
-  StaticProblem problem{world.mesh, body.tets, world.elements.rests, law, world.nodes.masses, displacements,
+  StaticProblem problem{world.mesh, body.tets, world.elements.rest_elements, law, world.nodes.masses, displacements,
                         loads,      evaluate};
   if (!pressed.empty())
     problem.add_follower_loads = [pressed](std::span<const Vec3> positions, std::span<Vec3> forces) {

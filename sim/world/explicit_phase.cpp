@@ -16,7 +16,7 @@ constexpr double kMostSubsteps = 1e5;
 
 /// The highest frequency that a body's present shape has with a material [rad/s].
 double frequency_of(const WorldState& world, const Body& body, const Material& material) {
-  body.system->assemble(MatrixFactors{.mass = 0, .stiffness = 1}, elastic_law(material), world.elements.rests,
+  body.system->assemble(MatrixFactors{.mass = 0, .stiffness = 1}, elastic_law(material), world.elements.rest_elements,
                         world.elements.states, world.nodes.positions, world.nodes.masses);
   const double density_ratio = material.density / world.material_of(body).density;
   Eigen::VectorXd masses(body.system->nodes().size());
@@ -34,7 +34,7 @@ double stable_substep_at(double frequency, const Material& material) {
 
 /// Rayleigh's damping of the stiffness, −beta K v, element by element: the forces of beta times the rate of stress.
 Vec3 damping_force(const WorldState& world, const ElasticLaw& law, double stiffness_damping, TetId tet, int corner) {
-  const ElementRest& rest = world.elements.rests[tet];
+  const RestElement& rest = world.elements.rest_elements[tet];
   const Mat3& frame = world.elements.states[tet].frame;
   const Corners velocities = corners_of(world.mesh, tet, world.nodes.velocities);
   const Mat3 rate = frame.transpose() * deformation_gradient(rest, velocities);

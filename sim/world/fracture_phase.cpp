@@ -40,20 +40,9 @@ std::vector<NodeId> overloaded_nodes(const WorldState& world) {
 
 void append_copy(WorldState& world, const NodeCopy& copy) {
   NodeArrays& nodes = world.nodes;
-  nodes.positions.push_back(Vec3(nodes.positions[copy.original]));
-  nodes.velocities.push_back(Vec3(nodes.velocities[copy.original]));
-  nodes.constraints.push_back(NodeConstraint(nodes.constraints[copy.original]));
-  nodes.held.push_back(std::uint8_t(nodes.held[copy.original]));
-  nodes.masses.push_back(node_mass(world, copy.copy));
-  nodes.masses[copy.original] = node_mass(world, copy.original);
-  nodes.strength_factors.push_back(double(nodes.strength_factors[copy.original]));
-  nodes.at_crack_front.push_back(0);
+  nodes.append_copy(copy.original);
+  for (const NodeId node : {copy.original, copy.copy}) nodes.masses[node] = node_mass(world, node);
   nodes.at_crack_front[copy.original] = 0;
-  nodes.rows.push_back(-1);
-  nodes.separations.emplace_back();
-  nodes.reactions.emplace_back(Vec3::Zero());
-  nodes.similarity_starts.push_back(Vec3(nodes.similarity_starts[copy.original]));
-  nodes.pushed_at.push_back(double(nodes.pushed_at[copy.original]));
   nodes.separations[copy.original] = {};
 }
 
@@ -180,7 +169,7 @@ std::vector<BodyId> children_of(const WorldState& world, const CrackEvent& event
 void part_opened(WorldState& world, const Opened& opened) {
   restore_angular_momentum(world, opened.motions);
   follow_cracks(world.splinters, world.mesh.neighbours, opened.parted, world.splinter_state);
-  part_bodies(world, std::vector<BodyId>(opened.bodies.begin(), opened.bodies.end()));
+  split_bodies(world, std::vector<BodyId>(opened.bodies.begin(), opened.bodies.end()));
   for (std::size_t i = opened.first_event; i < world.crack_events.size(); ++i)
     world.crack_events[i].children = children_of(world, world.crack_events[i]);
 }

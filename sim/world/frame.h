@@ -32,9 +32,9 @@ struct BodyView {
   Quat orientation = Quat::Identity();                 ///< from the shape that it had when it came to be
   std::span<const std::vector<Vec3>> collision_parts;  ///< corners of the convex parts, in the body's own frame [m]
   bool supported = false;                              ///< has nodes held in place
-  bool rigid = false;                      ///< moves as a whole: its stress is not computed until something strikes it
-  bool asleep = false;                     ///< lies still until something strikes it
-  std::optional<ScaledImpact> scaled;      ///< when its waves took more microsteps than the budget left
+  bool rigid = false;                  ///< moves as a whole: its stress is not computed until something strikes it
+  bool asleep = false;                 ///< lies still until something strikes it
+  std::optional<ScaledImpact> scaled;  ///< when its waves took more microsteps than the budget left
 };
 
 /// What two things did to each other in the last step, near one place.
@@ -61,7 +61,7 @@ struct StepTimings {
 /// What happened in a step; every limit that was reached and every number that went wrong is counted here.
 struct StepReport {
   int substeps = 1;
-  int microsteps = 0;         ///< of bodies in shock
+  int microsteps = 0;  ///< of bodies in shock
   int contacts = 0;
   double peak_margin = 0;            ///< highest margin of any node in any substep
   int cracks = 0;                    ///< nodes split
@@ -107,7 +107,7 @@ struct Frame {
   std::span<const std::uint8_t> first_surface;          ///< per tet: bit i: face i was on the surface at the start
   std::span<const std::array<double, 4>> face_opened;   ///< per tet: when a crack opened face i [s], else not a number
   std::span<const std::vector<TetId>> stars;            ///< per node: its tets, ascending
-  std::span<const ElementRest> rests;                   ///< per tet
+  std::span<const RestElement> rest_elements;           ///< per tet
   std::span<const ElementState> states;                 ///< per tet
   std::span<const Mat3> stresses;                       ///< per tet: Cauchy stress, world frame [Pa]
   std::span<const Material> materials;                  ///< per scene body, as in force now

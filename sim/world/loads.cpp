@@ -94,7 +94,7 @@ void add_traction(const WorldState& world, const PlacedLoad& placed, double fact
 void add_body_force(const WorldState& world, const PlacedLoad& placed, double factor, std::vector<Vec3>& forces) {
   for (TetId tet : placed.tets) {
     const double density = world.material_of(world.bodies[world.elements.bodies[tet]]).density;
-    const Vec3 share = factor * density * world.elements.rests[tet].volume / 4 * placed.load.acceleration;
+    const Vec3 share = factor * density * world.elements.rest_elements[tet].volume / 4 * placed.load.acceleration;
     for (NodeId node : world.mesh.tets[tet]) forces[node] += share;
   }
 }

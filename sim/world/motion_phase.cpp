@@ -109,8 +109,8 @@ Vec3 way_of(const WorldState& world, const Body& body, double dt) {
     return !id.valid() || world.bodies[id].scene_body != body.scene_body ||
            world.bodies[id].extent > kMuchLarger * body.extent;
   };
-  return world.contact_world.swept_center(body.stand_in, dt, slow, stops) -
-         world.contact_world.state(body.stand_in).pose.translation;
+  return world.contact_world.swept_center(body.proxy, dt, slow, stops) -
+         world.contact_world.state(body.proxy).pose.translation;
 }
 
 /// The same for a body that does not deform: its motion leads, its nodes follow.
@@ -231,7 +231,7 @@ bool is_sound(const WorldState& world, const Body& body) {
 bool is_calm(const WorldState& world, const Body& body) {
   constexpr double kCalmMargin = 0.05, kCalmSpeed = 0.1;
   const RigidMotion motion = motion_of(world, body);
-  const double fastest = kCalmSpeed * hurting_speed(world, body);
+  const double fastest = kCalmSpeed * damage_speed(world, body);
   return std::ranges::all_of(body.nodes, [&](NodeId node) {
     const Vec3 deforming = world.nodes.velocities[node] - motion.velocity_at(world.nodes.positions[node]);
     return world.nodes.separations[node].margin < kCalmMargin && deforming.norm() < fastest;
@@ -255,7 +255,7 @@ double mechanical_energy(const WorldState& world, const Body& body) {
   return energy;
 }
 
-void stiffen(WorldState& world, Body& body) {
+void make_rigid(WorldState& world, Body& body) {
   body.rigid = true;
   const Mat3 back = body.orientation.conjugate().toRotationMatrix();
   for (std::size_t i = 0; i < body.nodes.size(); ++i)
@@ -287,7 +287,7 @@ void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>&
 void freeze_if_broken_down(WorldState& world, Body& body) {
   if (body.asleep || is_sound(world, body)) return;
   if (!is_placed(world, body)) {
-    const Pose last = world.contact_world.state(body.stand_in).pose;
+    const Pose last = world.contact_world.state(body.proxy).pose;
     body.motion.center = last.translation;
     body.orientation = last.rotation;
     place_rigid_nodes(world, body);
@@ -305,7 +305,7 @@ void freeze(WorldState& world, Body& body) {
     for (NodeId node : body.nodes) world.nodes.velocities[node] = world.nodes.reactions[node] = Vec3::Zero();
   clear_stress(world, body);
   body.motion = motion_of(world, body);
-  stiffen(world, body);
+  make_rigid(world, body);
   if (std::isfinite(before)) world.energy.limited += before - energy_of(world, body);
 }
 
@@ -337,11 +337,11 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
     if (!body.sways()) continue;
     for (TetId tet : body.tets) world.report.inverted_tets += world.elements.states[tet].inverted;
   }
-  place_stand_ins(world);
+  place_proxies(world);
 }
 
 void wake(WorldState& world, Body& body) {
-  world.contact_world.wake(body.stand_in);
+  world.contact_world.wake(body.proxy);
   const double before = elastic_energy(world, body);
   body.rigid = body.asleep = false;
   body.calm_steps = 0;
@@ -349,14 +349,14 @@ void wake(WorldState& world, Body& body) {
   world.energy.hand_over += before - elastic_energy(world, body);
 }
 
-void calm_bodies(WorldState& world) {
+void rigidify_quiet_bodies(WorldState& world) {
   constexpr int kCalmSteps = 20;
   for (Body& body : world.bodies) {
     if (!body.sways() || body.supported()) continue;
     body.calm_steps = is_calm(world, body) ? body.calm_steps + 1 : 0;
     if (body.tets.size() > 1 && body.calm_steps < kCalmSteps) continue;
     const double before = energy_of(world, body);
-    stiffen(world, body);
+    make_rigid(world, body);
     world.energy.hand_over += before - energy_of(world, body);
   }
 }

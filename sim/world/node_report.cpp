@@ -36,7 +36,7 @@ double balance_of(const NodeReport& report) {
 
 /// Fills in what the frame's stresses do to the node.
 void strain(const Frame& frame, NodeReport& report) {
-  const SeparationInput input{frame.tets, frame.stars, frame.rests, frame.states, frame.constraints};
+  const SeparationInput input{frame.tets, frame.stars, frame.rest_elements, frame.states, frame.constraints};
   const int scene_body = frame.bodies[report.body].scene_body;
   const std::optional<Weakness>& weakness = frame.weaknesses[scene_body];
   const Mat3 tensor = separation_tensor(input, report.node);

@@ -26,7 +26,7 @@ struct NodeReport {
   NodeSeparation separation;
 
   // All of this comes from the frame's own stresses and adds up.
-  bool strained = false;               ///< false in a rigid piece, whose stress is not computed: the rest is empty then
+  bool strained = false;  ///< false in a rigid piece, whose stress is not computed: the rest is empty then
   PrincipalValues principal = {Vec3::Zero(), Mat3::Identity()};  ///< of the separation tensor, ascending [N]
   CandidatePlane plane;
   double load = 0;                     ///< across the plane [Pa], or [N] by the criterion of the separation force

@@ -4,6 +4,7 @@
 
 #include "sim/fracture/separation_tensor.h"
 #include "sim/meshing/monitor.h"
+#include "sim/world/given_meshes.h"
 #include "sim/world/world_state.h"
 
 /// The phases of a step, in the order in which advance() calls them.
@@ -13,7 +14,7 @@ namespace griffith {
 void advance(WorldState& world);
 
 /// Builds meshes, bodies and the contact world. Throws InputError for meshes that cannot be simulated.
-void build_world(WorldState& world, const Monitor& monitor = {});
+void build_world(WorldState& world, const Monitor& monitor = {}, const GivenMeshes& given = {});
 
 /// Makes a body's splinters, if it has a pattern for them. Throws InputError for one that cannot be made.
 void place_splinters(WorldState& world, int scene_body, const RestBody& body, const Monitor& monitor);
@@ -55,8 +56,8 @@ void wake(WorldState& world, Body& body);
 void assemble_systems(WorldState& world, double dt);
 /// The same for one body, which was rigid until now.
 void assemble_system(WorldState& world, Body& body, double dt);
-/// Puts the stand-ins where their bodies are: after bodies move, so that impacts are foreseen from where they are now.
-void place_stand_ins(WorldState& world);
+/// Puts the proxies where their bodies are: after bodies move, so that impacts are foreseen from where they are now.
+void place_proxies(WorldState& world);
 /// External force on each node [N]: gravity and loads.
 std::vector<Vec3> external_forces(const WorldState& world);
 /// The velocities after a substep of `dt` under `external` and elastic forces [N] as if nothing touched; the nodes of
@@ -73,10 +74,10 @@ void place_rigid_nodes(WorldState& world, const Body& body);
 void clear_stress(WorldState& world, const Body& body);
 /// A body whose numbers broke down goes on as a rigid one, at rest where it was: one lost body, not a lost scene. Where
 /// its positions are lost too, it has the shape again that it had when it was made or last turned rigid, in the place
-/// of its stand-in. A supported one stays there for good.
+/// of its proxy. A supported one stays there for good.
 void freeze_if_broken_down(WorldState& world, Body& body);
 /// Takes the shape as it is now for that of a rigid body.
-void stiffen(WorldState& world, Body& body);
+void make_rigid(WorldState& world, Body& body);
 /// Makes a body rigid from now on, its stress gone. A free one keeps its momentum, a supported one stands still.
 void freeze(WorldState& world, Body& body);
 /// The sum of nodal forces on a body [N], and their torque about its centre of mass [N·m].
@@ -116,23 +117,23 @@ SeparationInput separation_input(const WorldState& world);
 /// cracks opens in the next step. New cracks start no nearer to each other than a wave gets in the `substep` [s].
 void open_cracks(WorldState& world, double substep);
 /// Bodies whose stress has died, and single tets, which cannot break, turn rigid.
-void calm_bodies(WorldState& world);
+void rigidify_quiet_bodies(WorldState& world);
 /// Rigid bodies that lie still fall asleep; after a step of this length [s].
-void rest_bodies(WorldState& world, double time_step);
+void update_sleep(WorldState& world, double time_step);
 
 /// Gives the tets of bodies that may have come apart to one body for each connected piece.
-void part_bodies(WorldState& world, std::span<const BodyId> opened);
+void split_bodies(WorldState& world, std::span<const BodyId> opened);
 /// The same for pieces that are known: one goes on as the body itself, each other becomes a new body, of which nothing
 /// but the tets is known yet.
-void hand_out_tets(WorldState& world, BodyId id, std::vector<std::vector<TetId>> pieces);
-/// Rebuilds what follows from the tets of a body with a stand-in: all that rebuild_shape() does, collision parts and
-/// stand-in.
+void assign_pieces(WorldState& world, BodyId id, std::vector<std::vector<TetId>> pieces);
+/// Rebuilds what follows from the tets of a body with a proxy: all that rebuild_shape() does, collision parts and
+/// proxy.
 void rebuild_body(WorldState& world, Body& body);
 /// Nodes, surface, system and motion of a body. Writes to what is the body's own alone. Returns the energy that it lost
 /// where it is rigid from now on [J].
 double rebuild_shape(WorldState& world, Body& body);
-/// Makes the stand-ins of bodies that have none yet out of their collision parts, in the contact world.
-void add_stand_ins(WorldState& world, std::span<Body> bodies);
+/// Makes the proxies of bodies that have none yet out of their collision parts, in the contact world.
+void add_proxies(WorldState& world, std::span<Body> bodies);
 /// Convex parts of the body's present shape, relative to its centre of mass: of the splinters that it owns where the
 /// scene asks for that and they are not too many to be told from a whole, else of its tets.
 std::vector<ConvexPart> collision_parts(const WorldState& world, const Body& body);
@@ -152,7 +153,7 @@ double mean_element_size(const WorldState& world, std::span<const TetId> tets);
 /// one run on that is there already [Pa].
 double least_breaking_stress(const WorldState& world, const Body& body, bool at_crack_front);
 /// The speed of an impact from which a body could be hurt [m/s]; infinite for a single tet, which cannot break.
-double hurting_speed(const WorldState& world, const Body& body);
+double damage_speed(const WorldState& world, const Body& body);
 /// Lumped mass of a node from its star [kg].
 double node_mass(const WorldState& world, NodeId node);
 

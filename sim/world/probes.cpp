@@ -108,7 +108,7 @@ Mat3 stress_at(const ProbedNode& probed, NodeId node, const Frame& frame) {
   double volume = 0;
   for (const TetCorner& corner : probed.star) {
     if (node_at(frame.tets, corner) != node) continue;
-    const double part = frame.rests[corner.tet].volume;
+    const double part = frame.rest_elements[corner.tet].volume;
     sum += part * frame.stresses[corner.tet];
     volume += part;
   }

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/contact/solid.h"
+#include "sim/contact/mass_properties.h"
 #include "sim/file_path.h"
 #include "sim/meshing/surface.h"
 #include "sim/scene/body_pose.h"
@@ -42,7 +42,7 @@ Projectile convex_projectile(const std::vector<Vec3>& points, const ProjectileBu
   ConvexHull hull = convex_hull(points);
   if (!is_solid(hull))
     throw InputError(where + "/shape", "has no volume", "give it points that do not lie in one plane");
-  const Solid solid = solid_of(hull);
+  const MassProperties solid = mass_properties(hull);
   Projectile projectile;
   projectile.mass = burst.density ? *burst.density * solid.volume : burst.mass;
   projectile.inertia = projectile.mass / solid.volume * solid.inertia;

@@ -99,8 +99,8 @@ void publish(WorldState& world) {
   world.projectile_views.clear();
   for (const Body& body : world.bodies) world.body_views.push_back(view_of(body));
   add_nodes(world, world.totals);
-  for (std::size_t i = 0; i < world.elements.rests.size(); ++i)
-    world.totals.elastic_energy += world.elements.rests[i].volume * world.elements.states[i].energy_density;
+  for (std::size_t i = 0; i < world.elements.rest_elements.size(); ++i)
+    world.totals.elastic_energy += world.elements.rest_elements[i].volume * world.elements.states[i].energy_density;
   for (const Projectile& projectile : world.projectiles) {
     const RigidState state = world.contact_world.state(projectile.object);
     world.projectile_views.push_back(view_of(projectile, state));

@@ -8,8 +8,8 @@
 
 namespace griffith {
 
-/// Corner `corner` of `tet`. It stands for the same piece of material for good, while a node may be parted into several;
-/// where tets are bisected, follow_subdivision() (subdivision.h) brings it up to date.
+/// Corner `corner` of `tet`. It stands for the same piece of material for good, while a node may be parted into
+/// several; where tets are bisected, follow_subdivision() (subdivision.h) brings it up to date.
 struct TetCorner {
   TetId tet;
   int corner = 0;

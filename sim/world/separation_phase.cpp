@@ -9,7 +9,7 @@ namespace griffith {
 
 double element_size_at(const WorldState& world, NodeId node) {
   double volume = 0;
-  for (TetId tet : world.mesh.stars[node]) volume += world.elements.rests[tet].volume;
+  for (TetId tet : world.mesh.stars[node]) volume += world.elements.rest_elements[tet].volume;
   return std::cbrt(6 * volume / static_cast<double>(world.mesh.stars[node].size()));
 }
 
@@ -45,7 +45,8 @@ void evaluate_body(WorldState& world, const SeparationInput& input, const Body& 
 }  // namespace
 
 SeparationInput separation_input(const WorldState& world) {
-  return {world.mesh.tets, world.mesh.stars, world.elements.rests, world.elements.states, world.nodes.constraints};
+  return {world.mesh.tets, world.mesh.stars, world.elements.rest_elements, world.elements.states,
+          world.nodes.constraints};
 }
 
 void evaluate_separation(WorldState& world, const Body& body) {

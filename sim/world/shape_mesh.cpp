@@ -1,6 +1,8 @@
 #include "sim/world/shape_mesh.h"
 
 #include <cstdio>
+#include <optional>
+#include <utility>
 
 #include "sim/error.h"
 #include "sim/file_path.h"
@@ -53,9 +55,21 @@ std::string mesh_name(const Scene& scene, const Shape& shape) {
   return "the shape";
 }
 
-ShapeMesh make_mesh(const Scene& scene, const Shape& shape, const Monitor& monitor) {
+/// The mesh that was given for the shape, in metres; nothing where it has to be read or made.
+std::optional<TetSoup> given_soup(const GivenMeshes* given, const Shape& shape) {
+  const auto* file = std::get_if<MeshFileShape>(&shape);
+  if (given == nullptr || file == nullptr) return {};
+  const auto found = given->find(file->path);
+  if (found == given->end()) return {};
+  TetSoup soup = found->second;
+  for (Vec3& point : soup.points) point *= file->scale;
+  return soup;
+}
+
+ShapeMesh make_mesh(const Scene& scene, const Shape& shape, const GivenMeshes* given, const Monitor& monitor) {
   ShapeMesh made;
-  made.soup = make_soup(shape, scene.folder, &made.findings, monitor);
+  std::optional<TetSoup> known = given_soup(given, shape);
+  made.soup = known ? std::move(*known) : make_soup(shape, scene.folder, &made.findings, monitor);
   if (monitor.is_cancelled()) throw Cancelled();
   MeshReport report = prepare(made.soup, mesh_name(scene, shape), &made.mesh);
   if (monitor.is_cancelled()) throw Cancelled();
@@ -81,7 +95,7 @@ const ShapeMesh& ShapeMeshes::of(const Scene& scene, int scene_body, const Monit
   const auto known = made_.find(shape);
   if (known != made_.end()) return known->second;
   try {
-    return made_.emplace(shape, make_mesh(scene, shape, monitor)).first->second;
+    return made_.emplace(shape, make_mesh(scene, shape, given_, monitor)).first->second;
   } catch (const InputError& error) {
     throw InputError(shape_pointer(scene, scene_body),
                      "of \"" + scene.bodies[scene_body].name + "\": " + error.where() + ": " + error.problem(),

@@ -8,6 +8,7 @@
 #include "sim/mesh/tet_mesh.h"
 #include "sim/meshing/monitor.h"
 #include "sim/scene/scene.h"
+#include "sim/world/given_meshes.h"
 
 namespace griffith {
 
@@ -18,13 +19,18 @@ struct ShapeMesh {
   TetMesh mesh;                            ///< of the soup
   std::vector<std::vector<TetId>> pieces;  ///< what holds together through faces
   std::vector<NodeId> slit_tips;           ///< crack fronts that it has from the start
-  std::vector<ConvexPart> convex_parts;    ///< of one piece, relative to its centre of mass [m]; empty if it is in several
-  std::vector<std::string> findings;       ///< what the user should know of a file
+  std::vector<ConvexPart>
+      convex_parts;                   ///< of one piece, relative to its centre of mass [m]; empty if it is in several
+  std::vector<std::string> findings;  ///< what the user should know of a file
 };
 
 /// The meshes of a scene's shapes, each read or made once.
 class ShapeMeshes {
  public:
+  ShapeMeshes() = default;
+  /// With meshes that need no file; they must live as long as this.
+  explicit ShapeMeshes(const GivenMeshes& given) : given_(&given) {}
+
   /// The mesh of the body's shape; it stays where it is. Throws InputError, which names the body and the file, for one
   /// that cannot be simulated, Cancelled when the monitor says so.
   const ShapeMesh& of(const Scene& scene, int scene_body, const Monitor& monitor);
@@ -34,6 +40,7 @@ class ShapeMeshes {
   struct Hash {
     std::size_t operator()(const Shape& shape) const;
   };
+  const GivenMeshes* given_ = nullptr;
   std::unordered_map<Shape, ShapeMesh, Hash> made_;
 };
 

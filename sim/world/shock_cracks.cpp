@@ -49,8 +49,8 @@ void ShockRun::update_threshold(int index) {
   if (material.criterion == FractureCriterion::separation_force) {
     double area = 0;  // v⁺ is at most half the sum of the tensile forces
     for (const TetId tet : world_.mesh.stars[node])
-      area += world_.elements.rests[tet].volume *
-              world_.elements.rests[tet].shape_gradients.col(local_corner(world_.mesh, tet, node)).norm();
+      area += world_.elements.rest_elements[tet].volume *
+              world_.elements.rest_elements[tet].shape_gradients.col(local_corner(world_.mesh, tet, node)).norm();
     least *= 2 / area;
   }
   target.threshold = kScreeningShare * static_cast<float>(body.shock->similarity * least);
@@ -68,7 +68,7 @@ void ShockRun::bring_up_to_date(TetId tet) {
   for (int i = 0; i < 4; ++i) corners.col(i) = solid_.position(solid_.corner(slot, i));
   const Body& body = world_.bodies[world_.elements.bodies[tet]];
   const ElasticLaw law = law_in_shock(world_, body);
-  const ElementDeformation deformation = element_deformation(law.model, world_.elements.rests[tet], corners);
+  const ElementDeformation deformation = element_deformation(law.model, world_.elements.rest_elements[tet], corners);
   if (solid_.is_relieved(slot)) let_sliver_yield(tet, deformation.strain);
   world_.elements.states[tet] = element_state(law, deformation, stress_free_strain(world_, tet));
 }

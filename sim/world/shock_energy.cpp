@@ -18,7 +18,7 @@ double ShockRun::relieved_energy(bool at_start) const {
     if (stiffness == 0 && !at_start) continue;
     const TetId tet = tets_[slot];
     const Body& body = world_.bodies[world_.elements.bodies[tet]];
-    const ElementRest& rest = world_.elements.rests[tet];
+    const RestElement& rest = world_.elements.rest_elements[tet];
     Corners corners;
     for (int i = 0; i < 4; ++i) corners.col(i) = solid_.position(solid_.corner(slot, i));
     const ElasticLaw law = law_in_shock(world_, body);

@@ -78,7 +78,7 @@ void add_bodies(const WorldState& world, const Surroundings& near, double durati
   for (const Body& body : world.bodies) {
     if (body.shock || near.own[body.scene_body]) continue;  // pieces of one body touch as rigid ones afterwards
     shock::Obstacle obstacle;
-    obstacle.object = body.stand_in;
+    obstacle.object = body.proxy;
     obstacle.radius = radius_of(body);
     obstacle.state = {{body.motion.center, body.orientation}, body.motion.velocity, body.motion.angular_velocity};
     const double way = duration * (body.motion.velocity.norm() + obstacle.radius * body.motion.angular_velocity.norm());
@@ -112,7 +112,7 @@ void take_velocities(const WorldState& world, std::vector<shock::Obstacle>& obst
   }
 }
 
-/// A body that sways is moved and turned as a whole to where the microsteps have brought its stand-in.
+/// A body that sways is moved and turned as a whole to where the microsteps have brought its proxy.
 void carry_nodes(WorldState& world, Body& body, const RigidState& state) {
   const Mat3 turn = (state.pose.rotation * body.orientation.conjugate()).toRotationMatrix();
   const RigidMotion before = body.motion;
@@ -152,9 +152,9 @@ namespace {
 /// Of the body's elements under the full stiffness, slivers relieved [rad/s].
 double highest_frequency(const WorldState& world, const Body& body) {
   const Material& material = world.material_of(body);
-  std::vector<ElementRest> rests;
-  for (const TetId tet : body.tets) rests.push_back(world.elements.rests[tet]);
-  return shock::highest_frequency(elastic_law(material), material.density, rests);
+  std::vector<RestElement> rest_elements;
+  for (const TetId tet : body.tets) rest_elements.push_back(world.elements.rest_elements[tet]);
+  return shock::highest_frequency(elastic_law(material), material.density, rest_elements);
 }
 
 }  // namespace
@@ -208,7 +208,7 @@ void enter_struck_bodies(WorldState& world, double duration) {
     const BodyId first = world.body_of(a), second = world.body_of(b);
     if (have_just_parted(world, first, second)) continue;
     for (const auto& [struck, other] : {std::pair(first, second), std::pair(second, first)}) {
-      if (!struck.valid() || approach < hurting_speed(world, world.bodies[struck])) continue;
+      if (!struck.valid() || approach < damage_speed(world, world.bodies[struck])) continue;
       if (!suits_microsteps(world, world.bodies[struck], approach)) continue;
       enter_shock(world, world.bodies[struck], approach);
       if (other.valid() && gives_way(world, world.bodies[other], world.bodies[struck], approach))
@@ -226,7 +226,7 @@ void make_rigid_if_unharmed(WorldState& world, Body& body) {
   if (!std::ranges::all_of(body.nodes, is_unharmed)) return;
   const double before = energy_of(world, body);
   clear_stress(world, body);
-  stiffen(world, body);
+  make_rigid(world, body);
   world.energy.hand_over += before - energy_of(world, body);
 }
 

@@ -39,7 +39,7 @@ void ShockRun::build(std::vector<shock::Obstacle> obstacles) {
     if (!body.shock) continue;
     add_body(body, external);
     size += body.element_size;
-    least_speed_ = std::min(least_speed_, std::max(hurting_speed(world_, body), least_impact_speed(world_)));
+    least_speed_ = std::min(least_speed_, std::max(damage_speed(world_, body), least_impact_speed(world_)));
   }
   size /= static_cast<double>(bodies_.size());
   solid_.finish();
@@ -83,17 +83,18 @@ void ShockRun::add_nodes(const std::vector<NodeId>& nodes, const Placement& plac
 
 void ShockRun::add_elements(const Body& body, const Mat3& turn) {
   std::vector<std::array<int, 4>> tets;
-  std::vector<ElementRest> rests;
+  std::vector<RestElement> rest_elements;
   std::vector<Mat3> offsets;
   for (const TetId tet : body.tets) {
     std::array<int, 4>& corners = tets.emplace_back();
     for (int i = 0; i < 4; ++i) corners[i] = local(world_.mesh.tets[tet][i]);
-    rests.push_back({turn * world_.elements.rests[tet].shape_gradients, world_.elements.rests[tet].volume});
+    rest_elements.push_back(
+        {turn * world_.elements.rest_elements[tet].shape_gradients, world_.elements.rest_elements[tet].volume});
     offsets.push_back(turn * stress_free_strain(world_, tet) * turn.transpose());
   }
   ElasticLaw law = law_in_shock(world_, body);  // of stress; forces are those of E′ = f² E
   law.lambda *= body.shock->similarity, law.mu *= body.shock->similarity;
-  solid_.add_body(law, world_.material_of(body).density, tets, rests, offsets);
+  solid_.add_body(law, world_.material_of(body).density, tets, rest_elements, offsets);
   const int first = solid_.slot(solid_.body_count() - 1, 0);
   tets_.resize(solid_.tet_slots());
   for (std::size_t i = 0; i < body.tets.size(); ++i) {
@@ -205,7 +206,7 @@ void ShockRun::write_back() {
     const TetId tet = tets_[slot];
     const ElementModel model = world_.material_of(world_.bodies[world_.elements.bodies[tet]]).element_model;
     const Corners corners = corners_of(world_.mesh, tet, world_.nodes.positions);
-    let_sliver_yield(tet, element_deformation(model, world_.elements.rests[tet], corners).strain);
+    let_sliver_yield(tet, element_deformation(model, world_.elements.rest_elements[tet], corners).strain);
   }
 }
 

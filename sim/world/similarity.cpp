@@ -222,7 +222,7 @@ void set_similarity(WorldState& world, Body& body, double factor) {
   ElementArrays& elements = world.elements;
   for (const TetId tet : body.tets) {
     const ElementDeformation deformation =
-        element_deformation(law.model, elements.rests[tet], corners_of(world.mesh, tet, world.nodes.positions));
+        element_deformation(law.model, elements.rest_elements[tet], corners_of(world.mesh, tet, world.nodes.positions));
     const Mat3 free = deformation.strain - elements.plastic_strains[tet];
     elements.similarity_strains[tet] = free - before / factor * (free - elements.similarity_strains[tet]);
   }
@@ -266,7 +266,7 @@ void keep_shape(WorldState& world, const Body& body, const BodySnapshot& before)
   for (std::size_t i = 0; i < body.tets.size(); ++i) {
     const TetId tet = body.tets[i];
     const Corners corners = corners_of(world.mesh, tet, world.nodes.positions);
-    const Mat3 strain = element_deformation(law.model, world.elements.rests[tet], corners).strain;
+    const Mat3 strain = element_deformation(law.model, world.elements.rest_elements[tet], corners).strain;
     world.elements.plastic_strains[tet] = strain - strain_of(law, before.stresses[i]);
   }
   update_elements(world, body);

@@ -39,14 +39,14 @@ void add_ground(const Scene& scene, const Boxes& boxes, Depths& depths) {
 /// All bodies are free here: two that are held would not touch, but are inside one another all the same.
 void add_pairs(const Frame& frame, Depths& depths) {
   ContactWorld contacts(Vec3::Zero());
-  std::vector<ContactWorld::StandIn> stand_ins;
+  std::vector<ContactWorld::Proxy> proxies;
   for (const BodyView& body : frame.bodies) {
     RigidState state;
     state.pose = {body.center_of_mass, body.orientation};
-    stand_ins.push_back({body.collision_parts, {body.mass, Mat3::Identity()}, Mobility::free, state, {}});
+    proxies.push_back({body.collision_parts, {body.mass, Mat3::Identity()}, Mobility::free, state, {}});
   }
   std::map<ProxyId, int> scene_body;
-  const std::vector<ProxyId> ids = contacts.add_stand_ins(stand_ins);
+  const std::vector<ProxyId> ids = contacts.add_proxies(proxies);
   for (std::size_t i = 0; i < ids.size(); ++i) scene_body[ids[i]] = frame.bodies[i].scene_body;
   contacts.detect();
   for (const Contact& contact : contacts.contacts()) {

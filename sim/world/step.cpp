@@ -72,8 +72,8 @@ void step_explicitly(WorldState& world, double time_step) {
     substep(world, dt);
     left = count > 1 ? left - dt : 0;
   }
-  calm_bodies(world);
-  rest_bodies(world, time_step);
+  rigidify_quiet_bodies(world);
+  update_sleep(world, time_step);
 }
 
 /// Up to the next impact, and on: waves and the pace of cracks are not followed.
@@ -86,8 +86,8 @@ void step_implicitly(WorldState& world, double time_step) {
     substep(world, dt);
     ++world.report.substeps;
   }
-  calm_bodies(world);
-  rest_bodies(world, time_step);
+  rigidify_quiet_bodies(world);
+  update_sleep(world, time_step);
 }
 
 /// In stretches: up to the next impact, and while waves run in what was struck or cracks. Bodies in shock take
@@ -103,7 +103,7 @@ void step_by_stretches(WorldState& world, double time_step) {
     if (in_shock(world)) {
       PhaseTimer timer(world.report.milliseconds.shock);
       run_shock(world, obstacles, stretch);
-      place_stand_ins(world);
+      place_proxies(world);
     }
     world.time = start + stretch;
     left -= stretch;
@@ -115,8 +115,8 @@ void step_by_stretches(WorldState& world, double time_step) {
     }
     if (world.scene.simulation.fracture) open_cracks(world, stretch);
   }
-  calm_bodies(world);
-  rest_bodies(world, time_step);
+  rigidify_quiet_bodies(world);
+  update_sleep(world, time_step);
 }
 
 /// Without inertia: from one equilibrium to the next, as loads and supports move on. Each crack changes the balance, so

@@ -2,7 +2,6 @@
 
 #include <Eigen/LU>
 #include <algorithm>
-#include <limits>
 #include <set>
 
 #include "sim/mesh/topology.h"
@@ -11,38 +10,15 @@
 namespace griffith {
 namespace {
 
-void append_node(NodeArrays& nodes, const EdgeNode& node) {
-  nodes.positions.push_back(node.interpolate(nodes.positions[node.a], nodes.positions[node.b]));
-  nodes.velocities.push_back(node.interpolate(nodes.velocities[node.a], nodes.velocities[node.b]));
-  nodes.masses.push_back(0);
-  nodes.strength_factors.push_back(node.interpolate(nodes.strength_factors[node.a], nodes.strength_factors[node.b]));
-  nodes.constraints.emplace_back();
-  nodes.held.push_back(0);
-  nodes.at_crack_front.push_back(0);
-  nodes.rows.push_back(-1);
-  nodes.separations.emplace_back();
-  nodes.reactions.emplace_back(Vec3::Zero());
-  nodes.similarity_starts.emplace_back(Vec3::Zero());
-  nodes.pushed_at.push_back(-std::numeric_limits<double>::infinity());
-}
-
 /// The deformation gradient is the same in both halves, and so is all that follows from it.
 void append_element(WorldState& world, const TetBisection& halves) {
   ElementArrays& elements = world.elements;
-  const TetId tet = halves.tet;
-  elements.rests.emplace_back();
-  elements.states.push_back(ElementState(elements.states[tet]));
-  elements.plastic_strains.push_back(Mat3(elements.plastic_strains[tet]));
-  elements.similarity_strains.push_back(Mat3(elements.similarity_strains[tet]));
-  elements.stresses.push_back(Mat3(elements.stresses[tet]));
-  elements.bodies.push_back(BodyId(elements.bodies[tet]));
-  const int faces = elements.first_surface[tet], outer = 1 << halves.kept, inner = 1 << halves.moved;
-  elements.first_surface.push_back(static_cast<std::uint8_t>(faces & ~inner));
-  elements.first_surface[tet] = static_cast<std::uint8_t>(faces & ~outer);
-  elements.opened.push_back(std::array<double, 4>(elements.opened[tet]));
-  elements.opened[halves.child][halves.moved] = std::numeric_limits<double>::quiet_NaN();
-  elements.opened[tet][halves.kept] = std::numeric_limits<double>::quiet_NaN();
-  world.bodies[elements.bodies[tet]].tets.push_back(halves.child);
+  elements.append_copy(halves.tet);
+  const int faces = elements.first_surface[halves.tet], outer = 1 << halves.kept, inner = 1 << halves.moved;
+  elements.first_surface[halves.child] = static_cast<std::uint8_t>(faces & ~inner);
+  elements.first_surface[halves.tet] = static_cast<std::uint8_t>(faces & ~outer);
+  elements.opened[halves.child][halves.moved] = elements.opened[halves.tet][halves.kept] = kNeverOpened;
+  world.bodies[elements.bodies[halves.tet]].tets.push_back(halves.child);
 }
 
 double kinetic_energy_of(const WorldState& world, const auto& nodes) {
@@ -132,14 +108,14 @@ void follow_places(WorldState& world, const Subdivision& subdivision) {
 
 void follow_subdivision(WorldState& world, const Subdivision& subdivision) {
   if (subdivision.tets.empty()) return;
-  for (const EdgeNode& node : subdivision.nodes) append_node(world.nodes, node);
+  for (const EdgeNode& node : subdivision.nodes) world.nodes.append_between(node);
   std::set<NodeId> relumped;  // new ones weigh nothing yet
   for (const EdgeNode& node : subdivision.nodes) relumped.insert({node.node, node.a, node.b});
   world.energy.hand_over += kinetic_energy_of(world, relumped);
   for (const TetBisection& halves : subdivision.tets) append_element(world, halves);
   for (const TetBisection& halves : subdivision.tets)
     for (TetId tet : {halves.tet, halves.child})
-      world.elements.rests[tet] = element_rest(corners_of(world.mesh, tet, world.mesh.rest_positions));
+      world.elements.rest_elements[tet] = rest_element(corners_of(world.mesh, tet, world.mesh.rest_positions));
   for (const EdgeNode& node : subdivision.nodes)
     for (NodeId changed : {node.node, node.a, node.b}) world.nodes.masses[changed] = node_mass(world, changed);
   world.energy.hand_over -= kinetic_energy_of(world, relumped);

@@ -21,8 +21,8 @@ int place_of(const Body& body, NodeId node) {
   return static_cast<int>(std::lower_bound(body.nodes.begin(), body.nodes.end(), node) - body.nodes.begin());
 }
 
-/// Where the stand-in, which does not deform, has this point of the surface.
-Vec3 stand_in_position(const Body& body, const SurfacePoint& point) {
+/// Where the proxy, which does not deform, has this point of the surface.
+Vec3 proxy_position(const Body& body, const SurfacePoint& point) {
   Vec3 arm = Vec3::Zero();
   for (int i = 0; i < 3; ++i) arm += point.weights[i] * body.reference_arms.col(place_of(body, point.nodes[i]));
   return body.motion.center + body.orientation * arm;
@@ -150,8 +150,8 @@ void correct_distances(WorldState& world, const TouchedBodies& touched) {
       const TouchedPoint& point = touched.bodies[i].points[k];
       Contact& contact = contacts[touched.responses[i].contacts[k]];
       if (contact.node_a.valid() || contact.node_b.valid()) continue;
-      const double side = contact.a == body.stand_in ? 1 : -1;
-      contact.distance += side * contact.normal.dot(point.position - stand_in_position(body, point.surface));
+      const double side = contact.a == body.proxy ? 1 : -1;
+      contact.distance += side * contact.normal.dot(point.position - proxy_position(body, point.surface));
     }
   }
 }

@@ -33,7 +33,7 @@ struct TouchedBodies {
 
 /// Lists what the contacts touch.
 TouchedBodies touched_bodies(const WorldState& world);
-/// Changes the contacts' distances from those of the stand-ins, which do not deform, to those of the elastic surfaces;
+/// Changes the contacts' distances from those of the proxies, which do not deform, to those of the elastic surfaces;
 /// those of nodes are right.
 void correct_distances(WorldState& world, const TouchedBodies& touched);
 /// Leaves out the contacts that will not push in a substep of `dt` [s]: here and in the contact world.

@@ -33,7 +33,7 @@ void change_bodies(WorldState& world, int scene_body) {
     for (NodeId node : body.nodes) world.nodes.masses[node] = node_mass(world, node);
     rebuild_body(world, body);
     const Material& material = world.material_of(body);
-    world.contact_world.set_surface(body.stand_in, {material.friction, material.restitution});
+    world.contact_world.set_surface(body.proxy, {material.friction, material.restitution});
   }
 }
 
@@ -60,8 +60,10 @@ void judge_anew(WorldState& world, int scene_body) {
 
 }  // namespace
 
-World::World(const Scene& scene, const Monitor& monitor) : impl_(std::make_unique<Impl>(WorldState(scene))) {
-  build_world(impl_->state, monitor);
+World::World(const Scene& scene, const Monitor& monitor) : World(scene, GivenMeshes(), monitor) {}
+World::World(const Scene& scene, const GivenMeshes& meshes, const Monitor& monitor)
+    : impl_(std::make_unique<Impl>(WorldState(scene))) {
+  build_world(impl_->state, monitor, meshes);
 }
 World::~World() = default;
 World::World(World&&) noexcept = default;
@@ -88,7 +90,7 @@ Frame World::frame() const {
   frame.first_surface = world.elements.first_surface;
   frame.face_opened = world.elements.opened;
   frame.stars = world.mesh.stars;
-  frame.rests = world.elements.rests;
+  frame.rest_elements = world.elements.rest_elements;
   frame.states = world.elements.states;
   frame.stresses = world.elements.stresses;
   frame.materials = world.materials;
@@ -127,7 +129,7 @@ void World::set_material(int scene_body, const Material& material) {
   change_bodies(world, scene_body);
   if (world.step == 0) {
     find_static_start(world, scene_body);
-    place_stand_ins(world);
+    place_proxies(world);
   }
   update_elements(world);
   judge_anew(world, scene_body);

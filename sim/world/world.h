@@ -7,16 +7,19 @@
 #include "sim/meshing/monitor.h"
 #include "sim/scene/scene.h"
 #include "sim/world/frame.h"
+#include "sim/world/given_meshes.h"
 
 namespace griffith {
 
-/// A scene in motion. Results depend on the scene, the shots and edits, and the number of steps alone: never on the clock,
-/// the number of threads or the frame rate.
+/// A scene in motion. Results depend on the scene, the shots and edits, and the number of steps alone: never on the
+/// clock, the number of threads or the frame rate.
 class World {
  public:
   /// Builds meshes and set-up. Throws InputError when a mesh or a value of the scene is unusable, Cancelled when the
   /// monitor, which is told of work that may last, says so.
   explicit World(const Scene& scene, const Monitor& monitor = {});
+  /// The same with meshes from memory in place of those files.
+  World(const Scene& scene, const GivenMeshes& meshes, const Monitor& monitor = {});
   ~World();
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
@@ -25,8 +28,8 @@ class World {
   void step();
   /// A read-only view, valid until the next call that changes the world.
   Frame frame() const;
-  /// What the user should know about the scene although it runs: supports, loads and probes that hold nothing, oddities of
-  /// mesh files. `where` is a JSON pointer, "#/bodies/0/loads/1/region".
+  /// What the user should know about the scene although it runs: supports, loads and probes that hold nothing, oddities
+  /// of mesh files. `where` is a JSON pointer, "#/bodies/0/loads/1/region".
   const std::vector<InputError>& findings() const;
 
   /// Launches `burst`, its start counted from now. Throws InputError for a shape whose file cannot be used.

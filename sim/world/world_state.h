@@ -18,37 +18,11 @@
 #include "sim/world/energy_account.h"
 #include "sim/world/frame.h"
 #include "sim/world/loads.h"
+#include "sim/world/mesh_arrays.h"
 #include "sim/world/probes.h"
 #include "sim/world/supports.h"
 
 namespace griffith {
-
-/// What moves, per node. Splitting a node appends to every array.
-struct NodeArrays {
-  std::vector<Vec3> positions, velocities;   ///< [m], [m/s]
-  std::vector<double> masses;                ///< lumped: a quarter of each tet of the star [kg]
-  std::vector<NodeConstraint> constraints;   ///< what supports leave free
-  std::vector<std::uint8_t> held;            ///< 1 where a support acts on the node
-  std::vector<std::uint8_t> at_crack_front;  ///< 1 where cut faces end
-  std::vector<double> strength_factors;      ///< what flaws leave of the strength [-]; 1 without scatter
-  std::vector<int> rows;                     ///< row in the system of the node's body, -1 for held ones
-  std::vector<NodeSeparation> separations;
-  std::vector<Vec3> reactions;               ///< what supports did to the node in the last step [N]
-  std::vector<Vec3> similarity_starts;       ///< of bodies in shock with f < 1: displacement from rest at its start [m]
-  std::vector<double> pushed_at;             ///< when something pushed it hard in a shock last [s]; −∞: never
-};
-
-/// Per tet; the rests change by remeshing alone.
-struct ElementArrays {
-  std::vector<ElementRest> rests;
-  std::vector<ElementState> states;
-  std::vector<Mat3> plastic_strains;  ///< in rest space, traceless [-]
-  std::vector<Mat3> similarity_strains;  ///< of bodies in shock: strain without stress, beside the plastic one [-]
-  std::vector<Mat3> stresses;         ///< Cauchy stress, world frame [Pa], for the frame
-  std::vector<BodyId> bodies;
-  std::vector<std::uint8_t> first_surface;  ///< bit i: face i was on the surface before anything broke
-  std::vector<std::array<double, 4>> opened;  ///< when a crack opened face i [s], else not a number
-};
 
 /// A body whose waves are resolved by microsteps (shock_run.h).
 struct Shock {
@@ -72,32 +46,32 @@ struct RigidStart {
   bool falls = false;                                ///< gravity acted on it: what sleeps at first is not moved by it
 };
 
-/// A connected piece of elastic material and its stand-in in the contact world.
+/// A connected piece of elastic material and its proxy in the contact world.
 struct Body {
   BodyId id, parent;
   int scene_body = 0;
-  std::vector<TetId> tets;               ///< ascending
-  std::vector<NodeId> nodes;             ///< ascending, held ones too
+  std::vector<TetId> tets;    ///< ascending
+  std::vector<NodeId> nodes;  ///< ascending, held ones too
   std::vector<SurfaceFace> surface;
-  NodeVectors reference_arms;            ///< nodes relative to the centre of mass when the shape was made [m]
+  NodeVectors reference_arms;  ///< nodes relative to the centre of mass when the shape was made [m]
   std::unique_ptr<ElasticSystem> system;
-  ProxyId stand_in;
-  std::vector<ConvexPart> collision_parts;  ///< of the stand-in, for the frame [m]
-  RigidMotion motion;                    ///< mass, momentum and inertia of the nodes now
-  Quat orientation = Quat::Identity();   ///< from the reference shape to now
-  double highest_frequency = 0;          ///< [rad/s]; 0 until explicit integration asks for it
-  bool rigid = false;                    ///< moves as a whole: nothing about it is elastic until it is hit
-  int calm_steps = 0;                    ///< steps in a row with next to no stress
-  bool asleep = false;                   ///< rigid, and lies still until something strikes it
-  double element_size = 0;               ///< edge length of the cubes that six of its tets would fill, mean [m]
-  double extent = 0;                     ///< longest edge of the box round it at rest [m]
-  double weakest_share = 1;              ///< of its material's resistance, at its weakest node and plane [-]
-  std::optional<ScaledImpact> scaled;    ///< of the last step, if any
-  double energy = 0;                     ///< kinetic and elastic, when the substep began [J]
-  double contact_work = 0;               ///< of the contacts in the substep, at the velocities after it [J]
-  RigidStart start;                      ///< of the present substep
-  std::vector<ContactLoad> harmless;     ///< of a rigid body: what it carried when it was calm, by object
-  double compliance_factor = 1;          ///< true compliance at contacts over the estimated one, as seen last
+  ProxyId proxy;
+  std::vector<ConvexPart> collision_parts;  ///< of the proxy, for the frame [m]
+  RigidMotion motion;                       ///< mass, momentum and inertia of the nodes now
+  Quat orientation = Quat::Identity();      ///< from the reference shape to now
+  double highest_frequency = 0;             ///< [rad/s]; 0 until explicit integration asks for it
+  bool rigid = false;                       ///< moves as a whole: nothing about it is elastic until it is hit
+  int calm_steps = 0;                       ///< steps in a row with next to no stress
+  bool asleep = false;                      ///< rigid, and lies still until something strikes it
+  double element_size = 0;                  ///< edge length of the cubes that six of its tets would fill, mean [m]
+  double extent = 0;                        ///< longest edge of the box round it at rest [m]
+  double weakest_share = 1;                 ///< of its material's resistance, at its weakest node and plane [-]
+  std::optional<ScaledImpact> scaled;       ///< of the last step, if any
+  double energy = 0;                        ///< kinetic and elastic, when the substep began [J]
+  double contact_work = 0;                  ///< of the contacts in the substep, at the velocities after it [J]
+  RigidStart start;                         ///< of the present substep
+  std::vector<ContactLoad> harmless;        ///< of a rigid body: what it carried when it was calm, by object
+  double compliance_factor = 1;             ///< true compliance at contacts over the estimated one, as seen last
 
   std::optional<Shock> shock;
   double shock_ended = -std::numeric_limits<double>::infinity();  ///< when it left its last shock [s]
@@ -109,9 +83,9 @@ struct Body {
 
 struct Projectile {
   ProxyId object;
-  double radius = 0, mass = 0;      ///< radius of the sphere round it [m], [kg]
+  double radius = 0, mass = 0;             ///< radius of the sphere round it [m], [kg]
   std::shared_ptr<const ConvexHull> hull;  ///< in its own frame, for all of a burst; null for a sphere
-  Mat3 inertia = Mat3::Zero();      ///< in its own frame [kg·m²]
+  Mat3 inertia = Mat3::Zero();             ///< in its own frame [kg·m²]
   SurfaceProperties surface;
 };
 
@@ -154,7 +128,7 @@ struct WorldState {
   SplinterSet splinters;
   SplinterState splinter_state;
   std::vector<std::vector<HullCorner>> splinter_hulls;  ///< per splinter; empty where they are not what touches
-  std::vector<Body> bodies;  ///< by BodyId; never removed
+  std::vector<Body> bodies;                             ///< by BodyId; never removed
   ContactWorld contact_world;
   std::vector<BodyId> body_of_proxy;  ///< per ProxyId; invalid for projectiles and the ground
   std::vector<Projectile> projectiles;
@@ -176,7 +150,7 @@ struct WorldState {
   SubstepStart substep_start;
 
   bool integrates_explicitly() const { return scene.simulation.integrator == Integrator::symplectic_euler; }
-  /// Whose stand-in this is; invalid for projectiles and the ground.
+  /// Whose proxy this is; invalid for projectiles and the ground.
   BodyId body_of(ProxyId proxy) const {
     const auto index = static_cast<std::size_t>(proxy.value);
     return index < body_of_proxy.size() ? body_of_proxy[index] : BodyId();

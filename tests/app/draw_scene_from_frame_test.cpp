@@ -23,7 +23,8 @@ TEST(DrawSceneFromFrame, ArraysFitTogether) {
   for (const char* quantity : {"von_mises", "speed", "body"}) {
     ViewSettings view;
     view.quantity = quantity;
-    const render::Surface surface = draw_scene_from_frame(frame, embedded_display(frame, small_wall()), small_wall(), view, {}).surface;
+    const render::Surface surface =
+        draw_scene_from_frame(frame, embedded_display(frame, small_wall()), small_wall(), view, {}).surface;
     const std::size_t triangles = surface.ids.size();
     EXPECT_EQ(surface.positions.size(), 3 * triangles);
     EXPECT_EQ(surface.flags.size(), triangles);

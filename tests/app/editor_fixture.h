@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "app/editor.h"
-#include "app/interface.h"
+#include "app/imgui_context_owner.h"
 #include "program.h"
 #include "renderer/egl_context.h"
 #include "renderer/target.h"
@@ -18,17 +18,17 @@ namespace griffith::app {
 /// The editor with graphics but without a window, driven through its widgets.
 class EditorTest : public ::testing::Test {
  protected:
-  explicit EditorTest(const Scene& scene = small_wall()) : interface_(1), target_(1200, 1000), editor_(scene, "") {
+  explicit EditorTest(const Scene& scene = small_wall()) : imgui_(1), target_(1200, 1000), editor_(scene, "") {
     draw(3);
   }
 
   void draw(int frames = 1) {
     for (int i = 0; i < frames; ++i) {
       editor_.draw_picture(1);
-      interface_.begin_frame(target_.width(), target_.height());
-      editor_.draw_panels(interface_.fonts());
+      imgui_.begin_frame(target_.width(), target_.height());
+      editor_.draw_panels(imgui_.fonts());
       target_.bind();
-      interface_.end_frame();
+      imgui_.end_frame();
     }
   }
 
@@ -97,7 +97,7 @@ class EditorTest : public ::testing::Test {
   }
 
   render::EglContext context_;
-  Interface interface_;
+  ImGuiContextOwner imgui_;
   render::Target target_;
   Editor editor_;
 };

@@ -1,9 +1,8 @@
-#include "app/editor.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include "app/editor.h"
 #include "editor_fixture.h"
 #include "sim/elasticity/principal_stress.h"
 #include "sim/scene/scene_writer.h"

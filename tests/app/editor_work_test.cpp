@@ -1,5 +1,3 @@
-#include "app/editor.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <imgui.h>
@@ -8,6 +6,7 @@
 #include <chrono>
 #include <thread>
 
+#include "app/editor.h"
 #include "editor_fixture.h"
 #include "sim/scene/scene_writer.h"
 
@@ -41,7 +40,9 @@ TEST_F(EditorTest, WorkThatLastsShowsADialogThatCancelsIt) {
   const std::string before = editor_.title();
   editor_.open(path);
   insist();
-  const auto begins = [&] { return value("work/stage") == "Building the bodies" || value("work/stage") == "Meshing body 1 of 1"; };
+  const auto begins = [&] {
+    return value("work/stage") == "Building the bodies" || value("work/stage") == "Meshing body 1 of 1";
+  };
   for (int i = 0; i < 600 && begins(); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     draw();

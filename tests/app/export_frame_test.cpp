@@ -19,9 +19,7 @@ World broken_wall() {
   return world;
 }
 
-std::filesystem::path output(const std::string& name) {
-  return std::filesystem::path(::testing::TempDir()) / name;
-}
+std::filesystem::path output(const std::string& name) { return std::filesystem::path(::testing::TempDir()) / name; }
 
 class ExportFrame : public ::testing::TestWithParam<const char*> {};
 

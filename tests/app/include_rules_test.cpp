@@ -107,6 +107,11 @@ TEST(IncludeRules, LowerFoldersOfTheSimulationKnowNoHigherOnes) {
   }
 }
 
+TEST(IncludeRules, ExamplesKnowThePackageAlone) {
+  for (const char* forbidden : {"^(sim|renderer|ui|app)/", kBullet, kImGui, kGraphics})
+    expect_none("examples", forbidden);
+}
+
 TEST(IncludeRules, OwnHeadersAreIncludedFromTheRoot) {
   for (const char* folder : {"sim", "renderer", "ui", "app"}) {
     for (const Include& include : includes_under(folder)) {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "app/draw_scene_from_frame.h"
-#include "app/interface.h"
+#include "app/imgui_context_owner.h"
 #include "app/picture_options.h"
 #include "app/scene_camera.h"
 #include "renderer/egl_context.h"
@@ -46,15 +46,15 @@ class LegendCornerTest : public ::testing::Test {
         draw_scene_from_frame(frame, embedded_display(frame, scene), scene, scene.view, {});
     const render::Camera camera = scene_camera(scene, "", picture, kSize.x / kSize.y);
     ui::Legend legend = *scene_legend(picture, false);
-    legend.corner = legend_corner(picture, camera, legend, interface_.fonts(), kSize, 1);
+    legend.corner = legend_corner(picture, camera, legend, imgui_.fonts(), kSize, 1);
     if (chosen) *chosen = legend.corner;
-    const auto [low, high] = ui::legend_card(legend, legend.corner, interface_.fonts(), {{0, 0}, kSize}, 1);
+    const auto [low, high] = ui::legend_card(legend, legend.corner, imgui_.fonts(), {{0, 0}, kSize}, 1);
     const AlignedBox2f part(Vector2f(low.x / kSize.x, low.y / kSize.y), Vector2f(high.x / kSize.x, high.y / kSize.y));
     return covered_share(picture, camera, kSize.x / kSize.y, part);
   }
 
   render::EglContext context_;
-  Interface interface_{1};
+  ImGuiContextOwner imgui_{1};
 };
 
 TEST_F(LegendCornerTest, CoversNothingInScenesWhoseBodiesReachIntoTheUsualCorner) {
@@ -68,7 +68,7 @@ TEST_F(LegendCornerTest, CoversNothingInScenesWhoseBodiesReachIntoTheUsualCorner
 TEST_F(LegendCornerTest, StaysWhereItIsWhileItCoversNothing) {
   ui::Legend legend{"stress", "Pa", 0, 3e6, {}};
   legend.corner = ui::LegendCorner::lower_left;
-  EXPECT_EQ(legend_corner({}, {}, legend, interface_.fonts(), kSize, 1), ui::LegendCorner::lower_left);
+  EXPECT_EQ(legend_corner({}, {}, legend, imgui_.fonts(), kSize, 1), ui::LegendCorner::lower_left);
 }
 
 TEST_F(LegendCornerTest, CardGrowsWithThePicture) {
@@ -77,8 +77,8 @@ TEST_F(LegendCornerTest, CardGrowsWithThePicture) {
   EXPECT_EQ(writing_scale(7680, 4320), 6);
   EXPECT_EQ(writing_scale(720, 1280), 0.8f);  // narrow, but legible
   for (const ui::LegendCorner corner : ui::kLegendCorners) {
-    const auto small = ui::legend_card(legend, corner, interface_.fonts(), {{0, 0}, kSize}, 1);
-    const auto large = ui::legend_card(legend, corner, interface_.fonts(), {{0, 0}, {7680, 4320}}, 6);
+    const auto small = ui::legend_card(legend, corner, imgui_.fonts(), {{0, 0}, kSize}, 1);
+    const auto large = ui::legend_card(legend, corner, imgui_.fonts(), {{0, 0}, {7680, 4320}}, 6);
     EXPECT_NEAR(large.minimum.x, 6 * small.minimum.x, 12);
     EXPECT_NEAR(large.maximum.x, 6 * small.maximum.x, 12);
     EXPECT_NEAR(large.minimum.y, 6 * small.minimum.y, 12);

@@ -34,13 +34,13 @@ TEST(WorldLoader, CancelReturnsAtOnceHoweverSeldomTheWorkAsks) {
     end.get_future().wait();
     return scene_of(BoxShape{});
   };
-  loader.start(Work::open, deaf, "", kAnyMany);
+  loader.start(LoadReason::open, deaf, "", kAnyMany);
   begun.get_future().wait();
   const auto start = std::chrono::steady_clock::now();
   loader.cancel();
   EXPECT_LT(seconds_since(start), 0.3);
   EXPECT_TRUE(loader.stage().empty());
-  loader.start(Work::follow, scene_of(SphereShape{}), "", kAnyMany);
+  loader.start(LoadReason::follow, scene_of(SphereShape{}), "", kAnyMany);
   EXPECT_LT(seconds_since(start), 0.3);
   ASSERT_TRUE(loader.wait(60));
   EXPECT_TRUE(std::holds_alternative<SphereShape>(loader.take()->scene.bodies[0].shape)) << "not what was given up";
@@ -49,7 +49,7 @@ TEST(WorldLoader, CancelReturnsAtOnceHoweverSeldomTheWorkAsks) {
 
 TEST(WorldLoader, AMeshLargerThanWantedIsMadeWhenAskedForAgain) {
   WorldLoader loader;
-  loader.start(Work::open, scene_of(BoxShape{}), "", 10);
+  loader.start(LoadReason::open, scene_of(BoxShape{}), "", 10);
   ASSERT_TRUE(loader.wait(60));
   try {
     loader.take();
@@ -67,7 +67,7 @@ TEST(WorldLoader, ASurfaceThatCannotBeReadIsToldWithItsBody) {
   surface.path = test_folder() / "missing.off";
   surface.meshing.element_size = 0.05;
   WorldLoader loader;
-  loader.start(Work::open, scene_of(surface), "scene.json", kAnyMany);
+  loader.start(LoadReason::open, scene_of(surface), "scene.json", kAnyMany);
   ASSERT_TRUE(loader.wait(60));
   try {
     loader.take();

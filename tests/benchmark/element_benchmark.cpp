@@ -17,7 +17,7 @@ constexpr int kElements = 1024;
 
 /// Turned elements under strains of the size `strain`.
 struct Elements {
-  std::vector<ElementRest> rests;
+  std::vector<RestElement> rest_elements;
   std::vector<Corners> corners;
   std::vector<Mat3> gradients;
   std::vector<ElementState> states;
@@ -26,15 +26,15 @@ struct Elements {
   explicit Elements(double strain, ElementModel model = ElementModel::corotational) {
     law.model = model;
     testing::RandomValues random(1);
-    while (rests.size() < kElements) {
+    while (rest_elements.size() < kElements) {
       Corners rest_corners;
       for (int i = 0; i < 4; ++i) rest_corners.col(i) = random.vector();
       if ((rest_corners.rightCols<3>().colwise() - rest_corners.col(0)).determinant() < 0.1) continue;
       const Mat3 gradient = random.rotation() * (Mat3::Identity() + random.matrix(strain));
-      rests.push_back(element_rest(rest_corners));
+      rest_elements.push_back(rest_element(rest_corners));
       corners.push_back(gradient * rest_corners);
       gradients.push_back(gradient);
-      states.push_back(element_state(law, element_deformation(model, rests.back(), corners.back())));
+      states.push_back(element_state(law, element_deformation(model, rest_elements.back(), corners.back())));
     }
   }
 };
@@ -52,7 +52,7 @@ double strain(const benchmark::State& state) { return 1.0 / static_cast<double>(
 void whole_state(benchmark::State& state, ElementModel model) {
   const Elements elements(strain(state), model);
   run(state, [&](int i) {
-    return element_state(elements.law, element_deformation(model, elements.rests[i], elements.corners[i]));
+    return element_state(elements.law, element_deformation(model, elements.rest_elements[i], elements.corners[i]));
   });
 }
 BENCHMARK_CAPTURE(whole_state, corotational, ElementModel::corotational)->Arg(10000)->Arg(10);
@@ -81,7 +81,7 @@ BENCHMARK(tensile_direct);
 
 void stiffness(benchmark::State& state, ElementModel model) {
   const Elements elements(1e-4, model);
-  run(state, [&](int i) { return stiffness_row(elements.law, elements.rests[i], elements.states[i], 0); });
+  run(state, [&](int i) { return stiffness_row(elements.law, elements.rest_elements[i], elements.states[i], 0); });
 }
 BENCHMARK_CAPTURE(stiffness, corotational, ElementModel::corotational);
 BENCHMARK_CAPTURE(stiffness, green_strain, ElementModel::green_strain);

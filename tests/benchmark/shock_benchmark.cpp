@@ -24,15 +24,15 @@ Solid vibrating_block(int tets, ElementModel model) {
     solid.add_node({rest, Vec3::Zero(), 0.1 * Vec3(std::sin(9 * rest.x()), std::cos(7 * rest.y()), rest.z()),
                     Vec3::Zero(), material.density / static_cast<double>(mesh.rest_positions.size())});
   std::vector<std::array<int, 4>> corners;
-  std::vector<ElementRest> rests;
+  std::vector<RestElement> rest_elements;
   for (const auto& tet : mesh.tets) {
     Corners places;
     for (int i = 0; i < 4; ++i) places.col(i) = mesh.rest_positions[tet[i]];
-    rests.push_back(element_rest(places));
+    rest_elements.push_back(rest_element(places));
     corners.push_back({tet[0], tet[1], tet[2], tet[3]});
   }
   const std::vector<Mat3> offsets(corners.size(), Mat3::Zero());
-  solid.add_body(elastic_law(material), material.density, corners, rests, offsets);
+  solid.add_body(elastic_law(material), material.density, corners, rest_elements, offsets);
   solid.finish();
   solid.set_step(solid.stable_step(0.5));
   return solid;

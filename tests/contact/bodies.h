@@ -27,20 +27,20 @@ inline RigidMass box_mass(const Vec3& size, double mass) {
   return {mass, (mass / 12 * (squares.sum() - squares.array())).matrix().asDiagonal()};
 }
 
-/// Moves a stand-in as a rigid body: what the elastic solve does, without elasticity.
-inline void advance(ContactWorld& world, ProxyId stand_in, double dt) {
-  RigidState state = world.state(stand_in);
-  const auto correction = world.position_correction(stand_in);
+/// Moves a proxy as a rigid body: what the elastic solve does, without elasticity.
+inline void advance(ContactWorld& world, ProxyId proxy, double dt) {
+  RigidState state = world.state(proxy);
+  const auto correction = world.position_correction(proxy);
   state.pose.translation += dt * state.velocity + correction.translation;
   const Vec3 turn = dt * state.angular_velocity + correction.rotation;
   if (turn.norm() > 0)
     state.pose.rotation = (Quat(Eigen::AngleAxisd(turn.norm(), turn.normalized())) * state.pose.rotation).normalized();
-  world.set_state(stand_in, state);
+  world.set_state(proxy, state);
 }
 
-/// What the owner of a stand-in does with external forces.
-inline void accelerate(ContactWorld& world, const std::vector<ProxyId>& stand_ins, const Vec3& change) {
-  for (ProxyId id : stand_ins)
+/// What the owner of a proxy does with external forces.
+inline void accelerate(ContactWorld& world, const std::vector<ProxyId>& proxies, const Vec3& change) {
+  for (ProxyId id : proxies)
     world.set_velocity(id, world.state(id).velocity + change, world.state(id).angular_velocity);
 }
 
@@ -51,11 +51,11 @@ inline void solve(ContactWorld& world, double dt) {
   world.advance(dt);
 }
 
-inline void substep(ContactWorld& world, const std::vector<ProxyId>& stand_ins, double dt,
+inline void substep(ContactWorld& world, const std::vector<ProxyId>& proxies, double dt,
                     const Vec3& gravity = Vec3::Zero()) {
-  accelerate(world, stand_ins, dt * gravity);
+  accelerate(world, proxies, dt * gravity);
   solve(world, dt);
-  for (ProxyId id : stand_ins) advance(world, id, dt);
+  for (ProxyId id : proxies) advance(world, id, dt);
 }
 
 inline const Vec3 kGravity(0, -9.81, 0);

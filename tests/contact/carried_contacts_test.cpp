@@ -11,7 +11,7 @@ using namespace testing;
 struct TouchingBoxes {
   explicit TouchingBoxes(const std::array<RigidState, 2>& states) : world(Vec3::Zero()) {
     for (const RigidState& state : states)
-      world.add_stand_in(box_parts(Vec3(1, 0.4, 0.7)), box_mass(Vec3(1, 0.4, 0.7), 5), Mobility::free, state, {0.5, 0});
+      world.add_proxy(box_parts(Vec3(1, 0.4, 0.7)), box_mass(Vec3(1, 0.4, 0.7), 5), Mobility::free, state, {0.5, 0});
     world.detect();
   }
   ContactWorld world;

@@ -25,7 +25,7 @@ std::vector<double> random_heap(unsigned seed) {
       parts.push_back(random_chunk(random, 0.1));
       for (Vec3& corner : parts.back()) corner.x() += 0.15;
     }
-    chunks.push_back(world.add_stand_in(parts, box_mass(size, 2), Mobility::free, chunk_state(), {}));
+    chunks.push_back(world.add_proxy(parts, box_mass(size, 2), Mobility::free, chunk_state(), {}));
   }
   for (int step = 0; step < 120; ++step) {
     if (step % 20 == 0) balls.push_back(world.add_sphere(0.1, 5, at(Vec3(0, 1, 5), Vec3(uniform(random), 0, -40)), {}));

@@ -86,7 +86,7 @@ TEST(ConvexHull, FlatInputsAreSafe) {
     if (points.empty()) continue;
     ContactWorld world(Vec3(0, -9.81, 0));
     world.add_ground(0, {});
-    const ProxyId sliver = world.add_stand_in(std::vector<ConvexPart>{points}, {}, Mobility::free, {}, {});
+    const ProxyId sliver = world.add_proxy(std::vector<ConvexPart>{points}, {}, Mobility::free, {}, {});
     testing::substep(world, {sliver}, 1e-3);
     EXPECT_TRUE(world.state(sliver).velocity.allFinite());
   }

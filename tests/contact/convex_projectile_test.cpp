@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <random>
 
-#include "sim/contact/solid.h"
+#include "sim/contact/mass_properties.h"
 #include "sim/free_turn.h"
 #include "tests/contact/bodies.h"
 
@@ -29,28 +29,29 @@ struct Convex {
 };
 
 Convex centred(const ConvexPart& corners, double mass) {
-  const Solid solid = solid_of(convex_hull(corners));
+  const MassProperties solid = mass_properties(convex_hull(corners));
   Convex made{corners, {mass, mass / solid.volume * solid.inertia}};
   for (Vec3& corner : made.corners) corner -= solid.center;
   return made;
 }
 
-TEST(Solid, BoxesAndTetsHaveTheInertiaOfTheTextbooks) {
+TEST(MassProperties, BoxesAndTetsHaveTheInertiaOfTheTextbooks) {
   const Vec3 size(0.3, 0.5, 0.7);
   ConvexPart corners = box_part(size);
   for (Vec3& corner : corners) corner += Vec3(1, 2, 3);
-  const Solid box = solid_of(convex_hull(corners));
+  const MassProperties box = mass_properties(convex_hull(corners));
   EXPECT_NEAR(box.volume, size.prod(), 1e-12);
   EXPECT_LT((box.center - Vec3(1, 2, 3)).norm(), 1e-12);
   EXPECT_LT((box.inertia - box_mass(size, size.prod()).inertia).norm(), 1e-12);
-  const Solid tet = solid_of(convex_hull(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
+  const MassProperties tet =
+      mass_properties(convex_hull(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
   EXPECT_NEAR(tet.volume, 1.0 / 6, 1e-12);
   EXPECT_LT((tet.center - Vec3::Constant(0.25)).norm(), 1e-12);
   EXPECT_NEAR(tet.inertia(0, 0), 1.0 / 80, 1e-12);   // 2 (1/60 − 1/6 · 1/16)
   EXPECT_NEAR(tet.inertia(0, 1), 1.0 / 480, 1e-12);  // −(1/120 − 1/6 · 1/16)
 }
 
-TEST(Solid, PointsInAPlaneHaveNoVolume) {
+TEST(MassProperties, PointsInAPlaneHaveNoVolume) {
   EXPECT_FALSE(is_solid(convex_hull(std::vector<Vec3>{})));
   EXPECT_FALSE(is_solid(convex_hull(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})));
   EXPECT_FALSE(is_solid(convex_hull(std::vector<Vec3>{{0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}, {.3, .4, 1}})));
@@ -66,7 +67,7 @@ TEST(ConvexProjectile, NoneOfThemPassesThroughAThinPlate) {
       const Vec3 size(3, 3, 0.1);
       const bool held = trial % 2 == 0;
       const ProxyId plate =
-          world.add_stand_in(box_parts(size), box_mass(size, 80), held ? Mobility::held : Mobility::free, {}, {});
+          world.add_proxy(box_parts(size), box_mass(size, 80), held ? Mobility::held : Mobility::free, {}, {});
       const Convex convex = centred(shape, 1);
       RigidState state;
       state.pose.translation = Vec3(0.5 * uniform(random), 0.5 * uniform(random), 3 + uniform(random));

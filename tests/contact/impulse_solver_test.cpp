@@ -15,16 +15,16 @@ Mat3 axes_along(const Vec3& normal) {
   return axes;
 }
 
-Responder moving(double mass, const Vec3& velocity) {
-  Responder responder;
+SolverBody moving(double mass, const Vec3& velocity) {
+  SolverBody responder;
   responder.inverse_mass = 1 / mass;
   responder.inverse_inertia = 10 / mass * Mat3::Identity();
   responder.velocity = velocity;
   return responder;
 }
 
-ContactRow touch(int a, int b, const Vec3& normal, double friction = 0) {
-  ContactRow row;
+ContactConstraint touch(int a, int b, const Vec3& normal, double friction = 0) {
+  ContactConstraint row;
   row.a.responder = a;
   row.b.responder = b;
   row.axes = axes_along(normal);
@@ -40,15 +40,15 @@ struct Column {
       rows.push_back(touch(i, i - 1, Vec3::UnitY()));
     }
   }
-  std::vector<Responder> responders;
-  std::vector<ContactRow> rows;
+  std::vector<SolverBody> responders;
+  std::vector<ContactConstraint> rows;
 };
 
 TEST(ImpulseSolver, AColumnRestsOnWhatEachContactCarries) {
   Column column(30);
   solve_impulses(column.rows, column.responders, kExact);
   for (int i = 0; i < 30; ++i) EXPECT_NEAR(column.rows[i].impulse[0], 30 - i, 1e-6);
-  for (const Responder& responder : column.responders) EXPECT_LT(responder.velocity.norm(), 1e-7);
+  for (const SolverBody& responder : column.responders) EXPECT_LT(responder.velocity.norm(), 1e-7);
 }
 
 TEST(ImpulseSolver, ConjugateStepsFindTheColumnsImpulsesInFewSweeps) {
@@ -59,9 +59,9 @@ TEST(ImpulseSolver, ConjugateStepsFindTheColumnsImpulsesInFewSweeps) {
 
 TEST(ImpulseSolver, FrictionStopsASlideOrOpposesItWithItsLimit) {
   for (const double friction : {0.3, 0.5}) {
-    std::vector<Responder> responders = {Responder{}, moving(2, Vec3(0.4, -1, 0))};
+    std::vector<SolverBody> responders = {SolverBody{}, moving(2, Vec3(0.4, -1, 0))};
     responders[1].inverse_inertia.setZero();
-    std::vector<ContactRow> rows = {touch(1, 0, Vec3::UnitY(), friction)};
+    std::vector<ContactConstraint> rows = {touch(1, 0, Vec3::UnitY(), friction)};
     solve_impulses(rows, responders, kExact);
     EXPECT_NEAR(rows[0].impulse[0], 2, 1e-9);
     EXPECT_NEAR(responders[1].velocity.x(), std::max(0.0, 0.4 - friction), 1e-9) << friction;
@@ -83,31 +83,31 @@ struct Heap {
       rows.back().b.arm = 0.2 * vector();
     }
   }
-  Vec3 velocity(const ContactRow& row) const {
+  Vec3 velocity(const ContactConstraint& row) const {
     const auto at = [&](const ContactEnd& end) {
-      const Responder& responder = responders[end.responder];
+      const SolverBody& responder = responders[end.responder];
       return Vec3(responder.velocity + responder.angular_velocity.cross(end.arm));
     };
     return row.axes.transpose() * (at(row.a) - at(row.b));
   }
   double energy() const {
     double energy = 0;
-    for (const Responder& responder : responders) {
+    for (const SolverBody& responder : responders) {
       if (responder.inverse_mass == 0) continue;
       energy += 0.5 / responder.inverse_mass *
                 (responder.velocity.squaredNorm() + responder.angular_velocity.squaredNorm() / 10);
     }
     return energy;
   }
-  std::vector<Responder> responders;
-  std::vector<ContactRow> rows;
+  std::vector<SolverBody> responders;
+  std::vector<ContactConstraint> rows;
 };
 
 TEST(ImpulseSolver, SolvesTheComplementarityProblem) {
   for (int seed = 0; seed < 20; ++seed) {
     Heap heap(seed, 0);
     solve_impulses(heap.rows, heap.responders, kExact);
-    for (const ContactRow& row : heap.rows) {
+    for (const ContactConstraint& row : heap.rows) {
       const double parting = heap.velocity(row)[0];
       EXPECT_GE(row.impulse[0], 0);
       EXPECT_GT(parting, -1e-6) << seed;
@@ -121,7 +121,7 @@ TEST(ImpulseSolver, KeepsToTheLimitsOfFrictionHoweverEarlyItEnds) {
     for (int sweeps : {1, 2, 3, 7, 200}) {
       Heap heap(seed, 0.6);
       solve_impulses(heap.rows, heap.responders, {.least_sweeps = 1, .most_sweeps = sweeps});
-      for (const ContactRow& row : heap.rows)
+      for (const ContactConstraint& row : heap.rows)
         EXPECT_LE(row.impulse.tail<2>().norm(), row.friction * row.impulse[0] * (1 + 1e-12) + 1e-15);
     }
 }
@@ -141,7 +141,7 @@ TEST(ImpulseSolver, GroupsThatDoNotTouchDoNotKnowOfEachOther) {
   solve_impulses(right.rows, right.responders);
   const Heap fresh(2, 0.6);
   for (std::size_t i = 1; i < fresh.responders.size(); ++i) both.responders.push_back(fresh.responders[i]);
-  for (ContactRow row : fresh.rows) {
+  for (ContactConstraint row : fresh.rows) {
     for (ContactEnd* end : {&row.a, &row.b})
       if (end->responder > 0) end->responder += 12;
     both.rows.push_back(row);

@@ -14,8 +14,8 @@ struct Row {
   Row(const std::vector<double>& gaps, const std::vector<double>& velocities) : world(Vec3::Zero()) {
     double x = 0;
     for (std::size_t i = 0; i < velocities.size(); ++i) {
-      cubes.push_back(world.add_stand_in(box_parts(kSize), box_mass(kSize, 1), Mobility::free,
-                                         at(Vec3(x, 0, 0), Vec3(velocities[i], 0, 0)), {0.5, 0}));
+      cubes.push_back(world.add_proxy(box_parts(kSize), box_mass(kSize, 1), Mobility::free,
+                                      at(Vec3(x, 0, 0), Vec3(velocities[i], 0, 0)), {0.5, 0}));
       if (i < gaps.size()) x += 1 + gaps[i];
     }
     world.detect();

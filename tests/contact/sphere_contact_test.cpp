@@ -108,7 +108,7 @@ TEST(SphereContact, NoneMovesFurtherThanItsSpeedAllows) {
       const Vec3 size(0.05 + 0.3 * std::abs(uniform(random)), 0.4, 0.05);
       RigidState state = at(0.6 * Vec3(uniform(random), uniform(random), uniform(random)));
       state.angular_velocity = 60 * Vec3(uniform(random), uniform(random), uniform(random));
-      debris.push_back(world.add_stand_in(box_parts(size), box_mass(size, 0.3), Mobility::free, state, {}));
+      debris.push_back(world.add_proxy(box_parts(size), box_mass(size, 0.3), Mobility::free, state, {}));
     }
     const ProxyId ball = world.add_sphere(0.1, 5, at(Vec3(0.2 * uniform(random), 0, 2), Vec3(0, 0, -28)), {});
     double way = 0, due = 0;
@@ -161,7 +161,7 @@ TEST(SphereContact, ComplianceSoftensTheImpulse) {
   for (double compliance : {0.0, 0.05, 1.0, 20.0}) {
     ContactWorld world(Vec3::Zero());
     const Vec3 size(2, 2, 0.1);
-    const ProxyId plate = world.add_stand_in(box_parts(size), box_mass(size, 40), Mobility::free, {}, {0, 0});
+    const ProxyId plate = world.add_proxy(box_parts(size), box_mass(size, 40), Mobility::free, {}, {0, 0});
     world.add_sphere(0.2, 10, at(Vec3(0, 0, 0.25), Vec3(0, 0, -7)), {0, 0});
     world.detect();
     ASSERT_EQ(world.contacts().size(), 1u);
@@ -184,7 +184,7 @@ TEST(SphereContact, NothingPassesThroughAThinPlate) {
     const Vec3 size(2, 2, trial % 2 ? 0.1 : 0.01);
     const bool held = trial % 4 < 2;
     const ProxyId plate =
-        world.add_stand_in(box_parts(size), box_mass(size, 80), held ? Mobility::held : Mobility::free, {}, {});
+        world.add_proxy(box_parts(size), box_mass(size, 80), held ? Mobility::held : Mobility::free, {}, {});
     const Vec3 aim(0.5 * uniform(random), 0.5 * uniform(random), 0);
     const Vec3 start = aim + Vec3(0.3 * uniform(random), 0.3 * uniform(random), 3 + uniform(random));
     const double speed = 100;
@@ -212,7 +212,7 @@ TEST(SphereContact, NothingThatSlidesAlongOneWallEntersTheNext) {
   for (const double way : {0.02, 0.05, 0.1, 0.15})
     for (const double height : {0.0, 1e-4, 1e-3, 5e-3}) {
       ContactWorld world(Vec3(0, -9.81, 0));
-      world.add_stand_in(corner, box_mass(Vec3::Ones(), 80), Mobility::held, {}, {0, 0});
+      world.add_proxy(corner, box_mass(Vec3::Ones(), 80), Mobility::held, {}, {0, 0});
       const Vec3 start(kWall - kRadius - way, kRadius + height, 0);
       const ProxyId ball = world.add_sphere(kRadius, 1, at(start, Vec3(20, -2 * height / kDt, 0)), {0, 0});
       for (int i = 0; i < 3; ++i) {
@@ -235,7 +235,7 @@ TEST(SphereContact, AnImpactIsForetold) {
   for (bool approaching : {true, false}) {
     ContactWorld world(Vec3(0, -9.81, 0));
     const Vec3 size(2, 2, 0.1);
-    const ProxyId plate = world.add_stand_in(box_parts(size), box_mass(size, 80), Mobility::held, {}, {});
+    const ProxyId plate = world.add_proxy(box_parts(size), box_mass(size, 80), Mobility::held, {}, {});
     world.set_impact_speed(plate, 10);
     world.add_sphere(0.2, 25, at(Vec3(0, 0, 0.5), Vec3(0, 0, approaching ? -40 : 40)), {});
     world.detect();
@@ -250,7 +250,7 @@ TEST(SphereContact, AnImpactIsForetold) {
 TEST(SphereContact, TimeBeforeAnImpactIsThatOfFreeFlight) {
   ContactWorld world(Vec3::Zero());
   const Vec3 size(2, 2, 0.1);
-  world.set_impact_speed(world.add_stand_in(box_parts(size), box_mass(size, 80), Mobility::held, {}, {}), 10);
+  world.set_impact_speed(world.add_proxy(box_parts(size), box_mass(size, 80), Mobility::held, {}, {}), 10);
   world.add_sphere(0.2, 25, at(Vec3(0, 0, 0.5), Vec3(0, 0, -40)), {});   // 0.25 m off
   world.add_sphere(0.2, 25, at(Vec3(0, 0, -0.6), Vec3(0, 0, 50)), {});   // 0.35 m off
   world.add_sphere(0.2, 25, at(Vec3(0.7, 0, 0.3), Vec3(0, 0, -9)), {});  // too slow to hurt
@@ -277,7 +277,7 @@ TEST(SphereContact, WhatTurnsFarAwayStopsNothing) {
   RigidState turning = at(Vec3::Zero());
   turning.angular_velocity = Vec3(0, 0, 3 / kDt);  // nearly half a turn
   const Vec3 size(1, 0.2, 0.2);
-  world.add_stand_in(box_parts(size), box_mass(size, 1), Mobility::free, turning, {});
+  world.add_proxy(box_parts(size), box_mass(size, 1), Mobility::free, turning, {});
   step(world);
   EXPECT_LT((world.state(ball).pose.translation - Vec3(3, kDt, 0)).norm(), 1e-12);
 }

@@ -14,10 +14,12 @@ struct ElasticBody : ElasticMesh {
   std::vector<Mat3> plastic_strains;
 
   ElasticBody(const TetSoup& soup, const Material& of) : ElasticMesh(soup, of) {
-    plastic_strains.assign(rests.size(), Mat3::Zero());
+    plastic_strains.assign(rest_elements.size(), Mat3::Zero());
   }
 
-  ElementState state(TetId tet) const { return element_state(law(), deformation(tet, positions), plastic_strains[tet]); }
+  ElementState state(TetId tet) const {
+    return element_state(law(), deformation(tet, positions), plastic_strains[tet]);
+  }
   void flow_plastically() {
     const std::optional<PlasticLaw> plastic = plastic_law(material);
     for (TetId tet(0); plastic && tet < mesh.tet_count(); ++tet.value)
@@ -35,7 +37,8 @@ struct ElasticBody : ElasticMesh {
   }
   double elastic_energy() const {
     double sum = 0;
-    for (TetId tet(0); tet < mesh.tet_count(); ++tet.value) sum += rests[tet].volume * state(tet).energy_density;
+    for (TetId tet(0); tet < mesh.tet_count(); ++tet.value)
+      sum += rest_elements[tet].volume * state(tet).energy_density;
     return sum;
   }
   /// Every node weighs `mass` [kg]; `damping` [1/s].

@@ -25,7 +25,7 @@ INSTANTIATE_TEST_SUITE_P(Models, Element, ::testing::Values(ElementModel::corota
 constexpr ElasticLaw kGreen{ElementModel::green_strain, 2e6, 3e6};
 
 /// −∂f/∂x by central differences, row i of blocks for corner i.
-Eigen::Matrix<double, 12, 12> difference_quotient(const ElasticLaw& law, const ElementRest& rest,
+Eigen::Matrix<double, 12, 12> difference_quotient(const ElasticLaw& law, const RestElement& rest,
                                                   const Corners& corners) {
   const double h = 1e-6;
   Eigen::Matrix<double, 12, 12> stiffness;
@@ -38,18 +38,18 @@ Eigen::Matrix<double, 12, 12> difference_quotient(const ElasticLaw& law, const E
   return stiffness;
 }
 
-Eigen::Matrix<double, 12, 12> stiffness_of(const ElasticLaw& law, const ElementRest& rest, const Corners& corners) {
+Eigen::Matrix<double, 12, 12> stiffness_of(const ElasticLaw& law, const RestElement& rest, const Corners& corners) {
   Eigen::Matrix<double, 12, 12> stiffness;
   for (int i = 0; i < 4; ++i)
     stiffness.middleRows<3>(3 * i) = stiffness_row(law, rest, elastic_state(law, rest, corners), i);
   return stiffness;
 }
 
-TEST(ElementRest, GradientsSumToZeroAndReproduceLinearFields) {
+TEST(RestElement, GradientsSumToZeroAndReproduceLinearFields) {
   RandomValues random(1);
   for (int i = 0; i < 100; ++i) {
     const Corners rest_corners = random_corners(random);
-    const ElementRest rest = element_rest(rest_corners);
+    const RestElement rest = rest_element(rest_corners);
     EXPECT_LT(rest.shape_gradients.rowwise().sum().norm(), 1e-12);
     const Mat3 f = random.matrix();
     EXPECT_LT((deformation_gradient(rest, f * rest_corners) - f).norm(), 1e-11);
@@ -60,7 +60,7 @@ TEST_P(Element, ForceIsMinusTheGradientOfTheEnergy) {
   RandomValues random(2);
   for (int trial = 0; trial < 50; ++trial) {
     const Corners rest_corners = random_corners(random);
-    const ElementRest rest = element_rest(rest_corners);
+    const RestElement rest = rest_element(rest_corners);
     const Corners corners = shaken(random.rotation() * rest_corners, random, 0.05);
     const Corners force = elastic_forces(law(), rest, corners);
     const auto energy = [&](const Corners& x) { return rest.volume * elastic_state(law(), rest, x).energy_density; };
@@ -78,7 +78,7 @@ TEST_P(Element, StiffnessIsTheDerivativeOfTheForceAtRest) {
   RandomValues random(3);
   for (int trial = 0; trial < 20; ++trial) {
     const Corners rest_corners = random_corners(random);
-    const ElementRest rest = element_rest(rest_corners);
+    const RestElement rest = rest_element(rest_corners);
     const Corners corners = random.rotation() * rest_corners;
     const auto stiffness = stiffness_of(law(), rest, corners);
     EXPECT_LT((difference_quotient(law(), rest, corners) - stiffness).norm(), 1e-7 * stiffness.norm());
@@ -89,7 +89,7 @@ TEST(GreenElement, StiffnessIsExactInTension) {
   RandomValues random(4);
   for (int trial = 0; trial < 20; ++trial) {
     const Corners rest_corners = random_corners(random);
-    const ElementRest rest = element_rest(rest_corners);
+    const RestElement rest = rest_element(rest_corners);
     const Vec3 stretches(random.uniform(1.2, 2), random.uniform(1.2, 2), random.uniform(1.2, 2));
     const Corners corners = random.rotation() * stretches.asDiagonal() * random.rotation() * rest_corners;
     const auto stiffness = stiffness_of(kGreen, rest, corners);
@@ -100,7 +100,7 @@ TEST(GreenElement, StiffnessIsExactInTension) {
 TEST_P(Element, StiffnessIsSymmetricAndPositiveSemidefiniteInAnyShape) {
   RandomValues random(5);
   for (int trial = 0; trial < 200; ++trial) {
-    const ElementRest rest = element_rest(random_corners(random));
+    const RestElement rest = rest_element(random_corners(random));
     const auto stiffness = stiffness_of(law(), rest, random.matrix(2) * random_corners(random));
     EXPECT_LT((stiffness - stiffness.transpose()).norm(), 1e-12 * stiffness.norm());
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 12, 12>> solver(stiffness, Eigen::EigenvaluesOnly);
@@ -112,7 +112,7 @@ TEST_P(Element, RigidMotionMakesNoStress) {
   RandomValues random(6);
   for (int i = 0; i < 200; ++i) {
     const Corners rest_corners = random_corners(random);
-    const ElementRest rest = element_rest(rest_corners);
+    const RestElement rest = rest_element(rest_corners);
     const Corners moved = (random.rotation() * rest_corners).colwise() + random.vector(10);
     EXPECT_LT(elastic_state(law(), rest, moved).stress.norm(), 1e-6);
   }
@@ -122,7 +122,7 @@ TEST_P(Element, ForceAndStressTurnWithTheBody) {
   RandomValues random(7);
   for (int i = 0; i < 200; ++i) {
     const Corners rest_corners = random_corners(random);
-    const ElementRest rest = element_rest(rest_corners);
+    const RestElement rest = rest_element(rest_corners);
     const Corners corners = shaken(rest_corners, random, 0.1);
     const Mat3 rotation = random.rotation();
     const ElementState state = elastic_state(law(), rest, corners),
@@ -139,7 +139,7 @@ TEST_P(Element, ForcesHaveNeitherResultantNorTorque) {
   for (int i = 0; i < 200; ++i) {
     const Corners rest_corners = random_corners(random);
     const Corners corners = shaken(rest_corners, random, 0.5);
-    const Corners force = elastic_forces(law(), element_rest(rest_corners), corners);
+    const Corners force = elastic_forces(law(), rest_element(rest_corners), corners);
     Vec3 torque = Vec3::Zero();
     for (int k = 0; k < 4; ++k) torque += Vec3(corners.col(k)).cross(Vec3(force.col(k)));
     EXPECT_LT(force.rowwise().sum().norm(), 1e-10 * force.norm());
@@ -157,7 +157,7 @@ TEST_P(Element, UniaxialStrainOfARodGivesYoungsModulus) {
   const double strain = 1e-6;
   const Vec3 stretch(1 + strain, 1 - 0.3 * strain, 1 - 0.3 * strain);
   const ElementState state =
-      elastic_state(elastic_law(material), element_rest(rest_corners), stretch.asDiagonal() * rest_corners);
+      elastic_state(elastic_law(material), rest_element(rest_corners), stretch.asDiagonal() * rest_corners);
   EXPECT_NEAR(cauchy_stress(state.frame, state.stress)(0, 0), 5e9 * strain, 1e-5 * 5e9 * strain);
   EXPECT_LT(std::abs(state.stress(1, 1)), 1e-5 * 5e9 * strain);
 }
@@ -167,7 +167,7 @@ TEST(GreenElement, CauchyStressIsForcePerPresentArea) {
   RandomValues random(10);
   for (int trial = 0; trial < 100; ++trial) {
     const Corners rest_corners = random_corners(random);
-    const ElementRest rest = element_rest(rest_corners);
+    const RestElement rest = rest_element(rest_corners);
     const Corners corners = shaken(rest_corners, random, 0.02);
     const ElementState state = elastic_state(kGreen, rest, corners);
     const Corners force = nodal_forces(rest, state.frame, state.stress);
@@ -180,7 +180,7 @@ TEST(GreenElement, CauchyStressIsForcePerPresentArea) {
 TEST_P(Element, FoldedAndFlatElementsStayFiniteAndAreReported) {
   RandomValues random(11);
   const Corners rest_corners = random_corners(random);
-  const ElementRest rest = element_rest(rest_corners);
+  const RestElement rest = rest_element(rest_corners);
   const Corners mirrored = Vec3(1, 1, -1).asDiagonal() * rest_corners;
   const Corners flat = Vec3(1, 1, 0).asDiagonal() * rest_corners,
                 nearly_flat = Vec3(1, 1, 1e-300).asDiagonal() * rest_corners;

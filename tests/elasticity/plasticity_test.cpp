@@ -88,7 +88,7 @@ TEST_P(Plasticity, StrainDoesNotDependOnTheOrientation) {
   const PlasticLaw plastic = *plastic_law(steel());
   for (int i = 0; i < 100; ++i) {
     const Corners rest_corners = testing::random_corners(random);
-    const ElementRest rest = element_rest(rest_corners);
+    const RestElement rest = rest_element(rest_corners);
     const Corners corners = testing::shaken(rest_corners, random, 0.02);
     const auto flowed = [&](const Corners& x) {
       return flow(plastic, element_deformation(GetParam(), rest, x), Mat3::Zero());

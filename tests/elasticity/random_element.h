@@ -21,11 +21,11 @@ inline Corners shaken(Corners corners, RandomValues& random, double size) {
   return corners;
 }
 
-inline ElementState elastic_state(const ElasticLaw& law, const ElementRest& rest, const Corners& corners) {
+inline ElementState elastic_state(const ElasticLaw& law, const RestElement& rest, const Corners& corners) {
   return element_state(law, element_deformation(law.model, rest, corners));
 }
 
-inline Corners elastic_forces(const ElasticLaw& law, const ElementRest& rest, const Corners& corners) {
+inline Corners elastic_forces(const ElasticLaw& law, const RestElement& rest, const Corners& corners) {
   const ElementState state = elastic_state(law, rest, corners);
   return nodal_forces(rest, state.frame, state.stress);
 }

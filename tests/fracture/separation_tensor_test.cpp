@@ -17,7 +17,7 @@ using testing::RandomValues;
 /// A box under a homogeneous deformation, ready for evaluation.
 struct StressedBox {
   TetMesh mesh;
-  std::vector<ElementRest> rests;
+  std::vector<RestElement> rest_elements;
   std::vector<ElementState> states;
   std::vector<NodeConstraint> constraints;  // none: all are free
 
@@ -38,14 +38,14 @@ struct StressedBox {
         rest.col(i) = mesh.rest_positions[mesh.tets[t][i]];
         now.col(i) = deformation * rest.col(i);
       }
-      rests.push_back(element_rest(rest));
-      states.push_back(element_state(elastic_law(material), element_deformation(model, rests.back(), now)));
+      rest_elements.push_back(rest_element(rest));
+      states.push_back(element_state(elastic_law(material), element_deformation(model, rest_elements.back(), now)));
     }
   }
   static bool is_inside(const Vec3& p) {
     return std::abs(p.x()) < 0.99 && std::abs(p.y()) < 0.49 && std::abs(p.z()) < 0.49;
   }
-  SeparationInput input() const { return {mesh.tets, mesh.stars, rests, states, constraints}; }
+  SeparationInput input() const { return {mesh.tets, mesh.stars, rest_elements, states, constraints}; }
   CandidatePlane plane(int node, const DirectionalStrength& strength = {}) const {
     return candidate_plane(input(), NodeId(node), separation_tensor(input(), NodeId(node)), strength);
   }

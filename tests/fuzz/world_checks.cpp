@@ -39,7 +39,7 @@ double rounding_of(const Frame& frame) {
   constexpr double kRounding = 1e-13;
   double energy = 0;
   for (std::size_t i = 0; i < frame.tets.size(); ++i) {
-    const double volume = frame.rests[i].volume;
+    const double volume = frame.rest_elements[i].volume;
     const double strain = kRounding * (1 + frame.positions[frame.tets[i][0]].norm() / std::cbrt(volume));
     energy += frame.materials[frame.bodies[frame.tet_bodies[i]].scene_body].young_modulus * volume * strain * strain;
   }

@@ -14,8 +14,8 @@ namespace griffith {
 namespace {
 
 /// The points where `f` is positive; its border by bisection.
-Solid solid_of(std::function<double(const Vec3&)> f) {
-  Solid solid;
+ImplicitSolid solid_of(std::function<double(const Vec3&)> f) {
+  ImplicitSolid solid;
   solid.inside = [f](const Vec3& point) { return f(point) > 0; };
   solid.crossing = [f](const Vec3& inner, const Vec3& outer) {
     double low = 0, high = 1;
@@ -64,7 +64,7 @@ double hash_of(const Vec3& p, double seed) {
 
 TEST(IsosurfaceStuffing, DihedralAnglesKeepTheirBoundsInNoise) {
   for (int seed = 0; seed < 4; ++seed) {
-    Solid noise;
+    ImplicitSolid noise;
     noise.inside = [=](const Vec3& p) { return p.cwiseAbs().maxCoeff() < 1 && hash_of(p, seed) < 0.3 + 0.15 * seed; };
     noise.crossing = [=](const Vec3& inner, const Vec3& outer) { return hash_of(inner + 0.7 * outer, seed + 0.5); };
     TetSoup soup = stuff_isosurface(noise, cube(1), 0.1, "noise");
@@ -106,7 +106,7 @@ TEST(IsosurfaceStuffing, EveryTetIsPositiveAndFacesMatch) {
 
 /// Grading changes nothing at the border and leaves no gap: the surface is the same, and so is what it encloses.
 TEST(IsosurfaceStuffing, GradingKeepsTheSurfaceAndSavesElements) {
-  const Solid ball =
+  const ImplicitSolid ball =
       solid_of([](const Vec3& p) { return 1 - (p - Vec3(0.1, 0, 0)).norm() + 0.05 * std::sin(7 * p.x()); });
   const auto graded = [&](int levels) {
     TetSoup soup = stuff_isosurface(ball, cube(1.3), 0.06, "ball", {}, levels);
@@ -132,7 +132,7 @@ TEST(IsosurfaceStuffing, GradingKeepsTheSurfaceAndSavesElements) {
 
 /// Of the tets inside alone: a cube that the lattice fits exactly.
 TEST(IsosurfaceStuffing, GradedElementsAreWellShaped) {
-  const Solid noisy =
+  const ImplicitSolid noisy =
       solid_of([](const Vec3& p) { return 1.5 - p.norm() + 0.4 * std::sin(9 * p.x()) * std::cos(8 * p.y()); });
   const TetSoup soup = stuff_isosurface(noisy, cube(2.1), 0.1, "noisy", {}, 2);
   int large = 0;

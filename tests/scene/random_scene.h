@@ -63,8 +63,8 @@ class Randomizer {
   void fill(bool& value, Flag) { value = chance(0.5); }
   void fill(double& value, const Numbers& numbers) { value = number(numbers); }
   void fill(int& value, const Numbers& numbers) { value = static_cast<int>(number(numbers)); }
-  template <int N>
-  void fill(Eigen::Matrix<double, N, 1>& vector, const Numbers& numbers) {
+  template <int N, int Options>
+  void fill(Eigen::Matrix<double, N, 1, Options>& vector, const Numbers& numbers) {
     do {
       for (double& component : vector) fill(component, numbers);
       if (numbers.ascending) std::ranges::sort(vector);
@@ -115,7 +115,7 @@ class Randomizer {
   }
   template <class T>
   void fill(std::vector<T>& items, Parts parts) {
-    items.resize(std::uniform_int_distribution(0, 4)(random_));
+    items = std::vector<T>(std::uniform_int_distribution(0, 4)(random_));
     for (T& item : items) {
       fill(item, parts);
       // The table asks bodies and cameras for different names.

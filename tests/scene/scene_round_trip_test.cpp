@@ -41,7 +41,8 @@ class SceneRoundTrip : public testing::Test {
 /// Whether `back` was written as `scene`: it has the materials of its bodies among its own, and no more than those.
 bool is_what_was_written(const Scene& back, Scene scene) {
   for (const Material& material : back.materials) {
-    const bool is_of_a_body = std::ranges::find(scene.bodies, material, &BodyDescription::material) != scene.bodies.end();
+    const bool is_of_a_body =
+        std::ranges::find(scene.bodies, material, &BodyDescription::material) != scene.bodies.end();
     if (!is_of_a_body && std::ranges::find(scene.materials, material) == scene.materials.end()) return false;
   }
   scene.materials = back.materials;

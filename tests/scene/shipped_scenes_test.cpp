@@ -30,25 +30,26 @@ std::vector<fs::path> shipped_scenes() {
 
 std::vector<std::string> shipped_names() {
   std::vector<std::string> names;
-  for (const fs::path& path : shipped_scenes()) names.push_back(path.lexically_relative(kScenes).replace_extension().generic_string());
+  for (const fs::path& path : shipped_scenes())
+    names.push_back(path.lexically_relative(kScenes).replace_extension().generic_string());
   return names;
 }
 
 class ShippedScene : public testing::TestWithParam<std::string> {};
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ShippedScene, testing::ValuesIn(shipped_names()),
-                         [](const auto& parameter) {
-                           std::string name = parameter.param;
-                           std::ranges::replace(name, '/', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Scenes, ShippedScene, testing::ValuesIn(shipped_names()), [](const auto& parameter) {
+  std::string name = parameter.param;
+  std::ranges::replace(name, '/', '_');
+  return name;
+});
 
 TEST_P(ShippedScene, IsWithoutAProblemAndSaysWhatItShows) {
   const fs::path path = kScenes / (GetParam() + ".json");
   EXPECT_THAT(check_scene_text(text_of(path), "scene"), testing::IsEmpty());
   const auto problems = check_scene(path);
   for (const InputError& problem : problems) {
-    ASSERT_THAT(problem.what(), testing::ContainsRegex("shape/(mesh|surface)/path")) << "nothing but its mesh may be missing";
+    ASSERT_THAT(problem.what(), testing::ContainsRegex("shape/(mesh|surface)/path"))
+        << "nothing but its mesh may be missing";
   }
   if (!problems.empty()) GTEST_SKIP() << problems[0].what();
   const Scene scene = read_scene(path);

@@ -14,7 +14,7 @@ namespace {
 /// A box of a mesh as a solid in the world's place and turn, and what it was made of.
 struct Box {
   TetMesh mesh;
-  std::vector<ElementRest> rests;
+  std::vector<RestElement> rest_elements;
   std::vector<double> masses;
   Material material;
   Solid solid;
@@ -27,15 +27,16 @@ struct Box {
     for (const auto& tet : mesh.tets) {
       Corners corners;
       for (int i = 0; i < 4; ++i) corners.col(i) = mesh.rest_positions[tet[i]];
-      rests.push_back(element_rest(corners));
-      for (const NodeId node : tet) masses[node] += material.density * rests.back().volume / 4;
+      rest_elements.push_back(rest_element(corners));
+      for (const NodeId node : tet) masses[node] += material.density * rest_elements.back().volume / 4;
       tets.push_back({tet[0], tet[1], tet[2], tet[3]});
     }
     for (std::size_t i = 0; i < masses.size(); ++i) {
       const Vec3& rest = mesh.rest_positions[i];
       solid.add_node({rest, place(rest) - rest, velocity(rest), Vec3::Zero(), masses[i]});
     }
-    solid.add_body(elastic_law(material), material.density, tets, rests, std::vector<Mat3>(tets.size(), Mat3::Zero()));
+    solid.add_body(elastic_law(material), material.density, tets, rest_elements,
+                   std::vector<Mat3>(tets.size(), Mat3::Zero()));
     solid.finish();
     solid.set_step(solid.stable_step(0.9));
   }
@@ -43,11 +44,12 @@ struct Box {
   double energy() const {
     double sum = 0;
     for (int i = 0; i < solid.node_count(); ++i) sum += 0.5 * masses[i] * solid.velocity(i).squaredNorm();
-    for (std::size_t tet = 0; tet < rests.size(); ++tet) {
+    for (std::size_t tet = 0; tet < rest_elements.size(); ++tet) {
       Corners corners;
       for (int i = 0; i < 4; ++i) corners.col(i) = solid.position(mesh.tets[tet][i]);
       const ElasticLaw law = elastic_law(material);
-      sum += rests[tet].volume * element_state(law, element_deformation(law.model, rests[tet], corners)).energy_density;
+      sum += rest_elements[tet].volume *
+             element_state(law, element_deformation(law.model, rest_elements[tet], corners)).energy_density;
     }
     return sum;
   }
@@ -83,12 +85,12 @@ TEST_P(EveryModel, AccelerationsAreThoseOfTheElementsInDoublePrecision) {
   Box box(Vec3(1, 1, 1), 0.25, material, bent, at_rest);
   std::vector<Vec3> forces(box.masses.size(), Vec3::Zero());
   double largest = 0;
-  for (std::size_t tet = 0; tet < box.rests.size(); ++tet) {
+  for (std::size_t tet = 0; tet < box.rest_elements.size(); ++tet) {
     Corners corners;
     for (int i = 0; i < 4; ++i) corners.col(i) = bent(box.mesh.rest_positions[box.mesh.tets[tet][i]]);
     const ElasticLaw law = elastic_law(material);
-    const ElementState state = element_state(law, element_deformation(law.model, box.rests[tet], corners));
-    const Corners of_element = nodal_forces(box.rests[tet], state.frame, state.stress);
+    const ElementState state = element_state(law, element_deformation(law.model, box.rest_elements[tet], corners));
+    const Corners of_element = nodal_forces(box.rest_elements[tet], state.frame, state.stress);
     for (int i = 0; i < 4; ++i) forces[box.mesh.tets[tet][i]] += of_element.col(i);
     largest = std::max(largest, of_element.norm());
   }
@@ -158,10 +160,10 @@ TEST(ShockSolid, AWaveRunsThroughABarAtTheBarSpeed) {
 
 /// A cube of many elements, of which some were made otherwise.
 Solid cube_with(
-    const std::function<void(std::vector<ElementRest>&)>& change,
+    const std::function<void(std::vector<RestElement>&)>& change,
     const std::function<Vec3(const Vec3&)>& place = [](const Vec3& rest) { return rest; }) {
   Box box(Vec3(2, 2, 2), 0.25, Material(), place, at_rest);
-  change(box.rests);
+  change(box.rest_elements);
   Solid solid;
   std::vector<std::array<int, 4>> tets;
   for (const auto& tet : box.mesh.tets) tets.push_back({tet[0], tet[1], tet[2], tet[3]});
@@ -169,18 +171,18 @@ Solid cube_with(
     const Vec3& rest = box.mesh.rest_positions[i];
     solid.add_node({rest, place(rest) - rest, Vec3::Zero(), Vec3::Zero(), box.masses[i]});
   }
-  solid.add_body(elastic_law(Material()), Material().density, tets, box.rests,
+  solid.add_body(elastic_law(Material()), Material().density, tets, box.rest_elements,
                  std::vector<Mat3>(tets.size(), Mat3::Zero()));
   solid.finish();
   return solid;
 }
 
-void flatten(ElementRest& rest, double share) {
+void flatten(RestElement& rest, double share) {
   rest.shape_gradients.row(0) /= share;
   rest.volume *= share;
 }
 
-void shrink(ElementRest& rest, double share) {
+void shrink(RestElement& rest, double share) {
   rest.shape_gradients /= share;
   rest.volume *= share * share * share;
 }
@@ -189,7 +191,7 @@ double step_of(const Solid& solid) { return solid.stable_step(0.9); }
 
 TEST(ShockSolid, ASliverDoesNotSetTheStepOfAll) {
   const Solid sound = cube_with([](auto&) {});
-  const Solid flattened = cube_with([](auto& rests) { flatten(rests[7], 1e-3); });
+  const Solid flattened = cube_with([](auto& rest_elements) { flatten(rest_elements[7], 1e-3); });
   EXPECT_EQ(step_of(flattened), step_of(sound));
   EXPECT_EQ(flattened.body(0).relieved, 1);
   EXPECT_TRUE(flattened.is_relieved(7));
@@ -198,14 +200,14 @@ TEST(ShockSolid, ASliverDoesNotSetTheStepOfAll) {
 
 TEST(ShockSolid, SmallElementsOfGoodShapeKeepTheirStiffnessAndSetTheStep) {
   constexpr double kSize = 1.0 / 16;
-  const Solid graded = cube_with([](auto& rests) { shrink(rests[7], kSize); });
+  const Solid graded = cube_with([](auto& rest_elements) { shrink(rest_elements[7], kSize); });
   EXPECT_EQ(graded.body(0).relieved, 0);
   EXPECT_LT(step_of(graded), 1.1 * kSize * step_of(cube_with([](auto&) {})));
 }
 
 TEST(ShockSolid, FlatElementsThatAreManyKeepTheirStiffness) {
-  const Solid plate = cube_with([](auto& rests) {
-    for (ElementRest& rest : rests) flatten(rest, 0.02);
+  const Solid plate = cube_with([](auto& rest_elements) {
+    for (RestElement& rest : rest_elements) flatten(rest, 0.02);
   });
   EXPECT_LE(plate.body(0).relieved, 0.02 * 2560);
 }
@@ -215,9 +217,9 @@ TEST(ShockSolid, ARelievedSliverStartsWithItsStressAndAnswersMoreStrainWithAShar
   const Mat3 stretch = Vec3(1e-3, 5e-4, -2e-4).asDiagonal(), more = Vec3(1e-2, 0, 0).asDiagonal();
   const Mat3 start = Vec3(1e-3 / kFlat, 5e-4, -2e-4).asDiagonal();
   const Solid solid = cube_with(
-      [](auto& rests) {
-        flatten(rests[7], kFlat);
-        shrink(rests[300], 0.035);
+      [](auto& rest_elements) {
+        flatten(rest_elements[7], kFlat);
+        shrink(rest_elements[300], 0.035);
       },
       [&](const Vec3& rest) { return Vec3(rest + stretch * rest); });
   ASSERT_TRUE(solid.is_relieved(7));
@@ -228,7 +230,7 @@ TEST(ShockSolid, ARelievedSliverStartsWithItsStressAndAnswersMoreStrainWithAShar
 }
 
 TEST(ShockSolid, ASliverTooFlatForAnyShareHasNoStress) {
-  const Solid solid = cube_with([](auto& rests) { flatten(rests[7], 1e-3); });
+  const Solid solid = cube_with([](auto& rest_elements) { flatten(rest_elements[7], 1e-3); });
   EXPECT_EQ(solid.elastic_strain(7, Mat3::Identity()), Mat3::Zero());
 }
 

@@ -42,7 +42,7 @@ struct ElasticBox : ElasticMesh {
   }
   double lumped_mass(NodeId node) const {
     double mass = 0;
-    for (TetId tet : mesh.stars[node]) mass += material.density * rests[tet].volume / 4;
+    for (TetId tet : mesh.stars[node]) mass += material.density * rest_elements[tet].volume / 4;
     return mass;
   }
   /// Opens the mesh at a node; everything per node follows.
@@ -59,7 +59,7 @@ struct ElasticBox : ElasticMesh {
   }
   ElasticSystem system() { return ElasticSystem(mesh, tets, constraints, rows); }
   void assemble(ElasticSystem& system, const ImplicitStep& step) const {
-    system.assemble(step, law(), rests, states, positions, masses);
+    system.assemble(step, law(), rest_elements, states, positions, masses);
   }
   SolveReport solve(ElasticSystem& system, const ImplicitStep& step) {
     return system.solve(step, positions, forces, masses, constraints, velocities);

@@ -84,7 +84,7 @@ TEST(ElasticSystem, ImplicitEulerNeverGainsEnergy) {
     double sum = 0;
     body.update_states();
     for (std::size_t i = 0; i < body.masses.size(); ++i) sum += 0.5 * body.masses[i] * body.velocities[i].squaredNorm();
-    for (TetId tet : body.tets) sum += body.rests[tet].volume * body.states[tet].energy_density;
+    for (TetId tet : body.tets) sum += body.rest_elements[tet].volume * body.states[tet].energy_density;
     return sum;
   };
   double previous = energy();

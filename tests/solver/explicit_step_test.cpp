@@ -22,7 +22,7 @@ ElasticBox vibrating_box(double amplitude) {
 
 double frequency(ElasticBox& body) {
   ElasticSystem system = body.system();
-  system.assemble(MatrixFactors{0, 1}, body.law(), body.rests, body.states, body.positions, body.masses);
+  system.assemble(MatrixFactors{0, 1}, body.law(), body.rest_elements, body.states, body.positions, body.masses);
   return highest_frequency(system.matrix(),
                            Eigen::Map<const Eigen::VectorXd>(body.masses.data(), body.mesh.node_count()));
 }
@@ -40,14 +40,14 @@ void step(ElasticBox& body, double dt) {
 double energy(const ElasticBox& body) {
   double sum = 0;
   for (std::size_t i = 0; i < body.masses.size(); ++i) sum += 0.5 * body.masses[i] * body.velocities[i].squaredNorm();
-  for (TetId tet : body.tets) sum += body.rests[tet].volume * body.states[tet].energy_density;
+  for (TetId tet : body.tets) sum += body.rest_elements[tet].volume * body.states[tet].energy_density;
   return sum;
 }
 
 TEST(ExplicitStep, TheHighestFrequencyIsTheDenseOne) {
   ElasticBox body(Vec3(2, 1, 1), 0.5, 1e7);
   ElasticSystem system = body.system();
-  system.assemble(MatrixFactors{0, 1}, body.law(), body.rests, body.states, body.positions, body.masses);
+  system.assemble(MatrixFactors{0, 1}, body.law(), body.rest_elements, body.states, body.positions, body.masses);
   const BlockSparseMatrix& a = system.matrix();
   Eigen::MatrixXd scaled = Eigen::MatrixXd::Zero(3 * a.rows(), 3 * a.rows());
   for (int row = 0; row < a.rows(); ++row)

@@ -122,7 +122,8 @@ TEST(Preconditioner, IsBlockJacobiWhereTheCoarseMatrixCannotBeFactored) {
   ElasticBox body(Vec3(3, 1, 1), 0.25, 1e9);
   ElasticSystem system = body.system();
   const auto assemble = [&](double mass) {
-    system.assemble(MatrixFactors{mass, 1e-4}, body.law(), body.rests, body.states, body.positions, body.masses);
+    system.assemble(MatrixFactors{mass, 1e-4}, body.law(), body.rest_elements, body.states, body.positions,
+                    body.masses);
     return system.gather(body.positions);
   };
   const NodeVectors positions = assemble(1);

@@ -39,7 +39,7 @@ std::vector<NodeId> nodes_of(const ElasticBox& box, const std::vector<TetId>& te
 }
 
 /// The largest piece of a body, which goes on as the body itself.
-std::vector<TetId> heir(const ElasticBox& box, const std::vector<TetId>& tets) {
+std::vector<TetId> surviving_piece(const ElasticBox& box, const std::vector<TetId>& tets) {
   const auto pieces = connected_components(box.mesh, tets);
   return *std::max_element(pieces.begin(), pieces.end(),
                            [](const auto& a, const auto& b) { return a.size() < b.size(); });
@@ -91,7 +91,7 @@ TEST(Patch, GivesTheSystemThatBuildingGivesUnderRandomAbuse) {
       for (int patch = 0; patch < 25; ++patch) {
         for (int split = random.index(4); split >= 0; --split)
           box.split(NodeId(random.index(box.mesh.node_count())), random.direction());
-        tets = heir(box, tets);
+        tets = surviving_piece(box, tets);
         compare_with_new(box, tets, system);
         if (::testing::Test::HasFatalFailure()) return;
       }
@@ -177,7 +177,7 @@ TEST(Patch, AggregatesStayConnectedAndNumberedWithoutGaps) {
     aggregate_of_node.clear();
     for (std::size_t row = 0; row < aggregates.size(); ++row) aggregate_of_node[system.nodes()[row]] = aggregates[row];
     for (int split = 0; split < 3; ++split) box.split(NodeId(random.index(box.mesh.node_count())), random.direction());
-    tets = heir(box, tets);
+    tets = surviving_piece(box, tets);
   }
 }
 

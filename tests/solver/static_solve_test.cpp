@@ -14,7 +14,7 @@ using testing::RandomValues;
 StaticReport solve(ElasticBox& body, const StaticSettings& settings = {}) {
   const StaticProblem problem{.mesh = body.mesh,
                               .tets = body.tets,
-                              .rests = body.rests,
+                              .rest_elements = body.rest_elements,
                               .law = elastic_law(body.material),
                               .masses = body.masses,
                               .constraints = body.constraints,

@@ -1,8 +1,7 @@
-#include "ui/dialog_window.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "ui/dialog_window.h"
 #include "ui/style.h"
 #include "ui_driver.h"
 

@@ -29,8 +29,8 @@ struct LinearSystem {
 LinearSystem linear_system(Specimen& specimen) {
   WorldState& world = specimen.world();
   ElasticSystem& system = *world.bodies[0].system;
-  system.assemble(MatrixFactors{0, 1}, elastic_law(world.materials[0]), world.elements.rests, world.elements.states,
-                  world.nodes.positions, world.nodes.masses);
+  system.assemble(MatrixFactors{0, 1}, elastic_law(world.materials[0]), world.elements.rest_elements,
+                  world.elements.states, world.nodes.positions, world.nodes.masses);
   const BlockSparseMatrix& blocks = system.matrix();
   LinearSystem linear{system, Eigen::MatrixXd::Zero(3 * blocks.rows(), 3 * blocks.rows()), {}};
   for (int row = 0; row < blocks.rows(); ++row)
@@ -84,7 +84,7 @@ void step_implicitly(Specimen& specimen, LinearSystem& linear, const ImplicitSte
   const std::span<const NodeId> nodes = linear.system.nodes();
   for (std::size_t row = 0; row < nodes.size(); ++row)
     velocities[nodes[row]] = motion.velocity.segment<3>(3 * static_cast<int>(row));
-  linear.system.assemble(step, elastic_law(world.materials[0]), world.elements.rests, world.elements.states,
+  linear.system.assemble(step, elastic_law(world.materials[0]), world.elements.rest_elements, world.elements.states,
                          world.nodes.positions, world.nodes.masses);
   linear.system.solve(step, world.nodes.positions, linear_forces(linear, motion, specimen.node_count()),
                       world.nodes.masses, world.nodes.constraints, velocities);
@@ -110,8 +110,8 @@ double explicit_growth(const LinearSystem& linear, double dt, Motion motion, int
 double stable_step(Specimen& specimen) {
   WorldState& world = specimen.world();
   ElasticSystem& system = *world.bodies[0].system;
-  system.assemble(MatrixFactors{0, 1}, elastic_law(world.materials[0]), world.elements.rests, world.elements.states,
-                  world.nodes.positions, world.nodes.masses);
+  system.assemble(MatrixFactors{0, 1}, elastic_law(world.materials[0]), world.elements.rest_elements,
+                  world.elements.states, world.nodes.positions, world.nodes.masses);
   Eigen::VectorXd masses(system.matrix().rows());
   for (int row = 0; row < masses.size(); ++row) masses[row] = world.nodes.masses[system.nodes()[row]];
   return stable_time_step(highest_frequency(system.matrix(), masses));
@@ -152,8 +152,8 @@ Balance balance_of(Specimen& specimen) {
     balance.momentum += momentum;
     balance.angular_momentum += world.nodes.positions[i].cross(momentum);
   }
-  for (std::size_t i = 0; i < world.elements.rests.size(); ++i)
-    balance.energy += world.elements.rests[i].volume * world.elements.states[i].energy_density;
+  for (std::size_t i = 0; i < world.elements.rest_elements.size(); ++i)
+    balance.energy += world.elements.rest_elements[i].volume * world.elements.states[i].energy_density;
   return balance;
 }
 

@@ -53,7 +53,7 @@ std::vector<int> interior_nodes(const Specimen& specimen, const Vec3& size) {
 
 /// A tet about a metre in size, and the same one strained by some percent.
 struct Element {
-  ElementRest rest;
+  RestElement rest;
   Corners corners;
 };
 
@@ -63,21 +63,21 @@ Element random_element(RandomValues& random, double strain) {
     for (int i = 0; i < 4; ++i) corners.col(i) = random.vector();
     const Mat3 edges = corners.rightCols<3>().colwise() - corners.col(0);
     if (edges.determinant() < 0.1) continue;
-    const Element element{element_rest(corners), corners};
+    const Element element{rest_element(corners), corners};
     return {element.rest, (Mat3::Identity() + random.matrix(strain)) * corners};
   }
 }
 
-ElementState state_of(const ElasticLaw& law, const ElementRest& rest, const Corners& corners) {
+ElementState state_of(const ElasticLaw& law, const RestElement& rest, const Corners& corners) {
   return element_state(law, element_deformation(law.model, rest, corners));
 }
 
-Corners forces_of(const ElasticLaw& law, const ElementRest& rest, const Corners& corners) {
+Corners forces_of(const ElasticLaw& law, const RestElement& rest, const Corners& corners) {
   const ElementState state = state_of(law, rest, corners);
   return nodal_forces(rest, state.frame, state.stress);
 }
 
-double energy_of(const ElasticLaw& law, const ElementRest& rest, const Corners& corners) {
+double energy_of(const ElasticLaw& law, const RestElement& rest, const Corners& corners) {
   return rest.volume * state_of(law, rest, corners).energy_density;
 }
 

@@ -26,7 +26,7 @@ std::unique_ptr<WorldState> stretched_block() {
   for (Vec3& position : world->nodes.positions) position = Vec3(1.0001, 1, 1).cwiseProduct(position);
   update_motion(*world, world->bodies[0]);
   update_elements(*world);
-  place_stand_ins(*world);
+  place_proxies(*world);
   return world;
 }
 
@@ -64,7 +64,7 @@ TEST(Breakdown, ABodyWithoutVelocitiesGoesOnInItsShapeFromWhereItWas) {
         << "it neither jumps nor changes its shape";
 }
 
-TEST(Breakdown, ABodyWithoutPlaceGoesBackToThatOfItsStandIn) {
+TEST(Breakdown, ABodyWithoutPlaceGoesBackToThatOfItsProxy) {
   const auto poison_node = [](WorldState& world) { world.nodes.positions[3].x() = kNan; };
   const auto poison_motion = [](WorldState& world) { world.bodies[0].motion.center.y() = kNan; };
   const auto poison_turn = [](WorldState& world) { world.bodies[0].orientation = Quat(kNan, 0, 0, 0); };
@@ -82,7 +82,7 @@ TEST(Breakdown, ABodyWithoutPlaceGoesBackToThatOfItsStandIn) {
                                                          {overflow},
                                                          {lose_plastic_strain}}) {
     auto world = stretched_block();
-    const Pose place = world->contact_world.state(world->bodies[0].stand_in).pose;
+    const Pose place = world->contact_world.state(world->bodies[0].proxy).pose;
     poison(*world);
     freeze_if_broken_down(*world, world->bodies[0]);
     EXPECT_EQ(world->report.non_finite_values, 1);

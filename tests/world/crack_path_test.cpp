@@ -53,13 +53,12 @@ TEST_P(CrackPath, ABentBeamCracksFromBelowInItsMiddle) {
   }
   const double load = 2 * width * depth * depth * beam.material.tensile_strength / (3 * span);  // σ = 3PL/2bd²
   beam.loads = {push(line(0, depth / 2), Vec3(0, -load, 0))};
-  const double share =
-      breaking_share(weightless(beam), {0.8, 1.6, 0.01}, has_cracked, [&](const Frame& frame) {
-        const CrackEvent& first = frame.crack_events.front();
-        EXPECT_NEAR(first.rest_position.y(), -depth / 2, 1e-6);
-        EXPECT_LT(std::abs(first.rest_position.x()), span / 10);
-        EXPECT_GT(std::abs(first.normal.x()), 0.95);
-      });
+  const double share = breaking_share(weightless(beam), {0.8, 1.6, 0.01}, has_cracked, [&](const Frame& frame) {
+    const CrackEvent& first = frame.crack_events.front();
+    EXPECT_NEAR(first.rest_position.y(), -depth / 2, 1e-6);
+    EXPECT_LT(std::abs(first.rest_position.x()), span / 10);
+    EXPECT_GT(std::abs(first.normal.x()), 0.95);
+  });
   // Linear tets eight deep are some 5 to 20 % too stiff in bending.
   EXPECT_GT(share, 0.9);
   EXPECT_LT(share, 1.3);
@@ -96,7 +95,8 @@ TEST_P(CrackPath, ANotchedPlateCracksFromTheTipAtALoadThatHardlyDependsOnTheMesh
                  });
   const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
   EXPECT_LT(*most / *least, 1.15);
-  // K = 1.5 σ √(πa) of an edge crack over a quarter of the width (Tada): 0.45 MPa; c scatters by a third with the pattern.
+  // K = 1.5 σ √(πa) of an edge crack over a quarter of the width (Tada): 0.45 MPa; c scatters by a third with the
+  // pattern.
   EXPECT_GT(*least, 0.45 * 0.6);
   EXPECT_LT(*most, 0.45 * 1.3);
 }
@@ -108,8 +108,9 @@ TEST_P(CrackPath, ADiscSplitsAlongItsLoad) {
   const double pad = 0.16;
   const double load = std::numbers::pi * radius * thickness * disc.material.tensile_strength;  // σ = 2P/πDt
   for (double side : {-1.0, 1.0})
-    disc.loads.push_back(pull(BoxRegion{Vec3(-pad / 2, side > 0 ? 0.47 : -0.51, -1), Vec3(pad / 2, side > 0 ? 0.51 : -0.47, 1)},
-                              Vec3(0, -side * load / (pad * thickness), 0)));
+    disc.loads.push_back(
+        pull(BoxRegion{Vec3(-pad / 2, side > 0 ? 0.47 : -0.51, -1), Vec3(pad / 2, side > 0 ? 0.51 : -0.47, 1)},
+             Vec3(0, -side * load / (pad * thickness), 0)));
   breaking_share(weightless(disc), {0.9, 1.5, 0.01}, has_cracked, [&](const Frame& frame) {
     const CrackEvent& first = frame.crack_events.front();
     EXPECT_LT(std::abs(first.rest_position.x()), 0.05 * radius) << "on the loaded diameter";

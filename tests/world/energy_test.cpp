@@ -95,8 +95,8 @@ TEST(Energy, BlocksThatCollideGainNone) {
   }
 }
 
-/// Two blocks of random materials, soft and stiff, smooth and rough, that meet in weightless space. `size`: of the blocks
-/// [m].
+/// Two blocks of random materials, soft and stiff, smooth and rough, that meet in weightless space. `size`: of the
+/// blocks [m].
 Scene meeting_blocks(int seed, double size) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> uniform(-1, 1);

@@ -3,8 +3,8 @@
 #include <functional>
 #include <random>
 
-#include "sim/mesh/topology.h"
 #include "crack_area.h"
+#include "sim/mesh/topology.h"
 #include "sim/world/world.h"
 #include "tests/world/scenes.h"
 

@@ -45,7 +45,7 @@ Frame frame_of(const WorldState& world) {
   frame.separations = world.nodes.separations;
   frame.reactions = world.nodes.reactions;
   frame.tets = world.mesh.tets;
-  frame.rests = world.elements.rests;
+  frame.rest_elements = world.elements.rest_elements;
   frame.stresses = world.elements.stresses;
   return frame;
 }

@@ -152,7 +152,7 @@ TEST(Rest, TheSpeedThatHurtsIsThatOfTheWeakestPlane) {
   const auto speed_of = [](const Scene& scene) {
     WorldState world(scene);
     build_world(world);
-    return hurting_speed(world, world.bodies[0]);
+    return damage_speed(world, world.bodies[0]);
   };
   Scene scene = struck_plank(brick(1), 0, 1);
   const double uniform = speed_of(scene);

@@ -146,7 +146,8 @@ TEST(Similarity, ScalingKeepsStressAndEnergy) {
       update_elements(bar.world, bar.body());
       EXPECT_NEAR(mechanical_energy(bar.world, bar.body()), energy, 1e-9 * energy);
       for (TetId tet(0); tet < bar.world.mesh.tet_count(); ++tet.value)
-        EXPECT_LT((bar.world.elements.states[tet].stress - before[tet].stress).norm(), 1e-6 * before[tet].stress.norm());
+        EXPECT_LT((bar.world.elements.states[tet].stress - before[tet].stress).norm(),
+                  1e-6 * before[tet].stress.norm());
     }
   }
 }

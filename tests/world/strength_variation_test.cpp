@@ -8,7 +8,8 @@
 namespace griffith::testing {
 namespace {
 
-/// A bar along x between pulled ends, at its tensile strength; its x axis is turned by `degrees` about z from the grain.
+/// A bar along x between pulled ends, at its tensile strength; its x axis is turned by `degrees` about z from the
+/// grain.
 Scene bar(const Vec3& element_size, BoxPattern pattern) {
   Scene scene;
   scene.gravity.setZero();
@@ -69,7 +70,8 @@ TEST(Weakness, AnOffAxisBarBreaksAtHankinsonsLoadAlongTheGrain) {
     const Vec3 grain = scene.bodies[0].weakness->direction;
     for (Load& load : scene.bodies[0].loads) load.traction *= hankinson;
     breaking_share(scene, {0.95, 1.1, 0.01}, has_cracked, [&](const Frame& frame) {
-      EXPECT_LT(std::abs(frame.crack_events.front().normal.dot(grain)), std::sin(0.2)) << "the plane contains the grain";
+      EXPECT_LT(std::abs(frame.crack_events.front().normal.dot(grain)), std::sin(0.2))
+          << "the plane contains the grain";
     });
   }
 }

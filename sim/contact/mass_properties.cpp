@@ -1,4 +1,4 @@
-#include "sim/contact/solid.h"
+#include "sim/contact/mass_properties.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -6,10 +6,10 @@
 
 namespace griffith {
 
-Solid solid_of(const ConvexHull& hull) {
+MassProperties mass_properties(const ConvexHull& hull) {
   // Tets from the first corner to each triangle of the faces: ∫ x xᵀ = V/20 (Σ a aᵀ + Σa Σaᵀ), a the corners from
   // there.
-  Solid solid;
+  MassProperties solid;
   Vec3 moment = Vec3::Zero();
   Mat3 second = Mat3::Zero();
   const Vec3& origin = hull.corners.front();

@@ -19,12 +19,12 @@ double sliding_distance(double angle, double heading, double friction) {
   world.add_ground(0, {friction, 0});
   const Vec3 size(1, 0.4, 1);
   const ProxyId box =
-      world.add_stand_in(box_parts(size), box_mass(size, 10), Mobility::free, at(Vec3(0, 0.2, 0)), {friction, 0});
+      world.add_proxy(box_parts(size), box_mass(size, 10), Mobility::free, at(Vec3(0, 0.2, 0)), {friction, 0});
   for (int i = 0; i < 240; ++i) substep(world, {box}, kHalfDt, gravity);
   return world.state(box).pose.translation.dot(downhill);
 }
 
-TEST(StandInContact, ABoxSlidesWhenTheSlopeExceedsItsFriction) {
+TEST(ProxyContact, ABoxSlidesWhenTheSlopeExceedsItsFriction) {
   for (double friction : {0.3, 0.7})
     for (double heading : {0.0, 0.8, 2.5}) {
       EXPECT_LT(sliding_distance(std::atan(0.98 * friction), heading, friction), 1e-4) << friction << ' ' << heading;
@@ -34,7 +34,7 @@ TEST(StandInContact, ABoxSlidesWhenTheSlopeExceedsItsFriction) {
     }
 }
 
-TEST(StandInContact, ABarThatTurnsIsSeenToStrikeWhereverItsCentreGoes) {
+TEST(ProxyContact, ABarThatTurnsIsSeenToStrikeWhereverItsCentreGoes) {
   const Vec3 size(2, 0.1, 0.1);
   for (double climb : {-0.1, 0.0, 0.1})
     for (double height : {0.3, 3.0}) {
@@ -42,13 +42,13 @@ TEST(StandInContact, ABarThatTurnsIsSeenToStrikeWhereverItsCentreGoes) {
       world.add_ground(0, {});
       RigidState state = at(Vec3(0, height, 0), Vec3(0, climb, 0));
       state.angular_velocity = Vec3(0, 0, 100);  // its end comes down by 0.4 m
-      world.set_impact_speed(world.add_stand_in(box_parts(size), box_mass(size, 1), Mobility::free, state, {}), 1);
+      world.set_impact_speed(world.add_proxy(box_parts(size), box_mass(size, 1), Mobility::free, state, {}), 1);
       world.detect();
       EXPECT_NE(world.expected_impacts(kHalfDt, 0.2).empty(), height < 1) << climb;
     }
 }
 
-TEST(StandInContact, AFreshCrackStaysQuiet) {
+TEST(ProxyContact, AFreshCrackStaysQuiet) {
   ContactWorld world(Vec3::Zero());
   const Vec3 half(0.7, 0.3, 0.2);
   const Quat rotation(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()));
@@ -58,7 +58,7 @@ TEST(StandInContact, AFreshCrackStaysQuiet) {
     RigidState state = at(rotation * Vec3(side * half.x() / 2, 0, 0));
     state.pose.rotation = rotation;
     places.push_back(state.pose.translation);
-    halves.push_back(world.add_stand_in(box_parts(half), box_mass(half, 5), Mobility::free, state, {}));
+    halves.push_back(world.add_proxy(box_parts(half), box_mass(half, 5), Mobility::free, state, {}));
   }
   for (int i = 0; i < 100; ++i) {
     substep(world, halves, kHalfDt);
@@ -70,13 +70,13 @@ TEST(StandInContact, AFreshCrackStaysQuiet) {
   }
 }
 
-TEST(StandInContact, OverlapIsAllowedWhereACrackLeftItAndNowhereElse) {
+TEST(ProxyContact, OverlapIsAllowedWhereACrackLeftItAndNowhereElse) {
   for (bool fresh : {true, false}) {
     ContactWorld world(Vec3::Zero());
     const Vec3 size(1, 1, 1);
     std::vector<ProxyId> boxes;
     for (double x : {-0.49, fresh ? 0.49 : 3.0})
-      boxes.push_back(world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(x, 0, 0)), {}));
+      boxes.push_back(world.add_proxy(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(x, 0, 0)), {}));
     world.detect();
     world.set_state(boxes[1], at(Vec3(0.49, 0, 0)));
     for (int i = 0; i < 60; ++i) substep(world, boxes, kHalfDt);
@@ -88,11 +88,11 @@ TEST(StandInContact, OverlapIsAllowedWhereACrackLeftItAndNowhereElse) {
   }
 }
 
-TEST(StandInContact, AnAllowanceShrinksWithTheOverlap) {
+TEST(ProxyContact, AnAllowanceShrinksWithTheOverlap) {
   ContactWorld world(Vec3::Zero());
   const Vec3 size(1, 1, 1);
-  const ProxyId a = world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(-0.49, 0, 0)), {});
-  const ProxyId b = world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(0.49, 0, 0)), {});
+  const ProxyId a = world.add_proxy(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(-0.49, 0, 0)), {});
+  const ProxyId b = world.add_proxy(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(0.49, 0, 0)), {});
   for (double x : {0.49, 0.495, 0.49}) {
     world.set_state(b, at(Vec3(x, 0, 0)));
     world.set_state(a, at(Vec3(-x, 0, 0)));
@@ -101,25 +101,25 @@ TEST(StandInContact, AnAllowanceShrinksWithTheOverlap) {
   EXPECT_NEAR(world.max_penetration(), 0.01, 1e-4);
 }
 
-TEST(StandInContact, AHeldObjectActsWithItsVelocityAndKeepsIt) {
+TEST(ProxyContact, AHeldObjectActsWithItsVelocityAndKeepsIt) {
   ContactWorld world(Vec3::Zero());
   const Vec3 size(1, 1, 1);
   const ProxyId wall =
-      world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::held, at(Vec3::Zero(), Vec3(2, 0, 0)), {0, 1});
+      world.add_proxy(box_parts(size), box_mass(size, 5), Mobility::held, at(Vec3::Zero(), Vec3(2, 0, 0)), {0, 1});
   const ProxyId box =
-      world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(1.001, 0, 0)), {0, 1});
+      world.add_proxy(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(1.001, 0, 0)), {0, 1});
   substep(world, {wall, box}, kHalfDt);
   EXPECT_EQ(world.state(wall).velocity, Vec3(2, 0, 0));
   EXPECT_NEAR(world.state(box).velocity.x(), 4, 1e-5);
 }
 
-TEST(StandInContact, HeldObjectsMeetTheGroundOnlyWhereTheyMoveAndNeverEachOther) {
+TEST(ProxyContact, HeldObjectsMeetTheGroundOnlyWhereTheyMoveAndNeverEachOther) {
   ContactWorld world(Vec3(0, -9.81, 0));
   const ProxyId ground = world.add_ground(0, {});
   const Vec3 size(1, 1, 1);
   std::vector<ProxyId> held;
   for (double x : {0.0, 0.5})
-    held.push_back(world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::held, at(Vec3(x, 0, 0)), {}));
+    held.push_back(world.add_proxy(box_parts(size), box_mass(size, 5), Mobility::held, at(Vec3(x, 0, 0)), {}));
   world.detect();
   EXPECT_TRUE(world.contacts().empty());
   world.solve(kHalfDt);
@@ -132,12 +132,11 @@ TEST(StandInContact, HeldObjectsMeetTheGroundOnlyWhereTheyMoveAndNeverEachOther)
   }
 }
 
-TEST(StandInContact, PushingOverlapsApartLiftsNothingThatRests) {
+TEST(ProxyContact, PushingOverlapsApartLiftsNothingThatRests) {
   ContactWorld world(testing::kGravity);
   world.add_ground(0, {});
   const Vec3 size(1, 1, 1);
-  const ProxyId box =
-      world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(0, 0.45, 0)), {});
+  const ProxyId box = world.add_proxy(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(0, 0.45, 0)), {});
   for (int i = 0; i < 20; ++i) {
     world.detect();
     testing::accelerate(world, {box}, kHalfDt * testing::kGravity);
@@ -149,7 +148,7 @@ TEST(StandInContact, PushingOverlapsApartLiftsNothingThatRests) {
   EXPECT_GE(world.state(box).pose.translation.y(), 0.45 - 1e-4);
 }
 
-TEST(StandInContact, ATiltedBodyFeelsItsFullInertia) {
+TEST(ProxyContact, ATiltedBodyFeelsItsFullInertia) {
   // A blow off the centre against closed form: angular velocity = I⁻¹ (arm × impulse), with a full inertia tensor.
   ContactWorld world(Vec3::Zero());
   const Vec3 size(1, 0.6, 0.3);
@@ -158,7 +157,7 @@ TEST(StandInContact, ATiltedBodyFeelsItsFullInertia) {
   mass.inertia = turn * mass.inertia * turn.transpose();
   ConvexPart part = box_part(size);
   for (Vec3& corner : part) corner = turn * corner;
-  const ProxyId body = world.add_stand_in(std::vector<ConvexPart>{part}, mass, Mobility::free, {}, {0.5, 0.3, 0});
+  const ProxyId body = world.add_proxy(std::vector<ConvexPart>{part}, mass, Mobility::free, {}, {0.5, 0.3, 0});
   const Vec3 target = turn * Vec3(0.3, 0.3, 0.1);
   world.add_sphere(0.1, 2, at(target + turn * Vec3(0, 0.1, 0), Vec3(1, -9, 2)), {0.5, 0.3, 0});
   solve(world, kHalfDt);
@@ -172,7 +171,7 @@ TEST(StandInContact, ATiltedBodyFeelsItsFullInertia) {
   EXPECT_LT((world.state(body).angular_velocity - mass.inertia.inverse() * point.cross(impulse)).norm(), 1e-6);
 }
 
-TEST(StandInContact, AFaceThatStrikesAFaceDoesNotTurnIt) {
+TEST(ProxyContact, AFaceThatStrikesAFaceDoesNotTurnIt) {
   const Quat turn(Eigen::AngleAxisd(1.1, Vec3(1, 3, -2).normalized()));
   ContactWorld world(Vec3::Zero());
   const Vec3 size(1, 0.4, 0.7);
@@ -180,7 +179,7 @@ TEST(StandInContact, AFaceThatStrikesAFaceDoesNotTurnIt) {
   for (double side : {-1.0, 1.0}) {
     RigidState state = at(turn * Vec3(0, side * 0.201, 0), turn * Vec3(0, -4 * side, 0));
     state.pose.rotation = turn;
-    boxes.push_back(world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, state, {0.5, 0.5}));
+    boxes.push_back(world.add_proxy(box_parts(size), box_mass(size, 5), Mobility::free, state, {0.5, 0.5}));
   }
   solve(world, kHalfDt);
   EXPECT_EQ(world.contacts().size(), 4u);
@@ -191,7 +190,7 @@ TEST(StandInContact, AFaceThatStrikesAFaceDoesNotTurnIt) {
   }
 }
 
-TEST(StandInContact, NormalsPointFromBToAWhicheverIsMadeOfParts) {
+TEST(ProxyContact, NormalsPointFromBToAWhicheverIsMadeOfParts) {
   // A body of two parts and a box above it, in both orders.
   const Vec3 size(1, 1, 1);
   std::vector<ConvexPart> parts = {box_part(size), box_part(size)};
@@ -199,8 +198,8 @@ TEST(StandInContact, NormalsPointFromBToAWhicheverIsMadeOfParts) {
   for (bool parts_first : {true, false}) {
     ContactWorld world(Vec3::Zero());
     const auto add = [&](bool of_parts) {
-      return world.add_stand_in(of_parts ? parts : box_parts(size), box_mass(size, 5), Mobility::free,
-                                at(of_parts ? Vec3(0, 0, 0) : Vec3(0.2, 0.999, 0.1)), {0.5, 0});
+      return world.add_proxy(of_parts ? parts : box_parts(size), box_mass(size, 5), Mobility::free,
+                             at(of_parts ? Vec3(0, 0, 0) : Vec3(0.2, 0.999, 0.1)), {0.5, 0});
     };
     const ProxyId first = add(parts_first);
     add(!parts_first);
@@ -216,7 +215,7 @@ TEST(StandInContact, NormalsPointFromBToAWhicheverIsMadeOfParts) {
   }
 }
 
-TEST(StandInContact, ImpulsesAreTheChangesOfMomentumInAHeap) {
+TEST(ProxyContact, ImpulsesAreTheChangesOfMomentumInAHeap) {
   const Vec3 gravity(1, -9.81, 0);
   ContactWorld world(gravity);
   world.add_ground(0, {0.8, 0.1});
@@ -227,7 +226,7 @@ TEST(StandInContact, ImpulsesAreTheChangesOfMomentumInAHeap) {
   for (int i = 0; i < 40; ++i) {
     const Vec3 place(0.4 * uniform(random), 0.6 + 0.5 * uniform(random), 0.4 * uniform(random));
     const std::vector<ConvexPart> parts = {random_chunk(random, 0.1)};
-    chunks.push_back(world.add_stand_in(parts, mass, Mobility::free, at(place), {0.5 + 0.4 * uniform(random), 0.3}));
+    chunks.push_back(world.add_proxy(parts, mass, Mobility::free, at(place), {0.5 + 0.4 * uniform(random), 0.3}));
   }
   for (int step = 0; step < 200; ++step) {
     const double dt = step % 7 < 3 ? 1.0 / 960 : 1.0 / 120;
@@ -255,14 +254,14 @@ TEST(StandInContact, ImpulsesAreTheChangesOfMomentumInAHeap) {
   EXPECT_GT(world.contacts().size(), 60u);
 }
 
-TEST(StandInContact, ATowerStands) {
+TEST(ProxyContact, ATowerStands) {
   ContactWorld world(Vec3(0, -9.81, 0));
   world.add_ground(0, {});
   const Vec3 size(0.4, 0.2, 0.3);
   std::vector<ProxyId> boxes;
   for (int i = 0; i < 8; ++i)
     boxes.push_back(
-        world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(0, 0.1 + 0.2 * i, 0)), {}));
+        world.add_proxy(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(0, 0.1 + 0.2 * i, 0)), {}));
   for (int i = 0; i < 480; ++i) substep(world, boxes, kHalfDt, kGravity);
   for (int i = 0; i < 8; ++i) {
     EXPECT_LT((world.state(boxes[i]).pose.translation - Vec3(0, 0.1 + 0.2 * i, 0)).norm(), 5e-3) << i;
@@ -270,12 +269,12 @@ TEST(StandInContact, ATowerStands) {
   }
 }
 
-TEST(StandInContact, RemovedAndReshapedObjectsLeaveNoContactBehind) {
+TEST(ProxyContact, RemovedAndReshapedObjectsLeaveNoContactBehind) {
   ContactWorld world(Vec3(0, -9.81, 0));
   world.add_ground(0, {});
   const Vec3 size(1, 1, 1), smaller(1, 0.5, 1);
-  const ProxyId lower = world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(0, 0.5, 0)), {});
-  const ProxyId upper = world.add_stand_in(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(0, 1.5, 0)), {});
+  const ProxyId lower = world.add_proxy(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(0, 0.5, 0)), {});
+  const ProxyId upper = world.add_proxy(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(0, 1.5, 0)), {});
   substep(world, {lower, upper}, kHalfDt, kGravity);
   EXPECT_FALSE(world.contacts().empty());
   world.reshape(lower, box_parts(smaller), box_mass(smaller, 2.5), Mobility::free, at(Vec3(0, 0.25, 0)));

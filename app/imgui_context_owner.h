@@ -8,13 +8,13 @@ namespace griffith::app {
 
 /// The user interface's context, drawn with OpenGL. Construct and use it while an OpenGL 3.3 context is current, one at
 /// a time. Reads and writes no settings file.
-class Interface {
+class ImGuiContextOwner {
  public:
   /// `scale`: screen pixels per design pixel.
-  explicit Interface(float scale);
-  ~Interface();
-  Interface(const Interface&) = delete;
-  Interface& operator=(const Interface&) = delete;
+  explicit ImGuiContextOwner(float scale);
+  ~ImGuiContextOwner();
+  ImGuiContextOwner(const ImGuiContextOwner&) = delete;
+  ImGuiContextOwner& operator=(const ImGuiContextOwner&) = delete;
 
   const ui::Fonts& fonts() const { return fonts_; }
 

@@ -1,0 +1,11 @@
+# Voro++ comes without a package description. Gives Voro::voro.
+find_path(VORO_INCLUDE_DIR voro++/voro++.hh)
+find_library(VORO_LIBRARY voro++)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(Voro REQUIRED_VARS VORO_LIBRARY VORO_INCLUDE_DIR)
+mark_as_advanced(VORO_INCLUDE_DIR VORO_LIBRARY)
+if(Voro_FOUND AND NOT TARGET Voro::voro)
+  add_library(Voro::voro INTERFACE IMPORTED)
+  target_link_libraries(Voro::voro INTERFACE ${VORO_LIBRARY})
+  target_include_directories(Voro::voro SYSTEM INTERFACE ${VORO_INCLUDE_DIR})
+endif()

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "sim/elasticity/element.h"
+#include "sim/fracture/node_separation.h"
+#include "sim/mesh/bisect.h"
+#include "sim/solver/node_constraint.h"
+
+namespace griffith {
+
+/// What moves, per node. Each array stands in each_array(), by which nodes are added.
+struct NodeArrays {
+  std::vector<Vec3> positions, velocities;   ///< [m], [m/s]
+  std::vector<double> masses;                ///< lumped: a quarter of each tet of the star [kg]
+  std::vector<NodeConstraint> constraints;   ///< what supports leave free
+  std::vector<std::uint8_t> held;            ///< 1 where a support acts on the node
+  std::vector<std::uint8_t> at_crack_front;  ///< 1 where cut faces end
+  std::vector<double> strength_factors;      ///< what flaws leave of the strength [-]; 1 without scatter
+  std::vector<int> rows;                     ///< row in the system of the node's body, -1 for held ones
+  std::vector<NodeSeparation> separations;
+  std::vector<Vec3> reactions;          ///< what supports did to the node in the last step [N]
+  std::vector<Vec3> similarity_starts;  ///< of bodies in shock with f < 1: displacement from rest at its start [m]
+  std::vector<double> pushed_at;        ///< when something pushed it hard in a shock last [s]; −∞: never
+
+  /// As many nodes; new ones are at the origin, at rest and without mass.
+  void resize(std::size_t count);
+  /// A node that starts as another one is: where it is held, at the crack front or in a system is for others to say.
+  void append_copy(NodeId original);
+  /// The node on an edge that was bisected.
+  void append_between(const EdgeNode& node);
+
+ private:
+  /// Calls use(array, what a new node has there) for every array.
+  template <class Use>
+  void each_array(Use use) {
+    const Vec3 zero = Vec3::Zero();
+    use(positions, zero), use(velocities, zero), use(masses, 0.0), use(constraints, NodeConstraint());
+    use(held, std::uint8_t{0}), use(at_crack_front, std::uint8_t{0}), use(strength_factors, 1.0), use(rows, -1);
+    use(separations, NodeSeparation()), use(reactions, zero), use(similarity_starts, zero);
+    use(pushed_at, -std::numeric_limits<double>::infinity());
+  }
+};
+
+/// When each face of a tet was opened by a crack [s]; not a number: never.
+using OpenedFaces = std::array<double, 4>;
+constexpr double kNeverOpened = std::numeric_limits<double>::quiet_NaN();
+
+/// Per tet; the rest elements change by remeshing alone. Each array stands in each_array(), by which tets are added.
+struct ElementArrays {
+  std::vector<RestElement> rest_elements;
+  std::vector<ElementState> states;
+  std::vector<Mat3> plastic_strains;     ///< in rest space, traceless [-]
+  std::vector<Mat3> similarity_strains;  ///< of bodies in shock: strain without stress, beside the plastic one [-]
+  std::vector<Mat3> stresses;            ///< Cauchy stress, world frame [Pa], for the frame
+  std::vector<BodyId> bodies;
+  std::vector<std::uint8_t> first_surface;  ///< bit i: face i was on the surface before anything broke
+  std::vector<OpenedFaces> opened;
+
+  /// As many tets; new ones have no stress and belong to no body.
+  void resize(std::size_t count);
+  /// A tet that starts as another one is.
+  void append_copy(TetId original);
+
+ private:
+  template <class Use>
+  void each_array(Use use) {
+    const Mat3 zero = Mat3::Zero();
+    use(rest_elements, RestElement{Corners::Zero(), 0}), use(states, ElementState()), use(plastic_strains, zero);
+    use(similarity_strains, zero), use(stresses, zero), use(bodies, BodyId()), use(first_surface, std::uint8_t{0});
+    use(opened, OpenedFaces{kNeverOpened, kNeverOpened, kNeverOpened, kNeverOpened});
+  }
+};
+
+}  // namespace griffith

@@ -1,0 +1,17 @@
+# Every installed header compiles alone, without warnings, and reads nothing but Eigen and the standard library.
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
+file(GLOB_RECURSE headers RELATIVE ${PREFIX}/include ${PREFIX}/include/griffith/*.h)
+list(LENGTH headers count)
+if(count LESS 40)
+  message(FATAL_ERROR "only ${count} headers are installed")
+endif()
+foreach(header ${headers})
+  file(WRITE ${WORK}/header.cpp "#include <${header}>\n")
+  run(${CXX} -std=c++20 -fsyntax-only -Wall -Wextra -Wshadow -Werror -I${PREFIX}/include -I${PREFIX}/include/griffith
+      -isystem ${EIGEN} -MD -MF ${WORK}/header.d ${WORK}/header.cpp)
+  file(READ ${WORK}/header.d read)
+  if(read MATCHES "bullet|/tbb/|nlohmann|voro|epoxy|EGL|imgui|GLFW")
+    message(SEND_ERROR "${header} reads another library (${CMAKE_MATCH_0})")
+  endif()
+endforeach()

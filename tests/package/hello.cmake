@@ -1,0 +1,8 @@
+# The example as its folder has it, with no flags, and with flags that round otherwise.
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
+build_project(${SOURCE}/examples/hello ${WORK}/hello)
+expect_same_run(${WORK}/hello/hello)
+build_project(${SOURCE}/examples/hello ${WORK}/hello_native -DCMAKE_BUILD_TYPE=Release
+              "-DCMAKE_CXX_FLAGS=-march=native -ffp-contract=fast")
+expect_same_run(${WORK}/hello_native/hello)

@@ -1,0 +1,17 @@
+# Installs the build in BUILD and moves the result to PREFIX: a package must not know where it is.
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
+file(REMOVE_RECURSE ${PREFIX} ${PREFIX}-first)
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${PREFIX}-first)
+file(RENAME ${PREFIX}-first ${PREFIX})
+
+file(GLOB_RECURSE texts ${PREFIX}/*.cmake ${PREFIX}/*.pc)
+foreach(text ${texts})
+  file(READ ${text} content)
+  foreach(folder ${PREFIX} ${BUILD} ${SOURCE})
+    string(FIND "${content}" "${folder}" found)
+    if(NOT found EQUAL -1)
+      message(SEND_ERROR "${text} names ${folder}")
+    endif()
+  endforeach()
+endforeach()

@@ -1,0 +1,41 @@
+# Whatever instruction set a program is compiled for, it and the library agree how the public types lie in memory.
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
+file(GLOB_RECURSE headers RELATIVE ${PREFIX}/include ${PREFIX}/include/griffith/*.h)
+
+# Of Eigen's own types those that it aligns are in no signature.
+set(includes "")
+foreach(header ${headers})
+  string(APPEND includes "#include <${header}>\n")
+  file(READ ${PREFIX}/include/${header} text)
+  if(text MATCHES "Eigen::(Vector2d|Vector4|Matrix2|Matrix4|VectorX|MatrixX|ArrayX|Quaternion[df])")
+    message(SEND_ERROR "${header}: Eigen::${CMAKE_MATCH_1} lies otherwise in memory for other instruction sets")
+  endif()
+endforeach()
+file(WRITE ${WORK}/layout.cpp "${includes}")
+
+# Lists all classes of the library, each with size and alignment, as compiled with `flag`.
+function(layouts flag list)
+  run(${CXX} -std=c++20 ${flag} -fdump-lang-class=${WORK}/layout.txt -I${PREFIX}/include -I${PREFIX}/include/griffith
+      -isystem ${EIGEN} -c ${WORK}/layout.cpp -o ${WORK}/layout.o)
+  file(READ ${WORK}/layout.txt text)
+  string(REGEX MATCHALL "\nClass griffith::[^\n]+\n +size=[^\n]+\n[^\n]+" classes "${text}")
+  string(JOIN "" classes ${classes})
+  set(${list} "${classes}" PARENT_SCOPE)
+endfunction()
+
+layouts(-march=x86-64 oldest)
+string(REGEX MATCHALL "Class griffith::(ElementRest|Frame|Scene)\n" known "${oldest}")
+list(LENGTH known count)
+if(NOT count EQUAL 3)
+  message(FATAL_ERROR "the compiler's list of classes is not understood (${WORK}/layout.txt)")
+endif()
+foreach(flag -march=x86-64-v3 -march=x86-64-v4 -DEIGEN_MAX_ALIGN_BYTES=0)
+  layouts(${flag} other)
+  if(NOT other STREQUAL oldest)
+    file(WRITE ${WORK}/oldest.txt "${oldest}")
+    file(WRITE ${WORK}/other.txt "${other}")
+    execute_process(COMMAND diff ${WORK}/oldest.txt ${WORK}/other.txt OUTPUT_VARIABLE difference)
+    message(SEND_ERROR "with ${flag} the public types lie otherwise in memory:\n${difference}")
+  endif()
+endforeach()
