@@ -117,7 +117,7 @@ TEST_F(ViewsTest, EveryLayerShowsItsSignsInItsColours) {
       {"velocities", sign_color::kVelocity, true},
       {"contacts", sign_color::kImpulse, true},
       {"fracture_planes", {0.36f, 0.26f, 0.52f}, false},  // the old ones: there are many
-      {"candidate_plane", sign_color::kBelow, false},
+      {"candidate_plane", sign_color::kBelow, true},
       {"element_forces", sign_color::kTension, true},
       {"body_frames", {0.86f, 0.22f, 0.20f}, true},
       {"collision_shapes", id_color(0), true},

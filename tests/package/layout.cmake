@@ -25,7 +25,7 @@ function(layouts flag list)
 endfunction()
 
 layouts(-march=x86-64 oldest)
-string(REGEX MATCHALL "Class griffith::(ElementRest|Frame|Scene)\n" known "${oldest}")
+string(REGEX MATCHALL "Class griffith::(RestElement|Frame|Scene)\n" known "${oldest}")
 list(LENGTH known count)
 if(NOT count EQUAL 3)
   message(FATAL_ERROR "the compiler's list of classes is not understood (${WORK}/layout.txt)")

@@ -115,11 +115,12 @@ class Randomizer {
   }
   template <class T>
   void fill(std::vector<T>& items, Parts parts) {
-    items = std::vector<T>(std::uniform_int_distribution(0, 4)(random_));
-    for (T& item : items) {
+    items.clear();
+    for (int i = std::uniform_int_distribution(0, 4)(random_); i > 0; --i) {
+      T& item = items.emplace_back();
       fill(item, parts);
       // The table asks bodies and cameras for different names.
-      if constexpr (requires { item.name; }) item.name += std::to_string(&item - items.data());
+      if constexpr (requires { item.name; }) item.name += std::to_string(items.size() - 1);
     }
   }
   template <class T>
