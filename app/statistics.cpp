@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "app/components.h"
+#include "sim/world/step_counters.h"
 
 namespace griffith::app {
 namespace {
@@ -47,24 +48,9 @@ std::string hash_text(std::uint64_t hash) {
   return text;
 }
 
-void add_counters(Json& json, const StepReport& sums, const StepReport& largest) {
-  json["substeps"] = sums.substeps;
-  json["microsteps"] = sums.microsteps;
-  json["contacts"] = sums.contacts;
-  json["cracks_postponed"] = sums.cracks_postponed;
-  json["cracks_suppressed"] = sums.cracks_suppressed;
-  json["remeshing_refused"] = sums.remeshing_refused;
-  json["supports_torn"] = sums.supports_torn;
-  json["unfinished_equilibria"] = sums.unfinished_equilibria;
-  json["unconverged_solves"] = sums.unconverged_solves;
-  json["shortened_motions"] = sums.shortened_motions;
-  json["limited_impulses"] = sums.limited_impulses;
-  json["sleeping_bodies"] = largest.sleeping_bodies;
-  json["max_penetration"] = largest.max_penetration;
-  json["max_relative_residual"] = largest.max_relative_residual;
-  json["solver_iterations"] = largest.solver_iterations;
-  json["inverted_tets"] = largest.inverted_tets;
-  json["non_finite_values"] = largest.non_finite_values;
+void add_counters(Json& json, const StepReport& total) {
+  for (const StepCounter& counter : step_counters())
+    std::visit([&](auto value) { json[counter.key] = total.*value; }, counter.value);
 }
 
 /// Without the projectiles, so that it stays what it was [kg].
@@ -92,36 +78,18 @@ void add_energy(Json& json, const EnergyAccount& energy) {
 
 RunStatistics::RunStatistics(const Frame& start, double time_step, int threads)
     : time_step_(time_step), threads_(threads), initial_mass_(mass_of_bodies(start)) {
-  sums_.substeps = 0;
-  largest_.substeps = 0;
+  total_.substeps = 0;
 }
 
 void RunStatistics::add(const Frame& frame) {
-  const StepReport& report = frame.report;
-  sums_.substeps += report.substeps;
-  sums_.microsteps += report.microsteps;
-  sums_.contacts += report.contacts;
-  sums_.cracks_postponed += report.cracks_postponed;
-  sums_.cracks_suppressed += report.cracks_suppressed;
-  sums_.remeshing_refused += report.remeshing_refused;
-  sums_.supports_torn += report.supports_torn;
-  sums_.unfinished_equilibria += report.unfinished_equilibria;
-  sums_.unconverged_solves += report.unconverged_solves;
-  sums_.shortened_motions += report.shortened_motions;
-  sums_.limited_impulses += report.limited_impulses;
-  largest_.sleeping_bodies = std::max(largest_.sleeping_bodies, report.sleeping_bodies);
-  largest_.max_penetration = std::max(largest_.max_penetration, report.max_penetration);
-  largest_.max_relative_residual = std::max(largest_.max_relative_residual, report.max_relative_residual);
-  largest_.solver_iterations = std::max(largest_.solver_iterations, report.solver_iterations);
-  largest_.inverted_tets = std::max(largest_.inverted_tets, report.inverted_tets);
-  largest_.non_finite_values = std::max(largest_.non_finite_values, report.non_finite_values);
+  add_step(frame.report, total_);
   for (const BodyView& body : frame.bodies) {
     if (!body.scaled) continue;
     ScaledBody& scaled = scaled_[body.scene_body];
     ++scaled.impacts;
     if (body.scaled->factor < scaled.slowest.factor) scaled = {frame.step, scaled.impacts, *body.scaled};
   }
-  const std::array<double, 6> times = phase_times(report.milliseconds);
+  const std::array<double, 6> times = phase_times(frame.report.milliseconds);
   for (std::size_t i = 0; i < times.size(); ++i) milliseconds_[i].push_back(times[i]);
 }
 
@@ -138,7 +106,7 @@ std::string RunStatistics::json(const Frame& frame, std::uint64_t state_hash) co
   json["initial_mass"] = initial_mass_;
   add_totals(json, frame.totals);
   add_energy(json, frame.energy);
-  add_counters(json, sums_, largest_);
+  add_counters(json, total_);
   json["scaled_impacts"] = Json::array();
   for (const auto& [scene_body, scaled] : scaled_)
     json["scaled_impacts"].push_back({{"scene_body", scene_body},
@@ -160,7 +128,7 @@ std::string RunStatistics::json(const Frame& frame, std::uint64_t state_hash) co
 
 std::string RunStatistics::summary(const Frame& frame, std::uint64_t state_hash) const {
   const TimeSummary times = summarize(milliseconds_[0]);
-  const StepReport& l = largest_;
+  const StepReport& t = total_;
   char text[1024];
   std::snprintf(text, sizeof text,
                 "%lld steps of %.4g ms: %zu tetrahedra, %zu nodes, %zu pieces (%d fragments), %zu crack events\n"
@@ -171,8 +139,8 @@ std::string RunStatistics::summary(const Frame& frame, std::uint64_t state_hash)
                 "state hash %s\n",
                 static_cast<long long>(frame.step), 1e3 * time_step_, frame.tets.size(), frame.positions.size(),
                 frame.bodies.size(), frame.fragments, frame.crack_events.size(), times.median, times.p99, times.max,
-                l.solver_iterations, l.max_relative_residual, sums_.unconverged_solves, sums_.cracks_postponed,
-                sums_.cracks_suppressed, sums_.unfinished_equilibria, l.inverted_tets, l.non_finite_values,
+                t.solver_iterations, t.max_relative_residual, t.unconverged_solves, t.cracks_postponed,
+                t.cracks_suppressed, t.unfinished_equilibria, t.inverted_tets, t.non_finite_values,
                 hash_text(state_hash).c_str());
   std::string lines = text;
   for (const auto& [scene_body, scaled] : scaled_) {

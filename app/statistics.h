@@ -22,11 +22,9 @@ class RunStatistics {
 
   /// One JSON object. `energy` is the account since the start: energy_entries() by their keys, `unaccounted`, `put_in`
   /// (the sum of all sources) and `crack_area`. SI units, times in milliseconds. Totals describe `frame`, the last one;
-  /// `max_penetration`, `max_relative_residual`, `solver_iterations`, `inverted_tets`, `non_finite_values` and
-  /// `sleeping_bodies` are the largest of any step, `substeps`, `microsteps`, `contacts`, `cracks_postponed`,
-  /// `cracks_suppressed`, `remeshing_refused`, `supports_torn`, `unfinished_equilibria`, `unconverged_solves`,
-  /// `shortened_motions` and `limited_impulses` sums over all steps. `scaled_impacts` lists for each scene body whose
-  /// impacts were scaled (ScaledImpact) the slowest, with the effective material and the reason.
+  /// step_counters() by their keys are sums over all steps, or the largest of any, as they say. `scaled_impacts` lists
+  /// for each scene body whose impacts were scaled (ScaledImpact) the slowest, with the effective material and the
+  /// reason.
   std::string json(const Frame& frame, std::uint64_t state_hash) const;
 
   /// The same for a person, a few lines.
@@ -36,7 +34,7 @@ class RunStatistics {
   double time_step_;
   int threads_;
   double initial_mass_;
-  StepReport sums_, largest_;
+  StepReport total_;  ///< of all steps, by add_step()
   struct ScaledBody {
     std::int64_t step = 0;  ///< of the slowest
     int impacts = 0;        ///< steps in which it or a piece of it was scaled

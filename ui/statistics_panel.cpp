@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sim/mesh/number_text.h"
+#include "sim/world/step_counters.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 #include "ui/units.h"
@@ -31,8 +32,6 @@ void mesh_rows(const Panel& panel) {
   count_row(panel, "Pieces", frame.bodies.size());
   count_row(panel, "Fragments", static_cast<std::size_t>(std::max(frame.fragments, 0)));
   count_row(panel, "Crack events", frame.crack_events.size());
-  count_row(panel, "Contacts", static_cast<std::size_t>(std::max(frame.report.contacts, 0)));
-  count_row(panel, "Substeps", static_cast<std::size_t>(std::max(frame.report.substeps, 0)));
 }
 
 /// What stood in for the material of the slowest body, and why.
@@ -52,35 +51,27 @@ void scaled_row(const Panel& panel) {
                         : "Their waves would have taken more microsteps than step_budget leaves.");
 }
 
-void solver_rows(const Panel& panel) {
-  const StepReport& report = panel.input.frame.report;
-  heading(panel, "Solver");
-  count_row(panel, "Iterations", static_cast<std::size_t>(std::max(report.solver_iterations, 0)));
-  char residual[32];
-  std::snprintf(residual, sizeof residual, "%.1e", report.max_relative_residual);
-  value_row(panel, "Relative residual", residual, palette::kText);
-  trouble_row(panel, "Unconverged solves", report.unconverged_solves, palette::kWarning,
-              "Solves stopped by the iteration limit: allow more iterations or a larger residual.");
-  trouble_row(panel, "Inverted tetrahedra", report.inverted_tets, palette::kWarning,
-              "Elements turned inside out: use more substeps or stiffer material.");
-  trouble_row(panel, "Values not finite", report.non_finite_values, palette::kError,
-              "Bodies frozen because a value was not finite, or because they would take more than 100,000 explicit "
-              "substeps a step: reset, and use a smaller time step.");
-  trouble_row(panel, "Cracks postponed", report.cracks_postponed, palette::kWarning,
-              "Over the budget of cracks a step; they follow in the next steps.");
-  trouble_row(panel, "Cracks suppressed", report.cracks_suppressed, palette::kWarning,
-              "Not made because the fragment would be too small.");
-  trouble_row(panel, "Cuts refused", report.remeshing_refused, palette::kWarning,
-              "Edges that remeshing left whole, or the tetrahedra would have become too small or too flat.");
-  trouble_row(panel, "Unfinished equilibria", report.unfinished_equilibria, palette::kWarning,
-              "Cracks were still opening at the limit of substeps: raise impact_substeps of the scene.");
+void counter_row(const Panel& panel, const StepCounter& counter, int value) {
+  const ImU32 color = counter.concern == CounterConcern::error ? palette::kError : palette::kWarning;
+  if (counter.concern != CounterConcern::none)
+    return trouble_row(panel, counter.label.data(), value, color, counter.meaning.data());
+  count_row(panel, counter.label.data(), static_cast<std::size_t>(std::max(value, 0)));
+  tooltip(counter.meaning.data());
+}
+
+void counter_row(const Panel& panel, const StepCounter& counter, double value) {
+  char ratio[32];
+  std::snprintf(ratio, sizeof ratio, "%.1e", value);
+  const std::string text = counter.unit == "-" ? ratio : format_quantity(value, counter.unit.data(), 3);
+  value_row(panel, counter.label.data(), text, palette::kText);
+  tooltip(counter.meaning.data());
+}
+
+void step_rows(const Panel& panel) {
+  heading(panel, "Last step");
+  for (const StepCounter& counter : step_counters())
+    std::visit([&](auto value) { counter_row(panel, counter, panel.input.frame.report.*value); }, counter.value);
   scaled_row(panel);
-  trouble_row(panel, "Shortened motions", report.shortened_motions, palette::kWarning,
-              "Deformations cut short, whose linearised step would have added energy: use more substeps.");
-  trouble_row(panel, "Limited impulses", report.limited_impulses, palette::kWarning,
-              "Bodies whose contact impulses were cut, which would have added energy.");
-  count_row(panel, "Sleeping bodies", static_cast<std::size_t>(report.sleeping_bodies));
-  value_row(panel, "Penetration", format_quantity(report.max_penetration, "m", 3), palette::kText);
 }
 
 /// A value and, as a bar below it, its share of a whole.
@@ -124,7 +115,7 @@ void timing_rows(const Panel& panel) {
   heading(panel, "Time of the last step");
   time_bar(panel, "Contact", t.contact, t.step);
   time_bar(panel, "Elasticity", t.elasticity, t.step);
-  time_bar(panel, "Microsteps", t.shock, t.step);
+  time_bar(panel, "Shock", t.shock, t.step);
   time_bar(panel, "Separation", t.separation, t.step);
   time_bar(panel, "Fracture", t.fracture, t.step);
   time_bar(panel, "Step", t.step, t.step);
@@ -135,7 +126,7 @@ void timing_rows(const Panel& panel) {
 void draw_statistics_panel(Panel& panel) {
   mesh_rows(panel);
   energy_rows(panel);
-  solver_rows(panel);
+  step_rows(panel);
   if (panel.state.show_times) timing_rows(panel);
 }
 

@@ -1,0 +1,65 @@
+#include "sim/world/step_counters.h"
+
+#include <algorithm>
+
+namespace griffith {
+namespace {
+
+constexpr auto kSum = CounterTotal::sum, kLargest = CounterTotal::largest;
+constexpr auto kNone = CounterConcern::none, kWarning = CounterConcern::warning, kError = CounterConcern::error;
+
+constexpr StepCounter kCounters[] = {
+    {"substeps", "Substeps", "", "Implicit steps that the step was made of.", kSum, kNone, &StepReport::substeps},
+    {"microsteps", "Microsteps", "", "Explicit steps of bodies in shock.", kSum, kNone, &StepReport::microsteps},
+    {"contacts", "Contacts", "", "Points at which things touched.", kSum, kNone, &StepReport::contacts},
+    {"cracks_postponed", "Cracks postponed", "", "Over the budget of cracks a step; they follow in the next steps.",
+     kSum, kWarning, &StepReport::cracks_postponed},
+    {"cracks_suppressed", "Cracks suppressed", "", "Not made because the fragment would be too small.", kSum, kWarning,
+     &StepReport::cracks_suppressed},
+    {"remeshing_refused", "Cuts refused", "",
+     "Edges that remeshing left whole, or the tetrahedra would have become too small or too flat.", kSum, kWarning,
+     &StepReport::remeshing_refused},
+    {"supports_torn", "Supports torn", "", "Cracks at which a support lost its hold.", kSum, kNone,
+     &StepReport::supports_torn},
+    {"unfinished_equilibria", "Unfinished equilibria", "",
+     "Cracks were still opening at the limit of substeps: raise impact_substeps of the scene.", kSum, kWarning,
+     &StepReport::unfinished_equilibria},
+    {"unconverged_solves", "Unconverged solves", "",
+     "Solves stopped by the iteration limit: allow more iterations or a larger residual.", kSum, kWarning,
+     &StepReport::unconverged_solves},
+    {"shortened_motions", "Shortened motions", "",
+     "Deformations cut short, whose linearised step would have added energy: use more substeps.", kSum, kWarning,
+     &StepReport::shortened_motions},
+    {"limited_impulses", "Limited impulses", "",
+     "Bodies whose contact impulses were cut, which would have added energy.", kSum, kWarning,
+     &StepReport::limited_impulses},
+    {"sleeping_bodies", "Sleeping bodies", "", "Bodies that lie still until something strikes them.", kLargest, kNone,
+     &StepReport::sleeping_bodies},
+    {"max_penetration", "Penetration", "m", "The deepest overlap in a contact.", kLargest, kNone,
+     &StepReport::max_penetration},
+    {"max_relative_residual", "Relative residual", "-", "What iterations left of the forces out of balance.", kLargest,
+     kNone, &StepReport::max_relative_residual},
+    {"solver_iterations", "Iterations", "", "The most of any body and substep.", kLargest, kNone,
+     &StepReport::solver_iterations},
+    {"inverted_tets", "Inverted tetrahedra", "", "Elements turned inside out: use more substeps or stiffer material.",
+     kLargest, kWarning, &StepReport::inverted_tets},
+    {"non_finite_values", "Values not finite", "",
+     "Bodies frozen because a value was not finite, or because they would take more than 100,000 explicit substeps a "
+     "step: reset, and use a smaller time step.",
+     kLargest, kError, &StepReport::non_finite_values},
+};
+
+}  // namespace
+
+std::span<const StepCounter> step_counters() { return kCounters; }
+
+void add_step(const StepReport& step, StepReport& total) {
+  for (const StepCounter& counter : kCounters)
+    std::visit(
+        [&](auto value) {
+          total.*value = counter.total == kSum ? total.*value + step.*value : std::max(total.*value, step.*value);
+        },
+        counter.value);
+}
+
+}  // namespace griffith
