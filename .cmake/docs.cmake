@@ -5,7 +5,7 @@ if(NOT GRIFFITH_DOXYGEN)
   return()
 endif()
 file(GLOB doxygen_input ${PROJECT_SOURCE_DIR}/docs/*.md)
-list(APPEND doxygen_input ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/scenes/README.md
+list(APPEND doxygen_input ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md ${PROJECT_SOURCE_DIR}/scenes/README.md
      ${PROJECT_SOURCE_DIR}/tests/fuzz/README.md ${PROJECT_BINARY_DIR}/include/griffith/version.h)
 foreach(library griffith_sim griffith_renderer)
   if(TARGET ${library})
