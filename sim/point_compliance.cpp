@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "sim/sort_unique.h"
+
 namespace griffith {
 namespace {
 
@@ -60,8 +62,7 @@ PointCompliance node_compliance(std::span<const WeightedRows> points, std::span<
   for (const WeightedRows& point : points)
     for (int row : point.rows)
       if (row >= 0) used.push_back(row);
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
+  sort_unique(used);
   for (int row : used) compliance.nodes.push_back(nodes[row]);
   for (WeightedRows& point : compliance.points)
     for (int& row : point.rows)

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <tuple>
 
+#include "sim/sort_unique.h"
+
 namespace griffith {
 namespace {
 
@@ -147,8 +149,7 @@ std::vector<NodeId> nodes_of(const TetMesh& mesh, std::span<const TetId> tets) {
   std::vector<NodeId> nodes;
   nodes.reserve(4 * tets.size());
   for (TetId tet : tets) nodes.insert(nodes.end(), mesh.tets[tet].begin(), mesh.tets[tet].end());
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  sort_unique(nodes);
   return nodes;
 }
 

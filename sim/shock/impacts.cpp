@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "sim/mesh/tet_mesh.h"
+#include "sim/sort_unique.h"
 
 namespace griffith::shock {
 namespace {
@@ -112,9 +113,7 @@ void Impacts::list_near_obstacle(const Solid& solid, const Obstacle& obstacle, C
   near_nodes_.clear();
   for (const BoxedSide& near : near_)
     for (const int node : nodes_of(solid, near.side)) near_nodes_.push_back(node);
-  std::ranges::sort(near_nodes_);
-  const auto repeated = std::ranges::unique(near_nodes_);
-  near_nodes_.erase(repeated.begin(), repeated.end());
+  sort_unique(near_nodes_);
   for (int part = 0; part < static_cast<int>(obstacle.solids.size()); ++part)
     list_near_part(solid, obstacle, part, candidates);
 }
@@ -146,9 +145,7 @@ void Impacts::list_pairs(const Solid& solid) {
   std::vector<std::pair<double, int>> nodes;
   for (const BoxedSide& boxed : boxed_)
     for (const int node : nodes_of(solid, boxed.side)) nodes.emplace_back(solid.position(node).x(), node);
-  std::ranges::sort(nodes);
-  const auto repeated = std::ranges::unique(nodes);
-  nodes.erase(repeated.begin(), repeated.end());
+  sort_unique(nodes);
   for (const auto& [box, side] : boxed_) {
     const int family = surfaces_[solid.body_of_slot(side.slot)].family;
     for (auto at = std::ranges::lower_bound(nodes, std::pair(box.min().x() - margin_, -1));

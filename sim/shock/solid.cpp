@@ -103,7 +103,12 @@ int Solid::copy_node(int node, double mass) {
 }
 
 void Solid::constrain(int node, const NodeConstraint& constraint) {
-  nodes_[node].constraint = static_cast<int>(constraints_.size());
+  int& index = nodes_[node].constraint;
+  if (index >= 0) {
+    constraints_[index].constraint = constraint;
+    return;
+  }
+  index = static_cast<int>(constraints_.size());
   constraints_.push_back({node, constraint});
 }
 

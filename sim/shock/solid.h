@@ -66,9 +66,8 @@ class Solid {
   int add_node(const SolidNodeStart& start);
   /// A node that moves as another does, with its own mass [kg], for part().
   int copy_node(int node, double mass);
+  /// Holds a node, or holds it otherwise from now on: a constraint may leave it free again.
   void constrain(int node, const NodeConstraint& constraint);
-  /// Another constraint for the same node, free as well.
-  void constrain_again(int index, const NodeConstraint& constraint) { constraints_[index].constraint = constraint; }
   /// A body of tets with these corners, seen in the body's present turn. Gradients as RestElement.
   ///   offsets   strain without stress per tet: plastic strain, in the present turn [-]
   ///   density   [kg/m³]

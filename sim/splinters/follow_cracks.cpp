@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "sim/sort_unique.h"
 #include "sim/splinters/carried_corner.h"
 
 namespace griffith {
@@ -55,12 +56,6 @@ void open_walls(const SplinterSet& set, Neighbours neighbours, SplinterId id, Sp
   }
 }
 
-void sort_and_unite(std::vector<SplinterId>& ids) {
-  std::ranges::sort(ids);
-  const auto rest = std::ranges::unique(ids);
-  ids.erase(rest.begin(), rest.end());
-}
-
 }  // namespace
 
 SplinterState intact_state(const SplinterSet& splinters) {
@@ -77,7 +72,7 @@ void follow_cracks(const SplinterSet& splinters, Neighbours neighbours, std::spa
     if (static_cast<std::size_t>(tet) >= splinters.parts_of_tet.size()) continue;  // of a body without splinters
     for (const int part : splinters.parts_of_tet[tet]) touched.push_back(splinters.parts[part].splinter);
   }
-  sort_and_unite(touched);
+  sort_unique(touched);
   for (const SplinterId id : touched) update_attachment(splinters, neighbours, id, state);
   for (const SplinterId id : touched) open_walls(splinters, neighbours, id, state);
 }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "sim/mesh/topology.h"
+#include "sim/sort_unique.h"
 
 namespace griffith {
 namespace {
@@ -185,9 +186,7 @@ void add_ground_contacts(const WorldState& world, const Body& body, const Contac
     for (const NodeId node : corners)
       if (!world.nodes.held[node] && std::abs(world.nodes.positions[node].y() - height) < reach) nodes.push_back(node);
   }
-  std::ranges::sort(nodes);
-  const auto repeated = std::ranges::unique(nodes);
-  nodes.erase(repeated.begin(), repeated.end());
+  sort_unique(nodes);
   const bool is_a = world.body_of(like.a) == body.id;
   for (const NodeId node : nodes) {
     const double distance = world.nodes.positions[node].y() - height;

@@ -169,8 +169,8 @@ void ShockRun::open(const Overload& overload) {
   if (rebuild_) return;
   follow(std::span(opened_.copies).subspan(first_copy), star, neighbours);
   if (torn_off)
-    for (int held = 0; held < static_cast<int>(solid_.constraints().size()); ++held)
-      solid_.constrain_again(held, world_.nodes.constraints[nodes_[solid_.constraints()[held].node]]);
+    for (const shock::SolidConstraint& held : solid_.constraints())
+      solid_.constrain(held.node, world_.nodes.constraints[nodes_[held.node]]);
   for (const TetId tet : star)
     for (const NodeId near : world_.mesh.tets[tet]) {
       const bool new_front = world_.nodes.at_crack_front[near] && std::ranges::find(front, near) == front.end();
