@@ -59,6 +59,7 @@ void ContactWorld::Impl::detect() {
     return;
   }
   world.performDiscreteCollisionDetection();
+  forget_parted();
   collect_manifolds();
   update_allowances();
   wake_disturbed();
@@ -66,12 +67,17 @@ void ContactWorld::Impl::detect() {
   for (Object& object : objects) object.fresh = false;
 }
 
+/// What a copied world remembers of pairs that it has looked at by now without need of it, or that have parted.
+void ContactWorld::Impl::forget_parted() {
+  dispatcher.forget_if([&](const PairKey& pair) {
+    const btCollisionObject *a = objects[pair.first].body.get(), *b = objects[pair.second].body.get();
+    return dispatcher.needsCollision(a, b) || !pairs.findPair(const_cast<btBroadphaseProxy*>(a->getBroadphaseHandle()),
+                                                              const_cast<btBroadphaseProxy*>(b->getBroadphaseHandle()));
+  });
+}
+
 void ContactWorld::Impl::collect_manifolds() {
-  manifolds.clear();
-  for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
-    btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(i);
-    if (manifold->getNumContacts() > 0) manifolds.push_back(manifold);
-  }
+  manifolds = dispatcher.touching();
   std::sort(manifolds.begin(), manifolds.end(),
             [](auto* left, auto* right) { return order_of(left) < order_of(right); });
 }

@@ -62,4 +62,42 @@ void Dispatcher::dispatchAllCollisionPairs(btOverlappingPairCache* pairs, const 
   }
 }
 
+PairMemories Dispatcher::memories() const {
+  PairMemories all = remembered_;
+  for (const PairAlgorithm* algorithm : algorithms_)
+    if (!algorithm->is_retired()) all.emplace(algorithm->key(), algorithm->memory());
+  return all;
+}
+
+void Dispatcher::restore(PairMemories memories, const std::function<const btCollisionObject*(int)>& object) {
+  remembered_ = std::move(memories);
+  for (auto& [key, memory] : remembered_) {
+    btPersistentManifold& manifold = memory.manifold;
+    if (manifold.getNumContacts() > 0)
+      manifold.setBodies(object(manifold.getBody0()->getUserIndex()), object(manifold.getBody1()->getUserIndex()));
+  }
+}
+
+void Dispatcher::forget_if(const std::function<bool(const PairKey&)>& gone) {
+  std::erase_if(remembered_, [&](const auto& entry) { return gone(entry.first); });
+}
+
+std::vector<btPersistentManifold*> Dispatcher::touching() {
+  std::vector<btPersistentManifold*> touching;
+  const auto add = [&](btPersistentManifold* manifold) {
+    if (manifold->getNumContacts() > 0) touching.push_back(manifold);
+  };
+  for (int i = 0; i < getNumManifolds(); ++i) add(getManifoldByIndexInternal(i));
+  for (auto& [key, memory] : remembered_) add(&memory.manifold);
+  return touching;
+}
+
+std::optional<PairMemory> Dispatcher::take_memory(const PairKey& key) {
+  const auto found = remembered_.find(key);
+  if (found == remembered_.end()) return {};
+  PairMemory memory = std::move(found->second);
+  remembered_.erase(found);
+  return memory;
+}
+
 }  // namespace griffith::contact

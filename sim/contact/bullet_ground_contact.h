@@ -2,7 +2,7 @@
 
 // Private to sim/contact.
 
-#include "sim/contact/bullet_manifold_algorithm.h"
+#include "sim/contact/bullet_pair.h"
 
 namespace griffith::contact {
 

@@ -32,16 +32,21 @@ PlacedHull placed_hull(const btCollisionObjectWrapper& wrapper) {
 
 HullHullAlgorithm::HullHullAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
                                      const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second)
-    : btCollisionAlgorithm(info),
-      first_(first->getCollisionObject()),
-      second_(second->getCollisionObject()),
-      reach_(std::min(contact_reach(*first->getCollisionObject()), contact_reach(*second->getCollisionObject()))) {}
+    : PairAlgorithm(info, first, second),
+      reach_(std::min(contact_reach(*first->getCollisionObject()), contact_reach(*second->getCollisionObject()))) {
+  const std::optional<PairMemory> memory = take_memory();
+  if (!memory) return;
+  parting_direction_ = memory->parting_direction;
+  seen_from_b_ = memory->seen_from_b;
+  normal_in_b_ = memory->normal_in_b;
+}
 
-HullHullAlgorithm::~HullHullAlgorithm() { release_manifold(); }
-
-void HullHullAlgorithm::release_manifold() {
-  if (manifold_) m_dispatcher->releaseManifold(manifold_);
-  manifold_ = nullptr;
+PairMemory HullHullAlgorithm::memory() const {
+  PairMemory memory = PairAlgorithm::memory();
+  memory.parting_direction = parting_direction_;
+  memory.seen_from_b = seen_from_b_;
+  memory.normal_in_b = normal_in_b_;
+  return memory;
 }
 
 void HullHullAlgorithm::processCollision(const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second,
@@ -66,7 +71,7 @@ void HullHullAlgorithm::find(const PlacedHull& a, const PlacedHull& b) {
 
 void HullHullAlgorithm::note(const PlacedHull& b, btManifoldResult& result) {
   if (found_ == Found::nothing) return release_manifold();
-  if (!manifold_) manifold_ = m_dispatcher->getNewManifold(first_, second_);
+  if (!manifold_) make_manifold();
   result.setPersistentManifold(manifold_);
   if (found_ == Found::the_same) carry_contacts(b);
   if (found_ == Found::anew)

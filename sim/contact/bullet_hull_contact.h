@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "sim/contact/bullet_pair.h"
 #include "sim/contact/bullet_shapes.h"
 #include "sim/contact/contact_patch.h"
 
@@ -23,24 +24,17 @@ PlacedHull placed_hull(const btCollisionObjectWrapper& wrapper);
 /// a step. So a face that strikes a face does not turn it, and stacks stand. Most pairs with near bounding boxes do not
 /// touch: they have no manifold, and as long as the plane that parted them last still does, nothing else is computed.
 /// Of those that touch most hardly move against each other: their points are carried along until they have.
-class HullHullAlgorithm final : public btCollisionAlgorithm {
+class HullHullAlgorithm final : public PairAlgorithm {
  public:
   HullHullAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* first,
                     const btCollisionObjectWrapper* second);
-  ~HullHullAlgorithm() override;
   void processCollision(const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second,
                         const btDispatcherInfo&, btManifoldResult* result) override;
   /// What processCollision() does, in two parts. Finding changes nothing but the algorithm itself: many may do it at
   /// once.
   void find(const PlacedHull& a, const PlacedHull& b);
   void note(const PlacedHull& b, btManifoldResult& result);
-  btScalar calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&,
-                                 btManifoldResult*) override {
-    return 1;
-  }
-  void getAllContactManifolds(btManifoldArray& manifolds) override {
-    if (manifold_) manifolds.push_back(manifold_);
-  }
+  PairMemory memory() const override;
 
   struct Factory final : btCollisionAlgorithmCreateFunc {
     btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
@@ -52,12 +46,9 @@ class HullHullAlgorithm final : public btCollisionAlgorithm {
   void find_anew(const PlacedHull& a, const PlacedHull& b);
   bool hardly_moved(const PlacedHull& a, const PlacedHull& b) const;
   void carry_contacts(const PlacedHull& b);
-  void release_manifold();
 
-  const btCollisionObject *first_, *second_;  // in an order that may differ from that of a compound's pair
-  btScalar reach_;                            // gap at which contacts begin [m]
-  Vec3 parting_direction_ = Vec3::Zero();     // unit, from the second to the first; zero while unknown
-  btPersistentManifold* manifold_ = nullptr;  // while they touch
+  btScalar reach_;                         // gap at which contacts begin [m]
+  Vec3 parting_direction_ = Vec3::Zero();  // unit, from the second to the first; zero while unknown
   enum class Found { nothing, the_same, anew } found_ = Found::nothing;
   std::vector<PatchPoint> points_;  // found anew, with their normal
   btVector3 normal_;

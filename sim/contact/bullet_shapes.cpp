@@ -41,14 +41,14 @@ void HullShape::getAabb(const btTransform& transform, btVector3& minimum, btVect
 Shape sphere_shape(double radius) {
   assert(radius > 0);
   Shape shape;
-  shape.parts.push_back(std::make_unique<btSphereShape>(radius));
+  shape.parts.push_back(std::make_shared<btSphereShape>(radius));
   shape.radius = radius;
   return shape;
 }
 
 Shape ground_shape(double height) {
   Shape shape;
-  shape.whole = std::make_unique<btStaticPlaneShape>(btVector3(0, 1, 0), height);
+  shape.whole = std::make_shared<btStaticPlaneShape>(btVector3(0, 1, 0), height);
   return shape;
 }
 
@@ -57,10 +57,10 @@ Shape hull_shape(std::span<const ConvexPart> parts) {
   Shape shape;
   for (const ConvexPart& part : parts) {
     shape.radius = std::max(shape.radius, largest_distance(part, Vec3::Zero()));
-    shape.parts.push_back(std::make_unique<HullShape>(part));
+    shape.parts.push_back(std::make_shared<HullShape>(part));
   }
   if (parts.size() == 1) return shape;
-  auto compound = std::make_unique<btCompoundShape>(true, static_cast<int>(parts.size()));
+  auto compound = std::make_shared<btCompoundShape>(true, static_cast<int>(parts.size()));
   compound->setMargin(0);
   for (const auto& hull : shape.parts) compound->addChildShape(btTransform::getIdentity(), hull.get());
   shape.whole = std::move(compound);

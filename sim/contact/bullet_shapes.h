@@ -42,10 +42,11 @@ class HullShape final : public btConvexHullShape {
   btScalar contact_reach_;
 };
 
-/// What an object is made of: one convex part, several in a compound, or a plane and no part.
+/// What an object is made of: one convex part, several in a compound, or a plane and no part. Nothing of it changes:
+/// copies share it.
 struct Shape {
-  std::vector<std::unique_ptr<btConvexShape>> parts;  ///< in the object's own frame
-  std::unique_ptr<btCollisionShape> whole;            ///< the compound or the plane
+  std::vector<std::shared_ptr<btConvexShape>> parts;  ///< in the object's own frame
+  std::shared_ptr<btCollisionShape> whole;            ///< the compound or the plane
   double radius = 0;  ///< of a sphere round the object's origin that holds all parts [m]
 
   btCollisionShape* root() const { return whole ? whole.get() : parts.front().get(); }

@@ -12,7 +12,6 @@ using namespace contact;
 namespace {
 
 constexpr int kMovingGroup = 1, kHeldGroup = 2, kGroundGroup = 4;
-constexpr int kRetired = -1;
 /// A held object that is displaced by a smaller share of its radius since it last moved does not disturb sleepers.
 constexpr double kNegligibleMove = 1e-5;
 
@@ -40,7 +39,8 @@ bool is_retired(const btBroadphaseProxy* proxy) {
 /// Bullet takes the memory for its algorithms from a pool of pieces of one size.
 btDefaultCollisionConstructionInfo with_room_for_ours() {
   btDefaultCollisionConstructionInfo info;
-  info.m_customCollisionAlgorithmMaxElementSize = sizeof(HullHullAlgorithm);
+  info.m_customCollisionAlgorithmMaxElementSize = static_cast<int>(
+      std::max({sizeof(HullHullAlgorithm), sizeof(SphereHullAlgorithm), sizeof(SphereGroundAlgorithm)}));
   return info;
 }
 
@@ -54,6 +54,13 @@ struct DeletePairs final : btOverlapCallback {
 }  // namespace
 
 namespace contact {
+
+OwnedObject::OwnedObject(const OwnedObject& other) {
+  if (!other) return;
+  object_ = std::make_unique<btCollisionObject>(*other.object_);
+  object_->setBroadphaseHandle(nullptr);
+  object_->setWorldArrayIndex(-1);
+}
 
 void CollisionWorld::updateAabbs() {
   for (int i = 0; i < m_collisionObjects.size(); ++i) {
@@ -75,18 +82,43 @@ void CollisionWorld::updateAabbs() {
 }  // namespace contact
 
 ContactWorld::Impl::Impl(const Vec3& world_gravity)
-    : gravity(world_gravity),
-      configuration(with_room_for_ours()),
+    : configuration(with_room_for_ours()),
       dispatcher(&configuration),
       broadphase(&pairs),
       world(&dispatcher, &broadphase, &configuration) {
-  assert(gravity.allFinite());
+  assert(world_gravity.allFinite());
+  gravity = world_gravity;
   broadphase.m_cupdates = 100;  // drop pairs as soon as they part
-  ground_hull.m_swapped = true;
+  ground_hull.m_swapped = ground_sphere.m_swapped = true;
   dispatcher.registerCollisionCreateFunc(CONVEX_HULL_SHAPE_PROXYTYPE, STATIC_PLANE_PROXYTYPE, &hull_ground);
   dispatcher.registerCollisionCreateFunc(STATIC_PLANE_PROXYTYPE, CONVEX_HULL_SHAPE_PROXYTYPE, &ground_hull);
   dispatcher.registerCollisionCreateFunc(CONVEX_HULL_SHAPE_PROXYTYPE, CONVEX_HULL_SHAPE_PROXYTYPE, &hull_hull);
   dispatcher.registerCollisionCreateFunc(SPHERE_SHAPE_PROXYTYPE, SPHERE_SHAPE_PROXYTYPE, &sphere_sphere);
+  dispatcher.registerCollisionCreateFunc(SPHERE_SHAPE_PROXYTYPE, CONVEX_HULL_SHAPE_PROXYTYPE, &sphere_hull);
+  dispatcher.registerCollisionCreateFunc(CONVEX_HULL_SHAPE_PROXYTYPE, SPHERE_SHAPE_PROXYTYPE, &sphere_hull);
+  dispatcher.registerCollisionCreateFunc(SPHERE_SHAPE_PROXYTYPE, STATIC_PLANE_PROXYTYPE, &sphere_ground);
+  dispatcher.registerCollisionCreateFunc(STATIC_PLANE_PROXYTYPE, SPHERE_SHAPE_PROXYTYPE, &ground_sphere);
+}
+
+ContactWorld::Impl::Impl(const Impl& other) : Impl(other.gravity) {
+  ContactState::operator=(other);
+  enter_all(other);
+  dispatcher.restore(other.dispatcher.memories(), [&](int index) { return objects[index].body.get(); });
+}
+
+/// In the order in which they entered the other world, by which Bullet orders the sides of pairs, and with the boxes
+/// that they have there.
+void ContactWorld::Impl::enter_all(const Impl& other) {
+  std::vector<int> order;
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    if (objects[i].body) order.push_back(static_cast<int>(i));
+  const auto their_proxy = [&](int i) { return other.objects[i].body->getBroadphaseHandle(); };
+  std::ranges::sort(order, {}, [&](int i) { return their_proxy(i)->m_uniqueId; });
+  for (int i : order) {
+    enter(objects[i]);
+    broadphase.setAabbForceUpdate(objects[i].body->getBroadphaseHandle(), their_proxy(i)->m_aabbMin,
+                                  their_proxy(i)->m_aabbMax, &dispatcher);
+  }
 }
 
 ContactWorld::Impl::~Impl() {
@@ -108,20 +140,27 @@ void ContactWorld::Impl::attach(ProxyId id, const RigidMass& mass) {
   assert(!is_free || (mass.mass > 0 && mass.inertia.allFinite()));
   object.inverse_mass = is_free ? 1 / mass.mass : 0;
   object.inverse_inertia = is_free ? Mat3(mass.inertia.inverse()) : Mat3(Mat3::Zero());
-  object.body = std::make_unique<btCollisionObject>();
+  object.body = OwnedObject(std::make_unique<btCollisionObject>());
   object.body->setCollisionShape(object.shape.root());
   object.body->setUserIndex(id);
   object.body->setCollisionFlags(is_free ? 0 : static_cast<int>(btCollisionObject::CF_STATIC_OBJECT));
   // A pair is looked at when one of them is active: what cannot move is not.
   object.body->forceActivationState(is_free ? ACTIVE_TAG : ISLAND_SLEEPING);
   place(object);
-  const int group = is_free ? kMovingGroup : object.kind == Kind::ground ? kGroundGroup : kHeldGroup;
-  world.addCollisionObject(object.body.get(), group, partners_of(group));
+  enter(object);
   object.resting_place = object.state.pose;
   object.fresh = true;
 }
 
+void ContactWorld::Impl::enter(Object& object) {
+  const bool is_free = object.mobility == Mobility::free;
+  const int group = is_free ? kMovingGroup : object.kind == Kind::ground ? kGroundGroup : kHeldGroup;
+  world.addCollisionObject(object.body.get(), group, partners_of(group));
+}
+
 void ContactWorld::Impl::retire(Object& object) {
+  const int index = object.body->getUserIndex();
+  dispatcher.forget_if([&](const PairKey& pair) { return pair.first == index || pair.second == index; });
   object.body->setUserIndex(kRetired);
   retired.push_back({std::move(object.shape), std::move(object.body)});
   manifolds.clear();
@@ -143,6 +182,8 @@ void ContactWorld::Impl::place(Object& object) {
 
 ContactWorld::ContactWorld(const Vec3& gravity) : impl_(std::make_unique<Impl>(gravity)) {}
 ContactWorld::~ContactWorld() = default;
+ContactWorld::ContactWorld(const ContactWorld& other) : impl_(std::make_unique<Impl>(*other.impl_)) {}
+ContactWorld& ContactWorld::operator=(const ContactWorld& other) { return *this = ContactWorld(other); }
 ContactWorld::ContactWorld(ContactWorld&&) noexcept = default;
 ContactWorld& ContactWorld::operator=(ContactWorld&&) noexcept = default;
 

@@ -25,6 +25,23 @@ double distance_beyond(double distance, double allowed_overlap);
 
 enum class Kind { ground, projectile, proxy };
 
+/// Bullet's object of one of ours. A copy has the same place and activity, and is in no world yet.
+class OwnedObject {
+ public:
+  OwnedObject() = default;
+  explicit OwnedObject(std::unique_ptr<btCollisionObject> object) : object_(std::move(object)) {}
+  OwnedObject(OwnedObject&&) noexcept = default;
+  OwnedObject& operator=(OwnedObject&&) noexcept = default;
+  OwnedObject(const OwnedObject& other);
+  OwnedObject& operator=(const OwnedObject& other) { return *this = OwnedObject(other); }
+  btCollisionObject* get() const { return object_.get(); }
+  btCollisionObject* operator->() const { return object_.get(); }
+  explicit operator bool() const { return object_ != nullptr; }
+
+ private:
+  std::unique_ptr<btCollisionObject> object_;
+};
+
 struct Object {
   Kind kind;
   Mobility mobility;
@@ -42,7 +59,7 @@ struct Object {
   double still_time = 0;    ///< for so long [s]
   bool elastic = false;     ///< its owner answers the impulses of the present solve
   bool fresh = true;        ///< its shape has not yet been seen by detect()
-  std::unique_ptr<btCollisionObject> body = {};  ///< null once removed
+  OwnedObject body = {};    ///< null once removed
 
   bool is_free() const { return body && mobility == Mobility::free; }
   bool moves() const { return is_free() && !asleep; }
@@ -58,7 +75,7 @@ bool has_left(const Pose& then, const Pose& now, double distance, double radius)
 /// What is left of an object or a shape that is gone, until Bullet lets go of it.
 struct Retired {
   Shape shape;
-  std::unique_ptr<btCollisionObject> body;
+  OwnedObject body;
 };
 
 /// Overlap that a pair is allowed because a crack left it behind. Ordered by the pair.
@@ -78,7 +95,19 @@ struct NodeContact {
 /// Where the impulse of a contact is kept until the next substep: in Bullet's point, or with the owner's contacts.
 struct Memory {
   btManifoldPoint* point = nullptr;
-  int node_contact = -1;  ///< index into Impl::node_contacts
+  int node_contact = -1;  ///< index into ContactState::node_contacts
+};
+
+/// What a world keeps from one substep to the next beside what Bullet remembers of pairs: a value.
+struct ContactState {
+  Vec3 gravity = Vec3::Zero();
+  double ground_height = 0;
+  std::vector<Object> objects;  ///< by ProxyId
+  std::vector<Allowance> allowances;
+  std::vector<Contact> contacts;
+  std::vector<NodeContact> node_contacts;       ///< that the owner put in
+  std::vector<NodeContact> past_node_contacts;  ///< of the last substep, by key
+  std::vector<ContactConstraint> solved;        ///< per contact: as solve() found it
 };
 
 /// Pairs of objects with near bounding boxes. Bullet's own goes through all pairs twice for each object that leaves;
@@ -104,13 +133,16 @@ class CollisionWorld final : public btCollisionWorld {
 
 namespace griffith {
 
-struct ContactWorld::Impl {
+struct ContactWorld::Impl : contact::ContactState {
   explicit Impl(const Vec3& world_gravity);
+  Impl(const Impl& other);
   ~Impl();
 
   // Objects.
   ProxyId add(contact::Object object, const RigidMass& mass);
   void attach(ProxyId id, const RigidMass& mass);
+  void enter(contact::Object& object);
+  void enter_all(const Impl& other);
   void retire(contact::Object& object);
   void delete_retired();
   void place(contact::Object& object);
@@ -119,6 +151,7 @@ struct ContactWorld::Impl {
   void detect();
   bool all_at_rest() const;
   void collect_manifolds();
+  void forget_parted();
   void update_allowances();
   double allowance(ProxyId a, ProxyId b) const;
   void wake_disturbed();
@@ -194,14 +227,12 @@ struct ContactWorld::Impl {
   std::vector<ContactWorld::Encounter> expected_impacts(double dt, double minimum_speed) const;
   double time_before_impact(double most, double minimum_speed, double tolerance) const;
 
-  Vec3 gravity;
-  double ground_height = 0;
-  std::vector<contact::Object> objects;  ///< by ProxyId
-
   btDefaultCollisionConfiguration configuration;
   contact::Dispatcher dispatcher;
   contact::HullGroundAlgorithm::Factory hull_ground, ground_hull;
   contact::SphereSphereAlgorithm::Factory sphere_sphere;
+  contact::SphereHullAlgorithm::Factory sphere_hull;
+  contact::SphereGroundAlgorithm::Factory sphere_ground, ground_sphere;
   contact::HullHullAlgorithm::Factory hull_hull;
   contact::PairCache pairs;
   btDbvtBroadphase broadphase;
@@ -209,12 +240,7 @@ struct ContactWorld::Impl {
   std::vector<contact::Retired> retired;  ///< deleted with the next detection
 
   std::vector<btPersistentManifold*> manifolds;  ///< those with points, in an order that depends on ids alone
-  std::vector<contact::Allowance> allowances;
-  std::vector<Contact> contacts;
-  std::vector<contact::Memory> memories;                 ///< per contact
-  std::vector<contact::NodeContact> node_contacts;       ///< that the owner put in
-  std::vector<contact::NodeContact> past_node_contacts;  ///< of the last substep, by key
-  std::vector<contact::ContactConstraint> solved;        ///< per contact: as solve() found it
+  std::vector<contact::Memory> memories;         ///< per contact, between detect() and advance()
 };
 
 }  // namespace griffith

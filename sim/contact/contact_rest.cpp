@@ -119,9 +119,8 @@ void ContactWorld::Impl::wake(ProxyId id) {
 
 void ContactWorld::Impl::wake_neighbours(ProxyId id) {
   const btCollisionObject* object = objects[id].body.get();
-  for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
-    const btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(i);
-    if (manifold->getNumContacts() == 0 || (manifold->getBody0() != object && manifold->getBody1() != object)) continue;
+  for (const btPersistentManifold* manifold : dispatcher.touching()) {
+    if (manifold->getBody0() != object && manifold->getBody1() != object) continue;
     for (const btCollisionObject* side : {manifold->getBody0(), manifold->getBody1()})
       if (side->getUserIndex() >= 0) wake(ProxyId(side->getUserIndex()));
   }

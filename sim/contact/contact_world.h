@@ -84,11 +84,14 @@ struct ElasticResponse {
 /// than the substep let fall or slowed down: what rests in others stays there.
 ///
 /// The same calls give the same bits. Results depend on the history of contacts (the solver starts from the last
-/// impulses), so a state is restored by repeating the calls that led to it. States must be finite: asserted.
+/// impulses), which a copy has too. States must be finite: asserted.
 class ContactWorld {
  public:
   explicit ContactWorld(const Vec3& gravity);
   ~ContactWorld();
+  /// Copies the world between substeps: the same calls on both give the same bits.
+  ContactWorld(const ContactWorld&);
+  ContactWorld& operator=(const ContactWorld&);
   ContactWorld(ContactWorld&&) noexcept;
   ContactWorld& operator=(ContactWorld&&) noexcept;
 

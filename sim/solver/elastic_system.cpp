@@ -102,7 +102,7 @@ ElasticSystem::ElasticSystem(const TetMesh& mesh, std::span<const TetId> tets,
   for (NodeId node : number_rows(body_nodes, constraints, row_of_node)) rows_.add(mesh, node, row_of_node);
   rows_.allocate();
   rebuild_support_rows(mesh, body_nodes, constraints, row_of_node);
-  preconditioner_ = std::make_unique<RigidModePreconditioner>(rows_.matrix, aggregate_size(rows_.matrix.rows()));
+  preconditioner_.emplace(rows_.matrix, aggregate_size(rows_.matrix.rows()));
 }
 
 void ElasticSystem::patch(const TetMesh& mesh, std::span<const NodeId> body_nodes,
@@ -161,8 +161,7 @@ SolveReport ElasticSystem::hold(std::span<const HeldRow> held, std::span<const V
   multiply(rows_.matrix, known, pushed);
   NodeVectors b = impulses - pushed;
   for (const HeldRow& row : held) b.col(row.row) = Vec3(row.allowed * b.col(row.row));
-  if (!held_preconditioner_)
-    held_preconditioner_ = std::make_unique<RigidModePreconditioner>(a, aggregate_size(a.rows()));
+  if (!held_preconditioner_) held_preconditioner_.emplace(a, aggregate_size(a.rows()));
   held_preconditioner_->update(a, gather(positions));
   x = NodeVectors::Zero(3, a.rows());
   const SolveReport report = conjugate_gradient(a, *held_preconditioner_, b, x, 1, tolerance, max_iterations);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <functional>
-#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -127,7 +127,7 @@ class ElasticSystem {
   std::vector<SlidingRow> sliding_;
   std::vector<int> row_of_support_column_;          // per block of support_rows_, -1 for held nodes
   std::vector<Vec3> solved_reactions_, reactions_;  // of the last solve(); with the last respond()
-  std::unique_ptr<RigidModePreconditioner> preconditioner_, held_preconditioner_;  // the second for hold()
+  std::optional<RigidModePreconditioner> preconditioner_, held_preconditioner_;  // the second for hold()
 };
 
 }  // namespace griffith

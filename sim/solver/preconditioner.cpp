@@ -22,6 +22,17 @@ Eigen::MatrixXf with_few_rows(Eigen::MatrixXf modes) {
 
 }  // namespace
 
+const Eigen::SparseMatrix<double>* CopyableCholesky::factor(const Eigen::SparseMatrix<double>& matrix) {
+  if (!solver_) {
+    solver_ = std::make_unique<Solver>();
+    solver_->analyzePattern(matrix);
+  }
+  solver_->factorize(matrix);
+  if (solver_->info() != Eigen::Success) return nullptr;
+  order_ = solver_->permutationP();
+  return &solver_->matrixL().nestedExpression();
+}
+
 RigidModePreconditioner::RigidModePreconditioner(const BlockSparseMatrix& matrix, int aggregate_size)
     : aggregates_(aggregate_rows(matrix, aggregate_size)) {
   collect_members();
@@ -102,7 +113,7 @@ void RigidModePreconditioner::allocate_coarse_matrix() {
   const int modes = 6 * aggregate_count();
   coarse_ = Eigen::Map<const Eigen::SparseMatrix<double>>(modes, modes, static_cast<Eigen::Index>(rows.size()),
                                                           row_starts.data(), rows.data(), zeros.data());
-  coarse_factors_.analyzePattern(coarse_);
+  coarse_factors_.forget_pattern();
   factored_.resize(0);
 }
 
@@ -142,13 +153,13 @@ void RigidModePreconditioner::factor_coarse_matrix() {
       (values - factored_).matrix().squaredNorm() <= kSameMatrix * kSameMatrix * factored_.matrix().squaredNorm())
     return;
   ++factorizations_;
-  coarse_factors_.factorize(coarse_);
-  if (coarse_factors_.info() != Eigen::Success) {
+  const Eigen::SparseMatrix<double>* factors = coarse_factors_.factor(coarse_);
+  if (!factors) {
     lower_.resize(0, 0);
     factored_.resize(0);
     return;
   }
-  lower_ = coarse_factors_.matrixL().nestedExpression().cast<float>();
+  lower_ = factors->cast<float>();
   factored_ = values;
 }
 
@@ -164,10 +175,10 @@ Eigen::VectorXd RigidModePreconditioner::solve_coarse(const NodeVectors& r) cons
     }
     coarse.segment<6>(6 * a) = sum;
   }
-  Eigen::VectorXf solved = (coarse_factors_.permutationP() * coarse).cast<float>();
+  Eigen::VectorXf solved = (coarse_factors_.order() * coarse).cast<float>();
   lower_.triangularView<Eigen::Lower>().solveInPlace(solved);
   lower_.transpose().triangularView<Eigen::Upper>().solveInPlace(solved);
-  return coarse_factors_.permutationPinv() * solved.cast<double>();
+  return coarse_factors_.order().inverse() * solved.cast<double>();
 }
 
 void RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) const {
@@ -196,7 +207,7 @@ Eigen::MatrixXd RigidModePreconditioner::coarse_loads(std::span<const WeightedRo
 PointCompliance RigidModePreconditioner::compliance(std::span<const WeightedRows> points,
                                                     const Eigen::MatrixXd& loads) const {
   PointCompliance compliance = node_compliance(points, inverse_diagonal_);
-  Eigen::MatrixXf half = (coarse_factors_.permutationP() * loads).cast<float>();
+  Eigen::MatrixXf half = (coarse_factors_.order() * loads).cast<float>();
   lower_.triangularView<Eigen::Lower>().solveInPlace(half);
   compliance.modes = with_few_rows(std::move(half)).cast<double>();
   return compliance;

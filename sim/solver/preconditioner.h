@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/SparseCholesky>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -8,6 +9,31 @@
 #include "sim/solver/block_sparse_matrix.h"
 
 namespace griffith {
+
+/// Eigen's sparse Cholesky factorisation, as a value: a copy has its order and analyses the pattern anew when it next
+/// factors.
+class CopyableCholesky {
+ public:
+  using Solver = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>;
+
+  CopyableCholesky() = default;
+  CopyableCholesky(CopyableCholesky&&) noexcept = default;
+  CopyableCholesky& operator=(CopyableCholesky&&) noexcept = default;
+  CopyableCholesky(const CopyableCholesky& other) : order_(other.order_) {}
+  CopyableCholesky& operator=(const CopyableCholesky& other) { return *this = CopyableCholesky(other); }
+
+  /// To be called where the pattern of what factor() takes has changed.
+  void forget_pattern() { solver_.reset(); }
+  /// The lower triangle of the factors; null where the matrix, of which the lower triangle counts, is not positive
+  /// definite. Valid until the next call.
+  const Eigen::SparseMatrix<double>* factor(const Eigen::SparseMatrix<double>& matrix);
+  /// P in P A Pᵀ = L Lᵀ, and its inverse.
+  const Eigen::PermutationMatrix<Eigen::Dynamic>& order() const { return order_; }
+
+ private:
+  std::unique_ptr<Solver> solver_;
+  Eigen::PermutationMatrix<Eigen::Dynamic> order_;
+};
 
 /// z = D⁻¹ r + R (Rᵀ A R)⁻¹ Rᵀ r: block Jacobi and a coarse space of the six rigid-body modes of each aggregate of
 /// nodes (additive Schwarz). With it the iteration count depends neither on stiffness nor on cracks. Where the coarse
@@ -54,7 +80,7 @@ class RigidModePreconditioner {
   std::vector<std::vector<int>> coarse_rows_;  // per aggregate: itself and its neighbours of a higher number
   std::vector<int> coarse_slots_;              // per block of the matrix: index into the column's coarse_rows_, or -1
   Eigen::SparseMatrix<double> coarse_;         // Rᵀ A R: the lower triangle, by 6×6 blocks
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> coarse_factors_;
+  CopyableCholesky coarse_factors_;
   Eigen::SparseMatrix<float> lower_;  // their triangle, for apply(), which need not be more exact; empty without any
   Eigen::ArrayXd factored_;           // values of the coarse matrix when it was factored
   int factorizations_ = 0;

@@ -53,7 +53,7 @@ double extent_of(const WorldState& world, const Body& body) {
 double weakest_share_of(const WorldState& world, const Body& body) {
   double least = std::numeric_limits<double>::infinity();
   for (NodeId node : body.nodes) least = std::min(least, world.nodes.strength_factors[node]);
-  const std::optional<Weakness>& weakness = world.weaknesses[body.scene_body];
+  const std::optional<Weakness>& weakness = world.model->weaknesses[body.scene_body];
   return weakness ? weakness->strength_ratio * least : least;
 }
 
@@ -129,7 +129,7 @@ double rebuild_shape(WorldState& world, Body& body) {
   if (body.system) {
     body.system->patch(world.mesh, body.nodes, world.nodes.constraints, world.nodes.rows);
   } else {
-    body.system = std::make_unique<ElasticSystem>(world.mesh, body.tets, world.nodes.constraints, world.nodes.rows);
+    body.system.emplace(world.mesh, body.tets, world.nodes.constraints, world.nodes.rows);
   }
   body.motion = motion_of(world, body);
   body.reference_arms = gather(world.nodes.positions, body.nodes).colwise() - body.motion.center;

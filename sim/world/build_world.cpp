@@ -23,13 +23,13 @@ void append_nodes(WorldState& world, const BodyDescription& body) {
 }
 
 /// Places a copy of the shape's mesh in the world's.
-RestBody append_mesh(WorldState& world, int scene_body, const ShapeMesh& shape) {
+RestBody append_mesh(Model& model, WorldState& world, int scene_body, const ShapeMesh& shape) {
   const RestBody body{shape.soup, shape.point_of_node, shape.mesh, append(world.mesh, shape.mesh)};
-  const Pose pose = pose_of(world.scene.bodies[scene_body]);
+  const Pose pose = pose_of(model.scene.bodies[scene_body]);
   std::vector<Vec3>& points = world.mesh.rest_positions;
   for (std::size_t i = body.range.first_node; i < points.size(); ++i) points[i] = pose.to_world(points[i]);
   for (const std::string& finding : shape.findings)
-    world.findings.emplace_back(shape_pointer(world.scene, scene_body), finding, "");
+    model.findings.emplace_back(shape_pointer(model.scene, scene_body), finding, "");
   return body;
 }
 
@@ -94,28 +94,28 @@ Pieces add_bodies(WorldState& world, int scene_body, TetId first_tet, const Shap
 }
 
 /// Adds all that a scene says of a body, but for what follows from it.
-Pieces add_scene_body(WorldState& world, int scene_body, const ShapeMesh& shape, const Monitor& monitor) {
-  const BodyDescription& description = world.scene.bodies[scene_body];
-  const RestBody rest = append_mesh(world, scene_body, shape);
+Pieces add_scene_body(Model& model, WorldState& world, int scene_body, const ShapeMesh& shape, const Monitor& monitor) {
+  const BodyDescription& description = model.scene.bodies[scene_body];
+  const RestBody rest = append_mesh(model, world, scene_body, shape);
   const auto [first_node, first_tet] = rest.range;
   append_nodes(world, description);
   append_elements(world, first_tet);
-  place_supports(world, scene_body, rest);
-  place_loads(world, scene_body, rest);
-  place_probes(world, scene_body, rest);
-  place_splinters(world, scene_body, rest, monitor);
+  place_supports(world, scene_body, rest, model.findings);
+  place_loads(world, scene_body, rest, model.findings);
+  place_probes(world, scene_body, rest, model.findings);
+  place_splinters(model, scene_body, rest, monitor);
   for (NodeId tip : shape.slit_tips) world.nodes.at_crack_front[first_node + tip] = 1;
   draw_strengths(world, description.strength_scatter, first_node);
   std::vector<TetId> tets;
   for (TetId tet = first_tet; tet < world.mesh.tet_count(); ++tet.value) tets.push_back(tet);
   const double quarter = mean_element_size(world, tets) / 4;
-  world.least_edges.push_back(description.minimum_element_size > 0 ? description.minimum_element_size : quarter);
+  model.least_edges.push_back(description.minimum_element_size > 0 ? description.minimum_element_size : quarter);
   return add_bodies(world, scene_body, first_tet, shape);
 }
 
 /// As collision_parts(), but known from the shape where it can be.
 std::vector<ConvexPart> first_collision_parts(const WorldState& world, const Body& body, const ShapeMesh& shape) {
-  const BodyDescription& description = world.scene.bodies[body.scene_body];
+  const BodyDescription& description = world.model->scene.bodies[body.scene_body];
   if (description.collision == CollisionShape::splinters || shape.convex_parts.empty())
     return collision_parts(world, body);
   const Quat rotation = pose_of(description).rotation;
@@ -146,7 +146,7 @@ void complete(WorldState& world, const Pieces& pieces) {
   for (Body& body : bodies) rebuild_shape(world, body);
   const Vec3 center = center_of_mass(bodies);
   for (Body& body : bodies) {
-    set_initial_motion(world, body, world.scene.bodies[body.scene_body], center);
+    set_initial_motion(world, body, world.model->scene.bodies[body.scene_body], center);
     body.collision_parts = first_collision_parts(world, body, pieces.shape);
   }
 }
@@ -192,17 +192,18 @@ void require_no_crowd(const WorldState& world) {
         throw InputError("#/bodies", "stand inside one another in more than a million pairs", "move them apart");
 }
 
-void add_scene_bodies(WorldState& world, const GivenMeshes& given, const Monitor& monitor) {
+void add_scene_bodies(Model& model, WorldState& world, const GivenMeshes& given, const Monitor& monitor) {
   ShapeMeshes shapes(given);
   std::vector<Pieces> pieces;
-  make_meshes(world.scene, shapes, monitor);
+  make_meshes(model.scene, shapes, monitor);
   monitor.enter("Building the bodies");
-  for (int i = 0; i < static_cast<int>(world.scene.bodies.size()); ++i) {
-    pieces.push_back(add_scene_body(world, i, shapes.of(world.scene, i, monitor), monitor));
+  for (int i = 0; i < static_cast<int>(model.scene.bodies.size()); ++i) {
+    pieces.push_back(add_scene_body(model, world, i, shapes.of(model.scene, i, monitor), monitor));
     if (monitor.is_cancelled()) throw Cancelled();
   }
-  close_splinters(world);
-  update_supports(world, world.time, world.scene.simulation.time_step);
+  close_splinters(model);
+  world.splinter_state = intact_state(model.splinters);
+  update_supports(world, world.time, world.model->scene.simulation.time_step);
   parallel_for(static_cast<int>(pieces.size()), 16, [&](int begin, int end) {
     for (int i = begin; i < end && !monitor.is_cancelled(); ++i) complete(world, pieces[i]);
   });
@@ -222,18 +223,21 @@ double node_mass(const WorldState& world, NodeId node) {
   return mass;
 }
 
-void build_world(WorldState& world, const Monitor& monitor, const GivenMeshes& given) {
-  check_probes(world.scene);
-  for (const BodyDescription& body : world.scene.bodies) {
+WorldState build_world(const Scene& scene, const Monitor& monitor, const GivenMeshes& given) {
+  check_probes(scene);
+  const auto model = std::make_shared<Model>();
+  model->scene = scene;
+  WorldState world(model);
+  for (const BodyDescription& body : scene.bodies) {
     world.materials.push_back(body.material);
-    world.weaknesses.push_back(place_weakness(body));
+    model->weaknesses.push_back(place_weakness(body));
   }
-  if (const auto& ground = world.scene.ground)
+  if (const auto& ground = scene.ground)
     world.contact_world.add_ground(ground->height, {ground->friction, ground->restitution});
-  add_scene_bodies(world, given, monitor);
-  world.extents.resize(world.scene.bodies.size(), 0);
+  add_scene_bodies(*model, world, given, monitor);
+  model->extents.resize(scene.bodies.size(), 0);
   for (const Body& body : world.bodies)
-    world.extents[body.scene_body] = std::max(world.extents[body.scene_body], body.extent);
+    model->extents[body.scene_body] = std::max(model->extents[body.scene_body], body.extent);
   queue_bursts(world);
   for (int i = 0; i < static_cast<int>(world.materials.size()); ++i) check_substep_count(world, i, world.materials[i]);
   if (monitor.is_cancelled()) throw Cancelled();
@@ -244,6 +248,7 @@ void build_world(WorldState& world, const Monitor& monitor, const GivenMeshes& g
   evaluate_separation(world, false);
   open_account(world);
   publish(world);
+  return world;
 }
 
 }  // namespace griffith

@@ -18,7 +18,7 @@ double fill_of(std::size_t pieces) { return pieces <= kSmallPiece ? kSmallPieceF
 
 /// The splinters whose owners are the body's.
 std::vector<SplinterId> owned_splinters(const WorldState& world, const Body& body) {
-  const SplinterSet& set = world.splinters;
+  const SplinterSet& set = world.model->splinters;
   std::vector<SplinterId> owned;
   for (const TetId tet : body.tets) {
     if (static_cast<std::size_t>(tet) >= set.parts_of_tet.size()) continue;
@@ -30,7 +30,7 @@ std::vector<SplinterId> owned_splinters(const WorldState& world, const Body& bod
 }
 
 Vec3 carried_position(const WorldState& world, const HullCorner& corner) {
-  const SplinterSet& set = world.splinters;
+  const SplinterSet& set = world.model->splinters;
   const std::vector<std::uint8_t>& attached = world.splinter_state.attached;
   const TetId tet = carrier(set.splinters, set.parts, attached, corner.part);
   return carried_position(set.corners[corner.corner], attached[corner.part], world.mesh.tets[tet],
@@ -43,8 +43,8 @@ std::vector<ConvexPart> splinter_parts(const WorldState& world, const Body& body
   std::vector<ConvexPiece> pieces;
   for (const SplinterId splinter : splinters) {
     ConvexPiece& piece = pieces.emplace_back();
-    piece.volume = world.splinters.splinters[splinter].volume;
-    for (const HullCorner& corner : world.splinter_hulls[splinter]) {
+    piece.volume = world.model->splinters.splinters[splinter].volume;
+    for (const HullCorner& corner : world.model->splinter_hulls[splinter]) {
       piece.corners.push_back(static_cast<int>(points.size()));
       points.push_back(carried_position(world, corner) - body.motion.center);
     }
@@ -75,7 +75,7 @@ std::vector<ConvexPart> collision_parts(const WorldState& world, const Body& bod
   const auto parts_of_tets = [&] {
     return tet_parts(world.mesh, world.nodes.positions, body.tets, body.motion.center);
   };
-  if (world.scene.bodies[body.scene_body].collision != CollisionShape::splinters) return parts_of_tets();
+  if (world.model->scene.bodies[body.scene_body].collision != CollisionShape::splinters) return parts_of_tets();
   const std::vector<SplinterId> splinters = owned_splinters(world, body);
   const bool suit = !splinters.empty() && splinters.size() <= kMostSplinters;
   return suit ? splinter_parts(world, body, splinters) : parts_of_tets();

@@ -25,7 +25,7 @@ bool could_hurt(const WorldState& world, const Body& body, double force) {
 /// Whether whoever is hurt by a contact was found before the step: blows have their own phase, and the mean force of a
 /// blow in a long step says nothing.
 bool is_left_to_shock(const WorldState& world, const Contact& contact) {
-  return world.scene.simulation.integrator == Integrator::hybrid && contact.approach > least_impact_speed(world);
+  return world.model->scene.simulation.integrator == Integrator::hybrid && contact.approach > least_impact_speed(world);
 }
 
 /// What another object does to a body in a substep of `dt` [N].
@@ -125,7 +125,7 @@ void respond_explicitly(WorldState& world, const Body& body, double dt, const st
 
 /// What all nodal impulses of the substep change in the velocities of an elastic body's nodes. `change`: by the
 /// impulses that were there before.
-SolveReport respond_implicitly(WorldState& world, const Body& body, double dt, const std::vector<Vec3>& impulses,
+SolveReport respond_implicitly(WorldState& world, Body& body, double dt, const std::vector<Vec3>& impulses,
                                NodeVectors& change) {
   NodeArrays& nodes = world.nodes;
   const SolveReport report = body.system->respond(implicit_step(world, body, dt), nodes.positions, impulses,
@@ -145,7 +145,7 @@ void set_velocities(WorldState& world, const TouchedBody& touched, double share)
 /// Lets the body's nodes move as the impulses at its contacts want it. `added`: to those that it knows.
 SolveReport respond(WorldState& world, TouchedBody& touched, double dt, const Eigen::Matrix3Xd& impulses,
                     const Eigen::Matrix3Xd& added, std::vector<Vec3>& nodal) {
-  const Body& body = world.bodies[touched.body];
+  Body& body = world.bodies[touched.body];
   if (touched.change.size() == 0) {
     touched.free = body.system->gather(world.nodes.velocities);
     touched.change = NodeVectors::Zero(3, touched.free.cols());
@@ -185,7 +185,7 @@ Answer answer(WorldState& world, TouchedBody& touched, ElasticResponse& response
   Answer answer{respond(world, touched, dt, impulses, added, nodal), true};
   const Eigen::Matrix3Xd velocities = point_velocities(world, touched), moved = velocities - response.velocities;
   const Eigen::Matrix3Xd expected = griffith::respond(response.compliance, added);
-  const double negligible = kNegligible * dt * world.scene.gravity.norm() * std::sqrt(added.cols());
+  const double negligible = kNegligible * dt * world.model->scene.gravity.norm() * std::sqrt(added.cols());
   answer.foreseen = (moved - expected).norm() <= kForeseen * expected.norm() + negligible;
   const double ratio = moved.cwiseProduct(added).sum() / expected.cwiseProduct(added).sum();
   if (learns && ratio > 0 && !world.integrates_explicitly()) {
@@ -239,7 +239,7 @@ void apply_corrections(WorldState& world) {
     const Mat3 turn = rotation_by(correction.rotation).toRotationMatrix();
     const Vec3 center = body.motion.center;
     body.motion.center += correction.translation;
-    world.energy.limited += body.motion.mass * world.scene.gravity.dot(correction.translation);
+    world.energy.limited += body.motion.mass * world.model->scene.gravity.dot(correction.translation);
     if (body.rigid) {
       body.orientation = (Quat(turn) * body.orientation).normalized();
       body.motion.inertia = turn * body.motion.inertia * turn.transpose();
@@ -317,7 +317,7 @@ void update_sleep(WorldState& world, double time_step) {
 
 std::vector<Vec3> external_forces(const WorldState& world) {
   std::vector<Vec3> forces(world.nodes.positions.size());
-  for (std::size_t i = 0; i < forces.size(); ++i) forces[i] = world.nodes.masses[i] * world.scene.gravity;
+  for (std::size_t i = 0; i < forces.size(); ++i) forces[i] = world.nodes.masses[i] * world.model->scene.gravity;
   add_load_forces(world, world.time, forces);
   return forces;
 }

@@ -89,7 +89,7 @@ SolveReport predict_elastic(WorldState& world, Body& body, std::vector<Vec3>& fo
 
 ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt) {
   const Material& material = world.material_of(body);
-  const SimulationSettings& settings = world.scene.simulation;
+  const SimulationSettings& settings = world.model->scene.simulation;
   return {dt, material.mass_damping, material.stiffness_damping, settings.relative_residual,
           settings.max_solver_iterations};
 }

@@ -38,7 +38,7 @@ double potential_energy(const WorldState& world) {
     moment += world.nodes.masses[i] * world.nodes.positions[i];
   for (const Projectile& projectile : world.projectiles)
     moment += projectile.mass * world.contact_world.state(projectile.object).pose.translation;
-  return -world.scene.gravity.dot(moment);
+  return -world.model->scene.gravity.dot(moment);
 }
 
 }  // namespace
@@ -81,7 +81,7 @@ void book_edit(WorldState& world, const EnergyNow& before) {
 
 void book_launch(WorldState& world, const Projectile& projectile, const RigidState& state) {
   world.energy.projectiles += kinetic_energy(projectile, state);
-  world.potential_at_start -= projectile.mass * world.scene.gravity.dot(state.pose.translation);
+  world.potential_at_start -= projectile.mass * world.model->scene.gravity.dot(state.pose.translation);
 }
 
 void book_crack(WorldState& world, TetId tet, int face) {

@@ -24,7 +24,7 @@ std::vector<RigidImpulse> contact_impulses(const WorldState& world) {
   for (std::size_t i = 0; i < world.projectiles.size(); ++i) {
     const auto object = static_cast<std::size_t>(world.projectiles[i].object.value);
     if (object >= centers.size()) centers.resize(object + 1, Vec3::Zero());
-    centers[object] = world.substep_start.projectiles[i].pose.translation;
+    centers[object] = world.scratch.substep_start.projectiles[i].pose.translation;
   }
   std::vector<RigidImpulse> sums(centers.size());
   const auto add = [&](ProxyId object, const Vec3& place, const Vec3& impulse) {
@@ -56,7 +56,7 @@ void book_rigid_contacts(WorldState& world, const Body& body, const RigidImpulse
   energy.contacts +=
       0.5 * (twice_turning_energy(now.inertia, spin) - twice_turning_energy(now.inertia, now.angular_velocity));
   energy.material_damping += (1 - 1 / damping) * (now.mass * pushed.dot(mean) + turned.dot(now.inertia * mean_spin));
-  const Vec3 load = start.force - (start.falls ? now.mass : 0) * world.scene.gravity;
+  const Vec3 load = start.force - (start.falls ? now.mass : 0) * world.model->scene.gravity;
   energy.loads += dt * (load.dot(mean) + start.torque.dot(mean_spin));
 }
 
@@ -64,11 +64,11 @@ void book_rigid_contacts(WorldState& world, const Body& body, const RigidImpulse
 void book_projectile(WorldState& world, std::size_t index, const RigidImpulse& impulse, double dt) {
   const Projectile& projectile = world.projectiles[index];
   if (world.contact_world.asleep(projectile.object)) return;
-  const RigidState& start = world.substep_start.projectiles[index];
+  const RigidState& start = world.scratch.substep_start.projectiles[index];
   const RigidState state = world.contact_world.state(projectile.object);
   const Mat3 turn = start.pose.rotation.toRotationMatrix();
   const Mat3 inertia = turn * projectile.inertia * turn.transpose();
-  const Vec3 velocity = start.velocity + dt * world.scene.gravity + impulse.linear / projectile.mass;
+  const Vec3 velocity = start.velocity + dt * world.model->scene.gravity + impulse.linear / projectile.mass;
   const Vec3 spin = start.angular_velocity + inertia.inverse() * impulse.angular;
   const Vec3 mean = 0.5 * (start.velocity + velocity), mean_spin = 0.5 * (start.angular_velocity + spin);
   EnergyAccount& energy = world.energy;
@@ -77,8 +77,8 @@ void book_projectile(WorldState& world, std::size_t index, const RigidImpulse& i
   energy.contacts += solved - kinetic_energy(projectile, state);  // rolling, and what it met on its way
   const Vec3 way = state.pose.translation - start.pose.translation;
   const Vec3 pushed_out = world.contact_world.pushed_out(projectile.object);
-  energy.limited += projectile.mass * world.scene.gravity.dot(pushed_out);
-  energy.time_integration += projectile.mass * world.scene.gravity.dot(way - pushed_out - dt * mean);
+  energy.limited += projectile.mass * world.model->scene.gravity.dot(pushed_out);
+  energy.time_integration += projectile.mass * world.model->scene.gravity.dot(way - pushed_out - dt * mean);
 }
 
 /// Twice the elastic energy of a stress, per volume [J/m³].
@@ -135,7 +135,7 @@ ElasticWorks elastic_works(const WorldState& world, const Body& body, const Body
     for (int i = begin; i < end; ++i) {
       const TetId tet = body.tets[i];
       const RestElement& rest = world.elements.rest_elements[tet];
-      const Corners ways = dt * corners_of(world.mesh, tet, world.substep_start.solved_velocities);
+      const Corners ways = dt * corners_of(world.mesh, tet, world.scratch.substep_start.solved_velocities);
       of_tets[i] = works_of_tet(law, rest, before.frames[i], before.stresses[i], ways);
       of_tets[i].stored = rest.volume * (world.elements.states[tet].energy_density -
                                          0.5 * twice_energy_density(law, before.stresses[i]));
@@ -164,8 +164,8 @@ NodeWorks works_of_nodes(const WorldState& world, const Body& body, const BodySn
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     const NodeId node = body.nodes[i];
     const double mass = world.nodes.masses[node];
-    const Vec3 &first = world.substep_start.velocities[node], &predicted = before.velocities[i];
-    const Vec3 way = world.nodes.positions[node] - before.positions[i], weight = mass * world.scene.gravity;
+    const Vec3 &first = world.scratch.substep_start.velocities[node], &predicted = before.velocities[i];
+    const Vec3 way = world.nodes.positions[node] - before.positions[i], weight = mass * world.model->scene.gravity;
     works.before += 0.5 * mass * first.squaredNorm();
     works.predicted += 0.5 * mass * predicted.squaredNorm();
     works.after += 0.5 * mass * world.nodes.velocities[node].squaredNorm();
@@ -197,7 +197,7 @@ double kinetic_energy_of_projectiles(const WorldState& world) {
 }
 
 void note_substep_start(WorldState& world) {
-  SubstepStart& start = world.substep_start;
+  SubstepStart& start = world.scratch.substep_start;
   start.velocities = world.nodes.velocities;
   start.projectiles.clear();
   for (const Projectile& projectile : world.projectiles)
@@ -294,7 +294,7 @@ EnergyAccount spent_in_rigid_move(const WorldState& world, const Body& body, con
   const Vec3 beside = after.center - before.center - (body.start.falls ? dt : 0) * mean;
   EnergyAccount spent;
   spent.time_integration =
-      kinetic_energy(before) - kinetic_energy(after) + before.mass * world.scene.gravity.dot(beside);
+      kinetic_energy(before) - kinetic_energy(after) + before.mass * world.model->scene.gravity.dot(beside);
   return spent;
 }
 
@@ -320,7 +320,7 @@ void ObstacleAccount::book(WorldState& world, std::span<const shock::Obstacle> o
     const Kept after = kept_by(world, obstacles[i]);
     world.energy.hand_over += before_[i].energy + obstacles[i].energy_gained - after.energy;
     world.energy.time_integration +=
-        world.scene.gravity.dot(after.center - before_[i].center) / obstacles[i].inverse_mass;
+        world.model->scene.gravity.dot(after.center - before_[i].center) / obstacles[i].inverse_mass;
   }
 }
 

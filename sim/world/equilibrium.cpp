@@ -52,7 +52,7 @@ void find_equilibrium(WorldState& world, double time, double displacement_time,
   std::vector<NodeConstraint> displacements = world.nodes.constraints;
   for (NodeConstraint& constraint : displacements) constraint.velocity *= displacement_time;
   std::vector<Vec3> loads(world.nodes.positions.size());
-  for (std::size_t i = 0; i < loads.size(); ++i) loads[i] = world.nodes.masses[i] * world.scene.gravity;
+  for (std::size_t i = 0; i < loads.size(); ++i) loads[i] = world.nodes.masses[i] * world.model->scene.gravity;
   add_dead_forces(world, time, loads);
   const std::vector<std::vector<PressedFace>> pressed = pressed_faces(world, time);
   for (Body& body : world.bodies) {
@@ -65,7 +65,7 @@ void find_equilibrium(WorldState& world, double time, double displacement_time,
 }
 
 void find_static_start(WorldState& world, int scene_body, const Monitor& monitor) {
-  if (!world.scene.simulation.static_start || world.scene.analysis != Analysis::dynamic) return;
+  if (!world.model->scene.simulation.static_start || world.model->scene.analysis != Analysis::dynamic) return;
   const auto concerns = [&](const Body& body) {
     return body.supported() && (scene_body < 0 || body.scene_body == scene_body);
   };

@@ -16,13 +16,14 @@ constexpr double kMostSubsteps = 1e5;
 
 /// The highest frequency that a body's present shape has with a material [rad/s].
 double frequency_of(const WorldState& world, const Body& body, const Material& material) {
-  body.system->assemble(MatrixFactors{.mass = 0, .stiffness = 1}, elastic_law(material), world.elements.rest_elements,
-                        world.elements.states, world.nodes.positions, world.nodes.masses);
+  ElasticSystem system = *body.system;
+  system.assemble(MatrixFactors{.mass = 0, .stiffness = 1}, elastic_law(material), world.elements.rest_elements,
+                  world.elements.states, world.nodes.positions, world.nodes.masses);
   const double density_ratio = material.density / world.material_of(body).density;
-  Eigen::VectorXd masses(body.system->nodes().size());
+  Eigen::VectorXd masses(system.nodes().size());
   for (Eigen::Index row = 0; row < masses.size(); ++row)
-    masses[row] = density_ratio * world.nodes.masses[body.system->nodes()[row]];
-  return highest_frequency(body.system->matrix(), masses);
+    masses[row] = density_ratio * world.nodes.masses[system.nodes()[row]];
+  return highest_frequency(system.matrix(), masses);
 }
 
 /// The longest substep in which a body of this highest frequency [rad/s] is integrated explicitly [s].
@@ -64,7 +65,7 @@ double stable_substep(WorldState& world) {
     if (body.rigid) continue;
     if (body.highest_frequency == 0) body.highest_frequency = frequency_of(world, body, world.material_of(body));
     const double substep = stable_substep_at(body.highest_frequency, world.material_of(body));
-    if (world.scene.simulation.time_step <= kMostSubsteps * substep) {
+    if (world.model->scene.simulation.time_step <= kMostSubsteps * substep) {
       stable = std::min(stable, substep);
     } else {
       freeze(world, body);
@@ -75,7 +76,7 @@ double stable_substep(WorldState& world) {
 
 void check_substep_count(const WorldState& world, int scene_body, const Material& material) {
   if (!world.integrates_explicitly()) return;
-  const double time_step = world.scene.simulation.time_step;
+  const double time_step = world.model->scene.simulation.time_step;
   for (const Body& body : world.bodies) {
     if (body.scene_body != scene_body || (body.rigid && body.tets.size() == 1)) continue;
     const double substep = stable_substep_at(frequency_of(world, body, material), material);

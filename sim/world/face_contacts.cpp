@@ -175,7 +175,7 @@ void add_face_contacts(const WorldState& world, const FacePair& pair, std::vecto
 }
 
 void add_ground_contacts(const WorldState& world, const Body& body, const Contact& like, std::vector<Contact>& added) {
-  const double height = world.scene.ground->height, reach = kReach * body.element_size;
+  const double height = world.model->scene.ground->height, reach = kReach * body.element_size;
   std::vector<NodeId> nodes;
   for (const SurfaceFace& face : body.surface) {
     const std::array<NodeId, 3> corners = face_nodes(world.mesh, face.tet, face.face);

@@ -50,7 +50,7 @@ void append_copy(WorldState& world, const NodeCopy& copy) {
 std::vector<std::uint8_t> remesh(WorldState& world, const Body& body, NodeId node, const Vec3& normal, Opened& opened) {
   note_motion(world, body, opened.motions);
   RemeshOptions options;
-  options.limits.least_length = world.least_edges[body.scene_body];
+  options.limits.least_length = world.model->least_edges[body.scene_body];
   StarCut cut = cut_star(world.mesh, world.nodes.positions, world.nodes.at_crack_front, node, normal, options);
   world.report.remeshing_refused += cut.refused_edges;
   follow_subdivision(world, cut.subdivision);
@@ -100,11 +100,11 @@ void date_open_faces(WorldState& world, const std::vector<TetId>& parted) {
 bool crack(WorldState& world, NodeId node, Opened& opened) {
   const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
   const Vec3 normal = world.nodes.separations[node].direction;
-  const std::vector<std::uint8_t> above = world.scene.bodies[body.scene_body].remeshing
+  const std::vector<std::uint8_t> above = world.model->scene.bodies[body.scene_body].remeshing
                                               ? remesh(world, body, node, normal, opened)
                                               : tets_above(world.mesh, world.nodes.positions, node, normal);
   CrackEvent event = describe(world, node, above);
-  const SplitResult result = split_node(world.mesh, node, above, world.scene.simulation.min_fragment_tets);
+  const SplitResult result = split_node(world.mesh, node, above, world.model->scene.simulation.min_fragment_tets);
   world.report.cracks_suppressed += result.too_small;
   if (result.too_small) return false;
   for (const NodeCopy& copy : result.copies) append_copy(world, copy);
@@ -141,7 +141,7 @@ Opened crack_in_turn(WorldState& world, const std::vector<NodeId>& overloaded, d
   opened.first_event = world.crack_events.size();
   for (NodeId node : overloaded) {
     if (opened.waiting.contains(node) || is_relieved(world, node, opened.first_event, substep)) continue;
-    if (world.report.cracks >= world.scene.simulation.max_cracks_per_step) {
+    if (world.report.cracks >= world.model->scene.simulation.max_cracks_per_step) {
       world.postponed.push_back({node, world.nodes.separations[node]});
       continue;
     }
@@ -168,7 +168,7 @@ std::vector<BodyId> children_of(const WorldState& world, const CrackEvent& event
 
 void part_opened(WorldState& world, const Opened& opened) {
   restore_angular_momentum(world, opened.motions);
-  follow_cracks(world.splinters, world.mesh.neighbours, opened.parted, world.splinter_state);
+  follow_cracks(world.model->splinters, world.mesh.neighbours, opened.parted, world.splinter_state);
   split_bodies(world, std::vector<BodyId>(opened.bodies.begin(), opened.bodies.end()));
   for (std::size_t i = opened.first_event; i < world.crack_events.size(); ++i)
     world.crack_events[i].children = children_of(world, world.crack_events[i]);

@@ -107,15 +107,15 @@ double load_factor(const Load& load, double time) {
   return acted < load.ramp ? acted / load.ramp : 1;
 }
 
-void place_loads(WorldState& world, int scene_body, const RestBody& body) {
-  const std::vector<Load>& loads = world.scene.bodies[scene_body].loads;
+void place_loads(WorldState& world, int scene_body, const RestBody& body, std::vector<InputError>& findings) {
+  const std::vector<Load>& loads = world.model->scene.bodies[scene_body].loads;
   for (std::size_t i = 0; i < loads.size(); ++i) {
     world.loads.push_back(place_load(world.mesh, loads[i], body));
     const PlacedLoad& placed = world.loads.back();
     if (!placed.corners.empty() || !placed.faces.empty() || !placed.tets.empty()) continue;
-    world.findings.emplace_back("#/bodies/" + std::to_string(scene_body) + "/loads/" + std::to_string(i) + "/region",
-                                std::string("holds no ") + loaded_things(loads[i].kind),
-                                "make it larger, or move it: regions are in the body's rest space");
+    findings.emplace_back("#/bodies/" + std::to_string(scene_body) + "/loads/" + std::to_string(i) + "/region",
+                          std::string("holds no ") + loaded_things(loads[i].kind),
+                          "make it larger, or move it: regions are in the body's rest space");
   }
 }
 

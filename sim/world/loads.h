@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/error.h"
 #include "sim/scene/boundary_condition.h"
 #include "sim/world/rest_body.h"
 
@@ -19,7 +20,7 @@ struct PlacedLoad {
 double load_factor(const Load& load, double time);
 
 /// Finds what a body's loads act on; one that acts on nothing becomes a finding.
-void place_loads(WorldState& world, int scene_body, const RestBody& body);
+void place_loads(WorldState& world, int scene_body, const RestBody& body, std::vector<InputError>& findings);
 
 /// Ends the rest of rigid bodies on which a load has changed between `before` and `time` [s].
 void wake_loaded_bodies(WorldState& world, double before, double time);

@@ -310,7 +310,7 @@ void freeze(WorldState& world, Body& body) {
 }
 
 void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt) {
-  world.substep_start.solved_velocities = world.nodes.velocities;
+  world.scratch.substep_start.solved_velocities = world.nodes.velocities;
   std::vector<std::uint8_t> shortened(world.bodies.size(), 0);
   std::vector<EnergyAccount> spent(world.bodies.size());
   parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {

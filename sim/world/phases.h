@@ -14,12 +14,12 @@ namespace griffith {
 void advance(WorldState& world);
 
 /// Builds meshes, bodies and the contact world. Throws InputError for meshes that cannot be simulated.
-void build_world(WorldState& world, const Monitor& monitor = {}, const GivenMeshes& given = {});
+WorldState build_world(const Scene& scene, const Monitor& monitor = {}, const GivenMeshes& given = {});
 
 /// Makes a body's splinters, if it has a pattern for them. Throws InputError for one that cannot be made.
-void place_splinters(WorldState& world, int scene_body, const RestBody& body, const Monitor& monitor);
+void place_splinters(Model& model, int scene_body, const RestBody& body, const Monitor& monitor);
 /// After the splinters of all bodies were made: what is known of them together.
-void close_splinters(WorldState& world);
+void close_splinters(Model& model);
 
 /// Queues the shots of a burst, its start counted from now. Throws InputError, about the field `where` of the scene,
 /// for a surface file that cannot be read or has no volume.

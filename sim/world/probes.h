@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/error.h"
 #include "sim/scene/probe.h"
 #include "sim/world/rest_body.h"
 
@@ -28,7 +29,7 @@ struct PlacedProbe {
 
 /// Finds the nodes of the probes that name this body; a region without any becomes a finding. Throws InputError when a
 /// probe names a node that the mesh lacks.
-void place_probes(WorldState& world, int scene_body, const RestBody& body);
+void place_probes(WorldState& world, int scene_body, const RestBody& body, std::vector<InputError>& findings);
 
 /// Throws InputError when a probe names no body of the scene.
 void check_probes(const Scene& scene);

@@ -87,7 +87,7 @@ void require_no_crowd(const std::vector<PendingShot>& shots, const Vec3& gravity
 
 void queue_burst(WorldState& world, const ProjectileBurst& burst, const std::string& where) {
   const Projectile projectile =
-      burst.shape ? convex_projectile(std::visit(Outline{world.scene.folder, where}, *burst.shape), burst, where)
+      burst.shape ? convex_projectile(std::visit(Outline{world.model->scene.folder, where}, *burst.shape), burst, where)
                   : sphere(burst);
   ProjectileBurst flight = burst;
   flight.shape.reset();  // the projectile has it, once for the whole burst
@@ -101,9 +101,9 @@ void queue_burst(WorldState& world, const ProjectileBurst& burst, const std::str
 }
 
 void queue_bursts(WorldState& world) {
-  for (std::size_t i = 0; i < world.scene.projectiles.size(); ++i)
-    queue_burst(world, world.scene.projectiles[i], "#/projectiles/" + std::to_string(i));
-  require_no_crowd(world.pending_shots, world.scene.gravity, "#/projectiles");
+  for (std::size_t i = 0; i < world.model->scene.projectiles.size(); ++i)
+    queue_burst(world, world.model->scene.projectiles[i], "#/projectiles/" + std::to_string(i));
+  require_no_crowd(world.pending_shots, world.model->scene.gravity, "#/projectiles");
 }
 
 void fire_burst(WorldState& world, const ProjectileBurst& burst) {
@@ -113,7 +113,7 @@ void fire_burst(WorldState& world, const ProjectileBurst& burst) {
   std::vector<PendingShot> pending = world.pending_shots;
   try {
     queue_burst(world, burst, "shot");
-    require_no_crowd(world.pending_shots, world.scene.gravity, "shot");
+    require_no_crowd(world.pending_shots, world.model->scene.gravity, "shot");
   } catch (const InputError&) {
     world.pending_shots = std::move(pending);
     throw;
@@ -121,7 +121,7 @@ void fire_burst(WorldState& world, const ProjectileBurst& burst) {
 }
 
 void launch_projectiles(WorldState& world) {
-  const double rounding = 1e-6 * world.scene.simulation.time_step;
+  const double rounding = 1e-6 * world.model->scene.simulation.time_step;
   std::vector<PendingShot>& pending = world.pending_shots;
   const auto due =
       std::ranges::find_if(pending, [&](const PendingShot& shot) { return shot.time > world.time + rounding; });

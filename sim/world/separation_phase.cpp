@@ -16,7 +16,7 @@ double element_size_at(const WorldState& world, NodeId node) {
 NodeSeparation evaluate_node(const WorldState& world, const SeparationInput& input, const Body& body, NodeId node,
                              bool averaged) {
   const Material& material = world.material_of(body);
-  const std::optional<Weakness>& weakness = world.weaknesses[body.scene_body];
+  const std::optional<Weakness>& weakness = world.model->weaknesses[body.scene_body];
   const DirectionalStrength strength = weakness ? strength_at(input, node, *weakness) : DirectionalStrength();
 
   NodeSeparation separation;

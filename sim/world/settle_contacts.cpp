@@ -124,9 +124,9 @@ Vec3 admissible(const SettledNode& node) {
 void settle(WorldState& world, TouchedBody& touched, const ElasticResponse& response, double dt,
             std::vector<SettledNode>& nodes) {
   constexpr int kMostChanges = 10;
-  const Body& body = world.bodies[touched.body];
+  Body& body = world.bodies[touched.body];
   const ImplicitStep step = implicit_step(world, body, dt);
-  const double scale = response.impulses.norm(), negligible = 1e-6 * dt * world.scene.gravity.norm();
+  const double scale = response.impulses.norm(), negligible = 1e-6 * dt * world.model->scene.gravity.norm();
   NodeVectors change;
   for (int round = 0; round < kMostChanges; ++round) {
     std::vector<HeldRow> held;

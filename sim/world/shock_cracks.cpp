@@ -41,11 +41,11 @@ void ShockRun::update_threshold(int index) {
   const Material& material = world_.material_of(body);
   shock::SolidNode& target = solid_.node(index);
   target.threshold = std::numeric_limits<float>::infinity();
-  if (!world_.scene.simulation.fracture) return;
+  if (!world_.model->scene.simulation.fracture) return;
   if (world_.mesh.stars[node].size() == 1 && world_.nodes.held[node] == 0) return;  // a tip: nothing to part
   double least = resistance(material, world_.nodes.at_crack_front[node] != 0, element_size_at(world_, node),
                             world_.nodes.strength_factors[node]);
-  if (const auto& weakness = world_.weaknesses[body.scene_body]) least *= weakness->strength_ratio;
+  if (const auto& weakness = world_.model->weaknesses[body.scene_body]) least *= weakness->strength_ratio;
   if (material.criterion == FractureCriterion::separation_force) {
     double area = 0;  // v⁺ is at most half the sum of the tensile forces
     for (const TetId tet : world_.mesh.stars[node])
@@ -111,7 +111,7 @@ void ShockRun::look() {
   world_.report.cracks_postponed = 0;
   for (const Overload& overload : overloaded_) {
     if (rebuild_) break;  // the others are judged again on the new mesh
-    if (world_.report.cracks >= world_.scene.simulation.max_cracks_per_step) {
+    if (world_.report.cracks >= world_.model->scene.simulation.max_cracks_per_step) {
       ++world_.report.cracks_postponed;
     } else if (looks_[local(overload.node)].ready <= time_) {
       open(overload);
@@ -146,7 +146,7 @@ void ShockRun::open(const Overload& overload) {
   const Body& body = body_of(node);
   const BodyId id = body.id;
   const double transit = transit_time(node);
-  if (world_.scene.bodies[body.scene_body].remeshing) write_back();
+  if (world_.model->scene.bodies[body.scene_body].remeshing) write_back();
   world_.time = time_;
   const std::vector<TetId> star = world_.mesh.stars[node];
   std::vector<std::array<TetId, 4>> neighbours;

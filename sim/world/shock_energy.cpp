@@ -39,7 +39,7 @@ void ShockRun::add_external_works(EnergyAccount& spent) const {
   for (int i = 0; i < solid_.node_count(); ++i) {
     const Vec3 way = solid_.position(i) - starts_[i].position;
     const double mass = 1 / solid_.node(i).inverse_mass;
-    if (!world_.loads.empty()) spent.loads += mass * (starts_[i].external - world_.scene.gravity).dot(way);
+    if (!world_.loads.empty()) spent.loads += mass * (starts_[i].external - world_.model->scene.gravity).dot(way);
     if (scaled) spent.scaling += mass * (starts_[i].external - solid_.external_acceleration(i)).dot(way);
   }
 }

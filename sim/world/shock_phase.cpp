@@ -48,11 +48,11 @@ double radius_of(const Body& body) {
 }
 
 void add_ground(const WorldState& world, std::vector<shock::Obstacle>& obstacles) {
-  if (!world.scene.ground) return;
+  if (!world.model->scene.ground) return;
   shock::Obstacle ground;
   ground.radius = std::numeric_limits<double>::infinity();
-  ground.solids = {{{{Vec3::UnitY(), world.scene.ground->height}}, {}}};
-  ground.friction = world.scene.ground->friction;
+  ground.solids = {{{{Vec3::UnitY(), world.model->scene.ground->height}}, {}}};
+  ground.friction = world.model->scene.ground->friction;
   obstacles.push_back(ground);
 }
 
@@ -233,7 +233,7 @@ void make_rigid_if_unharmed(WorldState& world, Body& body) {
 }  // namespace
 
 double next_stretch(WorldState& world, double left) {
-  const double time_step = world.scene.simulation.time_step, tolerance = time_step / 512;
+  const double time_step = world.model->scene.simulation.time_step, tolerance = time_step / 512;
   if (!in_shock(world)) {
     const double calm = time_before_impact(world, left, tolerance);
     if (calm > tolerance || calm == left) return calm;
@@ -248,7 +248,7 @@ double next_stretch(WorldState& world, double left) {
 }
 
 void enter_overloaded_bodies(WorldState& world) {
-  if (!world.scene.simulation.fracture) return;
+  if (!world.model->scene.simulation.fracture) return;
   for (Body& body : world.bodies) {
     const auto is_overloaded = [&](NodeId node) { return world.nodes.separations[node].margin > 1; };
     if (body.sways() && std::ranges::any_of(body.nodes, is_overloaded) && suits_microsteps(world, body, 0))
@@ -259,7 +259,7 @@ void enter_overloaded_bodies(WorldState& world) {
 std::vector<shock::Obstacle> obstacles_of_shock(const WorldState& world, double duration) {
   if (!in_shock(world)) return {};
   Surroundings near;
-  near.own.resize(world.scene.bodies.size(), 0);
+  near.own.resize(world.model->scene.bodies.size(), 0);
   for (const Body& body : world.bodies) {
     if (!body.shock) continue;
     near.own[body.scene_body] = 1;

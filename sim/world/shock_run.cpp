@@ -176,7 +176,7 @@ void ShockRun::run(double duration) {
     }
   }
   world_.report.microsteps += static_cast<int>(microsteps_);
-  world_.microstep_work += kMicrostepWork * static_cast<double>(microsteps_ * solid_.tet_slots());
+  world_.scratch.microstep_work += kMicrostepWork * static_cast<double>(microsteps_ * solid_.tet_slots());
 }
 
 void ShockRun::note_blows() {

@@ -128,7 +128,7 @@ double element_transit_time(const WorldState& world, const Body& body) {
 }
 
 double shock_window(const WorldState& world, const Body& body) {
-  return kTransits * world.extents[body.scene_body] / slowed_wave_speed(world, body);
+  return kTransits * world.model->extents[body.scene_body] / slowed_wave_speed(world, body);
 }
 
 double time_to_follow(const WorldState& world) {
@@ -144,7 +144,7 @@ namespace {
 /// others. They share one f: where waves are slowed in one of two bodies alone, its faces give way too far to the
 /// other's.
 std::vector<int> groups_in_shock(const WorldState& world, double duration) {
-  const int count = static_cast<int>(world.scene.bodies.size());
+  const int count = static_cast<int>(world.model->scene.bodies.size());
   std::vector<Eigen::AlignedBox3d> boxes(count);
   for (const Body& body : world.bodies) {
     if (!body.shock) continue;
@@ -188,8 +188,8 @@ std::vector<GroupDemand> group_demands(const WorldState& world, const std::vecto
 }  // namespace
 
 void choose_similarity(WorldState& world, double left) {
-  const double budget = 1e3 * world.scene.simulation.step_budget;
-  const double available = std::max(budget - world.microstep_work, kLeastShare * budget);
+  const double budget = 1e3 * world.model->scene.simulation.step_budget;
+  const double available = std::max(budget - world.scratch.microstep_work, kLeastShare * budget);
   const Demand demand = demand_of(world, left);
   const double work = demand.microsteps * kMicrostepWork * demand.tets,
                followed = std::min(1.0, time_to_follow(world) / left);
@@ -284,7 +284,7 @@ void end_similarity(WorldState& world, Body& body) {
   if (elastic_energy(world, body) > kMostGain * elastic) keep_shape(world, body, before);
   update_motion(world, body);
   const Vec3 way = body.motion.center - motion.center;
-  world.energy.scaling += energy - energy_of(world, body) + motion.mass * world.scene.gravity.dot(way);
+  world.energy.scaling += energy - energy_of(world, body) + motion.mass * world.model->scene.gravity.dot(way);
 }
 
 }  // namespace griffith

@@ -24,31 +24,30 @@ void require_covered(const TetMesh& mesh, const SplinterSet& splinters, const st
 }
 
 /// What holds for each body holds for all of a scene, too.
-void require_few_in_all(const WorldState& world, const CellPartition& cells, const std::string& where) {
-  if (static_cast<double>(world.splinters.splinters.size() + cells.size()) > kMaxSplinterCells)
+void require_few_in_all(const SplinterSet& splinters, const CellPartition& cells, const std::string& where) {
+  if (static_cast<double>(splinters.splinters.size() + cells.size()) > kMaxSplinterCells)
     throw InputError(where, "brings the scene to more than 2 million splinters",
                      "take larger ones, or fewer bodies that have any");
 }
 
 }  // namespace
 
-void place_splinters(WorldState& world, int scene_body, const RestBody& body, const Monitor& monitor) {
-  const std::optional<SplinterPattern>& pattern = world.scene.bodies[scene_body].splinters;
+void place_splinters(Model& model, int scene_body, const RestBody& body, const Monitor& monitor) {
+  const std::optional<SplinterPattern>& pattern = model.scene.bodies[scene_body].splinters;
   if (!pattern) return;
   Eigen::AlignedBox3d bounds;
   for (const Vec3& position : body.mesh.rest_positions) bounds.extend(position);
   const std::string where = "#/bodies/" + std::to_string(scene_body) + "/splinters";
-  const CellPartition cells = make_cells(*pattern, bounds, world.scene.folder, where);
-  require_few_in_all(world, cells, where);
+  const CellPartition cells = make_cells(*pattern, bounds, model.scene.folder, where);
+  require_few_in_all(model.splinters, cells, where);
   const SplinterSet splinters = make_splinters(body.mesh, cells, monitor);
   require_covered(body.mesh, splinters, where);
-  append(world.splinters, splinters, body.range.first_tet, scene_body);
+  append(model.splinters, splinters, body.range.first_tet, scene_body);
 }
 
-void close_splinters(WorldState& world) {
-  world.splinter_state = intact_state(world.splinters);
+void close_splinters(Model& model) {
   const auto collides = [](const BodyDescription& body) { return body.collision == CollisionShape::splinters; };
-  if (std::ranges::any_of(world.scene.bodies, collides)) world.splinter_hulls = hull_corners(world.splinters);
+  if (std::ranges::any_of(model.scene.bodies, collides)) model.splinter_hulls = hull_corners(model.splinters);
 }
 
 }  // namespace griffith

@@ -29,9 +29,9 @@ class PhaseTimer {
 void fracture(WorldState& world, double substep) {
   {
     PhaseTimer timer(world.report.milliseconds.separation);
-    evaluate_separation(world, world.scene.analysis == Analysis::dynamic);
+    evaluate_separation(world, world.model->scene.analysis == Analysis::dynamic);
   }
-  if (!world.scene.simulation.fracture) return;
+  if (!world.model->scene.simulation.fracture) return;
   PhaseTimer timer(world.report.milliseconds.fracture);
   open_cracks(world, substep);
 }
@@ -95,7 +95,7 @@ void step_implicitly(WorldState& world, double time_step) {
 void step_by_stretches(WorldState& world, double time_step) {
   constexpr double kRounding = 1e-9;
   world.report.substeps = 0;
-  world.microstep_work = 0;
+  world.scratch.microstep_work = 0;
   for (double left = time_step; left > kRounding * time_step; ++world.report.substeps) {
     const double start = world.time, stretch = next_stretch(world, left);
     const std::vector<shock::Obstacle> obstacles = obstacles_of_shock(world, stretch);
@@ -113,7 +113,7 @@ void step_by_stretches(WorldState& world, double time_step) {
       evaluate_separation(world, true);
       enter_overloaded_bodies(world);
     }
-    if (world.scene.simulation.fracture) open_cracks(world, stretch);
+    if (world.model->scene.simulation.fracture) open_cracks(world, stretch);
   }
   rigidify_quiet_bodies(world);
   update_sleep(world, time_step);
@@ -122,7 +122,7 @@ void step_by_stretches(WorldState& world, double time_step) {
 /// Without inertia: from one equilibrium to the next, as loads and supports move on. Each crack changes the balance, so
 /// it is found again until nothing more cracks or the budget ends.
 void step_statically(WorldState& world, double time_step) {
-  const int budget = world.scene.simulation.impact_substeps;
+  const int budget = world.model->scene.simulation.impact_substeps;
   double displacement_time = time_step;
   world.time += time_step;
   int cracks_before = -1;
@@ -154,15 +154,15 @@ void advance(WorldState& world) {
     if (!body.shock) body.scaled.reset();
   {
     PhaseTimer timer(world.report.milliseconds.step);
-    const double time_step = world.scene.simulation.time_step;
+    const double time_step = world.model->scene.simulation.time_step;
     launch_projectiles(world);
     update_supports(world, world.time, time_step);
     wake_loaded_bodies(world, world.time - time_step, world.time);
-    if (world.scene.analysis == Analysis::equilibrium) {
+    if (world.model->scene.analysis == Analysis::equilibrium) {
       step_statically(world, time_step);
     } else if (world.integrates_explicitly()) {
       step_explicitly(world, time_step);
-    } else if (world.scene.simulation.integrator == Integrator::hybrid) {
+    } else if (world.model->scene.simulation.integrator == Integrator::hybrid) {
       step_by_stretches(world, time_step);
     } else {
       step_implicitly(world, time_step);

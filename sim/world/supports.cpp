@@ -46,13 +46,13 @@ void block(NodeConstraint& constraint, const Support& support, const Vec3& veloc
 
 }  // namespace
 
-void place_supports(WorldState& world, int scene_body, const RestBody& body) {
-  const std::vector<Support>& supports = world.scene.bodies[scene_body].supports;
+void place_supports(WorldState& world, int scene_body, const RestBody& body, std::vector<InputError>& findings) {
+  const std::vector<Support>& supports = world.model->scene.bodies[scene_body].supports;
   for (std::size_t i = 0; i < supports.size(); ++i) {
     world.supports.push_back({supports[i], corners_at(body, nodes_in(body, supports[i].region))});
     if (!world.supports.back().corners.empty()) continue;
-    world.findings.emplace_back("#/bodies/" + std::to_string(scene_body) + "/supports/" + std::to_string(i) + "/region",
-                                "holds no node", "make it larger, or move it: regions are in the body's rest space");
+    findings.emplace_back("#/bodies/" + std::to_string(scene_body) + "/supports/" + std::to_string(i) + "/region",
+                          "holds no node", "make it larger, or move it: regions are in the body's rest space");
   }
 }
 
@@ -93,7 +93,7 @@ void update_supports(WorldState& world, double time, double dt) {
 }
 
 void hold_again(WorldState& world) {
-  const double time_step = world.scene.simulation.time_step;
+  const double time_step = world.model->scene.simulation.time_step;
   update_supports(world, static_cast<double>(world.step) * time_step, time_step);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/error.h"
 #include "sim/fracture/split.h"
 #include "sim/scene/boundary_condition.h"
 #include "sim/world/rest_body.h"
@@ -15,7 +16,7 @@ struct PlacedSupport {
 };
 
 /// Finds the nodes of a body's supports, once; one that holds none becomes a finding. Then update_supports().
-void place_supports(WorldState& world, int scene_body, const RestBody& body);
+void place_supports(WorldState& world, int scene_body, const RestBody& body, std::vector<InputError>& findings);
 
 /// Lets a support lose its hold on a node that would separate across the plane of unit normal `normal` although all
 /// elements lie on one side of it: then the plane is that between body and support. False where no support holds it in

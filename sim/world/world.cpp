@@ -62,10 +62,10 @@ void judge_anew(WorldState& world, int scene_body) {
 
 World::World(const Scene& scene, const Monitor& monitor) : World(scene, GivenMeshes(), monitor) {}
 World::World(const Scene& scene, const GivenMeshes& meshes, const Monitor& monitor)
-    : impl_(std::make_unique<Impl>(WorldState(scene))) {
-  build_world(impl_->state, monitor, meshes);
-}
+    : impl_(std::make_unique<Impl>(build_world(scene, monitor, meshes))) {}
 World::~World() = default;
+World::World(const World& other) : impl_(std::make_unique<Impl>(*other.impl_)) {}
+World& World::operator=(const World& other) { return *this = World(other); }
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
@@ -94,12 +94,12 @@ Frame World::frame() const {
   frame.states = world.elements.states;
   frame.stresses = world.elements.stresses;
   frame.materials = world.materials;
-  frame.weaknesses = world.weaknesses;
+  frame.weaknesses = world.model->weaknesses;
   frame.bodies = world.body_views;
-  frame.splinters = world.splinters.splinters;
-  frame.splinter_parts = world.splinters.parts;
-  frame.splinter_faces = world.splinters.faces;
-  frame.splinter_corners = world.splinters.corners;
+  frame.splinters = world.model->splinters.splinters;
+  frame.splinter_parts = world.model->splinters.parts;
+  frame.splinter_faces = world.model->splinters.faces;
+  frame.splinter_corners = world.model->splinters.corners;
   frame.attached_parts = world.splinter_state.attached;
   frame.open_walls = world.splinter_state.open_walls;
   frame.projectiles = world.projectile_views;
@@ -115,7 +115,7 @@ Frame World::frame() const {
   return frame;
 }
 
-const std::vector<InputError>& World::findings() const { return impl_->state.findings; }
+const std::vector<InputError>& World::findings() const { return impl_->state.model->findings; }
 
 void World::fire(const ProjectileBurst& burst) { fire_burst(impl_->state, burst); }
 

@@ -21,6 +21,10 @@ class World {
   /// The same with meshes from memory in place of those files.
   World(const Scene& scene, const GivenMeshes& meshes, const Monitor& monitor = {});
   ~World();
+  /// Copies a world as it is between two steps: both go on alike, to the bit. So a copy is a snapshot to come back to,
+  /// or a branch. What never changes is shared.
+  World(const World&);
+  World& operator=(const World&);
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
 

@@ -19,6 +19,7 @@
 #include "sim/world/frame.h"
 #include "sim/world/loads.h"
 #include "sim/world/mesh_arrays.h"
+#include "sim/world/model.h"
 #include "sim/world/probes.h"
 #include "sim/world/supports.h"
 
@@ -54,7 +55,7 @@ struct Body {
   std::vector<NodeId> nodes;  ///< ascending, held ones too
   std::vector<SurfaceFace> surface;
   NodeVectors reference_arms;  ///< nodes relative to the centre of mass when the shape was made [m]
-  std::unique_ptr<ElasticSystem> system;
+  std::optional<ElasticSystem> system;
   ProxyId proxy;
   std::vector<ConvexPart> collision_parts;  ///< of the proxy, for the frame [m]
   RigidMotion motion;                       ///< mass, momentum and inertia of the nodes now
@@ -109,31 +110,38 @@ struct SubstepStart {
   std::vector<RigidState> projectiles;  ///< per projectile
 };
 
-/// Everything behind a World: constant set-up (scene, rest data) and mutable state.
-struct WorldState {
-  explicit WorldState(const Scene& authored) : scene(authored), contact_world(authored.gravity) {}
+/// What a step needs and nobody keeps.
+struct Scratch {
+  SubstepStart substep_start;
+  double microstep_work = 0;  ///< of the step so far, in microseconds of a usual core
 
-  Scene scene;
+  Scratch() = default;
+  Scratch(Scratch&&) = default;
+  Scratch& operator=(Scratch&&) = default;
+  /// Copies of a world stand between steps.
+  Scratch(const Scratch&) {}
+  Scratch& operator=(const Scratch&) { return *this = Scratch(); }
+};
+
+/// A world between two steps, as a value: a copy goes on as the original does, to the bit.
+struct WorldState {
+  explicit WorldState(std::shared_ptr<const Model> set_up)
+      : model(std::move(set_up)), contact_world(model->scene.gravity) {}
+
+  std::shared_ptr<const Model> model;
   std::vector<Material> materials;  ///< per scene body, as in force now
-  std::vector<double> least_edges;  ///< per scene body: shortest edge that remeshing makes [m]
-  std::vector<double> extents;      ///< per scene body: longest edge of the box round its largest piece at rest [m]
-  std::vector<std::optional<Weakness>> weaknesses;  ///< per scene body, direction in the placed rest space, unit length
   std::vector<PlacedSupport> supports;
   std::vector<PlacedLoad> loads;
-  std::vector<PlacedProbe> probes;   ///< as Scene::probes
-  std::vector<InputError> findings;  ///< what the user should know about the scene; nothing that keeps it from running
+  std::vector<PlacedProbe> probes;  ///< as Scene::probes
   TetMesh mesh;
   NodeArrays nodes;
   ElementArrays elements;
-  SplinterSet splinters;
   SplinterState splinter_state;
-  std::vector<std::vector<HullCorner>> splinter_hulls;  ///< per splinter; empty where they are not what touches
-  std::vector<Body> bodies;                             ///< by BodyId; never removed
+  std::vector<Body> bodies;  ///< by BodyId; never removed
   ContactWorld contact_world;
   std::vector<BodyId> body_of_proxy;  ///< per ProxyId; invalid for projectiles and the ground
   std::vector<Projectile> projectiles;
   std::vector<PendingShot> pending_shots;
-  double microstep_work = 0;  ///< of the step so far, in microseconds of a usual core
 
   std::int64_t step = 0;
   double time = 0;  ///< [s]
@@ -147,9 +155,9 @@ struct WorldState {
   Totals totals;
   EnergyAccount energy, energy_before;  ///< so far; before the present step
   double potential_at_start = 0;        ///< of gravity, with what was launched since [J]
-  SubstepStart substep_start;
+  Scratch scratch;
 
-  bool integrates_explicitly() const { return scene.simulation.integrator == Integrator::symplectic_euler; }
+  bool integrates_explicitly() const { return model->scene.simulation.integrator == Integrator::symplectic_euler; }
   /// Whose proxy this is; invalid for projectiles and the ground.
   BodyId body_of(ProxyId proxy) const {
     const auto index = static_cast<std::size_t>(proxy.value);

@@ -17,7 +17,7 @@ Scene validation_scene(const std::string& name) {
   return read_scene(std::string(GRIFFITH_SOURCE_DIR) + "/scenes/validation/" + name + ".json");
 }
 
-Specimen::Specimen(const Scene& scene) : world_(scene) { build_world(world_); }
+Specimen::Specimen(const Scene& scene) : world_(build_world(scene)) {}
 
 void Specimen::deform(const std::function<Vec3(const Vec3&)>& map) {
   for (int node = 0; node < node_count(); ++node) world_.nodes.positions[node] = map(rest_position(node));
@@ -27,7 +27,8 @@ void Specimen::deform(const std::function<Vec3(const Vec3&)>& map) {
 void Specimen::equilibrate() {
   world_.report = {};
   find_equilibrium(world_, 0, 0, [](const Body&) { return true; });
-  if (world_.report.unconverged_solves > 0) throw std::runtime_error(world_.scene.name + ": found no equilibrium");
+  if (world_.report.unconverged_solves > 0)
+    throw std::runtime_error(world_.model->scene.name + ": found no equilibrium");
   update_elements(world_);
 }
 

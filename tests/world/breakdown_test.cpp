@@ -21,8 +21,7 @@ std::unique_ptr<WorldState> stretched_block() {
   block.position = Vec3(1, 20, 3);
   block.rotation_degrees = Vec3(20, 30, 40);
   scene.bodies = {block};
-  auto world = std::make_unique<WorldState>(scene);
-  build_world(*world);
+  auto world = std::make_unique<WorldState>(build_world(scene));
   for (Vec3& position : world->nodes.positions) position = Vec3(1.0001, 1, 1).cwiseProduct(position);
   update_motion(*world, world->bodies[0]);
   update_elements(*world);
@@ -57,8 +56,8 @@ TEST(Breakdown, ABodyWithoutVelocitiesGoesOnInItsShapeFromWhereItWas) {
   const int steps = 3;
   for (int step = 0; step < steps; ++step) advance(*world);
   expect_sound(*world);
-  const double h = world->scene.simulation.time_step;
-  const Vec3 fallen = 0.5 * world->scene.gravity * steps * (steps + 1) * h * h;
+  const double h = world->model->scene.simulation.time_step;
+  const Vec3 fallen = 0.5 * world->model->scene.gravity * steps * (steps + 1) * h * h;
   for (std::size_t i = 0; i < before.size(); ++i)
     EXPECT_LT((world->nodes.positions[i] - before[i] - fallen).norm(), 1e-9)
         << "it neither jumps nor changes its shape";

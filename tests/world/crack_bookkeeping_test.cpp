@@ -24,8 +24,7 @@ BodyDescription block(const Vec3& size = Vec3(1, 1, 1)) {
 }
 
 std::unique_ptr<WorldState> build(const Scene& scene) {
-  auto world = std::make_unique<WorldState>(scene);
-  build_world(*world);
+  auto world = std::make_unique<WorldState>(build_world(scene));
   return world;
 }
 

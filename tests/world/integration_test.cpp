@@ -185,8 +185,7 @@ TEST(ExplicitIntegration, FreezesABodyThatComesToNeedMoreSubstepsThanItMakes) {
       scene.bodies[1].position.z() = 5;
       scene.bodies[1].velocity.x() = 3;
       if (!supported) scene.bodies[1].supports.clear();
-      WorldState world(scene);
-      build_world(world);
+      WorldState world = build_world(scene);
       world.bodies[1].highest_frequency = frequency;
       advance(world);
       EXPECT_EQ(world.report.non_finite_values, 1);

@@ -27,8 +27,7 @@ WorldState loaded(const Shape& shape, const std::vector<Load>& loads) {
   scene.bodies[0].position = Vec3(0.3, 2, -1);
   scene.bodies[0].rotation_degrees = Vec3(20, 40, -70);
   scene.bodies[0].loads = loads;
-  WorldState world(scene);
-  build_world(world);
+  WorldState world = build_world(scene);
   return world;
 }
 
@@ -52,8 +51,8 @@ Vec3 torque(const WorldState& world, const std::vector<Vec3>& forces) {
 }
 
 Pose pose_of(const WorldState& world) {
-  const Vec3 radians = world.scene.bodies[0].rotation_degrees * std::numbers::pi / 180;
-  return {world.scene.bodies[0].position,
+  const Vec3 radians = world.model->scene.bodies[0].rotation_degrees * std::numbers::pi / 180;
+  return {world.model->scene.bodies[0].position,
           Quat(Eigen::AngleAxisd(radians.z(), Vec3::UnitZ()) * Eigen::AngleAxisd(radians.y(), Vec3::UnitY()) *
                Eigen::AngleAxisd(radians.x(), Vec3::UnitX()))};
 }
@@ -143,7 +142,7 @@ TEST(Loads, AFreeBodyGainsTheMomentumOfItsLoads) {
   force.force = Vec3(300, 0, 0);
   Load traction = load_of(LoadKind::traction, kRightSide);
   traction.traction = Vec3(0, 0, 40);
-  Scene scene = loaded(kBox, {force, traction}).scene;
+  Scene scene = loaded(kBox, {force, traction}).model->scene;
   scene.gravity.setZero();
   World world(scene);
   for (int i = 0; i < 12; ++i) world.step();
@@ -173,7 +172,7 @@ TEST(Loads, ABodyThatHasGoneRigidBreaksUnderALoadThatSetsIn) {
   push.traction = Vec3(4e7, 0, 0);
   push.start = pull.start = 0.5;
   pull.traction = -push.traction;
-  Scene scene = loaded(kBox, {push, pull}).scene;
+  Scene scene = loaded(kBox, {push, pull}).model->scene;
   scene.gravity.setZero();
   World world(scene);
   while (world.frame().time < 0.5 - 1e-9) world.step();
@@ -187,8 +186,8 @@ TEST(Loads, OneThatActsOnNothingIsAFinding) {
   std::vector<Load> loads(4);
   for (int i = 0; i < 4; ++i) loads[i] = load_of(static_cast<LoadKind>(i), nowhere);
   const WorldState world = loaded(kBox, loads);
-  ASSERT_EQ(world.findings.size(), 4u);
-  EXPECT_EQ(world.findings[2].where(), "#/bodies/0/loads/2/region");
+  ASSERT_EQ(world.model->findings.size(), 4u);
+  EXPECT_EQ(world.model->findings[2].where(), "#/bodies/0/loads/2/region");
   for (const Vec3& force : forces_at(world, 0)) EXPECT_TRUE(force.isZero(0));
 }
 

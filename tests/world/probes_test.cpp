@@ -56,9 +56,8 @@ TEST(Probes, APointSeesALinearFieldExactly) {
   const Mat3 gradient{{1, 2, 3}, {-4, 5, 6}, {7, 8, -9}};
   for (int i = 0; i < 30; ++i) {
     const Vec3 point(2 * in(random), in(random), in(random));
-    WorldState world(
+    WorldState world = build_world(
         probed_block({probe_at(ProbePoint{point}, {ProbeQuantity::displacement, ProbeQuantity::velocity})}));
-    build_world(world);
     for (std::size_t node = 0; node < world.nodes.positions.size(); ++node) {
       const Vec3& rest = world.mesh.rest_positions[node];
       world.nodes.positions[node] = rest + gradient * rest;
@@ -73,8 +72,7 @@ TEST(Probes, APointSeesALinearFieldExactly) {
 }
 
 TEST(Probes, APointOutsideSeesTheNearestOfTheBody) {
-  WorldState world(probed_block({probe_at(ProbePoint{Vec3(9, 0.2, -0.1)}, {ProbeQuantity::velocity})}));
-  build_world(world);
+  WorldState world = build_world(probed_block({probe_at(ProbePoint{Vec3(9, 0.2, -0.1)}, {ProbeQuantity::velocity})}));
   for (std::size_t node = 0; node < world.nodes.positions.size(); ++node)
     world.nodes.velocities[node] = world.mesh.rest_positions[node];
   const std::vector<double> values = probe_values(world.probes, frame_of(world));
@@ -83,9 +81,8 @@ TEST(Probes, APointOutsideSeesTheNearestOfTheBody) {
 
 TEST(Probes, AUniformStressIsTheSameEverywhere) {
   const std::vector<ProbeQuantity> stresses = {ProbeQuantity::stress, ProbeQuantity::principal_stress};
-  WorldState world(probed_block({probe_at(ProbePoint{}, stresses), probe_at(ProbeNode{7}, stresses),
-                                 probe_at(SphereRegion{Vec3(1, 0, 0), 0.6}, stresses)}));
-  build_world(world);
+  WorldState world = build_world(probed_block({probe_at(ProbePoint{}, stresses), probe_at(ProbeNode{7}, stresses),
+                                               probe_at(SphereRegion{Vec3(1, 0, 0), 0.6}, stresses)}));
   const Mat3 stress{{1, 4, 6}, {4, 2, 5}, {6, 5, 3}};
   for (Mat3& of_tet : world.elements.stresses) of_tet = stress;
   const std::vector<double> values = probe_values(world.probes, frame_of(world));
@@ -103,8 +100,7 @@ TEST(Probes, AUniformStressIsTheSameEverywhere) {
 
 TEST(Probes, ReactionsAreAddedUpAndOthersAveraged) {
   const Region end = HalfSpaceRegion{Vec3(1, 0, 0), Vec3::UnitX()};
-  WorldState world(probed_block({probe_at(end, {ProbeQuantity::reaction, ProbeQuantity::velocity})}));
-  build_world(world);
+  WorldState world = build_world(probed_block({probe_at(end, {ProbeQuantity::reaction, ProbeQuantity::velocity})}));
   for (std::size_t node = 0; node < world.nodes.positions.size(); ++node) {
     world.nodes.reactions[node] = Vec3(1, 2, 3);
     world.nodes.velocities[node] = Vec3(4, 5, 6);
@@ -116,9 +112,9 @@ TEST(Probes, ReactionsAreAddedUpAndOthersAveraged) {
 
 TEST(Probes, SurviveACrack) {
   const Region everything = HalfSpaceRegion{Vec3(0, -9, 0), Vec3::UnitY()};
-  WorldState world(probed_block({probe_at(ProbePoint{}, {ProbeQuantity::stress}),
-                                 probe_at(everything, {ProbeQuantity::reaction, ProbeQuantity::separation})}));
-  build_world(world);
+  WorldState world =
+      build_world(probed_block({probe_at(ProbePoint{}, {ProbeQuantity::stress}),
+                                probe_at(everything, {ProbeQuantity::reaction, ProbeQuantity::separation})}));
   const int nodes = world.mesh.node_count();
   for (NodeId node(0); node < nodes; ++node.value) world.nodes.separations[node].margin = 2;
   open_cracks(world, 0);

@@ -132,11 +132,10 @@ struct HalvedAtItsFoot {
   WorldState world;
   Subdivision cut;
 
-  explicit HalvedAtItsFoot(double stop) : world(scene(stop)) {
-    build_world(world);
-    while (world.time + world.scene.simulation.time_step < stop) advance(world);
-    update_supports(world, world.time, world.scene.simulation.time_step);
-    world.time += 0.5 * world.scene.simulation.time_step;
+  explicit HalvedAtItsFoot(double stop) : world(build_world(scene(stop))) {
+    while (world.time + world.model->scene.simulation.time_step < stop) advance(world);
+    update_supports(world, world.time, world.model->scene.simulation.time_step);
+    world.time += 0.5 * world.model->scene.simulation.time_step;
     const auto& corners = world.mesh.tets[0];
     std::vector<NodeId> held;
     std::ranges::copy_if(corners, std::back_inserter(held), [&](NodeId node) { return world.nodes.held[node] != 0; });
@@ -163,7 +162,7 @@ struct HalvedAtItsFoot {
 TEST(Remeshing, SupportsGoOnAsTheStepBegan) {
   const double stop = 0.03;
   HalvedAtItsFoot halved(stop);
-  const double time_step = halved.world.scene.simulation.time_step,
+  const double time_step = halved.world.model->scene.simulation.time_step,
                begin = static_cast<double>(halved.world.step) * time_step;
   const Vec3 velocity = (stop - begin) / time_step * Vec3(0.1, 0, 0);
   ASSERT_LT(velocity.x(), 0.09);

@@ -150,8 +150,7 @@ TEST(Rest, DoesNotMakeABodyStronger) {
 
 TEST(Rest, TheSpeedThatHurtsIsThatOfTheWeakestPlane) {
   const auto speed_of = [](const Scene& scene) {
-    WorldState world(scene);
-    build_world(world);
+    const WorldState world = build_world(scene);
     return damage_speed(world, world.bodies[0]);
   };
   Scene scene = struck_plank(brick(1), 0, 1);
@@ -161,8 +160,7 @@ TEST(Rest, TheSpeedThatHurtsIsThatOfTheWeakestPlane) {
   EXPECT_NEAR(speed_of(scene), 0.2 * uniform, 1e-9);
   scene.bodies[0].weakness.reset();
   scene.bodies[0].strength_scatter = StrengthScatter{10, 1e-4, 1};
-  WorldState scattered(scene);
-  build_world(scattered);
+  const WorldState scattered = build_world(scene);
   const double least = *std::ranges::min_element(scattered.nodes.strength_factors);
   EXPECT_NEAR(speed_of(scene), least * uniform, 1e-9);
   scene.bodies[0].strength_scatter.reset();

@@ -117,8 +117,7 @@ TEST(Similarity, BreakingSpeedsDependNeitherOnTheBudgetNorOnTheTimeStep) {
 struct StretchedBar {
   WorldState world;
 
-  explicit StretchedBar(bool supported) : world(scene(supported)) {
-    build_world(world);
+  explicit StretchedBar(bool supported) : world(build_world(scene(supported))) {
     for (NodeId node(0); node < world.mesh.node_count(); ++node.value) {
       const Vec3 rest = world.mesh.rest_positions[node];
       world.nodes.positions[node] = rest + 1e-5 * Vec3(rest.x() + 0.5, 0.2 * (rest.x() + 0.5), 0);

@@ -50,16 +50,14 @@ void cut_in_two(WorldState& world) {
 }
 
 TEST(SplinterCollision, AnIntactBlockTouchesWithItsWholeShape) {
-  auto world = std::make_unique<WorldState>(floating_block());
-  build_world(*world);
+  auto world = std::make_unique<WorldState>(build_world(floating_block()));
   const std::vector<ConvexPart> parts = collision_parts(*world, world->bodies[0]);
   EXPECT_EQ(parts.size(), 1u) << "what fills its hull is one part";
   EXPECT_NEAR(volume_of(parts), 1, 1e-6);
 }
 
 TEST(SplinterCollision, PiecesTouchWithTheSplintersThatTheyOwn) {
-  auto world = std::make_unique<WorldState>(floating_block());
-  build_world(*world);
+  auto world = std::make_unique<WorldState>(build_world(floating_block()));
   cut_in_two(*world);
   ASSERT_EQ(world->bodies.size(), 2u);
   for (const Body& body : world->bodies) {
@@ -81,8 +79,7 @@ TEST(SplinterCollision, PiecesTouchWithTheSplintersThatTheyOwn) {
 }
 
 TEST(SplinterCollision, ABodyCutInTwoAtRestStaysAtRest) {
-  auto world = std::make_unique<WorldState>(floating_block());
-  build_world(*world);
+  auto world = std::make_unique<WorldState>(build_world(floating_block()));
   cut_in_two(*world);
   ASSERT_EQ(world->bodies.size(), 2u);
   for (int step = 0; step < 100; ++step) advance(*world);
@@ -90,8 +87,7 @@ TEST(SplinterCollision, ABodyCutInTwoAtRestStaysAtRest) {
 }
 
 TEST(SplinterCollision, ManySplintersFallBackOnTheTets) {
-  auto world = std::make_unique<WorldState>(floating_block(0.1));
-  build_world(*world);
+  auto world = std::make_unique<WorldState>(build_world(floating_block(0.1)));
   EXPECT_NEAR(volume_of(collision_parts(*world, world->bodies[0])), 1, 1e-9);
 }
 

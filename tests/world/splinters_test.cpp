@@ -85,10 +85,13 @@ TEST(WorldSplinters, APatternThatCannotBeMadeIsNamed) {
 }
 
 TEST(WorldSplinters, TheLimitHoldsForAllBodiesTogether) {
-  WorldState world(bricks(1));
-  world.splinters.splinters.resize(static_cast<std::size_t>(kMaxSplinterCells) - 10);  // as of other bodies
+  const WorldState built = build_world(bricks(1));
+  Model model = *built.model;
+  model.splinters.splinters.resize(static_cast<std::size_t>(kMaxSplinterCells) - 10);  // as of other bodies
+  const TetSoup soup;
+  const std::vector<int> points;
   try {
-    build_world(world);
+    place_splinters(model, 0, {soup, points, built.mesh, {}}, {});
     FAIL();
   } catch (const InputError& error) {
     EXPECT_EQ(error.where(), "#/bodies/0/splinters");

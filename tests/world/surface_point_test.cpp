@@ -30,8 +30,7 @@ double distance_to_all_faces(const WorldState& world, const Body& body, const Ve
 }
 
 TEST(SurfacePoint, IsTheClosestOfAllFaces) {
-  WorldState world(struck_block(Material{}));
-  build_world(world);
+  WorldState world = build_world(struck_block(Material{}));
   const Body& body = world.bodies[BodyId(0)];
   const SurfaceSearch surface(world, body);
   std::mt19937 random(3);
@@ -46,8 +45,7 @@ TEST(SurfacePoint, IsTheClosestOfAllFaces) {
 }
 
 TEST(SurfacePoint, OfACornerOrACentreIsItself) {
-  WorldState world(struck_block(Material{}));
-  build_world(world);
+  WorldState world = build_world(struck_block(Material{}));
   const Body& body = world.bodies[BodyId(0)];
   const SurfaceSearch surface(world, body);
   for (const SurfaceFace& face : body.surface) {

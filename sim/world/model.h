@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "sim/error.h"
+#include "sim/scene/scene.h"
+#include "sim/splinters/splinters.h"
+
+namespace griffith {
+
+/// What never changes once a world is built. Its copies share it.
+struct Model {
+  Scene scene;
+  std::vector<double> least_edges;  ///< per scene body: shortest edge that remeshing makes [m]
+  std::vector<double> extents;      ///< per scene body: longest edge of the box round its largest piece at rest [m]
+  std::vector<std::optional<Weakness>> weaknesses;  ///< per scene body, direction in the placed rest space, unit length
+  SplinterSet splinters;
+  std::vector<std::vector<HullCorner>> splinter_hulls;  ///< per splinter; empty where they are not what touches
+  std::vector<InputError> findings;  ///< what the user should know about the scene; nothing that keeps it from running
+};
+
+}  // namespace griffith

@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "sim/scene/scene_reader.h"
+#include "sim/world/world.h"
+
+namespace griffith {
+namespace {
+
+std::vector<std::string> scene_files() {
+  std::vector<std::string> files;
+  for (const char* folder : {"/scenes", "/scenes/validation"})
+    for (const auto& entry : std::filesystem::directory_iterator(std::string(GRIFFITH_SOURCE_DIR) + folder))
+      if (entry.path().extension() == ".json" && entry.path().stem().extension().empty())
+        files.push_back(entry.path().string());
+  std::ranges::sort(files);
+  return files;
+}
+
+/// What a user does at a step of its own: fires, and changes the material.
+void act(World& world, const Scene& scene, int step) {
+  if (step % 16 == 5) {
+    ProjectileBurst burst;
+    burst.position = scene.bodies[0].position + Vec3(0, 0.2, 3);
+    burst.speed = 15;
+    world.fire(burst);
+  }
+  if (step == 29) {
+    Material material = scene.bodies[0].material;
+    material.young_modulus *= 0.9;
+    world.set_material(0, material);
+  }
+}
+
+/// What a world shows after a step, to the bit.
+struct Shown {
+  std::uint64_t hash;
+  std::size_t cracks, bodies, contacts;
+  double stored, lost;
+  bool operator==(const Shown&) const = default;
+};
+
+Shown shown_by(const World& world) {
+  const Frame frame = world.frame();
+  return {world.state_hash(),    frame.crack_events.size(), frame.bodies.size(),
+          frame.contacts.size(), frame.energy.stored(),     frame.energy.lost()};
+}
+
+std::vector<Shown> shown_until(World& world, const Scene& scene, int first, int last) {
+  std::vector<Shown> seen;
+  for (int step = first; step < last; ++step) {
+    act(world, scene, step);
+    world.step();
+    seen.push_back(shown_by(world));
+  }
+  return seen;
+}
+
+class Snapshot : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Snapshot, ACopyOfTheWorldGoesOnAsTheWorldDid) {
+  const Scene scene = read_scene(GetParam());
+  std::mt19937 random(std::hash<std::string>()(scene.name));
+  World world(scene);
+  int step = 0;
+  std::vector<Shown> seen;
+  for (int count = 0; count < 2; ++count) {
+    const int taken = std::uniform_int_distribution(step, step + 8)(random);
+    shown_until(world, scene, step, taken);
+    const World snapshot = world;
+    const int end = taken + 12;
+    const std::vector<Shown> first = shown_until(world, scene, taken, end);
+    World restored = snapshot;
+    EXPECT_EQ(restored.state_hash(), snapshot.state_hash());
+    const std::vector<Shown> again = shown_until(restored, scene, taken, end);
+    for (int i = 0; i < end - taken; ++i)
+      ASSERT_EQ(first[i], again[i]) << "copied after step " << taken << ", differs after " << taken + i + 1;
+    step = end;
+  }
+}
+
+std::string name_of(const ::testing::TestParamInfo<std::string>& info) {
+  const std::filesystem::path path(info.param);
+  return path.parent_path().stem().string() + "_" + path.stem().string();
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Snapshot, ::testing::ValuesIn(scene_files()), name_of);
+
+}  // namespace
+}  // namespace griffith
