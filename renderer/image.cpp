@@ -75,10 +75,10 @@ ImageDifference compare_images(const Image& a, const Image& b) {
     for (int left = 0; left < a.width; left += kTile) {
       const int right = std::min(left + kTile, a.width), bottom = std::min(top + kTile, a.height);
       const int off = count_off(a, b, left, top, right, bottom);
-      const double share = static_cast<double>(off) / ((right - left) * (bottom - top));
+      const double fraction = static_cast<double>(off) / ((right - left) * (bottom - top));
       difference.pixels_off += off;
-      if (share > difference.worst_tile_share) {
-        difference.worst_tile_share = share;
+      if (fraction > difference.worst_tile_fraction) {
+        difference.worst_tile_fraction = fraction;
         difference.worst_tile_x = left;
         difference.worst_tile_y = top;
       }

@@ -26,7 +26,7 @@ Image load_png(const std::filesystem::path& path);
 struct ImageDifference {
   int pixels_off = 0;
   double share_off = 0;                    ///< of all pixels, 0 to 1
-  double worst_tile_share = 0;             ///< the largest share in any 32×32 tile, 0 to 1
+  double worst_tile_fraction = 0;          ///< the largest share in any 32×32 tile, 0 to 1
   int worst_tile_x = 0, worst_tile_y = 0;  ///< its top left pixel
 };
 

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "sim/linear_algebra.h"
+#include "sim/core/linear_algebra.h"
 
 namespace griffith::testing {
 

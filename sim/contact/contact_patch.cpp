@@ -69,7 +69,7 @@ void fit_height(Feature& feature, const std::vector<Vec3>& corners) {
 
 /// The corners foremost along the normal (`side` 1) or against it (-1).
 Feature foremost_feature(std::span<const Vec3> points, const ContactFrame& frame, double side, double tolerance) {
-  constexpr double kThinShare = 0.25;  // of the body's thickness: its far side is no part of the feature
+  constexpr double kThinFraction = 0.25;  // of the body's thickness: its far side is no part of the feature
   std::vector<Vec3> corners;
   double foremost = -std::numeric_limits<double>::infinity(), hindmost = -foremost;
   for (const Vec3& point : points) {
@@ -77,7 +77,7 @@ Feature foremost_feature(std::span<const Vec3> points, const ContactFrame& frame
     foremost = std::max(foremost, side * corners.back().z());
     hindmost = std::min(hindmost, side * corners.back().z());
   }
-  tolerance = std::min(tolerance, kThinShare * (foremost - hindmost));
+  tolerance = std::min(tolerance, kThinFraction * (foremost - hindmost));
   std::erase_if(corners, [&](const Vec3& corner) { return side * corner.z() < foremost - tolerance; });
   Feature feature;
   for (const Vec3& corner : corners) feature.outline.push_back(corner.head<2>());

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/linear_algebra.h"
+#include "sim/core/linear_algebra.h"
 
 namespace griffith {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/contact/bullet_world.h"
+#include "sim/contact/bullet/contact_world.h"
 
 namespace griffith {
 
@@ -12,11 +12,11 @@ namespace {
 /// Objects sleep after lying still for this long [s].
 constexpr double kTimeToSleep = 0.5;
 /// No point of a still object leaves its place by more than this share of the radius.
-constexpr double kStillShare = 0.01;
+constexpr double kStillFraction = 0.01;
 /// A share of the speed of a fall from the object's own height does not disturb sleepers.
-constexpr double kQuietShare = 0.04;
+constexpr double kQuietFraction = 0.04;
 /// Up to this multiple of that speed, what touches something stops turning at this rate [1/s].
-constexpr double kRollingShare = 5, kRollingResistance = 3;
+constexpr double kRollingFraction = 5, kRollingResistance = 3;
 
 bool is_round(const Object& object) {
   return object.kind == Kind::projectile && object.shape.parts.front()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
@@ -44,7 +44,7 @@ bool contact::has_left(const Pose& then, const Pose& now, double distance, doubl
 }
 
 double ContactWorld::Impl::quiet_speed(const Object& object) const {
-  return kQuietShare * std::sqrt(gravity.norm() * object.shape.radius);
+  return kQuietFraction * std::sqrt(gravity.norm() * object.shape.radius);
 }
 
 /// What rolls loses spin to each contact, and to friction, which follows, speed.
@@ -82,7 +82,7 @@ void ContactWorld::Impl::quieten(double dt) {
   for (std::size_t i = 0; i < objects.size(); ++i) {
     Object& object = objects[i];
     if (!touches[i] || !object.moves() || object.elastic) continue;
-    if (object.speed() < kRollingShare * quiet_speed(object))
+    if (object.speed() < kRollingFraction * quiet_speed(object))
       object.state.angular_velocity /= 1 + dt * kRollingResistance;
   }
 }
@@ -93,7 +93,7 @@ void ContactWorld::Impl::fall_asleep(double dt) {
   for (Object& object : objects) {
     if (!object.moves()) continue;
     if (object.elastic ||
-        has_left(object.resting_place, object.state.pose, kStillShare * object.shape.radius, object.shape.radius)) {
+        has_left(object.resting_place, object.state.pose, kStillFraction * object.shape.radius, object.shape.radius)) {
       object.resting_place = object.state.pose;
       object.still_time = 0;
     } else {
@@ -113,7 +113,7 @@ void ContactWorld::Impl::fall_asleep(double dt) {
   }
 }
 
-void ContactWorld::Impl::wake(ProxyId id) {
+void ContactWorld::Impl::wake_up(ProxyId id) {
   if (objects[id].asleep) set_asleep(objects[id], false);
 }
 
@@ -122,7 +122,7 @@ void ContactWorld::Impl::wake_neighbours(ProxyId id) {
   for (const btPersistentManifold* manifold : dispatcher.touching()) {
     if (manifold->getBody0() != object && manifold->getBody1() != object) continue;
     for (const btCollisionObject* side : {manifold->getBody0(), manifold->getBody1()})
-      if (side->getUserIndex() >= 0) wake(ProxyId(side->getUserIndex()));
+      if (side->getUserIndex() >= 0) wake_up(ProxyId(side->getUserIndex()));
   }
 }
 
@@ -134,13 +134,13 @@ void ContactWorld::Impl::wake_disturbed() {
       const Object& disturber = objects[other];
       if (!objects[sleeper].asleep || !disturber.body->isActive()) continue;
       if (!disturber.is_free() || disturber.still_time == 0 || disturber.speed() > quiet_speed(objects[sleeper]))
-        wake(sleeper);
+        wake_up(sleeper);
     }
   }
 }
 
 void ContactWorld::fall_asleep(double dt) { impl_->fall_asleep(dt); }
 bool ContactWorld::asleep(ProxyId object) const { return impl_->objects[object].asleep; }
-void ContactWorld::wake(ProxyId object) { impl_->wake(object); }
+void ContactWorld::wake_up(ProxyId object) { impl_->wake_up(object); }
 
 }  // namespace griffith

@@ -3,9 +3,9 @@
 #include <cassert>
 #include <cmath>
 
-#include "sim/contact/bullet_world.h"
-#include "sim/contact/connected_groups.h"
-#include "sim/parallel.h"
+#include "sim/contact/bullet/contact_world.h"
+#include "sim/core/parallel.h"
+#include "sim/geometry/connected_groups.h"
 
 namespace griffith {
 
@@ -15,11 +15,11 @@ namespace {
 
 /// The share of an overlap that goes in a substep, and the overlap, as a share of the smaller radius, that stays, so
 /// that all contacts of what rests go on touching.
-constexpr double kCorrectionShare = 0.1, kRestingShare = 3e-4;
+constexpr double kCorrectionFraction = 0.1, kRestingFraction = 3e-4;
 /// The impulses are near their places already.
-constexpr SolverLimits kAgain{.work = 4'000, .least_sweeps = 5, .most_sweeps = 70};
+constexpr SolverLimits kAgain{.work = 4'000, .min_sweeps = 5, .max_sweeps = 70};
 /// Of what goes, the next substeps take what this one leaves.
-constexpr SolverLimits kRoughly{.work = 6'000, .least_sweeps = 8, .most_sweeps = 50, .tolerance = 1e-3};
+constexpr SolverLimits kRoughly{.work = 6'000, .min_sweeps = 8, .max_sweeps = 50, .tolerance = 1e-3};
 
 Mat3 contact_axes(const Vec3& normal) {
   Mat3 axes;
@@ -31,12 +31,12 @@ Mat3 contact_axes(const Vec3& normal) {
 
 /// The responder of a rigid object.
 SolverBody rigid_responder(const Object& object) {
-  SolverBody responder;
-  if (object.asleep) return responder;
-  responder.inverse_mass = object.inverse_mass;
+  SolverBody solver_body;
+  if (object.asleep) return solver_body;
+  solver_body.inverse_mass = object.inverse_mass;
   const Mat3 rotation = object.state.pose.rotation.toRotationMatrix();
-  responder.inverse_inertia = rotation * object.inverse_inertia * rotation.transpose();
-  return responder;
+  solver_body.inverse_inertia = rotation * object.inverse_inertia * rotation.transpose();
+  return solver_body;
 }
 
 double smaller_radius(const Object& a, const Object& b) {
@@ -51,8 +51,8 @@ double kinetic_energy(const Object& object, const Vec3& velocity, const Vec3& sp
          (velocity.squaredNorm() / object.inverse_mass + own_spin.dot(object.inverse_inertia.inverse() * own_spin));
 }
 
-Vec3 rigid_velocity(const SolverBody& responder, const ContactEnd& end) {
-  return responder.velocity + responder.angular_velocity.cross(end.arm);
+Vec3 rigid_velocity(const SolverBody& solver_body, const ContactEnd& end) {
+  return solver_body.velocity + solver_body.angular_velocity.cross(end.arm);
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ double contact::distance_beyond(double distance, double allowed_overlap) {
   return distance < 0 ? std::min(0.0, distance + allowed_overlap) : distance;
 }
 
-std::vector<SolverBody> ContactWorld::Impl::rigid_responders(double dt) const {
+std::vector<SolverBody> ContactWorld::Impl::rigid_solver_bodies(double dt) const {
   std::vector<SolverBody> made;
   made.reserve(objects.size());
   for (const Object& object : objects) {
@@ -73,7 +73,7 @@ std::vector<SolverBody> ContactWorld::Impl::rigid_responders(double dt) const {
   return made;
 }
 
-std::vector<ContactConstraint> ContactWorld::Impl::rows(double dt) const {
+std::vector<ContactConstraint> ContactWorld::Impl::constraints(double dt) const {
   std::vector<ContactConstraint> made(contacts.size());
   for (std::size_t i = 0; i < made.size(); ++i) {
     const Contact& contact = contacts[i];
@@ -93,8 +93,8 @@ std::vector<ContactConstraint> ContactWorld::Impl::rows(double dt) const {
 /// A slower approach does not strike: that of what falls from rest within a substep, and of a fall through a small
 /// share of the smaller object's size [m/s].
 double ContactWorld::Impl::touching_speed(const Object& a, const Object& b, double dt) const {
-  constexpr double kQuietShare = 0.06;
-  return std::max(2 * dt * gravity.norm(), kQuietShare * std::sqrt(gravity.norm() * smaller_radius(a, b)));
+  constexpr double kQuietFraction = 0.06;
+  return std::max(2 * dt * gravity.norm(), kQuietFraction * std::sqrt(gravity.norm() * smaller_radius(a, b)));
 }
 
 /// A gap that closes in this substep is struck now, at full speed, rather than half now and half in the next one.
@@ -117,7 +117,7 @@ double ContactWorld::Impl::rebound_speed(const Contact& contact, double dt) cons
   return left > 0 ? -gain / 2 + std::sqrt(gain * gain / 4 + left) : 0;
 }
 
-double ContactWorld::Impl::least_speed(const Contact& contact, double dt) const {
+double ContactWorld::Impl::target_velocity(const Contact& contact, double dt) const {
   if (!strikes(contact, dt)) return -std::max(0.0, contact.distance) / dt;
   const Object &a = objects[contact.a], &b = objects[contact.b];
   if (a.elastic || b.elastic || allowance(contact.a, contact.b) > 0) return 0;
@@ -126,8 +126,8 @@ double ContactWorld::Impl::least_speed(const Contact& contact, double dt) const 
 
 int ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elastic, bool again) {
   assert(dt > 0);
-  std::vector<SolverBody> answering = rigid_responders(dt);
-  solved = rows(dt);
+  std::vector<SolverBody> answering = rigid_solver_bodies(dt);
+  solved = constraints(dt);
   for (Object& object : objects) object.elastic = false;
   std::vector<const ElasticResponse*> response_of(objects.size(), nullptr);
   for (const ElasticResponse& response : elastic) {
@@ -135,25 +135,25 @@ int ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elasti
     response_of[response.object] = &response;
     for (std::size_t point = 0; point < response.contacts.size(); ++point) {
       ContactConstraint& row = solved[response.contacts[point]];
-      (row.a.responder == response.object.value ? row.a : row.b).point = static_cast<int>(point);
+      (row.a.solver_body == response.object.value ? row.a : row.b).point = static_cast<int>(point);
     }
   }
   const auto free_velocity = [&](const ContactEnd& end) {
-    if (const ElasticResponse* response = response_of[end.responder])
+    if (const ElasticResponse* response = response_of[end.solver_body])
       return Vec3(response->free_velocities.col(end.point));
-    return rigid_velocity(answering[end.responder], end);
+    return rigid_velocity(answering[end.solver_body], end);
   };
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     contacts[i].approach = -contacts[i].normal.dot(free_velocity(solved[i].a) - free_velocity(solved[i].b));
-    solved[i].least_speed = least_speed(contacts[i], dt);
+    solved[i].target_velocity = target_velocity(contacts[i], dt);
   }
   parallel_for(static_cast<int>(elastic.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const ElasticResponse& response = elastic[i];
-      SolverBody& responder = answering[response.object];
-      responder.compliance = &response.compliance;
-      responder.elastic.emplace(response.compliance,
-                                response.velocities - respond(response.compliance, response.impulses));
+      SolverBody& solver_body = answering[response.object];
+      solver_body.compliance = &response.compliance;
+      solver_body.elastic.emplace(response.compliance,
+                                  response.velocities - respond(response.compliance, response.impulses));
     }
   });
   const int relaxations = solve_impulses(solved, answering, again ? kAgain : SolverLimits());
@@ -166,7 +166,7 @@ int ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elasti
 std::vector<std::pair<int, int>> ContactWorld::Impl::touching_pairs() const {
   std::vector<std::pair<int, int>> touching;
   for (const Contact& contact : contacts)
-    if (objects[contact.a].answers() && objects[contact.b].answers())
+    if (objects[contact.a].responds() && objects[contact.b].responds())
       touching.emplace_back(contact.a.value, contact.b.value);
   return touching;
 }
@@ -176,7 +176,7 @@ std::vector<double> ContactWorld::Impl::limit_energy(double dt, std::span<const 
   // The energy that impulses of s times their size add: s·linear + s²·quadratic. What an implicit step does to an
   // elastic body adds no more than the work at the velocities after it.
   std::vector<double> linear(objects.size(), 0.0), quadratic(objects.size(), 0.0);
-  const std::vector<SolverBody> rigid = rigid_responders(dt);
+  const std::vector<SolverBody> rigid = rigid_solver_bodies(dt);
   const std::vector<Momentum> sums = impulse_sums();
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (objects[i].elastic) continue;
@@ -193,7 +193,7 @@ std::vector<double> ContactWorld::Impl::limit_energy(double dt, std::span<const 
     const double a = linear[groups[object]], b = quadratic[groups[object]];
     return a + b > 0 ? std::clamp(-a / b, 0.0, 1.0) : 1.0;
   };
-  for (Contact& contact : contacts) contact.impulse *= factor(objects[contact.a].answers() ? contact.a : contact.b);
+  for (Contact& contact : contacts) contact.impulse *= factor(objects[contact.a].responds() ? contact.a : contact.b);
   std::vector<double> factors;
   for (const ElasticResponse& response : elastic) factors.push_back(factor(response.object));
   return factors;
@@ -208,7 +208,7 @@ void ContactWorld::Impl::remember_impulses(double dt) {
 
 void ContactWorld::Impl::advance(double dt) {
   remember_impulses(dt);
-  take_impulses(dt);
+  read_back_impulses(dt);
   resist_rolling();
   quieten(dt);
   correct_positions(solved, dt);
@@ -228,30 +228,30 @@ std::vector<ContactWorld::Impl::Momentum> ContactWorld::Impl::impulse_sums() con
 }
 
 /// Momentum balance of the rigid objects.
-void ContactWorld::Impl::take_impulses(double dt) {
+void ContactWorld::Impl::read_back_impulses(double dt) {
   const std::vector<Momentum> sums = impulse_sums();
   for (std::size_t i = 0; i < objects.size(); ++i) {
     Object& object = objects[i];
     if (!object.moves() || object.elastic) continue;
-    const SolverBody responder = rigid_responder(object);
+    const SolverBody solver_body = rigid_responder(object);
     if (object.kind == Kind::projectile) object.state.velocity += dt * gravity;
-    object.state.velocity += responder.inverse_mass * sums[i].linear;
-    object.state.angular_velocity += responder.inverse_inertia * sums[i].angular;
+    object.state.velocity += solver_body.inverse_mass * sums[i].linear;
+    object.state.angular_velocity += solver_body.inverse_inertia * sums[i].angular;
   }
 }
 
 /// Displacements that take out a share of the overlaps, as velocities of a solve of their own.
-void ContactWorld::Impl::correct_positions(const std::vector<ContactConstraint>& rows, double dt) {
+void ContactWorld::Impl::correct_positions(const std::vector<ContactConstraint>& constraints, double dt) {
   for (Object& object : objects) object.correction = {};
-  std::vector<ContactConstraint> overlaps = rows;
+  std::vector<ContactConstraint> overlaps = constraints;
   bool any = false;
   for (std::size_t i = 0; i < overlaps.size(); ++i) {
     const Contact& contact = contacts[i];
     const double distance = distance_beyond(contact.distance, allowance(contact.a, contact.b));
-    const double excess = -distance - kRestingShare * smaller_radius(objects[contact.a], objects[contact.b]);
+    const double excess = -distance - kRestingFraction * smaller_radius(objects[contact.a], objects[contact.b]);
     overlaps[i].friction = 0;
     overlaps[i].impulse.setZero();
-    overlaps[i].least_speed = excess > 0 ? kCorrectionShare * excess : -std::max(0.0, distance);
+    overlaps[i].target_velocity = excess > 0 ? kCorrectionFraction * excess : -std::max(0.0, distance);
     any |= excess > 0;
   }
   if (!any) return;
@@ -278,9 +278,9 @@ void ContactWorld::Impl::limit_lift(double dt) {
                        mass * dt * gravity.dot(object.state.velocity);
   }
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    const double lift = lifted[groups[i]], share = lift > 0 ? std::clamp(lost[groups[i]] / lift, 0.0, 1.0) : 1;
-    objects[i].correction.translation *= share;
-    objects[i].correction.rotation *= share;
+    const double lift = lifted[groups[i]], fraction = lift > 0 ? std::clamp(lost[groups[i]] / lift, 0.0, 1.0) : 1;
+    objects[i].correction.translation *= fraction;
+    objects[i].correction.rotation *= fraction;
   }
 }
 

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "sim/ids.h"
-#include "sim/linear_algebra.h"
-#include "sim/point_compliance.h"
+#include "sim/core/ids.h"
+#include "sim/core/linear_algebra.h"
+#include "sim/core/point_compliance.h"
 
 namespace griffith {
 
@@ -40,9 +40,9 @@ struct SurfaceProperties {
 
 /// How an object takes part.
 enum class Mobility {
-  free,  ///< contacts move it
-  held,  ///< contacts do not move it: a body with supports; its velocity still counts at the contact. Where it moves it
-         ///< touches the ground, which its elastic answer may stop, but nothing else that is held
+  free,       ///< contacts move it
+  kinematic,  ///< contacts do not move it: a body with supports; its velocity still counts at the contact. Where it
+              ///< moves it touches the ground, which its elastic answer may stop, but nothing else that is held
 };
 
 /// A point where two objects touch, or soon will: gaps up to 2 % of the smaller object's radius are listed. Two convex
@@ -155,8 +155,8 @@ class ContactWorld {
   int solve(double dt, std::span<const ElasticResponse> elastic = {}, bool again = false);
   /// What the last solve() asked of a contact.
   struct Law {
-    double least_speed = 0;  ///< of the parting along the normal [m/s]
-    double friction = 0;     ///< Coulomb's coefficient
+    double target_velocity = 0;  ///< of the parting along the normal [m/s]
+    double friction = 0;         ///< Coulomb's coefficient
   };
   Law law(int contact) const;
   /// Scales the impulses down in each group of objects that touch where they would add energy: where `velocities`, now
@@ -171,9 +171,9 @@ class ContactWorld {
   /// something else, as seen after advance(). What it moves against by less than `slow` [m] is left to the next
   /// detection, as is all for which `stops` says no.
   Vec3 swept_center(ProxyId proxy, double dt, double slow, const std::function<bool(ProxyId)>& stops) const;
-  /// The velocity of what was to move by `velocity` [m/s] for `dt` [s] and came along `way` [m]: what stopped short has
-  /// not fallen as fast as the whole of its fall would have made it.
-  Vec3 velocity_after(const Vec3& velocity, const Vec3& way, double dt) const;
+  /// The velocity of what was to move by `velocity` [m/s] for `dt` [s] and came along `displacement` [m]: what stopped
+  /// short has not fallen as fast as the whole of its fall would have made it.
+  Vec3 velocity_after(const Vec3& velocity, const Vec3& displacement, double dt) const;
 
   /// The displacement that removes what is left of an overlap, as a rigid motion (translation [m], rotation vector
   /// [rad] about the centre of mass), from the last advance(). Zero for most.
@@ -190,7 +190,7 @@ class ContactWorld {
   void fall_asleep(double dt);
   bool asleep(ProxyId object) const;
   /// Wakes an object.
-  void wake(ProxyId object);
+  void wake_up(ProxyId object);
 
   /// The approach speed from which an impact could hurt an object [m/s]; infinite, as for spheres and the ground,
   /// unless told otherwise.
@@ -204,8 +204,8 @@ class ContactWorld {
   /// one of them, each once. On the safe side: an object that turns counts as if all of it moved with its fastest
   /// point. Pairs that touch already count if they approach that fast.
   std::vector<Encounter> expected_impacts(double dt, double minimum_speed) const;
-  /// How long there are none of these, 0..`most`, to within `tolerance` [s].
-  double time_before_impact(double most, double minimum_speed, double tolerance) const;
+  /// How long there are none of these, 0..`maximum`, to within `tolerance` [s].
+  double time_before_impact(double maximum, double minimum_speed, double tolerance) const;
 
   /// Deepest overlap in contacts(), beyond what fresh cracks are allowed [m], >= 0.
   double max_penetration() const;

@@ -7,9 +7,9 @@
 #include <numeric>
 
 #include "sim/contact/contact_world.h"
-#include "sim/contact/convex_hull.h"
 #include "sim/contact/convex_pieces.h"
-#include "sim/parallel.h"
+#include "sim/core/parallel.h"
+#include "sim/geometry/convex_hull.h"
 
 namespace griffith {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 /// More corners than this cost time at every contact and are not seen in one.
 constexpr int kMaxCorners = 42;
 /// A part with less than this share of the body's volume is not halved any more: it bounds the number of parts.
-constexpr double kSmallestShare = 1.0 / 32;
+constexpr double kSmallestFraction = 1.0 / 32;
 
 /// The points of all pieces one after the other, and what is known of each piece.
 struct Body {
@@ -105,7 +105,7 @@ std::vector<ConvexPart> parts_of(const Body& body, std::span<int> pieces) {
   double volume = 0;
   for (int piece : pieces) volume += body.volumes[piece];
   const bool filled = volume >= (body.fill - 1e-9) * hull.volume;
-  if (pieces.size() == 1 || filled || volume < kSmallestShare * body.volume) return {std::move(hull.corners)};
+  if (pieces.size() == 1 || filled || volume < kSmallestFraction * body.volume) return {std::move(hull.corners)};
 
   const std::size_t half = halve(body, pieces, points);
   std::array<std::vector<ConvexPart>, 2> parts;

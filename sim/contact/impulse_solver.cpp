@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/contact/connected_groups.h"
-#include "sim/rotation.h"
+#include "sim/core/rotation.h"
+#include "sim/geometry/connected_groups.h"
 
 namespace griffith::contact {
 namespace {
@@ -21,31 +21,31 @@ struct PreparedRow {
   double largest_tangential;           ///< eigenvalue of that block
 };
 
-Vec3 velocity_at(const SolverBody& responder, const ContactEnd& end) {
-  if (responder.elastic) return responder.elastic->velocity(end.point);
-  return responder.velocity + responder.angular_velocity.cross(end.arm);
+Vec3 velocity_at(const SolverBody& solver_body, const ContactEnd& end) {
+  if (solver_body.elastic) return solver_body.elastic->velocity(end.point);
+  return solver_body.velocity + solver_body.angular_velocity.cross(end.arm);
 }
 
-void push(SolverBody& responder, const ContactEnd& end, const Vec3& impulse) {
-  if (responder.elastic) {
-    responder.elastic->push(end.point, impulse);
-  } else if (responder.inverse_mass > 0) {
-    responder.velocity += responder.inverse_mass * impulse;
-    responder.angular_velocity += responder.inverse_inertia * end.arm.cross(impulse);
+void push(SolverBody& solver_body, const ContactEnd& end, const Vec3& impulse) {
+  if (solver_body.elastic) {
+    solver_body.elastic->push(end.point, impulse);
+  } else if (solver_body.inverse_mass > 0) {
+    solver_body.velocity += solver_body.inverse_mass * impulse;
+    solver_body.angular_velocity += solver_body.inverse_inertia * end.arm.cross(impulse);
   }
 }
 
-Mat3 compliance_of(const SolverBody& responder, const ContactEnd& end) {
-  if (responder.compliance) return responder.compliance->block(end.point);
+Mat3 compliance_of(const SolverBody& solver_body, const ContactEnd& end) {
+  if (solver_body.compliance) return solver_body.compliance->block(end.point);
   const Mat3 arm = cross_matrix(end.arm);
-  return responder.inverse_mass * Mat3::Identity() - arm * responder.inverse_inertia * arm;
+  return solver_body.inverse_mass * Mat3::Identity() - arm * solver_body.inverse_inertia * arm;
 }
 
-PreparedRow prepare(const ContactConstraint& row, std::span<const SolverBody> responders) {
+PreparedRow prepare(const ContactConstraint& row, std::span<const SolverBody> solver_bodies) {
   PreparedRow prepared;
   prepared.ready = true;
   const Mat3 compliance =
-      compliance_of(responders[row.a.responder], row.a) + compliance_of(responders[row.b.responder], row.b);
+      compliance_of(solver_bodies[row.a.solver_body], row.a) + compliance_of(solver_bodies[row.b.solver_body], row.b);
   prepared.compliance = row.axes.transpose() * compliance * row.axes;
   const Eigen::Matrix2d tangential = prepared.compliance.bottomRightCorner<2, 2>();
   const double mean = tangential.trace() / 2;
@@ -55,10 +55,10 @@ PreparedRow prepare(const ContactConstraint& row, std::span<const SolverBody> re
   return prepared;
 }
 
-void apply(const ContactConstraint& row, const Vec3& impulse, std::span<SolverBody> responders) {
+void apply(const ContactConstraint& row, const Vec3& impulse, std::span<SolverBody> solver_bodies) {
   const Vec3 world = row.axes * impulse;
-  push(responders[row.a.responder], row.a, world);
-  push(responders[row.b.responder], row.b, -world);
+  push(solver_bodies[row.a.solver_body], row.a, world);
+  push(solver_bodies[row.b.solver_body], row.b, -world);
 }
 
 /// What stops the sliding, where the limit allows it; else as much as it allows, against the sliding.
@@ -70,19 +70,19 @@ Vec2 friction_impulse(const Vec2& impulse, const Vec2& sliding, double limit, co
   return length > limit ? Vec2(limit / length * opposing) : opposing;
 }
 
-Vec3 relative_velocity(const ContactConstraint& row, std::span<const SolverBody> responders) {
-  return velocity_at(responders[row.a.responder], row.a) - velocity_at(responders[row.b.responder], row.b);
+Vec3 relative_velocity(const ContactConstraint& row, std::span<const SolverBody> solver_bodies) {
+  return velocity_at(solver_bodies[row.a.solver_body], row.a) - velocity_at(solver_bodies[row.b.solver_body], row.b);
 }
 
 /// Solves one row among the others' present impulses, with which its ends have this relative `velocity` (world axes);
 /// returns the change of velocity that this made.
 double relax(ContactConstraint& row, const Vec3& velocity, const PreparedRow& prepared,
-             std::span<SolverBody> responders) {
+             std::span<SolverBody> solver_bodies) {
   const double stiffness = prepared.compliance(0, 0);
   if (!(stiffness > 0)) return 0;
   const Vec3 along_axes = row.axes.transpose() * velocity;
   Vec3 next = row.impulse;
-  next[0] = std::max(0.0, row.impulse[0] - (along_axes[0] - row.least_speed) / stiffness);
+  next[0] = std::max(0.0, row.impulse[0] - (along_axes[0] - row.target_velocity) / stiffness);
   if (row.friction > 0) {
     const Vec2 sliding = along_axes.tail<2>() + (next[0] - row.impulse[0]) * prepared.compliance.block<2, 1>(1, 0);
     next.tail<2>() = friction_impulse(row.impulse.tail<2>(), sliding, row.friction * next[0], prepared);
@@ -90,25 +90,26 @@ double relax(ContactConstraint& row, const Vec3& velocity, const PreparedRow& pr
   const Vec3 change = next - row.impulse;
   if (change.isZero(0)) return 0;
   row.impulse = next;
-  apply(row, change, responders);
+  apply(row, change, solver_bodies);
   return (prepared.compliance * change).norm();
 }
 
 /// The rows of objects that hang together by contacts, in their order.
-std::vector<std::vector<int>> groups_of_rows(std::span<const ContactConstraint> rows,
-                                             std::span<const SolverBody> responders) {
-  const auto answers = [&](const ContactEnd& end) {
-    return responders[end.responder].compliance || responders[end.responder].inverse_mass > 0;
+std::vector<std::vector<int>> groups_of_rows(std::span<const ContactConstraint> constraints,
+                                             std::span<const SolverBody> solver_bodies) {
+  const auto responds = [&](const ContactEnd& end) {
+    return solver_bodies[end.solver_body].compliance || solver_bodies[end.solver_body].inverse_mass > 0;
   };
   std::vector<std::pair<int, int>> touching;
-  for (const ContactConstraint& row : rows)
-    if (answers(row.a) && answers(row.b)) touching.emplace_back(row.a.responder, row.b.responder);
-  const std::vector<int> group_of = connected_groups(static_cast<int>(responders.size()), touching);
-  std::vector<int> index_of(responders.size(), -1);
+  for (const ContactConstraint& row : constraints)
+    if (responds(row.a) && responds(row.b)) touching.emplace_back(row.a.solver_body, row.b.solver_body);
+  const std::vector<int> group_of = connected_groups(static_cast<int>(solver_bodies.size()), touching);
+  std::vector<int> index_of(solver_bodies.size(), -1);
   std::vector<std::vector<int>> groups;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (!answers(rows[i].a) && !answers(rows[i].b)) continue;
-    int& index = index_of[group_of[answers(rows[i].a) ? rows[i].a.responder : rows[i].b.responder]];
+  for (std::size_t i = 0; i < constraints.size(); ++i) {
+    if (!responds(constraints[i].a) && !responds(constraints[i].b)) continue;
+    int& index =
+        index_of[group_of[responds(constraints[i].a) ? constraints[i].a.solver_body : constraints[i].b.solver_body]];
     if (index < 0) {
       index = static_cast<int>(groups.size());
       groups.emplace_back();
@@ -121,14 +122,15 @@ std::vector<std::vector<int>> groups_of_rows(std::span<const ContactConstraint> 
 /// One group's sweeps. In a heap most rows are near misses: what pushes is swept every time, the rest now and then.
 class GroupSolver {
  public:
-  GroupSolver(std::span<ContactConstraint> rows, const std::vector<int>& members, std::span<SolverBody> responders)
-      : responders_(responders) {
+  GroupSolver(std::span<ContactConstraint> constraints, const std::vector<int>& members,
+              std::span<SolverBody> solver_bodies)
+      : solver_bodies_(solver_bodies) {
     for (int member : members) {
-      const ContactConstraint& row = *rows_.emplace_back(&rows[member]);
-      speed_ = std::max(speed_, row.least_speed - row.axes.col(0).dot(relative_velocity(row, responders)));
+      const ContactConstraint& row = *rows_.emplace_back(&constraints[member]);
+      speed_ = std::max(speed_, row.target_velocity - row.axes.col(0).dot(relative_velocity(row, solver_bodies)));
     }
     for (const ContactConstraint* row : rows_)
-      if (!row->impulse.isZero(0)) apply(*row, row->impulse, responders_);
+      if (!row->impulse.isZero(0)) apply(*row, row->impulse, solver_bodies_);
     prepared_.resize(rows_.size());
     before_.resize(rows_.size());
     direction_.assign(rows_.size(), Vec3::Zero());
@@ -136,8 +138,7 @@ class GroupSolver {
 
   /// Returns how many times a row was solved.
   int solve(const SolverLimits& limits) {
-    const int sweeps =
-        std::clamp(limits.work / static_cast<int>(rows_.size()), limits.least_sweeps, limits.most_sweeps);
+    const int sweeps = std::clamp(limits.work / static_cast<int>(rows_.size()), limits.min_sweeps, limits.max_sweeps);
     bool of_all = true;
     for (int i = 1;; ++i) {
       const bool settled = (of_all ? sweep_all() : sweep_busy()) <= limits.tolerance * speed_;
@@ -150,16 +151,16 @@ class GroupSolver {
  private:
   /// Returns the change of velocity.
   double relax_row(int i, const Vec3& velocity) {
-    if (!prepared_[i].ready) prepared_[i] = prepare(*rows_[i], responders_);
+    if (!prepared_[i].ready) prepared_[i] = prepare(*rows_[i], solver_bodies_);
     before_[i] = rows_[i]->impulse;
     ++relaxations_;
-    return relax(*rows_[i], velocity, prepared_[i], responders_);
+    return relax(*rows_[i], velocity, prepared_[i], solver_bodies_);
   }
 
   /// Both return the largest change of velocity.
   double sweep_busy() {
     double change = 0;
-    for (int i : busy_) change = std::max(change, relax_row(i, relative_velocity(*rows_[i], responders_)));
+    for (int i : busy_) change = std::max(change, relax_row(i, relative_velocity(*rows_[i], solver_bodies_)));
     return change;
   }
 
@@ -167,8 +168,8 @@ class GroupSolver {
     double change = 0;
     busy_.clear();
     for (int i = 0; i < static_cast<int>(rows_.size()); ++i) {
-      const Vec3 velocity = relative_velocity(*rows_[i], responders_);
-      const bool idle = rows_[i]->impulse.isZero(0) && rows_[i]->axes.col(0).dot(velocity) >= rows_[i]->least_speed;
+      const Vec3 velocity = relative_velocity(*rows_[i], solver_bodies_);
+      const bool idle = rows_[i]->impulse.isZero(0) && rows_[i]->axes.col(0).dot(velocity) >= rows_[i]->target_velocity;
       if (idle) {
         direction_[i].setZero();
         continue;
@@ -186,18 +187,18 @@ class GroupSolver {
       const Vec3 step = rows_[i]->impulse - before_[i];
       size += step.dot(prepared_[i].compliance * step);
     }
-    const double share = size < last_size_ ? size / last_size_ : 0;
+    const double fraction = size < last_size_ ? size / last_size_ : 0;
     for (int i : busy_) {
-      const Vec3 step = rows_[i]->impulse - before_[i], more = share * direction_[i];
+      const Vec3 step = rows_[i]->impulse - before_[i], more = fraction * direction_[i];
       direction_[i] = step + more;
       if (more.isZero(0)) continue;
       rows_[i]->impulse += more;
-      apply(*rows_[i], more, responders_);
+      apply(*rows_[i], more, solver_bodies_);
     }
     last_size_ = size;
   }
 
-  std::span<SolverBody> responders_;
+  std::span<SolverBody> solver_bodies_;
   std::vector<ContactConstraint*> rows_;
   std::vector<PreparedRow> prepared_;
   std::vector<int> busy_;                 // rows that the last look at all found pushing
@@ -208,10 +209,11 @@ class GroupSolver {
 
 }  // namespace
 
-int solve_impulses(std::span<ContactConstraint> rows, std::span<SolverBody> responders, const SolverLimits& limits) {
+int solve_impulses(std::span<ContactConstraint> constraints, std::span<SolverBody> solver_bodies,
+                   const SolverLimits& limits) {
   int relaxations = 0;
-  for (const std::vector<int>& members : groups_of_rows(rows, responders))
-    relaxations += GroupSolver(rows, members, responders).solve(limits);
+  for (const std::vector<int>& members : groups_of_rows(constraints, solver_bodies))
+    relaxations += GroupSolver(constraints, members, solver_bodies).solve(limits);
   return relaxations;
 }
 

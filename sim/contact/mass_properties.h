@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/contact/contact_world.h"
-#include "sim/contact/convex_hull.h"
+#include "sim/geometry/convex_hull.h"
 
 namespace griffith {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "sim/contact/bullet_world.h"
+#include "sim/contact/bullet/contact_world.h"
 
 namespace griffith {
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "sim/core/linear_algebra.h"
 #include "sim/elasticity/material.h"
-#include "sim/linear_algebra.h"
 
 namespace griffith {
 

@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "sim/core/ids.h"
+#include "sim/core/linear_algebra.h"
 #include "sim/fracture/scaled_impact.h"
 #include "sim/fracture/separation_tensor.h"
-#include "sim/ids.h"
-#include "sim/linear_algebra.h"
 
 namespace griffith {
 

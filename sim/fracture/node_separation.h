@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "sim/linear_algebra.h"
+#include "sim/core/linear_algebra.h"
 
 namespace griffith {
 
@@ -13,7 +13,7 @@ struct NodeSeparation {
   Vec3 direction = Vec3::UnitX();  ///< n̂, its unit eigenvector: normal of the candidate crack plane
   double stress = 0;               ///< s [Pa] (strength criterion), averaged over the last substeps
   double resistance = std::numeric_limits<double>::infinity();  ///< [Pa] or, with the force criterion, [N]
-  double margin = 0;  ///< load over resistance [-]; the node separates above 1
+  double utilization = 0;  ///< load over resistance [-]; the node separates above 1
 };
 
 }  // namespace griffith

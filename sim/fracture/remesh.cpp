@@ -53,7 +53,7 @@ class PlaneSides {
 struct CrossedEdge {
   NodeId a, b;
   double weight, length;
-  double share() const { return std::min(weight, 1 - weight); }
+  double fraction() const { return std::min(weight, 1 - weight); }
   NodeId nearer_end() const { return weight < 0.5 ? a : b; }
 };
 
@@ -97,10 +97,10 @@ void snap_surface(const TetMesh& mesh, std::span<const Vec3> positions, NodeId n
 /// Snaps the nearer ends of edges that are crossed close to it or must not be bisected; returns how many must not.
 int snap_edges(const TetMesh& mesh, std::vector<CrossedEdge>& edges, const RemeshOptions& options, PlaneSides& sides) {
   int refused = 0;
-  std::ranges::stable_sort(edges, {}, &CrossedEdge::share);
+  std::ranges::stable_sort(edges, {}, &CrossedEdge::fraction);
   for (const CrossedEdge& edge : edges) {
     if (!sides.crosses(edge.a, edge.b)) continue;
-    const bool near = edge.share() < options.snap_share;
+    const bool near = edge.fraction() < options.snap_fraction;
     if (!near && can_bisect(mesh, edge.a, edge.b, edge.weight, options.limits)) continue;
     refused += !near;
     sides.snap(edge.nearer_end());

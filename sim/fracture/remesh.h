@@ -9,10 +9,10 @@ namespace griffith {
 
 /// How closely a crack follows its plane, and what stops it from cutting tets.
 struct RemeshOptions {
-  BisectionLimits limits{.least_length = 0, .least_quality = 0.1};
-  double snap_share = 0.2;   ///< a node counts as on the plane when that cuts an edge this near to it, 0..0.5
-  double snap_angle = 0.1;   ///< or when the line to it from the separating node is this close to the plane [rad]
-  double crack_angle = 0.8;  ///< or this close, and an existing crack's: no second crack runs beside it [rad]
+  BisectionLimits limits{.min_length = 0, .min_quality = 0.1};
+  double snap_fraction = 0.2;  ///< a node counts as on the plane when that cuts an edge this near to it, 0..0.5
+  double snap_angle = 0.1;     ///< or when the line to it from the separating node is this close to the plane [rad]
+  double crack_angle = 0.8;    ///< or this close, and an existing crack's: no second crack runs beside it [rad]
 };
 
 /// A node's star, cut along a plane.

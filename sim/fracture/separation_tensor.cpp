@@ -105,11 +105,11 @@ CandidatePlane candidate_plane(const SeparationInput& input, NodeId node, const 
   if (strength.is_uniform() && average.norm() <= plane.stress) return plane;  // no plane has more than that
   const Vec3 normal = weakest_normal(average, strength);
   const double stress = normal.dot(average * normal);
-  if (stress * strength.share(plane.normal) <= plane.stress * strength.share(normal)) return plane;
+  if (stress * strength.fraction(plane.normal) <= plane.stress * strength.fraction(normal)) return plane;
   return {normal, plane.eigenvalue, stress, true, plane.pulled, sums.volume};
 }
 
-double tension_share(const SeparationInput& input, TetId tet, NodeId node, const CandidatePlane& plane) {
+double tension_fraction(const SeparationInput& input, TetId tet, NodeId node, const CandidatePlane& plane) {
   if (!counts(input, tet, node)) return 0;
   const ElementState& state = input.states[tet];
   const Mat3 tension = cauchy_stress(state.frame, state.tensile_stress);

@@ -56,7 +56,7 @@ CandidatePlane candidate_plane(const SeparationInput& input, NodeId node, const 
                                const DirectionalStrength& strength = {});
 
 /// What an element adds to the mean tensile stress across a plane of its node [Pa]: all together are its stress.
-double tension_share(const SeparationInput& input, TetId tet, NodeId node, const CandidatePlane& plane);
+double tension_fraction(const SeparationInput& input, TetId tet, NodeId node, const CandidatePlane& plane);
 
 /// The strength of a body with that weakness (unit direction, in rest space) as its elements lie at the node now.
 DirectionalStrength strength_at(const SeparationInput& input, NodeId node, const Weakness& weakness);

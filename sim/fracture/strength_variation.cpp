@@ -5,7 +5,7 @@
 
 namespace griffith {
 
-double DirectionalStrength::share(const Vec3& normal) const {
+double DirectionalStrength::fraction(const Vec3& normal) const {
   const double cosine = axis.dot(normal);
   return across + (along - across) * cosine * cosine;
 }

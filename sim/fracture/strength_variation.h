@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sim/linear_algebra.h"
+#include "sim/core/linear_algebra.h"
 
 namespace griffith {
 
@@ -30,8 +30,8 @@ struct DirectionalStrength {
   double across = 1;          ///< the same for normals across it
 
   bool is_uniform() const { return along == across; }
-  double share(const Vec3& normal) const;  ///< n·T n of a unit normal
-  Mat3 inverse_root() const;               ///< T^(−½)
+  double fraction(const Vec3& normal) const;  ///< n·T n of a unit normal
+  Mat3 inverse_root() const;                  ///< T^(−½)
 };
 
 /// `axis`: where the weakness points now, unit length, world frame.

@@ -68,9 +68,9 @@ bool can_bisect(const TetMesh& mesh, NodeId a, NodeId b, double weight, const Bi
   for (const std::vector<TetId>& piece : edge_components(mesh, a, b))
     for (TetId tet : piece) {
       for (NodeId corner : mesh.tets[tet])
-        if ((mesh.rest_positions[corner] - place).norm() < limits.least_length) return false;
+        if ((mesh.rest_positions[corner] - place).norm() < limits.min_length) return false;
       for (NodeId end : {a, b})
-        if (quality_with(mesh, tet, local_corner(mesh, tet, end), place) < limits.least_quality) return false;
+        if (quality_with(mesh, tet, local_corner(mesh, tet, end), place) < limits.min_quality) return false;
     }
   return true;
 }

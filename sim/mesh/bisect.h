@@ -33,8 +33,8 @@ struct Subdivision {
 
 /// What a bisection must not go below.
 struct BisectionLimits {
-  double least_length = 0;   ///< of an edge that it makes, in rest space [m]
-  double least_quality = 0;  ///< of a tet that it makes, in rest space (tet_quality() in mesh_report.h)
+  double min_length = 0;   ///< of an edge that it makes, in rest space [m]
+  double min_quality = 0;  ///< of a tet that it makes, in rest space (tet_quality() in mesh_report.h)
 };
 
 /// Whether bisecting edge ab at `weight` respects the limits.

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 
 namespace griffith {
 namespace {

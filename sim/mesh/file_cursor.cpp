@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "sim/error.h"
-#include "sim/read_file.h"
+#include "sim/core/error.h"
+#include "sim/core/read_file.h"
 
 namespace griffith {
 

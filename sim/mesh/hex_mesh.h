@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "sim/linear_algebra.h"
+#include "sim/core/linear_algebra.h"
 #include "sim/mesh/box_pattern.h"
 #include "sim/mesh/tet_mesh.h"
 

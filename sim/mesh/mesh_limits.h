@@ -6,7 +6,7 @@ namespace griffith {
 
 /// More tets than this in a scene, or in a mesh for one, are refused: a world takes about a kilobyte of memory for
 /// each.
-inline constexpr std::int64_t kMostTets = 4'000'000;
-inline constexpr char kMostTetsText[] = "4 million tetrahedra";
+inline constexpr std::int64_t kMaxTets = 4'000'000;
+inline constexpr char kMaxTetsText[] = "4 million tetrahedra";
 
 }  // namespace griffith

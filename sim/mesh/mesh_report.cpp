@@ -5,7 +5,7 @@
 #include <span>
 #include <tuple>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/mesh/number_text.h"
 #include "sim/mesh/topology.h"
 

@@ -1,6 +1,6 @@
 #include <string>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/shapes.h"
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-#include "sim/linear_algebra.h"
+#include "sim/core/linear_algebra.h"
 
 namespace griffith {
 

@@ -1,4 +1,4 @@
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/mesh/file_cursor.h"
 #include "sim/mesh/mesh_formats.h"
 #include "sim/mesh/read_points.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/mesh/mesh_formats.h"
 
 namespace griffith {

@@ -66,9 +66,9 @@ class VtuReader {
       if (tag.name == "VTKFile" && !tag.closes) read_head(tag);
       if (tag.name == "Piece" && !tag.closes) pieces_.push_back(read_piece_head(tag));
       if (tag.name == "Points" || tag.name == "Cells") section = tag.closes ? "" : tag.name;
-      if (tag.name == "DataArray" && !tag.closes) note_array(tag, section);
+      if (tag.name == "DataArray" && !tag.closes) record_array(tag, section);
       if (tag.name == "AppendedData" && !tag.closes) {
-        note_appended_data(tag);
+        record_appended_data(tag);
         break;
       }
     }
@@ -102,7 +102,7 @@ class VtuReader {
     return piece;
   }
 
-  void note_array(const XmlTag& tag, const std::string& section) {
+  void record_array(const XmlTag& tag, const std::string& section) {
     DataArray array{tag.attribute("type"), tag.attribute("format", "ascii"), tag.end, tag.end, 0};
     if (array.format == "appended") array.offset = count_attribute(tag, "offset");
     if (!tag.is_empty) array.end = find_array_end(tag);
@@ -123,7 +123,7 @@ class VtuReader {
     return end;
   }
 
-  void note_appended_data(const XmlTag& tag) {
+  void record_appended_data(const XmlTag& tag) {
     appended_is_raw_ = tag.attribute("encoding") == "raw";
     if (!cursor_.skip_past("_")) cursor_.fail("<AppendedData> is empty", "expected _ and the data");
     appended_begin_ = cursor_.offset();

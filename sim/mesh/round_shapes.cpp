@@ -3,7 +3,7 @@
 #include <functional>
 #include <numbers>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/hex_mesh.h"
 #include "sim/mesh/shapes.h"

@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
-#include "sim/ids.h"
-#include "sim/linear_algebra.h"
+#include "sim/core/ids.h"
+#include "sim/core/linear_algebra.h"
 
 namespace griffith {
 

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <tuple>
 
-#include "sim/sort_unique.h"
+#include "sim/core/sort_unique.h"
 
 namespace griffith {
 namespace {

@@ -1,6 +1,6 @@
+#include "sim/core/replace_file.h"
 #include "sim/mesh/number_text.h"
 #include "sim/mesh/write_mesh.h"
-#include "sim/replace_file.h"
 
 namespace griffith {
 

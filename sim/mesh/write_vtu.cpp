@@ -2,8 +2,8 @@
 #include <cassert>
 #include <type_traits>
 
+#include "sim/core/replace_file.h"
 #include "sim/mesh/write_mesh.h"
-#include "sim/replace_file.h"
 
 namespace griffith {
 namespace {

@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "sim/linear_algebra.h"
+#include "sim/core/linear_algebra.h"
 
 namespace griffith {
 
@@ -17,7 +17,7 @@ class BccLattice {
   /// kMostCells cubes.
   BccLattice(const Eigen::AlignedBox3d& box, double cube_edge, const std::string& name);
 
-  static constexpr double kMostCells = 1e7;
+  static constexpr double kMaxCells = 1e7;
 
   int vertex_count() const { return corner_count_ + middle_count_; }
   double cube_edge() const { return edge_; }

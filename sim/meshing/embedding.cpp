@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/parallel.h"
 #include "sim/meshing/tet_locator.h"
-#include "sim/parallel.h"
 
 namespace griffith {
 namespace {
@@ -74,14 +74,14 @@ std::vector<std::array<Vec3, 3>> smooth_normals(const TriangleSurface& surface, 
   std::vector<Vec3> normals;
   for (std::size_t i = 0; i < surface.triangles.size(); ++i)
     normals.push_back(area_vector(corners_of(surface, static_cast<int>(i))).normalized());
-  const double most = std::cos(crease);
+  const double maximum = std::cos(crease);
   std::vector<std::array<Vec3, 3>> result(surface.triangles.size());
   for (std::size_t i = 0; i < surface.triangles.size(); ++i)
     for (int corner = 0; corner < 3; ++corner) {
       Vec3& sum = result[i][corner] = surface.normals.empty() ? Vec3(Vec3::Zero()) : surface.normals[i][corner];
       if (!sum.isZero(0)) continue;
       for (const int other : corners_at[surface.triangles[i][corner]])
-        if (normals[i].dot(normals[other / 3]) >= most)
+        if (normals[i].dot(normals[other / 3]) >= maximum)
           sum += angle_at(corners_of(surface, other / 3), other % 3) * normals[other / 3];
       sum.normalize();
     }

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/ids.h"
+#include "sim/core/ids.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/meshing/surface.h"
 

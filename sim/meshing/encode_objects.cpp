@@ -1,4 +1,4 @@
-#include "sim/meshing/bytes.h"
+#include "sim/core/bytes.h"
 #include "sim/meshing/surface_objects.h"
 
 namespace griffith {

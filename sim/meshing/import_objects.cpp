@@ -6,8 +6,8 @@
 #include <new>
 #include <span>
 
-#include "sim/error.h"
-#include "sim/meshing/polygon.h"
+#include "sim/core/error.h"
+#include "sim/geometry/polygon.h"
 #include "sim/meshing/surface_objects.h"
 
 namespace griffith {

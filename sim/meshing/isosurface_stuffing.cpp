@@ -6,21 +6,21 @@
 #include <utility>
 #include <vector>
 
+#include "sim/core/parallel.h"
 #include "sim/mesh/topology.h"
 #include "sim/meshing/bcc_lattice.h"
 #include "sim/meshing/cube_tree.h"
-#include "sim/parallel.h"
 
 namespace griffith {
 namespace {
 
 /// A vertex moves onto a cut nearer than this share of the edge: the safe choice for curved borders in their section 3.
-constexpr double kLongEdgeShare = 0.24999, kShortEdgeShare = 0.41189;
+constexpr double kLongEdgeFraction = 0.24999, kShortEdgeFraction = 0.41189;
 
 /// Where the border crosses an edge of the lattice.
 struct Cut {
   int inner = 0, outer = 0;  ///< vertices
-  double share = 0;          ///< of the edge, from `inner`
+  double fraction = 0;       ///< of the edge, from `inner`
   Vec3 place = Vec3::Zero();
   bool alive = true;  ///< until one of its vertices moves onto the border
   int point = -1;     ///< in the soup
@@ -105,8 +105,8 @@ void Stuffing::find_cuts() {
     for (int i = begin; i < end; ++i) {
       Cut& cut = cuts_[i];
       const Vec3 inner = lattice_.position(cut.inner), outer = lattice_.position(cut.outer);
-      cut.share = std::clamp(solid_.crossing(inner, outer), 0.0, 1.0);
-      cut.place = inner + cut.share * (outer - inner);
+      cut.fraction = std::clamp(solid_.crossing(inner, outer), 0.0, 1.0);
+      cut.place = inner + cut.fraction * (outer - inner);
     }
   });
 }
@@ -114,11 +114,12 @@ void Stuffing::find_cuts() {
 /// The cut that is nearest to a vertex in proportion to what it may be, if nearer than that.
 Cut* Stuffing::nearest_too_close(int vertex) {
   Cut* nearest = nullptr;
-  double least = 1;
+  double minimum = 1;
   const auto consider = [&](Cut& cut) {
-    const double share = cut.inner == vertex ? cut.share : 1 - cut.share;
-    const double relative = share / (lattice_.is_long(cut.inner, cut.outer) ? kLongEdgeShare : kShortEdgeShare);
-    if (cut.alive && relative < least) least = relative, nearest = &cut;
+    const double fraction = cut.inner == vertex ? cut.fraction : 1 - cut.fraction;
+    const double relative =
+        fraction / (lattice_.is_long(cut.inner, cut.outer) ? kLongEdgeFraction : kShortEdgeFraction);
+    if (cut.alive && relative < minimum) minimum = relative, nearest = &cut;
   };
   for (int i = first_cut_[vertex]; i < first_cut_[vertex + 1]; ++i) consider(cuts_[i]);
   for (const int i : outer_cuts_[vertex]) consider(cuts_[i]);

@@ -3,9 +3,9 @@
 #include <functional>
 #include <string>
 
-#include "sim/linear_algebra.h"
+#include "sim/core/linear_algebra.h"
+#include "sim/core/monitor.h"
 #include "sim/mesh/tet_mesh.h"
-#include "sim/meshing/monitor.h"
 
 namespace griffith {
 

@@ -7,10 +7,10 @@
 #include <span>
 #include <string_view>
 
-#include "sim/error.h"
-#include "sim/meshing/bytes.h"
-#include "sim/read_file.h"
-#include "sim/replace_file.h"
+#include "sim/core/bytes.h"
+#include "sim/core/error.h"
+#include "sim/core/read_file.h"
+#include "sim/core/replace_file.h"
 
 namespace griffith {
 namespace {
@@ -86,8 +86,8 @@ fs::path cache_entry(const fs::path& folder, const TriangleSurface& surface, con
 }
 
 std::optional<FilledSurface> read_cache_entry(const fs::path& path) try {
-  constexpr std::int64_t kMostBytes = 1 << 30;
-  return decode(read_file(path, kMostBytes));
+  constexpr std::int64_t kMaxBytes = 1 << 30;
+  return decode(read_file(path, kMaxBytes));
 } catch (const InputError&) {
   return std::nullopt;
 }

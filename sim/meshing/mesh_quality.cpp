@@ -53,10 +53,10 @@ void add_shape(const std::array<Vec3, 4>& corners, MeshQuality& quality) {
   }
 }
 
-std::string bar(int count, int most) {
+std::string bar(int count, int maximum) {
   constexpr int kWidth = 40;
-  return std::string(most > 0 ? static_cast<std::size_t>((static_cast<double>(count) * kWidth + most - 1) / most) : 0,
-                     '#');
+  return std::string(
+      maximum > 0 ? static_cast<std::size_t>((static_cast<double>(count) * kWidth + maximum - 1) / maximum) : 0, '#');
 }
 
 /// One line a bin, without the empty ones before the first and behind the last.

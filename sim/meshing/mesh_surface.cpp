@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <optional>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/mesh/mesh_limits.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"
@@ -55,8 +55,8 @@ TetgenResult try_tetgen(const TriangleSurface& surface, const SurfaceReport& rep
 
 void require_reasonable_count(double volume, double element_size, const MeshingSetup& setup) {
   const double tets = 12 * std::abs(volume) / (element_size * element_size * element_size);
-  if (tets > static_cast<double>(kMostTets))
-    throw InputError(setup.name, std::string("would take more than ") + kMostTetsText, "give a larger element size");
+  if (tets > static_cast<double>(kMaxTets))
+    throw InputError(setup.name, std::string("would take more than ") + kMaxTetsText, "give a larger element size");
 }
 
 /// Why a problem of the lattice is met at all where TetGen was meant to fill the surface; else empty.
@@ -145,9 +145,9 @@ std::string volume_finding(const SurfaceReport& report, const FilledSurface& fil
 
 /// A lattice passes over what is thinner than its elements: little is left of a vase.
 void require_enough_volume(const SurfaceReport& report, const FilledSurface& filled, const MeshingSetup& setup) {
-  constexpr double kMostLost = 0.5;
+  constexpr double kMaxLost = 0.5;
   const double change = change_in_volume(report, filled);
-  if (change > -kMostLost) return;
+  if (change > -kMaxLost) return;
   char problem[120], remedy[120];
   std::snprintf(problem, sizeof problem, "has walls thinner than the elements: %.0f %% of its volume would be lost",
                 -100 * change);
@@ -159,8 +159,8 @@ void require_enough_volume(const SurfaceReport& report, const FilledSurface& fil
 /// What there is to tell about many more tets than their size asks for; empty: nothing. A thin wall needs its many.
 std::string count_finding(const SurfaceReport& report, const FilledSurface& filled, double element_size) {
   constexpr double kMany = 8;
-  const double least = 6 * std::sqrt(2.0) * report.volume / std::pow(element_size, 3);
-  const double many = static_cast<double>(filled.soup.tets.size()) / least;
+  const double minimum = 6 * std::sqrt(2.0) * report.volume / std::pow(element_size, 3);
+  const double many = static_cast<double>(filled.soup.tets.size()) / minimum;
   if (filled.method != MeshingMethod::tetgen || many < kMany || mean_thickness(report) < element_size) return {};
   char text[200];
   std::snprintf(

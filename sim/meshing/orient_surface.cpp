@@ -139,8 +139,8 @@ Orientation orient_surface(TriangleSurface& surface) {
     else
       result.flipped_triangles += make_consistent(surface, shells.back(), side);
   }
-  constexpr std::size_t kMostShells = 2000;  // beyond, nothing is known of the nesting and everything stays as it is
-  if (shells.size() <= kMostShells) result.inverted_shells = turn_inside_out_shells(surface, shells);
+  constexpr std::size_t kMaxShells = 2000;  // beyond, nothing is known of the nesting and everything stays as it is
+  if (shells.size() <= kMaxShells) result.inverted_shells = turn_inside_out_shells(surface, shells);
   return result;
 }
 

@@ -1,6 +1,6 @@
 #include <string>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/meshing/surface.h"
 #include "sim/meshing/surface_objects.h"
 

@@ -4,10 +4,10 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
+#include "sim/core/read_file.h"
+#include "sim/core/temporary_folder.h"
 #include "sim/meshing/surface_objects.h"
-#include "sim/meshing/temporary_folder.h"
-#include "sim/read_file.h"
 
 namespace griffith {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array kFormats = {".obj", ".stl", ".ply", ".off", ".gltf", ".glb"};
-constexpr std::uintmax_t kMostBytes = 1 << 30;
+constexpr std::uintmax_t kMaxBytes = 1 << 30;
 constexpr char kRemedy[] = "the file is damaged: export the surface again";
 
 /// Assimp's reader of PLY files never ends where the header does not.
@@ -35,7 +35,7 @@ void require_known_file(const fs::path& path) {
     throw InputError(path.string(), "is no surface format known here", ".obj, .stl, .ply, .off, .gltf or .glb");
   const std::uintmax_t size = fs::file_size(path);
   if (size == 0) throw InputError(path.string(), "is empty", "export the surface again");
-  if (size > kMostBytes) throw InputError(path.string(), "is larger than a gigabyte", "export it with fewer triangles");
+  if (size > kMaxBytes) throw InputError(path.string(), "is larger than a gigabyte", "export it with fewer triangles");
   if (extension == ".ply") require_ply_header(path);
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "sim/core/parallel.h"
 #include "sim/meshing/triangle_tree.h"
-#include "sim/parallel.h"
 
 namespace griffith {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 constexpr double kFoldedSine = 1e-6;
 /// Relative to the longest edge: triangles within it lie in one plane.
 constexpr double kPlaneTolerance = 1e-9;
-constexpr int kMostPairs = 100;  ///< of a triangle with those of higher numbers
+constexpr int kMaxPairs = 100;  ///< of a triangle with those of higher numbers
 
 using Corners = std::array<Vec3, 3>;
 
@@ -113,7 +113,7 @@ SelfIntersections find_self_intersections(const TriangleSurface& surface) {
         const auto place = common_point(surface, triangle, other);
         if (!place) return true;
         if (mine.pairs++ == 0 || other < mine.first[1]) mine.first = {triangle, other}, mine.place = *place;
-        return mine.pairs < kMostPairs;
+        return mine.pairs < kMaxPairs;
       });
     }
   });

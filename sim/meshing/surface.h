@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "sim/linear_algebra.h"
-#include "sim/meshing/monitor.h"
+#include "sim/core/linear_algebra.h"
+#include "sim/core/monitor.h"
 
 namespace griffith {
 

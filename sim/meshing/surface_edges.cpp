@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "sim/disjoint_sets.h"
+#include "sim/geometry/disjoint_sets.h"
 
 namespace griffith {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/meshing/monitor.h"
-#include "sim/meshing/process.h"
+#include "sim/core/monitor.h"
+#include "sim/core/process.h"
 #include "sim/meshing/surface.h"
 
 namespace griffith {

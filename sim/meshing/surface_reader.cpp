@@ -4,9 +4,9 @@
 #include <exception>
 #include <new>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
+#include "sim/core/replace_file.h"
 #include "sim/meshing/surface_objects.h"
-#include "sim/replace_file.h"
 
 int main(int count, char** arguments) try {
   if (count != 3) {

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <set>
 
-#include "sim/disjoint_sets.h"
-#include "sim/error.h"
+#include "sim/core/error.h"
+#include "sim/geometry/disjoint_sets.h"
 #include "sim/mesh/number_text.h"
 #include "sim/meshing/orient_surface.h"
 #include "sim/meshing/surface_edges.h"
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kSmallest = 1e-3, kLargest = 1e3;  ///< sizes beyond are likely to be a wrong unit [m]
 /// A triangle whose area is below this share of its longest edge squared is flat.
-constexpr double kFlatShare = 1e-8;
+constexpr double kFlatFraction = 1e-8;
 
 /// Keeps the triangles that are marked with 1.
 template <class T>
@@ -51,7 +51,7 @@ int count_flat_triangles(const TriangleSurface& surface) {
     const auto corners = corners_of(surface, static_cast<int>(i));
     double longest = 0;
     for (int j = 0; j < 3; ++j) longest = std::max(longest, (corners[(j + 1) % 3] - corners[j]).squaredNorm());
-    count += area_vector(corners).norm() < kFlatShare * longest;
+    count += area_vector(corners).norm() < kFlatFraction * longest;
   }
   return count;
 }

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <optional>
 
+#include "sim/core/replace_file.h"
+#include "sim/core/temporary_folder.h"
 #include "sim/mesh/number_text.h"
 #include "sim/mesh/read_mesh.h"
-#include "sim/meshing/temporary_folder.h"
-#include "sim/replace_file.h"
 
 namespace griffith {
 namespace {

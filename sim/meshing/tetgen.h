@@ -2,10 +2,10 @@
 
 #include <string>
 
+#include "sim/core/monitor.h"
+#include "sim/core/process.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/meshing/meshing_options.h"
-#include "sim/meshing/monitor.h"
-#include "sim/meshing/process.h"
 #include "sim/meshing/surface.h"
 
 namespace griffith {

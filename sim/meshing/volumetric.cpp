@@ -14,21 +14,21 @@ bool is_inside(const TriangleTree& tree, const Vec3& point) { return std::abs(tr
 /// The border between an inner and an outer point as a share of the way. The signed distance leads there in few steps
 /// (regula falsi); across a hole, where it jumps, halving does.
 double crossing(const TriangleTree& tree, const Vec3& inner, const Vec3& outer) {
-  constexpr int kMostSteps = 12;
+  constexpr int kMaxSteps = 12;
   constexpr double kTolerance = 1e-4;  // of the way
   const double length = (outer - inner).norm();
   double low = 0, high = 1;
   double depth = tree.nearest(inner).distance, height = tree.nearest(outer).distance;
-  for (int i = 0; i < kMostSteps; ++i) {
-    const double share =
+  for (int i = 0; i < kMaxSteps; ++i) {
+    const double fraction =
         i % 3 == 2 || depth + height == 0 ? (low + high) / 2 : low + (high - low) * depth / (depth + height);
-    const Vec3 point = inner + share * (outer - inner);
+    const Vec3 point = inner + fraction * (outer - inner);
     const double distance = tree.nearest(point).distance;
-    if (distance < kTolerance * length) return share;
+    if (distance < kTolerance * length) return fraction;
     if (is_inside(tree, point))
-      low = share, depth = distance;
+      low = fraction, depth = distance;
     else
-      high = share, height = distance;
+      high = fraction, height = distance;
   }
   return (low + high) / 2;
 }

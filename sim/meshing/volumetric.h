@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "sim/core/monitor.h"
 #include "sim/mesh/tet_mesh.h"
-#include "sim/meshing/monitor.h"
 #include "sim/meshing/surface.h"
 
 namespace griffith {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 
 namespace griffith {
 

@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "sim/linear_algebra.h"
+#include "sim/core/linear_algebra.h"
 #include "sim/scene/field.h"
 #include "sim/scene/json_document.h"
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "sim/file_path.h"
+#include "sim/core/file_path.h"
 
 namespace griffith {
 namespace {
@@ -57,9 +57,9 @@ std::vector<std::filesystem::path> files_of_mesh(const std::filesystem::path& pa
 }  // namespace
 
 void Place::report(std::string problem, std::string remedy) const {
-  constexpr std::size_t kMostProblems = 1000;
-  if (document.problems.size() > kMostProblems) return;
-  if (document.problems.size() == kMostProblems) {
+  constexpr std::size_t kMaxProblems = 1000;
+  if (document.problems.size() > kMaxProblems) return;
+  if (document.problems.size() == kMaxProblems) {
     document.problems.emplace_back(document.file, "has more problems than these", "correct these first");
   } else {
     document.problems.emplace_back(json_place(document.file, pointer), std::move(problem), std::move(remedy));

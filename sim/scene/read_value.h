@@ -11,9 +11,9 @@
 #include <type_traits>
 #include <vector>
 
+#include "sim/core/error.h"
+#include "sim/core/linear_algebra.h"
 #include "sim/elasticity/material.h"
-#include "sim/error.h"
-#include "sim/linear_algebra.h"
 #include "sim/scene/field.h"
 #include "sim/scene/json_document.h"
 

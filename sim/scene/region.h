@@ -3,7 +3,7 @@
 #include <variant>
 #include <vector>
 
-#include "sim/linear_algebra.h"
+#include "sim/core/linear_algebra.h"
 
 namespace griffith {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "sim/core/linear_algebra.h"
 #include "sim/elasticity/material.h"
 #include "sim/fracture/strength_variation.h"
-#include "sim/linear_algebra.h"
 #include "sim/scene/boundary_condition.h"
 #include "sim/scene/probe.h"
 #include "sim/scene/projectile_shape.h"

@@ -23,7 +23,7 @@ namespace griffith {
 inline constexpr int kSceneVersion = 1;
 
 /// Of all bursts of a scene together.
-inline constexpr std::int64_t kMostProjectiles = 10'000;
+inline constexpr std::int64_t kMaxProjectiles = 10'000;
 
 inline constexpr Numbers kPlace = between(-1e6, 1e6, "m");
 inline constexpr Numbers kDirection = {.minimum = -1e6, .maximum = 1e6, .unit = "-", .nonzero = true};
@@ -357,11 +357,11 @@ void describe(Archive& archive, Scene& scene) {
   archive.field("view", scene.view, Parts{}, "What is shown at first; nothing here influences the simulation");
   double tets = 0;
   for (const BodyDescription& body : scene.bodies) tets += tet_count(body.shape);
-  archive.require(tets <= static_cast<double>(kMostTets), "bodies", "make more than 4 million tetrahedra in all",
+  archive.require(tets <= static_cast<double>(kMaxTets), "bodies", "make more than 4 million tetrahedra in all",
                   "take larger element sizes or fewer bodies");
   std::int64_t projectiles = 0;
   for (const ProjectileBurst& burst : scene.projectiles) projectiles += burst.count;
-  archive.require(projectiles <= kMostProjectiles, "projectiles", "are more than 10,000 in all", "take smaller counts");
+  archive.require(projectiles <= kMaxProjectiles, "projectiles", "are more than 10,000 in all", "take smaller counts");
 }
 
 }  // namespace griffith

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "sim/read_file.h"
+#include "sim/core/read_file.h"
 #include "sim/scene/json_document.h"
 #include "sim/scene/read_value.h"
 #include "sim/scene/scene_fields.h"
@@ -116,9 +116,9 @@ void check_names(const Place& place, const std::vector<T>& items) {
 
 template <class T>
 void read(const Place& place, std::vector<T>& items, Parts parts) {
-  constexpr std::size_t kMostItems = 10'000;  // a kilobyte each, before anything is made of them
+  constexpr std::size_t kMaxItems = 10'000;  // a kilobyte each, before anything is made of them
   if (!place.json.is_array()) return place.reject("an array [ ... ]");
-  if (place.json.size() > kMostItems) return place.report("has more than 10,000 items", "take fewer");
+  if (place.json.size() > kMaxItems) return place.report("has more than 10,000 items", "take fewer");
   items.assign(place.json.size(), T{});
   for (std::size_t i = 0; i < items.size(); ++i) {
     read(place.child(std::to_string(i), place.json[i]), items[i], parts);
@@ -225,7 +225,7 @@ Scene read_document(Document& document, std::string_view text) {
 }
 
 /// Scenes name large meshes, and do not hold them.
-constexpr std::int64_t kMostBytes = 16 << 20;
+constexpr std::int64_t kMaxBytes = 16 << 20;
 
 Document document_of_file(const std::filesystem::path& path) {
   Document document;
@@ -243,7 +243,7 @@ Scene first_problem_thrown(Document document, std::string_view text) {
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& path) {
-  return first_problem_thrown(document_of_file(path), read_file(path, kMostBytes));
+  return first_problem_thrown(document_of_file(path), read_file(path, kMaxBytes));
 }
 
 Scene scene_from_json(std::string_view text, const std::string& where, const std::filesystem::path& folder) {
@@ -255,7 +255,7 @@ Scene scene_from_json(std::string_view text, const std::string& where, const std
 
 std::vector<InputError> check_scene(const std::filesystem::path& path) try {
   Document document = document_of_file(path);
-  read_document(document, read_file(path, kMostBytes));
+  read_document(document, read_file(path, kMaxBytes));
   return document.problems;
 } catch (const InputError& unreadable) {
   return {unreadable};

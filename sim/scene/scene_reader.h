@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/scene/scene.h"
 
 namespace griffith {

@@ -3,8 +3,8 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "sim/error.h"
-#include "sim/replace_file.h"
+#include "sim/core/error.h"
+#include "sim/core/replace_file.h"
 #include "sim/scene/json_values.h"
 #include "sim/scene/scene_fields.h"
 #include "sim/scene/scene_reader.h"

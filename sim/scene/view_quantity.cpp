@@ -6,7 +6,7 @@ namespace griffith {
 
 std::span<const ViewQuantity> view_quantities() {
   static constexpr std::array<ViewQuantity, 19> kQuantities = {{
-      {"margin", "load over resistance", "-"},
+      {"utilization", "load over resistance", "-"},
       {"von_mises", "von Mises stress", "Pa"},
       {"max_principal_stress", "largest principal stress", "Pa", true},
       {"mid_principal_stress", "middle principal stress", "Pa", true},
@@ -39,7 +39,7 @@ std::span<const ViewLayerInfo> view_layers() {
        "tension prevails, blue where compression does."},
       {"separation_axes", "Separation axes",
        "The eigenvectors of every node's separation tensor; the top one, normal of "
-       "the candidate plane, in the colour of its margin."},
+       "the candidate plane, in the colour of its utilization."},
       {"velocities", "Velocities", "An arrow at every surface node."},
       {"contacts", "Contacts", "A dot where things touched in the last step, and the impulse as an arrow."},
       {"fracture_planes", "Fracture planes", "The planes of the last cracks as discs with their normals."},

@@ -60,7 +60,7 @@ void Impacts::close_cracks(Solid& solid) {
       mobility += solid.mobility(sides.first[i], normal) / 9 +
                   weights[i] * weights[i] * solid.mobility(sides.second[i], normal);
     }
-    note_gap(crack, gap);
+    record_gap(crack, gap);
     if (gap > 0 || gap * gap > area.norm() || speed >= 0 || mobility == 0) continue;
     const Vec3 impulse = speed / mobility * normal;
     for (int i = 0; i < 3; ++i) {

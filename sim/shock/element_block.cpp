@@ -70,14 +70,14 @@ void follow_rotation(const Matrix h, Lanes q[4]) {
 
 /// Newton's steps do not find the rotations of what has turned by more than about a right angle.
 void find_lost_rotations(const Matrix h, Lanes q[4]) {
-  constexpr float kAsymmetry = 1e-3F, kLeastTrace = 1;  // of the stretch RᵀF
+  constexpr float kAsymmetry = 1e-3F, kMinTrace = 1;  // of the stretch RᵀF
   Matrix b, k;
   rotation_less_identity(q, b);
   stretch(b, h, k);
   for (int lane = 0; lane < kLanes; ++lane) {
     const Vec3 axial(k[2][1][lane] - k[1][2][lane], k[0][2][lane] - k[2][0][lane], k[1][0][lane] - k[0][1][lane]);
     const float trace = k[0][0][lane] + k[1][1][lane] + k[2][2][lane] + 3;
-    if (!(axial.norm() > kAsymmetry || trace < kLeastTrace)) continue;
+    if (!(axial.norm() > kAsymmetry || trace < kMinTrace)) continue;
     Mat3 gradient = Mat3::Identity();
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) gradient(i, j) += h[i][j][lane];

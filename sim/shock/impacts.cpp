@@ -6,8 +6,8 @@
 #include <numeric>
 #include <optional>
 
+#include "sim/core/sort_unique.h"
 #include "sim/mesh/tet_mesh.h"
-#include "sim/sort_unique.h"
 
 namespace griffith::shock {
 namespace {
@@ -53,13 +53,13 @@ Eigen::AlignedBox3d box_of(const Solid& solid, const SurfaceSide& side) {
 
 /// How far a point is outside a convex solid that lies there, at most, and across which face.
 std::pair<double, Vec3> outermost_face(const ConvexSolid& solid, const Vec3& local) {
-  double most = -std::numeric_limits<double>::infinity();
+  double maximum = -std::numeric_limits<double>::infinity();
   Vec3 normal = Vec3::UnitY();
   for (const HalfSpace& face : solid.faces) {
     const double distance = face.distance(local);
-    if (distance > most) most = distance, normal = face.normal;
+    if (distance > maximum) maximum = distance, normal = face.normal;
   }
-  return {most, normal};
+  return {maximum, normal};
 }
 
 /// Whether an obstacle may be no further than `margin` from something in that box: by the sphere round it, or by the
@@ -157,9 +157,9 @@ void Impacts::list_pairs(const Solid& solid) {
   std::ranges::stable_sort(pairs_, {}, &NodeAndSide::node);
 }
 
-/// `way`: that two things may come nearer to each other in a microstep [m].
-void Impacts::list_candidates(const Solid& solid, double way) {
-  margin_ = std::clamp(kMicrostepsOfCandidates * way, 0.25 * element_size_, element_size_);
+/// `displacement`: that two things may come nearer to each other in a microstep [m].
+void Impacts::list_candidates(const Solid& solid, double displacement) {
+  margin_ = std::clamp(kMicrostepsOfCandidates * displacement, 0.25 * element_size_, element_size_);
   for (const Obstacle& obstacle : obstacles_)
     if (obstacle.inverse_mass > 0 && std::isfinite(obstacle.radius)) margin_ = std::max(margin_, 0.1 * obstacle.radius);
   catch_up();
@@ -171,7 +171,7 @@ void Impacts::list_candidates(const Solid& solid, double way) {
 }
 
 /// Of things that are so far apart [m].
-void Impacts::note_gap(Watched& watched, double gap) const {
+void Impacts::record_gap(Watched& watched, double gap) const {
   if (gap > 0) watched.clear_until = travelled_ + gap;
 }
 
@@ -187,7 +187,7 @@ void Impacts::touch_sphere(const Solid& solid, int index) {
     touch.place = touch.weights[0] * a + touch.weights[1] * b + touch.weights[2] * c;
     const Vec3 away = center - touch.place;
     touch.depth = sphere.radius - away.norm();
-    note_gap(near, -touch.depth);
+    record_gap(near, -touch.depth);
     if (touch.depth < 0 || (b - a).cross(c - a).dot(center - a) <= 0) continue;
     touch.normal = away.normalized();
     touches_.push_back(touch);
@@ -196,7 +196,7 @@ void Impacts::touch_sphere(const Solid& solid, int index) {
 
 double Impacts::gap_behind(const Solid& solid, const SurfaceSide& side, const Vec3& point, Touch& touch) const {
   constexpr double kOutside = 0.02;  // of a side: corners that meet corners touch though they shift a little
-  constexpr double kShare = 0.5;     // sides turn about their edges
+  constexpr double kFraction = 0.5;  // sides turn about their edges
   touch.nodes = nodes_of(solid, side);
   const Vec3 a = solid.position(touch.nodes[0]), b = solid.position(touch.nodes[1]), c = solid.position(touch.nodes[2]);
   const Vec3 normal = (b - a).cross(c - a);
@@ -204,13 +204,13 @@ double Impacts::gap_behind(const Solid& solid, const SurfaceSide& side, const Ve
   touch.normal = normal / area;
   touch.depth = -touch.normal.dot(point - a);
   if (touch.depth < 0) return -touch.depth;
-  if (touch.depth > 0.5 * element_size_) return kShare * (touch.depth - 0.5 * element_size_);
+  if (touch.depth > 0.5 * element_size_) return kFraction * (touch.depth - 0.5 * element_size_);
   touch.weights = weights_in_triangle(a, b, c, normal, area * area, point);
   touch.place = point;
   const double beyond = -kOutside - std::ranges::min(touch.weights);
   if (!(beyond > 0)) return 0;
   const double longest = std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
-  return kShare * beyond * area / longest;
+  return kFraction * beyond * area / longest;
 }
 
 /// Nodes inside a convex part, and its sample points behind sides.
@@ -222,7 +222,7 @@ void Impacts::touch_convex(const Solid& solid, int index) {
     if (is_clear(near)) continue;
     const Vec3 place = solid.position(near.node);
     const auto [outside, normal] = outermost_face(obstacle.solids[near.part], pose.to_local(place));
-    note_gap(near, outside);
+    record_gap(near, outside);
     if (outside > 0) continue;
     Touch touch{.nodes = {near.node, near.node, near.node}, .count = 1, .obstacle = index, .place = place};
     touch.normal = -(pose.rotation * normal);
@@ -240,7 +240,7 @@ void Impacts::touch_convex(const Solid& solid, int index) {
       if (is_clear(*at)) continue;
       Touch touch{.obstacle = index};
       const double gap = gap_behind(solid, at->side, place, touch);
-      note_gap(*at, gap);
+      record_gap(*at, gap);
       if (gap == 0 && (!shallowest || touch.depth < shallowest->depth)) shallowest = touch;
     }
     if (shallowest) touches_.push_back(*shallowest);
@@ -258,7 +258,7 @@ void Impacts::touch_bodies(const Solid& solid) {
       if (is_clear(*at)) continue;
       Touch touch{.other_node = node};
       const double gap = gap_behind(solid, at->side, place, touch);
-      note_gap(*at, gap);
+      record_gap(*at, gap);
       if (gap == 0 && (!shallowest || touch.depth < shallowest->depth)) shallowest = touch;
     }
     if (shallowest) touches_.push_back(*shallowest);
@@ -304,9 +304,9 @@ void Impacts::act(Solid& solid, const Touch& touch, const Vec3& impulse) {
 }
 
 void Impacts::take_back(Solid& solid, const Touch& touch, const Vec3& impulse, double time) {
-  const auto shift = [&](int node, const Vec3& share) {
-    const double size = share.norm();
-    if (size > 0) shift_node(solid, node, time * solid.mobility(node, share / size) * share);
+  const auto shift = [&](int node, const Vec3& fraction) {
+    const double size = fraction.norm();
+    if (size > 0) shift_node(solid, node, time * solid.mobility(node, fraction / size) * fraction);
   };
   for (int i = 0; i < touch.count; ++i) shift(touch.nodes[i], touch.weights[i] * impulse);
   if (touch.obstacle < 0) return shift(touch.other_node, -impulse);
@@ -316,7 +316,7 @@ void Impacts::take_back(Solid& solid, const Touch& touch, const Vec3& impulse, d
 
 /// A push stops the approach and takes back the overlap, as far as the last motion at that speed made it: forces that
 /// press two surfaces together would else let them creep into each other step by step, and waves lose their energy.
-bool Impacts::push(Solid& solid, Touch& touch, double dt, double least_speed) {
+bool Impacts::push(Solid& solid, Touch& touch, double dt, double min_speed) {
   const Vec3 velocity = approach_of(solid, touch);
   const double speed = -velocity.dot(touch.normal);
   if (speed <= kNegligibleSpeed) return false;
@@ -334,17 +334,16 @@ bool Impacts::push(Solid& solid, Touch& touch, double dt, double least_speed) {
   // Friction and the levers of light things may turn a push into a gain: then it goes no further than where it takes
   // most.
   if (impulse.dot(velocity + after) < 0) {
-    const double share = impulse.dot(velocity) / impulse.dot(velocity - after);
-    act(solid, touch, (share - 1) * impulse);
-    impulse *= share;
-    after = velocity + share * (after - velocity);
+    const double fraction = impulse.dot(velocity) / impulse.dot(velocity - after);
+    act(solid, touch, (fraction - 1) * impulse);
+    impulse *= fraction;
+    after = velocity + fraction * (after - velocity);
   }
   lost_ += 0.5 * impulse.dot(velocity + after);
   const double time = std::min(dt, touch.depth / speed);
   take_back(solid, touch, impulse, time);
   touch.depth -= time * speed;
-  if (speed > least_speed)
-    blows_.push_back({touch.nodes[0], touch.obstacle, touch.place, touch.normal, impulse, speed});
+  if (speed > min_speed) blows_.push_back({touch.nodes[0], touch.obstacle, touch.place, touch.normal, impulse, speed});
   return true;
 }
 
@@ -362,23 +361,24 @@ void Impacts::catch_up() {
   for (Obstacle& obstacle : obstacles_) obstacle.move(0);
 }
 
-void Impacts::resolve(Solid& solid, double dt, double least_speed) {
+void Impacts::resolve(Solid& solid, double dt, double min_speed) {
   blows_.clear();
   settle_pushed(solid, dt);
   for (std::size_t i = 0; i < obstacles_.size(); ++i)
     candidates_[i].empty() ? obstacles_[i].wait(dt) : obstacles_[i].move(dt);
-  const double way = 2 * dt * fastest_of(solid);
-  travelled_ += way;
-  if (travelled_ > listed_until_) list_candidates(solid, way);
+  const double displacement = 2 * dt * fastest_of(solid);
+  travelled_ += displacement;
+  if (travelled_ > listed_until_) list_candidates(solid, displacement);
   find_touches(solid);
   bool any = !touches_.empty();
   for (int round = 0; round < kRounds && any; ++round) {
     any = false;
-    for (const int index : order_) any |= push(solid, touches_[index], dt, least_speed);
+    for (const int index : order_) any |= push(solid, touches_[index], dt, min_speed);
   }
-  if (!touches_.empty()) travelled_ += std::max(0.0, 2 * dt * fastest_of(solid) - way);  // pushes may throw things back
+  if (!touches_.empty())
+    travelled_ += std::max(0.0, 2 * dt * fastest_of(solid) - displacement);  // pushes may throw things back
   if (!cracks_.empty()) close_cracks(solid);
-  note_pushed(solid);
+  record_pushed(solid);
 }
 
 }  // namespace griffith::shock

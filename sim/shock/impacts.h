@@ -54,8 +54,8 @@ class Impacts {
           std::vector<SurfaceLaw> surfaces, double element_size);
 
   /// Between the forces and the motion of a microstep of `dt`: finds what overlaps and pushes it, then moves the
-  /// obstacles. Blows faster than `least_speed` are noted.
-  void resolve(Solid& solid, double dt, double least_speed);
+  /// obstacles. Blows faster than `min_speed` are noted.
+  void resolve(Solid& solid, double dt, double min_speed);
   /// Moves obstacles with nothing near to where they are by now.
   void catch_up();
   /// Faces that a crack opened: what else is there may touch them from now on.
@@ -117,14 +117,14 @@ class Impacts {
   /// What pushes did to a node in the last microstep.
   struct Pushed {
     int node = 0;
-    Vec3 change = Vec3::Zero();  ///< of its velocity [m/s]
-    Vec3 way = Vec3::Zero();     ///< that it was shifted [m]
+    Vec3 change = Vec3::Zero();        ///< of its velocity [m/s]
+    Vec3 displacement = Vec3::Zero();  ///< that it was shifted [m]
   };
 
   const SurfaceLaw& surface_at(const Solid& solid, int node) const;
   bool is_clear(const Watched& watched) const { return travelled_ < watched.clear_until; }
-  void note_gap(Watched& watched, double gap) const;
-  void list_candidates(const Solid& solid, double way);
+  void record_gap(Watched& watched, double gap) const;
+  void list_candidates(const Solid& solid, double displacement);
   /// Of all nodes and obstacles [m/s].
   double fastest_of(const Solid& solid) const;
   void list_near_obstacle(const Solid& solid, const Obstacle& obstacle, Candidates& candidates);
@@ -143,12 +143,12 @@ class Impacts {
   void act(Solid& solid, const Touch& touch, const Vec3& impulse);
   /// Takes back the part of the last motion that `impulse` would have prevented, for `time` [s] of it.
   void take_back(Solid& solid, const Touch& touch, const Vec3& impulse, double time);
-  bool push(Solid& solid, Touch& touch, double dt, double least_speed);
+  bool push(Solid& solid, Touch& touch, double dt, double min_speed);
   void close_cracks(Solid& solid);
   Pushed& pushed(const Solid& solid, int node);
   void push_node(Solid& solid, int node, const Vec3& impulse);
-  void shift_node(Solid& solid, int node, const Vec3& way);
-  void note_pushed(const Solid& solid);
+  void shift_node(Solid& solid, int node, const Vec3& displacement);
+  void record_pushed(const Solid& solid);
   void settle_pushed(const Solid& solid, double dt);
 
   std::vector<SurfaceSide> surface_;

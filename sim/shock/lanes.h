@@ -12,8 +12,8 @@ using Quad = float __attribute__((vector_size(16)));       ///< x, y, z and one 
 using WideQuad = double __attribute__((vector_size(32)));  ///< the same in double precision
 
 inline Lanes all(float x) { return Lanes{x, x, x, x, x, x, x, x}; }
-inline Lanes at_least(Lanes x, float least) { return x > all(least) ? x : all(least); }
-inline Lanes at_most(Lanes x, float most) { return x < all(most) ? x : all(most); }
+inline Lanes at_least(Lanes x, float minimum) { return x > all(minimum) ? x : all(minimum); }
+inline Lanes at_most(Lanes x, float maximum) { return x < all(maximum) ? x : all(maximum); }
 
 inline Lanes root(Lanes x) {
   for (int lane = 0; lane < kLanes; ++lane) x[lane] = __builtin_sqrtf(x[lane]);

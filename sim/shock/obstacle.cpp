@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "sim/rotation.h"
+#include "sim/core/rotation.h"
 
 namespace griffith::shock {
 

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "sim/contact/contact_world.h"
-#include "sim/contact/convex_hull.h"
-#include "sim/half_space.h"
+#include "sim/geometry/convex_hull.h"
+#include "sim/geometry/half_space.h"
 
 namespace griffith::shock {
 

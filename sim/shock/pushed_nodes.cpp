@@ -22,22 +22,22 @@ void Impacts::push_node(Solid& solid, int node, const Vec3& impulse) {
   pushed(solid, node).change += solid.velocity(node) - before;
 }
 
-void Impacts::shift_node(Solid& solid, int node, const Vec3& way) {
-  solid.shift(node, way);
-  pushed(solid, node).way += way;
+void Impacts::shift_node(Solid& solid, int node, const Vec3& displacement) {
+  solid.shift(node, displacement);
+  pushed(solid, node).displacement += displacement;
 }
 
 /// The forces of a microstep worked at the mean of the velocities before and after them. Their work over the way that a
 /// node really went is that less their work over what its velocities say beyond its way: half of what pushes changed
 /// after the last motion, and half of what was taken back of the next.
-void Impacts::note_pushed(const Solid& solid) {
+void Impacts::record_pushed(const Solid& solid) {
   for (const Pushed& pushed : pushed_)
-    if (!pushed.way.isZero(0)) lost_ += 0.5 * force_on(solid, pushed.node).dot(pushed.way);
+    if (!pushed.displacement.isZero(0)) lost_ += 0.5 * force_on(solid, pushed.node).dot(pushed.displacement);
 }
 
 void Impacts::settle_pushed(const Solid& solid, double dt) {
   for (const Pushed& pushed : pushed_) {
-    const Vec3 beside = dt * pushed.change - pushed.way;
+    const Vec3 beside = dt * pushed.change - pushed.displacement;
     if (!beside.isZero(0)) lost_ -= 0.5 * force_on(solid, pushed.node).dot(beside);
     pushed_at_[pushed.node] = -1;
   }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/parallel.h"
+#include "sim/core/parallel.h"
 
 namespace griffith::shock {
 namespace {
@@ -15,9 +15,9 @@ constexpr double kDampingRatio = 0.12;
 /// elements of good shape is below 10.
 constexpr double kSliverFrequency = 20;
 /// This share of a body's elements, its worst slivers, may be relieved.
-constexpr double kSliverShare = 0.02;
+constexpr double kSliverFraction = 0.02;
 /// Those to which less than this share of their stiffness would be left are so flat that they exert no force.
-constexpr double kLeastShare = 0.25;
+constexpr double kMinFraction = 0.25;
 
 WideQuad wide(const Vec3& v) { return WideQuad{v[0], v[1], v[2], 0}; }
 
@@ -63,7 +63,7 @@ double relieved_limit(const ElasticLaw& law, double density, std::span<const Res
     else
       limit = std::max(limit, frequencies[i]);
   }
-  const auto relieved = static_cast<std::size_t>(kSliverShare * static_cast<double>(rest_elements.size()));
+  const auto relieved = static_cast<std::size_t>(kSliverFraction * static_cast<double>(rest_elements.size()));
   if (slivers.size() > relieved) {
     std::ranges::nth_element(slivers, slivers.begin() + static_cast<std::ptrdiff_t>(relieved), std::ranges::greater());
     limit = std::max(limit, slivers[relieved]);
@@ -72,9 +72,9 @@ double relieved_limit(const ElasticLaw& law, double density, std::span<const Res
 }
 
 /// Leaves an element a share of its stiffness.
-void relieve(ElementBlock& block, std::size_t lane, double share) {
-  block.stiffness[lane] = share > kLeastShare ? static_cast<float>(share) : 0;
-  if (share > kLeastShare) return;
+void relieve(ElementBlock& block, std::size_t lane, double fraction) {
+  block.stiffness[lane] = fraction > kMinFraction ? static_cast<float>(fraction) : 0;
+  if (fraction > kMinFraction) return;
   for (int k = 0; k < 3; ++k)
     for (int a = 0; a < 3; ++a) block.gradients[k][a][lane] = 0;  // however it is crushed, its numbers are finite
 }
@@ -211,9 +211,9 @@ void Solid::advance(double kick, std::vector<int>& flagged) {
   for (int i = 0; i < static_cast<int>(constraints_.size()); ++i) hold(i, dt_);
 }
 
-void Solid::kick(double share) {
+void Solid::kick(double fraction) {
   std::vector<int> flagged;
-  advance_nodes(share * dt_, 0, flagged);
+  advance_nodes(fraction * dt_, 0, flagged);
   for (int i = 0; i < static_cast<int>(constraints_.size()); ++i) hold(i, 0);
 }
 

@@ -87,7 +87,7 @@ class Solid {
   /// Verlet). `flagged` gets the nodes at which an element's largest principal stress exceeds the node's threshold.
   void advance(double kick, std::vector<int>& flagged);
   /// Changes velocities alone, by the forces over a share of a microstep.
-  void kick(double share);
+  void kick(double fraction);
 
   /// Parts a node: stars[0] stays with it, each other one goes to a new node, which was added for it already. Entries
   /// are 4·tet + corner, ascending.
@@ -121,7 +121,9 @@ class Solid {
   /// Changes a node's velocity by an impulse [N·s]; where it is held, the support takes it.
   void push(int node, const Vec3& impulse);
   /// Moves a node, for a push that should have come before its last motion [m].
-  void shift(int node, const Vec3& way) { displacements_[node].value += WideQuad{way[0], way[1], way[2], 0}; }
+  void shift(int node, const Vec3& displacement) {
+    displacements_[node].value += WideQuad{displacement[0], displacement[1], displacement[2], 0};
+  }
   /// The velocity change that a unit impulse along `direction` brings along it [1/kg].
   double mobility(int node, const Vec3& direction) const;
   /// What viscosity has taken [J]: half of what it does in the present forces, if these will get half a kick.

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "sim/parallel.h"
+#include "sim/core/parallel.h"
 
 namespace griffith {
 

@@ -16,8 +16,8 @@ namespace {
 
 /// Small aggregates save iterations, many of them make the coarse matrix dear: these sizes balance the two.
 int aggregate_size(int rows) {
-  constexpr int kSmallest = 20, kMostAggregates = 600;
-  return std::max(kSmallest, rows / kMostAggregates);
+  constexpr int kSmallest = 20, kMaxAggregates = 600;
+  return std::max(kSmallest, rows / kMaxAggregates);
 }
 
 /// Numbers the nodes that are not held, and returns them.
@@ -111,7 +111,7 @@ void ElasticSystem::patch(const TetMesh& mesh, std::span<const NodeId> body_node
   const std::vector<int> previous_rows = rows_.patch(mesh, unknown, row_of_node);
   rebuild_support_rows(mesh, body_nodes, constraints, row_of_node);
   preconditioner_->patch(rows_.matrix, previous_rows, aggregate_size(rows_.matrix.rows()));
-  held_preconditioner_.reset();
+  fixed_preconditioner_.reset();
 }
 
 void ElasticSystem::rebuild_support_rows(const TetMesh& mesh, std::span<const NodeId> body_nodes,
@@ -150,24 +150,24 @@ void ElasticSystem::project_sliding_rows() {
   for (const SlidingRow& sliding : sliding_) project_row(rows_.matrix, sliding.row, sliding.allowed);
 }
 
-SolveReport ElasticSystem::hold(std::span<const HeldRow> held, std::span<const Vec3> positions, double tolerance,
+SolveReport ElasticSystem::hold(std::span<const FixedRow> held, std::span<const Vec3> positions, double tolerance,
                                 int max_iterations, NodeVectors& impulses, NodeVectors& x) {
   BlockSparseMatrix a = rows_.matrix;
   NodeVectors known = NodeVectors::Zero(3, a.rows()), pushed;
-  for (const HeldRow& row : held) {
+  for (const FixedRow& row : held) {
     known.col(row.row) = row.known - row.allowed * row.known;
     project_row(a, row.row, row.allowed);
   }
   multiply(rows_.matrix, known, pushed);
   NodeVectors b = impulses - pushed;
-  for (const HeldRow& row : held) b.col(row.row) = Vec3(row.allowed * b.col(row.row));
-  if (!held_preconditioner_) held_preconditioner_.emplace(a, aggregate_size(a.rows()));
-  held_preconditioner_->update(a, gather(positions));
+  for (const FixedRow& row : held) b.col(row.row) = Vec3(row.allowed * b.col(row.row));
+  if (!fixed_preconditioner_) fixed_preconditioner_.emplace(a, aggregate_size(a.rows()));
+  fixed_preconditioner_->update(a, gather(positions));
   x = NodeVectors::Zero(3, a.rows());
-  const SolveReport report = conjugate_gradient(a, *held_preconditioner_, b, x, 1, tolerance, max_iterations);
+  const SolveReport report = conjugate_gradient(a, *fixed_preconditioner_, b, x, 1, tolerance, max_iterations);
   x += known;
   multiply(rows_.matrix, x, pushed);
-  for (const HeldRow& row : held)
+  for (const FixedRow& row : held)
     impulses.col(row.row) +=
         pushed.col(row.row) - impulses.col(row.row) - row.allowed * (pushed.col(row.row) - impulses.col(row.row));
   return report;

@@ -21,7 +21,7 @@ struct ImplicitStep {
 };
 
 /// A row whose velocity is known in the directions that are not allowed.
-struct HeldRow {
+struct FixedRow {
   int row = 0;
   Mat3 allowed = Mat3::Zero();  ///< projector
   Vec3 known = Vec3::Zero();    ///< in the other directions [m/s]
@@ -93,8 +93,8 @@ class ElasticSystem {
   /// The change of velocity x of nodes() by `impulses` (one column a row [N·s]) and by whatever makes rows move as they
   /// are held: `impulses` hold that too afterwards. Stops at a residual of `tolerance` [N·s]. In the step of the last
   /// solve(); rows of constrained nodes are not to be held.
-  SolveReport hold(std::span<const HeldRow> held, std::span<const Vec3> positions, double tolerance, int max_iterations,
-                   NodeVectors& impulses, NodeVectors& x);
+  SolveReport hold(std::span<const FixedRow> held, std::span<const Vec3> positions, double tolerance,
+                   int max_iterations, NodeVectors& impulses, NodeVectors& x);
   /// About J A⁻¹ Jᵀ for these points: by the preconditioner, which is close for what is smooth and within a small
   /// factor for what is not. Weights hold what sliding leaves free; after assemble().
   PointCompliance compliance(std::span<const WeightedRows> points) const { return preconditioner_->compliance(points); }
@@ -127,7 +127,7 @@ class ElasticSystem {
   std::vector<SlidingRow> sliding_;
   std::vector<int> row_of_support_column_;          // per block of support_rows_, -1 for held nodes
   std::vector<Vec3> solved_reactions_, reactions_;  // of the last solve(); with the last respond()
-  std::optional<RigidModePreconditioner> preconditioner_, held_preconditioner_;  // the second for hold()
+  std::optional<RigidModePreconditioner> preconditioner_, fixed_preconditioner_;  // the second for hold()
 };
 
 }  // namespace griffith

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "sim/parallel.h"
+#include "sim/core/parallel.h"
 
 namespace griffith {
 namespace {

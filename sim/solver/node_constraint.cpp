@@ -17,10 +17,10 @@ void NodeConstraint::block(const Vec3& direction, double speed) {
   constexpr double kParallel = 1e-6;  // sine of the angle below which a direction counts as blocked already
   const Vec3 normal = direction.normalized();
   const Vec3 open = allowed * normal;
-  const double share = open.norm();
-  if (share < kParallel) return;
-  const Vec3 axis = open / share;
-  velocity += (speed - normal.dot(velocity)) / share * axis;
+  const double fraction = open.norm();
+  if (fraction < kParallel) return;
+  const Vec3 axis = open / fraction;
+  velocity += (speed - normal.dot(velocity)) / fraction * axis;
   ++blocked;
   allowed = blocked == 3 ? Mat3(Mat3::Zero()) : Mat3(allowed - axis * axis.transpose());
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/linear_algebra.h"
+#include "sim/core/linear_algebra.h"
 
 namespace griffith {
 

@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "sim/rotation.h"
+#include "sim/core/rotation.h"
 
 namespace griffith {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "sim/ids.h"
+#include "sim/core/ids.h"
 #include "sim/solver/block_sparse_matrix.h"
 #include "sim/solver/node_constraint.h"
 

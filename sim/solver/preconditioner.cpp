@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "sim/parallel.h"
+#include "sim/core/parallel.h"
 #include "sim/solver/aggregates.h"
 #include "sim/solver/rigid_motion.h"
 

@@ -42,8 +42,9 @@ class StaticSolver {
   double rounding_level() const;
   std::vector<Vec3> newton_step(const Balance& now, std::span<const NodeConstraint> constraints);
   void hold_free_motions(std::vector<Vec3>& step) const;
-  void move(const std::vector<Vec3>& start, const std::vector<Vec3>& step, double share);
-  double energy_gained(const Balance& before, const Balance& after, const std::vector<Vec3>& step, double share) const;
+  void move(const std::vector<Vec3>& start, const std::vector<Vec3>& step, double fraction);
+  double energy_gained(const Balance& before, const Balance& after, const std::vector<Vec3>& step,
+                       double fraction) const;
   bool given_up() const { return settings_.given_up && settings_.given_up(); }
   bool search_line(Balance& now, const std::vector<Vec3>& step);
   void finish(const Balance& balance);
@@ -214,32 +215,32 @@ void StaticSolver::hold_free_motions(std::vector<Vec3>& step) const {
   for (NodeId node : nodes_) step[node] /= problem_.masses[node];
 }
 
-void StaticSolver::move(const std::vector<Vec3>& start, const std::vector<Vec3>& step, double share) {
-  for (NodeId node : nodes_) positions_[node] = start[node] + share * step[node];
+void StaticSolver::move(const std::vector<Vec3>& start, const std::vector<Vec3>& step, double fraction) {
+  for (NodeId node : nodes_) positions_[node] = start[node] + fraction * step[node];
 }
 
 /// What the potential energy grows by over a share of a step [J]; loads that follow work by their mean.
 double StaticSolver::energy_gained(const Balance& before, const Balance& after, const std::vector<Vec3>& step,
-                                   double share) const {
+                                   double fraction) const {
   double work = 0;
-  for (NodeId node : nodes_) work += 0.5 * share * (before.external[node] + after.external[node]).dot(step[node]);
+  for (NodeId node : nodes_) work += 0.5 * fraction * (before.external[node] + after.external[node]).dot(step[node]);
   return after.elastic_energy - before.elastic_energy - work;
 }
 
 /// Halves the step until the energy falls enough (Armijo 1966) or the forces come closer to balance; false when neither
 /// happens.
 bool StaticSolver::search_line(Balance& now, const std::vector<Vec3>& step) {
-  constexpr double kSufficientShare = 1e-4;
+  constexpr double kSufficientFraction = 1e-4;
   constexpr int kMaxHalvings = 12;
   const std::vector<Vec3> start(positions_.begin(), positions_.end());
   double slope = 0;
   for (NodeId node : nodes_) slope += now.residual[node].dot(step[node]);
-  double share = 1;
-  for (int i = 0; i < kMaxHalvings; ++i, share /= 2) {
-    move(start, step, share);
+  double fraction = 1;
+  for (int i = 0; i < kMaxHalvings; ++i, fraction /= 2) {
+    move(start, step, fraction);
     Balance next = balance();
-    const bool closer = next.norm <= (1 - kSufficientShare * share) * now.norm;
-    const bool lower = slope > 0 && energy_gained(now, next, step, share) <= -kSufficientShare * share * slope;
+    const bool closer = next.norm <= (1 - kSufficientFraction * fraction) * now.norm;
+    const bool lower = slope > 0 && energy_gained(now, next, step, fraction) <= -kSufficientFraction * fraction * slope;
     if (!closer && !lower) continue;
     now = std::move(next);
     return true;
@@ -282,7 +283,7 @@ void StaticSolver::finish(const Balance& now) {
     accelerating += (relieved[node] - now.loads[node]).squaredNorm();
     applied += now.loads[node].squaredNorm();
   }
-  report_.unbalanced_share = applied > 0 ? std::sqrt(accelerating / applied) : 0;
+  report_.unbalanced_fraction = applied > 0 ? std::sqrt(accelerating / applied) : 0;
 }
 
 }  // namespace

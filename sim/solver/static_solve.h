@@ -41,7 +41,7 @@ struct StaticReport {
   /// Rigid motions that no support blocks, 0..6. Along them the solution is the one with inertia relief: the body
   /// accelerates as a whole, and its own inertia balances the loads.
   int free_motions = 0;
-  double unbalanced_share = 0;        ///< of the loads: what accelerates the body; 0 in true equilibrium
+  double unbalanced_fraction = 0;     ///< of the loads: what accelerates the body; 0 in true equilibrium
   std::vector<NodeId> supports;       ///< constrained nodes, ascending
   std::vector<Vec3> reaction_forces;  ///< per support: the force on the node in its blocked directions [N]
 };

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "sim/error.h"
-#include "sim/file_path.h"
+#include "sim/core/error.h"
+#include "sim/core/file_path.h"
 
 namespace griffith {
 namespace {
@@ -36,11 +36,11 @@ const CellWall* worst_wall(const ConvexCell& cell, const Vec3& point) {
 
 int nearest_cell(const CellPartition& cells, const Vec3& point) {
   int best = 0;
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const CellWall* wall = worst_wall(cells[i], point);
     const double outside = wall ? wall->inside.distance(point) : 0;
-    if (outside < least) least = outside, best = static_cast<int>(i);
+    if (outside < minimum) minimum = outside, best = static_cast<int>(i);
   }
   return best;
 }

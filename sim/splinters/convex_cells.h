@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/half_space.h"
+#include "sim/geometry/half_space.h"
 #include "sim/splinters/splinter_pattern.h"
 
 namespace griffith {

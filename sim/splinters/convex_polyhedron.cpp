@@ -67,8 +67,8 @@ class Cut {
   int crossing(int a, int b) {
     for (const Crossing& known : crossings_)
       if (known.a == a && known.b == b) return known.corner;
-    const double share = distances_[a] / (distances_[a] - distances_[b]);
-    const Vec3 point = polyhedron_.corners[a] + share * (polyhedron_.corners[b] - polyhedron_.corners[a]);
+    const double fraction = distances_[a] / (distances_[a] - distances_[b]);
+    const Vec3 point = polyhedron_.corners[a] + fraction * (polyhedron_.corners[b] - polyhedron_.corners[a]);
     crossings_.push_back({a, b, static_cast<int>(polyhedron_.corners.size())});
     polyhedron_.corners.push_back(point);
     sides_.push_back(kOn);

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <numeric>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/splinters/convex_cells.h"
 #include "sim/splinters/object_cell.h"
 
@@ -74,8 +74,8 @@ void Assembly::find_shared_sides() {
 void Assembly::compare(int a, int b) {
   if (share_a_side(a, b)) return;
   const ConvexPolyhedron common = common_part(cells_[a], cells_[b], 4 * tolerance_);
-  const double least = std::pow(4 * tolerance_, 3);
-  if (common.empty() || volume(common) <= least) return;
+  const double minimum = std::pow(4 * tolerance_, 3);
+  if (common.empty() || volume(common) <= minimum) return;
   char text[64];
   std::snprintf(text, sizeof text, "\" by %.3g m3", volume(common));
   throw InputError(file_ + ", cell \"" + cells_[a].name + "\"", "overlaps the cell \"" + cells_[b].name + text,

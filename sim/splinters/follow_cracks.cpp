@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "sim/sort_unique.h"
+#include "sim/core/sort_unique.h"
 #include "sim/splinters/carried_corner.h"
 
 namespace griffith {

@@ -4,8 +4,8 @@
 #include <array>
 #include <unordered_set>
 
+#include "sim/core/parallel.h"
 #include "sim/mesh/topology.h"
-#include "sim/parallel.h"
 
 namespace griffith {
 namespace {

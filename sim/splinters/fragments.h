@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "sim/core/monitor.h"
 #include "sim/mesh/tet_mesh.h"
-#include "sim/meshing/monitor.h"
 #include "sim/splinters/convex_polyhedron.h"
 
 namespace griffith {

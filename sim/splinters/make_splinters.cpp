@@ -162,12 +162,12 @@ SplinterSet make_splinters(const TetMesh& mesh, const CellPartition& cells, cons
 
 Uncovered uncovered_part(const TetMesh& mesh, const SplinterSet& splinters) {
   Uncovered uncovered;
-  double most = 0;
+  double maximum = 0;
   for (TetId tet(0); tet < mesh.tet_count(); ++tet.value) {
     double missing = rest_volume(mesh, tet);
     for (const int part : splinters.parts_of_tet[tet]) missing -= splinters.parts[part].volume;
     uncovered.volume += missing;
-    if (missing > most) most = missing, uncovered.place = rest_centroid(mesh, tet);
+    if (missing > maximum) maximum = missing, uncovered.place = rest_centroid(mesh, tet);
   }
   return uncovered;
 }

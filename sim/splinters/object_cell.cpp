@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/mesh/number_text.h"
 
 namespace griffith {
@@ -54,14 +54,14 @@ void require_convex(const ObjectCell& cell, const TriangleSurface& surface, doub
 
 /// Whether the triangles have the area of the cell's faces: none is missing, none is there twice.
 void require_closed(const ObjectCell& cell, const TriangleSurface& surface, const std::string& where) {
-  constexpr double kShare = 1e-3;
+  constexpr double kFraction = 1e-3;
   double area = 0;
   bool bounded = !cell.polyhedron.empty();
   for (const PolyhedronFace& face : cell.polyhedron.faces) {
     bounded = bounded && face.wall >= 0;
     area += area_vector(cell.polyhedron, face).norm();
   }
-  if (!bounded || std::abs(surface_area(surface) - area) > kShare * area)
+  if (!bounded || std::abs(surface_area(surface) - area) > kFraction * area)
     throw InputError(where, "is not closed: faces are missing, or there twice",
                      "give each cell its whole surface once");
 }

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/error.h"
-#include "sim/file_path.h"
+#include "sim/core/error.h"
+#include "sim/core/file_path.h"
 #include "sim/mesh/read_points.h"
 #include "sim/splinters/convex_cells.h"
 
@@ -18,22 +18,22 @@ double farthest_distance(const Eigen::AlignedBox3d& box, const Vec3& point) {
 /// Within this distance of any place in the box lies one of the points, so those farther from all of the box have no
 /// part in it.
 double reach(const std::vector<Vec3>& points, const Eigen::AlignedBox3d& box) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Vec3& point : points) least = std::min(least, farthest_distance(box, point));
-  return least;
+  double minimum = std::numeric_limits<double>::infinity();
+  for (const Vec3& point : points) minimum = std::min(minimum, farthest_distance(box, point));
+  return minimum;
 }
 
 }  // namespace
 
 CellPartition make_point_cells(const PointSplinters& pattern, const Eigen::AlignedBox3d& bounds,
                                const std::filesystem::path& folder) {
-  constexpr double kMostSizes = 100;
+  constexpr double kMaxSizes = 100;
   constexpr double kRounding = 1e-6;
   const std::filesystem::path path = file_path(folder, pattern.path);
   std::vector<Vec3> points = read_points(path);
   for (Vec3& point : points) point *= pattern.scale;
   const double size = bounds.diagonal().norm(), radius = reach(points, bounds);
-  if (!(radius < kMostSizes * size))
+  if (!(radius < kMaxSizes * size))
     throw InputError(path.string(), "has no point within a hundred times the body's size",
                      "the points are in the body's own frame; check their scale");
   // What lies far away or next to another point would put the rest beyond Voro++'s tolerance.

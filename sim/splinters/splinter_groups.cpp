@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <numeric>
 
-#include "sim/disjoint_sets.h"
+#include "sim/geometry/disjoint_sets.h"
 
 namespace griffith {
 namespace {
 
 /// Less than this share of its neighbour's volume, and a splinter joins it.
-constexpr double kSmallestShare = 0.1;
+constexpr double kSmallestFraction = 0.1;
 
 /// Looks up the fragment of a tet in a cell.
 class FragmentTable {
@@ -55,7 +55,7 @@ std::vector<int> neighbours_to_join(const std::vector<FragmentContact>& contacts
     chosen[group] = neighbour;
   }
   for (std::size_t group = 0; group < chosen.size(); ++group)
-    if (chosen[group] >= 0 && volumes[group] >= kSmallestShare * volumes[chosen[group]]) chosen[group] = -1;
+    if (chosen[group] >= 0 && volumes[group] >= kSmallestFraction * volumes[chosen[group]]) chosen[group] = -1;
   return chosen;
 }
 

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "sim/ids.h"
+#include "sim/core/ids.h"
+#include "sim/core/monitor.h"
 #include "sim/mesh/tet_mesh.h"
-#include "sim/meshing/monitor.h"
 #include "sim/splinters/convex_cells.h"
 
 namespace griffith {

@@ -7,18 +7,18 @@
 #include <string>
 #include <vector>
 
+#include "sim/core/ids.h"
+#include "sim/core/linear_algebra.h"
 #include "sim/elasticity/element.h"
 #include "sim/elasticity/material.h"
 #include "sim/fracture/crack_event.h"
 #include "sim/fracture/node_separation.h"
 #include "sim/fracture/scaled_impact.h"
 #include "sim/fracture/strength_variation.h"
-#include "sim/ids.h"
-#include "sim/linear_algebra.h"
 #include "sim/solver/node_constraint.h"
 #include "sim/splinters/splinters.h"
-#include "sim/world/energy_account.h"
-#include "sim/world/probes.h"
+#include "sim/world/conditions/probes.h"
+#include "sim/world/energy/energy_account.h"
 
 namespace griffith {
 
@@ -63,7 +63,7 @@ struct StepReport {
   int substeps = 1;
   int microsteps = 0;  ///< of bodies in shock
   int contacts = 0;
-  double peak_margin = 0;            ///< highest margin of any node in any substep
+  double peak_utilization = 0;       ///< highest utilization of any node in any substep
   int cracks = 0;                    ///< nodes split
   int cracks_postponed = 0;          ///< over the budget at the step's end, carried to the next one
   int cracks_suppressed = 0;         ///< not made: the fragment would have been too small
@@ -95,7 +95,7 @@ struct Frame {
   std::span<const Vec3> rest_positions, positions;      ///< per node [m]
   std::span<const Vec3> velocities;                     ///< per node [m/s]
   std::span<const double> node_masses;                  ///< per node [kg]
-  std::span<const std::uint8_t> node_held;              ///< per node: 1 where a support acts on it
+  std::span<const std::uint8_t> node_supported;         ///< per node: 1 where a support acts on it
   std::span<const NodeConstraint> constraints;          ///< per node: what supports leave free
   std::span<const Vec3> load_forces;                    ///< per node: what loads do to it now [N]; empty without loads
   std::span<const std::uint8_t> at_crack_front;         ///< per node: 1 where cut faces end

@@ -17,7 +17,7 @@ struct NodeArrays {
   std::vector<Vec3> positions, velocities;   ///< [m], [m/s]
   std::vector<double> masses;                ///< lumped: a quarter of each tet of the star [kg]
   std::vector<NodeConstraint> constraints;   ///< what supports leave free
-  std::vector<std::uint8_t> held;            ///< 1 where a support acts on the node
+  std::vector<std::uint8_t> has_support;     ///< 1 where a support acts on the node
   std::vector<std::uint8_t> at_crack_front;  ///< 1 where cut faces end
   std::vector<double> strength_factors;      ///< what flaws leave of the strength [-]; 1 without scatter
   std::vector<int> rows;                     ///< row in the system of the node's body, -1 for held ones
@@ -39,7 +39,7 @@ struct NodeArrays {
   void each_array(Use use) {
     const Vec3 zero = Vec3::Zero();
     use(positions, zero), use(velocities, zero), use(masses, 0.0), use(constraints, NodeConstraint());
-    use(held, std::uint8_t{0}), use(at_crack_front, std::uint8_t{0}), use(strength_factors, 1.0), use(rows, -1);
+    use(has_support, std::uint8_t{0}), use(at_crack_front, std::uint8_t{0}), use(strength_factors, 1.0), use(rows, -1);
     use(separations, NodeSeparation()), use(reactions, zero), use(similarity_starts, zero);
     use(pushed_at, -std::numeric_limits<double>::infinity());
   }

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/scene/scene.h"
 #include "sim/splinters/splinters.h"
 
@@ -12,8 +12,8 @@ namespace griffith {
 /// What never changes once a world is built. Its copies share it.
 struct Model {
   Scene scene;
-  std::vector<double> least_edges;  ///< per scene body: shortest edge that remeshing makes [m]
-  std::vector<double> extents;      ///< per scene body: longest edge of the box round its largest piece at rest [m]
+  std::vector<double> min_edges;  ///< per scene body: shortest edge that remeshing makes [m]
+  std::vector<double> extents;    ///< per scene body: longest edge of the box round its largest piece at rest [m]
   std::vector<std::optional<Weakness>> weaknesses;  ///< per scene body, direction in the placed rest space, unit length
   SplinterSet splinters;
   std::vector<std::vector<HullCorner>> splinter_hulls;  ///< per splinter; empty where they are not what touches

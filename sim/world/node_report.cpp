@@ -9,17 +9,18 @@ namespace {
 
 double dyad_across(const Vec3& force, const Vec3& normal) { return normal.dot(force_dyad(force) * normal); }
 
-ElementShare element_share(const Frame& frame, const SeparationInput& input, TetId tet, const NodeReport& report) {
+ElementContribution element_fraction(const Frame& frame, const SeparationInput& input, TetId tet,
+                                     const NodeReport& report) {
   const Vec3 normal = report.normal();
-  ElementShare element;
+  ElementContribution element;
   element.tet = tet;
   Vec3 middle = Vec3::Zero();
   for (NodeId corner : frame.tets[tet]) middle += frame.positions[corner] / 4;
   element.above = normal.dot(middle - frame.positions[report.node]) > 0;
   element.force = split_force(input, tet, report.node);
-  element.share =
+  element.fraction =
       report.by_tension
-          ? tension_share(input, tet, report.node, report.plane)
+          ? tension_fraction(input, tet, report.node, report.plane)
           : 0.5 * (dyad_across(element.force.tensile, normal) - dyad_across(element.force.compressive, normal));
   return element;
 }
@@ -27,7 +28,7 @@ ElementShare element_share(const Frame& frame, const SeparationInput& input, Tet
 /// What the sums of all forces add to v⁺ [N].
 double balance_of(const NodeReport& report) {
   SplitForce total;
-  for (const ElementShare& element : report.elements) {
+  for (const ElementContribution& element : report.elements) {
     total.tensile += element.force.tensile;
     total.compressive += element.force.compressive;
   }
@@ -47,9 +48,9 @@ void strain(const Frame& frame, NodeReport& report) {
   const bool by_stress = frame.materials[scene_body].criterion == FractureCriterion::strength;
   report.by_tension = by_stress && report.plane.by_tension;
   report.load = by_stress ? report.plane.stress : report.plane.eigenvalue;
-  for (TetId tet : frame.stars[report.node]) report.elements.push_back(element_share(frame, input, tet, report));
+  for (TetId tet : frame.stars[report.node]) report.elements.push_back(element_fraction(frame, input, tet, report));
   if (!report.by_tension && frame.constraints[report.node].is_free()) report.balance = balance_of(report);
-  std::ranges::stable_sort(report.elements, std::greater(), &ElementShare::share);
+  std::ranges::stable_sort(report.elements, std::greater(), &ElementContribution::fraction);
 }
 
 }  // namespace
@@ -60,7 +61,7 @@ NodeReport node_report(const Frame& frame, NodeId node) {
   report.body = frame.tet_bodies[frame.stars[node].front()];
   report.separation = frame.separations[node];
   report.at_crack_front = frame.at_crack_front[node] != 0;
-  report.supported = frame.node_held[node] != 0;
+  report.supported = frame.node_supported[node] != 0;
   if (!frame.bodies[report.body].rigid) strain(frame, report);
   for (std::size_t i = 0; i < frame.crack_events.size(); ++i)
     if (frame.crack_events[i].rest_position == frame.rest_positions[node]) report.events.push_back(static_cast<int>(i));
@@ -71,7 +72,7 @@ NodeId most_loaded_node(const Frame& frame) {
   NodeId best;
   for (std::size_t i = 0; i < frame.separations.size(); ++i) {
     if (frame.bodies[frame.tet_bodies[frame.stars[i].front()]].rigid) continue;
-    if (!best.valid() || frame.separations[i].margin > frame.separations[best].margin)
+    if (!best.valid() || frame.separations[i].utilization > frame.separations[best].utilization)
       best = NodeId(static_cast<std::int64_t>(i));
   }
   return best;

@@ -1,10 +1,12 @@
+#include "sim/world/publish.h"
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 #include <utility>
 
-#include "sim/world/energy_phase.h"
-#include "sim/world/phases.h"
+#include "sim/world/energy/energy_phase.h"
+#include "sim/world/world_state.h"
 
 namespace griffith {
 namespace {
@@ -85,7 +87,7 @@ ProjectileView view_of(const Projectile& projectile, const RigidState& state) {
 
 }  // namespace
 
-void note_contacts(WorldState& world) {
+void record_contacts(WorldState& world) {
   for (const Contact& contact : std::as_const(world.contact_world).contacts()) {
     if (contact.impulse.isZero(0)) continue;
     world.contact_views.push_back(

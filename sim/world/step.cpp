@@ -1,14 +1,26 @@
+#include "sim/world/step.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <optional>
 
-#include "sim/world/energy_phase.h"
-#include "sim/world/phases.h"
-#include "sim/world/shock_phase.h"
+#include "sim/world/conditions/projectiles.h"
+#include "sim/world/energy/energy_phase.h"
+#include "sim/world/phases/contact_phase.h"
+#include "sim/world/phases/elastic_phase.h"
+#include "sim/world/phases/equilibrium.h"
+#include "sim/world/phases/expected_impacts.h"
+#include "sim/world/phases/explicit_phase.h"
+#include "sim/world/phases/fracture_phase.h"
+#include "sim/world/phases/motion_phase.h"
+#include "sim/world/phases/separation_phase.h"
+#include "sim/world/publish.h"
+#include "sim/world/shock/shock_phase.h"
 #include "sim/world/world.h"
 #include "sim/world/world_impl.h"
+#include "sim/world/world_state.h"
 
 namespace griffith {
 namespace {
@@ -38,7 +50,7 @@ void fracture(WorldState& world, double substep) {
 
 /// Contacts and motion of everything but the bodies in shock.
 void move(WorldState& world, double dt) {
-  note_substep_start(world);
+  record_substep_start(world);
   StepTimings& timings = world.report.milliseconds;
   std::vector<Vec3> external;
   {
@@ -79,9 +91,9 @@ void step_explicitly(WorldState& world, double time_step) {
 /// Up to the next impact, and on: waves and the pace of cracks are not followed.
 void step_implicitly(WorldState& world, double time_step) {
   const double tolerance = time_step / 512;
-  const double calm = time_before_impact(world, time_step, tolerance);
+  const double quiet_time = time_before_impact(world, time_step, tolerance);
   world.report.substeps = 0;
-  for (const double dt : {calm, time_step - calm}) {
+  for (const double dt : {quiet_time, time_step - quiet_time}) {
     if (dt < tolerance) continue;
     substep(world, dt);
     ++world.report.substeps;
@@ -157,7 +169,7 @@ void advance(WorldState& world) {
     const double time_step = world.model->scene.simulation.time_step;
     launch_projectiles(world);
     update_supports(world, world.time, time_step);
-    wake_loaded_bodies(world, world.time - time_step, world.time);
+    make_loaded_bodies_elastic(world, world.time - time_step, world.time);
     if (world.model->scene.analysis == Analysis::equilibrium) {
       step_statically(world, time_step);
     } else if (world.integrates_explicitly()) {

@@ -3,10 +3,19 @@
 #include <algorithm>
 #include <cassert>
 
-#include "sim/world/energy_phase.h"
-#include "sim/world/phases.h"
-#include "sim/world/shock_phase.h"
+#include "sim/world/bodies/bodies.h"
+#include "sim/world/conditions/projectiles.h"
+#include "sim/world/energy/energy_phase.h"
+#include "sim/world/phases/contact_phase.h"
+#include "sim/world/phases/elastic_phase.h"
+#include "sim/world/phases/equilibrium.h"
+#include "sim/world/phases/explicit_phase.h"
+#include "sim/world/phases/separation_phase.h"
+#include "sim/world/publish.h"
+#include "sim/world/setup/build_world.h"
+#include "sim/world/shock/shock_phase.h"
 #include "sim/world/world_impl.h"
+#include "sim/world/world_state.h"
 
 namespace griffith {
 namespace {
@@ -38,7 +47,7 @@ void change_bodies(WorldState& world, int scene_body) {
 }
 
 /// Before the first step: the undeformed shape again, from which the static start is found.
-void take_back_start(WorldState& world, int scene_body) {
+void restore_start(WorldState& world, int scene_body) {
   for (const Body& body : world.bodies) {
     if (body.scene_body != scene_body) continue;
     for (NodeId node : body.nodes) world.nodes.positions[node] = world.mesh.rest_positions[node];
@@ -78,7 +87,7 @@ Frame World::frame() const {
   frame.positions = world.nodes.positions;
   frame.velocities = world.nodes.velocities;
   frame.node_masses = world.nodes.masses;
-  frame.node_held = world.nodes.held;
+  frame.node_supported = world.nodes.has_support;
   frame.constraints = world.nodes.constraints;
   frame.load_forces = world.load_forces;
   frame.at_crack_front = world.nodes.at_crack_front;
@@ -125,7 +134,7 @@ void World::set_material(int scene_body, const Material& material) {
   check_substep_count(world, scene_body, material);
   const EnergyNow before = energy_now(world);
   world.materials[scene_body] = material;
-  if (world.step == 0) take_back_start(world, scene_body);
+  if (world.step == 0) restore_start(world, scene_body);
   change_bodies(world, scene_body);
   if (world.step == 0) {
     find_static_start(world, scene_body);

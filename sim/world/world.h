@@ -3,11 +3,11 @@
 #include <memory>
 #include <vector>
 
-#include "sim/error.h"
-#include "sim/meshing/monitor.h"
+#include "sim/core/error.h"
+#include "sim/core/monitor.h"
 #include "sim/scene/scene.h"
 #include "sim/world/frame.h"
-#include "sim/world/given_meshes.h"
+#include "sim/world/setup/given_meshes.h"
 
 namespace griffith {
 

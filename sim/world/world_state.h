@@ -7,21 +7,21 @@
 #include <vector>
 
 #include "sim/contact/contact_world.h"
-#include "sim/contact/convex_hull.h"
+#include "sim/core/error.h"
 #include "sim/elasticity/element.h"
-#include "sim/error.h"
+#include "sim/geometry/convex_hull.h"
 #include "sim/mesh/topology.h"
 #include "sim/scene/scene.h"
 #include "sim/solver/elastic_system.h"
 #include "sim/solver/rigid_motion.h"
 #include "sim/splinters/splinters.h"
-#include "sim/world/energy_account.h"
+#include "sim/world/conditions/loads.h"
+#include "sim/world/conditions/probes.h"
+#include "sim/world/conditions/supports.h"
+#include "sim/world/energy/energy_account.h"
 #include "sim/world/frame.h"
-#include "sim/world/loads.h"
 #include "sim/world/mesh_arrays.h"
 #include "sim/world/model.h"
-#include "sim/world/probes.h"
-#include "sim/world/supports.h"
 
 namespace griffith {
 
@@ -62,11 +62,11 @@ struct Body {
   Quat orientation = Quat::Identity();      ///< from the reference shape to now
   double highest_frequency = 0;             ///< [rad/s]; 0 until explicit integration asks for it
   bool rigid = false;                       ///< moves as a whole: nothing about it is elastic until it is hit
-  int calm_steps = 0;                       ///< steps in a row with next to no stress
+  int quiet_steps = 0;                      ///< steps in a row with next to no stress
   bool asleep = false;                      ///< rigid, and lies still until something strikes it
   double element_size = 0;                  ///< edge length of the cubes that six of its tets would fill, mean [m]
   double extent = 0;                        ///< longest edge of the box round it at rest [m]
-  double weakest_share = 1;                 ///< of its material's resistance, at its weakest node and plane [-]
+  double weakest_fraction = 1;              ///< of its material's resistance, at its weakest node and plane [-]
   std::optional<ScaledImpact> scaled;       ///< of the last step, if any
   double energy = 0;                        ///< kinetic and elastic, when the substep began [J]
   double contact_work = 0;                  ///< of the contacts in the substep, at the velocities after it [J]

@@ -1,4 +1,4 @@
-#include "app/bulk_bounds.h"
+#include "app/picture/bulk_bounds.h"
 
 #include <gtest/gtest.h>
 

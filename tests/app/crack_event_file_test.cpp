@@ -1,4 +1,4 @@
-#include "app/crack_event_file.h"
+#include "app/output/crack_event_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/draw_scene_from_frame.h"
+#include "app/picture/draw_scene_from_frame.h"
 
 #include <gtest/gtest.h>
 
@@ -101,7 +101,7 @@ TEST(DrawSceneFromFrame, ColoursOfWhatHasASignPartAtZeroUnlessOthersAreChosen) {
     EXPECT_EQ(style_of(view).color_map, render::ColorMap::kCividis) << quantity;
     EXPECT_NE(style_of(view).minimum, -style_of(view).maximum) << quantity;
   }
-  for (const char* quantity : {"von_mises", "margin", "speed"}) {
+  for (const char* quantity : {"von_mises", "utilization", "speed"}) {
     ViewSettings view;
     view.quantity = quantity;
     EXPECT_EQ(style_of(view).color_map, render::ColorMap::kViridis) << quantity;

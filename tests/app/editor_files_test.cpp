@@ -2,12 +2,12 @@
 
 #include <fstream>
 
-#include "app/autosave.h"
+#include "app/editor/autosave.h"
 #include "editor_fixture.h"
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/scene_writer.h"
-#include "ui/dialog_window.h"
+#include "ui/dialogs/dialog_window.h"
 
 namespace griffith::app {
 namespace {

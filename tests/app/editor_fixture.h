@@ -7,8 +7,8 @@
 #include <string>
 #include <thread>
 
-#include "app/editor.h"
-#include "app/imgui_context_owner.h"
+#include "app/editor/editor.h"
+#include "app/editor/imgui_context_owner.h"
 #include "program.h"
 #include "renderer/egl_context.h"
 #include "renderer/target.h"

@@ -2,12 +2,12 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-#include "app/editor.h"
+#include "app/editor/editor.h"
 #include "editor_fixture.h"
 #include "sim/elasticity/principal_stress.h"
 #include "sim/scene/scene_writer.h"
 #include "sim/world/node_report.h"
-#include "ui/units.h"
+#include "ui/model/units.h"
 
 namespace griffith::app {
 namespace {
@@ -26,10 +26,10 @@ TEST_F(EditorTest, SelectionIsExplainedAndSurvivesBreakingAndReset) {
   for (int i = 0; i < 12; ++i) click("command/simulation.step");
   EXPECT_EQ(editor_.state().selection.rest_position, selected.rest_position);
   EXPECT_NE(value("inspector/verdict").find("resistance"), std::string::npos);
-  EXPECT_GE(std::stoi(value("inspector/margin_plot")), 13);
+  EXPECT_GE(std::stoi(value("inspector/utilization_plot")), 13);
   const NodeReport report = node_report(editor_.frame(), editor_.state().selection.node);
   EXPECT_EQ(value("inspector/element/0"),
-            ui::format_quantity(report.elements.front().share, report.by_tension ? "Pa" : "N", 3));
+            ui::format_quantity(report.elements.front().fraction, report.by_tension ? "Pa" : "N", 3));
   click("command/simulation.reset");
   EXPECT_EQ(editor_.state().selection, selected);
 }
@@ -46,7 +46,8 @@ TEST_F(EditorTest, KeysSliceTheBodiesAndSelectTheMostLoadedNode) {
   ASSERT_TRUE(editor_.state().selection.valid());
   const auto& separations = editor_.frame().separations;
   for (const NodeSeparation& separation : separations)
-    EXPECT_LE(separation.margin, separations[static_cast<std::size_t>(editor_.state().selection.node)].margin);
+    EXPECT_LE(separation.utilization,
+              separations[static_cast<std::size_t>(editor_.state().selection.node)].utilization);
   press('X');
   ASSERT_TRUE(editor_.state().view.slice);
   const double offset = editor_.state().view.slice->offset;

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <thread>
 
-#include "app/editor.h"
+#include "app/editor/editor.h"
 #include "editor_fixture.h"
 #include "sim/scene/scene_writer.h"
 

@@ -1,11 +1,11 @@
-#include "app/element_picture.h"
+#include "app/picture/element_picture.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <set>
 
-#include "app/draw_scene_from_frame.h"
+#include "app/picture/draw_scene_from_frame.h"
 #include "enclosed_volume.h"
 #include "program.h"
 #include "sim/world/world.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "renderer/draw_scene.h"
-#include "sim/linear_algebra.h"
+#include "sim/core/linear_algebra.h"
 
 namespace griffith::app {
 

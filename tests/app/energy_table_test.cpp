@@ -1,4 +1,4 @@
-#include "app/energy_table.h"
+#include "app/output/energy_table.h"
 
 #include <gtest/gtest.h>
 

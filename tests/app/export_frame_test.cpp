@@ -1,11 +1,11 @@
-#include "app/export_frame.h"
+#include "app/output/export_frame.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <sstream>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/mesh/read_mesh.h"
 #include "sim/world/world.h"
 #include "tests/world/scenes.h"
@@ -43,8 +43,9 @@ TEST(ExportFrameFields, EveryFieldIsThere) {
   export_frame(output("fields.vtu"), world.frame());
   std::stringstream text;
   text << std::ifstream(output("fields.vtu"), std::ios::binary).rdbuf();
-  for (const char* name : {"displacement [m]", "velocity [m/s]", "reaction [N]", "separation_stress [Pa]", "margin",
-                           "separation_direction", "stress [Pa]", "von_mises [Pa]", "body", "scene_body"})
+  for (const char* name :
+       {"displacement [m]", "velocity [m/s]", "reaction [N]", "separation_stress [Pa]", "utilization",
+        "separation_direction", "stress [Pa]", "von_mises [Pa]", "body", "scene_body"})
     EXPECT_NE(text.str().find('"' + std::string(name) + '"'), std::string::npos) << name;
 }
 

@@ -73,38 +73,87 @@ TEST(IncludeRules, PanelsMakeNoGraphicsCallAndKnowNoWorld) {
 }
 
 TEST(IncludeRules, ThirdPartyLibrariesStayInTheirPlaces) {
-  expect_only_in(kBullet, "^sim/contact/");
-  expect_only_in("^(tbb|oneapi/tbb)/", "^sim/parallel\\.cpp$");
-  expect_only_in("^nlohmann/", "^(sim/scene/|app/((mesh_)?statistics|crack_event_file)\\.cpp$)");
+  expect_only_in(kBullet, "^sim/(contact/|geometry/convex_hull\\.cpp$)");
+  expect_only_in("^(tbb|oneapi/tbb)/", "^sim/core/parallel\\.cpp$");
+  expect_only_in("^nlohmann/", "^(sim/scene/|app/output/((mesh_)?statistics|crack_event_file)\\.cpp$)");
   expect_only_in("^assimp/", "^sim/meshing/import_objects\\.cpp$");
-  expect_only_in("^GLFW/", "^app/window\\.cpp$");
-  expect_only_in("^CLI/", "^app/command_line\\.cpp$");
+  expect_only_in("^GLFW/", "^app/editor/window\\.cpp$");
+  expect_only_in("^CLI/", "^app/cli/command_line\\.cpp$");
   expect_only_in("^voro", "^sim/splinters/voronoi_cells\\.cpp$");
   expect_only_in("^stb", "^renderer/image\\.cpp$");
   expect_only_in("^EGL/|^epoxy/egl", "^renderer/egl_context\\.cpp$");
 }
 
-TEST(IncludeRules, LowerFoldersOfTheSimulationKnowNoHigherOnes) {
-  const std::map<std::string, std::string> may_include = {
-      {"sim", "^sim$"},
-      {"sim/mesh", "^sim(/mesh)?$"},
-      {"sim/meshing", "^sim(/mesh|/meshing)?$"},
-      {"sim/elasticity", "^sim(/mesh|/elasticity)?$"},
-      {"sim/solver", "^sim(/mesh|/elasticity|/solver)?$"},
-      {"sim/fracture", "^sim(/mesh|/elasticity|/solver|/fracture)?$"},
-      {"sim/contact", "^sim(/mesh|/contact)?$"},
-      {"sim/splinters", "^sim(/mesh|/meshing|/splinters)?$"},
-      {"sim/shock", "^sim(/mesh|/elasticity|/solver|/contact|/shock)?$"},
-      {"sim/scene", "^sim(/mesh|/meshing|/elasticity|/solver|/fracture|/splinters|/scene)?$"},
-      {"sim/world", "^sim(/.*)?$"},
-  };
-  for (const Include& include : includes_under("sim")) {
-    if (!include.path.starts_with("sim/")) continue;
+using Rules = std::map<std::string, std::string>;
+
+/// Each folder below `top` includes what its rule allows, and nothing else of `top`.
+void expect_rules_kept(const std::string& top, const Rules& may_include) {
+  for (const Include& include : includes_under(top)) {
+    if (!include.path.starts_with(top + "/")) continue;
     const auto rule = may_include.find(folder_of(include.file));
     ASSERT_NE(rule, may_include.end()) << "no rule for " << folder_of(include.file) << ": add one";
     EXPECT_TRUE(std::regex_match(folder_of(include.path), std::regex(rule->second)))
         << include.file << " includes " << include.path;
   }
+}
+
+TEST(IncludeRules, LowerFoldersOfTheSimulationKnowNoHigherOnes) {
+  expect_rules_kept("sim", {
+                               {"sim/core", "^sim/core$"},
+                               {"sim/geometry", "^sim/(core|geometry)$"},
+                               {"sim/mesh", "^sim/(core|mesh)$"},
+                               {"sim/meshing", "^sim/(core|geometry|mesh|meshing)$"},
+                               {"sim/elasticity", "^sim/(core|elasticity)$"},
+                               {"sim/solver", "^sim/(core|mesh|elasticity|solver)$"},
+                               {"sim/fracture", "^sim/(core|mesh|elasticity|solver|fracture)$"},
+                               {"sim/contact", "^sim/(core|geometry|contact(/bullet)?)$"},
+                               {"sim/contact/bullet", "^sim/(core|geometry|contact(/bullet)?)$"},
+                               {"sim/splinters", "^sim/(core|geometry|mesh|meshing|splinters)$"},
+                               {"sim/shock", "^sim/(core|geometry|mesh|elasticity|solver|contact|shock)$"},
+                               {"sim/scene", "^sim/(core|mesh|meshing|elasticity|solver|fracture|splinters|scene)$"},
+                               {"sim/world", "^sim/.*$"},
+                               {"sim/world/setup", "^sim/(?!world/shock|shock).*$"},
+                               {"sim/world/conditions", "^sim/(?!world/shock|shock).*$"},
+                               {"sim/world/bodies", "^sim/(?!world/(shock|setup|conditions)|shock).*$"},
+                               {"sim/world/energy", "^sim/(?!world/(shock|setup|conditions)).*$"},
+                               {"sim/world/phases", "^sim/.*$"},
+                               {"sim/world/shock", "^sim/(?!world/setup).*$"},
+                           });
+}
+
+TEST(IncludeRules, LowerFoldersOfPanelsKnowNoHigherOnes) {
+  expect_rules_kept("ui", {{"ui/model", "^ui/model$"},
+                           {"ui/widgets", "^ui/(model|widgets)$"},
+                           {"ui/dialogs", "^ui/(model|widgets|dialogs)$"},
+                           {"ui/panels", "^ui/.*$"}});
+}
+
+TEST(IncludeRules, LowerFoldersOfTheProgramKnowNoHigherOnes) {
+  expect_rules_kept("app", {{"app/shared", "^app/shared$"},
+                            {"app/picture", "^app/(shared|picture)$"},
+                            {"app/output", "^app/(shared|picture|output)$"},
+                            {"app/editor", "^app/(shared|picture|output|editor)$"},
+                            {"app/cli", "^app/.*$"}});
+}
+
+/// Two types of one name in one namespace break the rule of one definition, and no linker tells.
+TEST(IncludeRules, NoTypeHasTheNameOfAnother) {
+  static const std::regex kNamespace("^namespace ([\\w:]+) \\{"), kType("^(?:struct|class) (\\w+)[^;]*\\{");
+  std::map<std::string, std::string> file_of_type;
+  for (const char* folder : {"sim", "renderer", "ui", "app"})
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(GRIFFITH_SOURCE_DIR) / folder)) {
+      if (entry.path().extension() != ".h") continue;
+      std::ifstream file(entry.path());
+      std::string space;
+      std::smatch match;
+      for (std::string line; std::getline(file, line);) {
+        if (std::regex_search(line, match, kNamespace)) space = match[1];
+        if (!std::regex_search(line, match, kType)) continue;
+        const auto [first, is_new] = file_of_type.emplace(space + "::" + match[1].str(), entry.path().string());
+        EXPECT_TRUE(is_new) << first->first << " is in " << first->second << " and in " << entry.path();
+      }
+    }
+  EXPECT_GT(file_of_type.size(), 200u);
 }
 
 TEST(IncludeRules, ExamplesKnowThePackageAlone) {

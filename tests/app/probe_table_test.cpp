@@ -1,4 +1,4 @@
-#include "app/probe_table.h"
+#include "app/output/probe_table.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 
 #include "program.h"
 #include "sim/scene/scene_writer.h"
-#include "sim/world/probes.h"
+#include "sim/world/conditions/probes.h"
 
 namespace griffith::app {
 namespace {

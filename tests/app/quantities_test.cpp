@@ -1,4 +1,4 @@
-#include "app/quantities.h"
+#include "app/picture/quantities.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <numeric>
 #include <random>
 
-#include "app/quantile.h"
+#include "app/shared/quantile.h"
 #include "program.h"
 #include "sim/scene/view_quantity.h"
 #include "sim/world/world.h"
@@ -57,7 +57,7 @@ TEST(Quantities, RangeIgnoresOutliersAndNonsense) {
 
 TEST(Quantities, RangeIsNeverEmptyAndHoldsZero) {
   const Frame frame;
-  for (const char* key : {"von_mises", "pressure", "margin", "displacement", "speed", "separation_eigenvalue"}) {
+  for (const char* key : {"von_mises", "pressure", "utilization", "displacement", "speed", "separation_eigenvalue"}) {
     for (const std::vector<float>& numbers :
          {std::vector<float>{}, {0, 0, 0}, {-1e-20f, -1e-20f}, {1e-20f}, {-5e6f, -4e6f}, {NAN}}) {
       const Vec2 range = automatic_range(frame, key, {ValuePlace::tet, numbers});

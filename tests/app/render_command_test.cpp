@@ -34,7 +34,7 @@ TEST(RenderCommand, PictureHasItsSizeAndShowsSomething) {
 }
 
 TEST(RenderCommand, SameInputGivesTheSameBytes) {
-  for (const char* options : {"--frame 12 --view margin", "--frame 12 --ui"}) {
+  for (const char* options : {"--frame 12 --view utilization", "--frame 12 --ui"}) {
     EXPECT_EQ(rendered("a.png", options), rendered("b.png", options)) << options;
   }
 }
@@ -58,7 +58,7 @@ TEST(RenderCommand, NodeIsExplainedAndOneThatIsNotThereRefused) {
   const Outcome refused = run_program(common + "99999");
   EXPECT_EQ(refused.code, 2);
   EXPECT_NE(refused.output.find("there is no node 99999"), std::string::npos);
-  EXPECT_EQ(run_program("render " + small_wall_file().string() + " -o x.png --view margins").code, 2);
+  EXPECT_EQ(run_program("render " + small_wall_file().string() + " -o x.png --view utilizations").code, 2);
 }
 
 TEST(RenderCommand, SequenceIsNumberedAndAgreesWithSinglePictures) {

@@ -1,4 +1,4 @@
-#include "app/scene_files.h"
+#include "app/shared/scene_files.h"
 
 #include <gmock/gmock.h>
 

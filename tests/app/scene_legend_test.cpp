@@ -1,11 +1,11 @@
-#include "app/scene_legend.h"
+#include "app/picture/scene_legend.h"
 
 #include <gtest/gtest.h>
 
-#include "app/draw_scene_from_frame.h"
-#include "app/imgui_context_owner.h"
-#include "app/picture_options.h"
-#include "app/scene_camera.h"
+#include "app/editor/imgui_context_owner.h"
+#include "app/picture/draw_scene_from_frame.h"
+#include "app/picture/picture_options.h"
+#include "app/picture/scene_camera.h"
 #include "renderer/egl_context.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/world/world.h"
@@ -22,7 +22,7 @@ TEST(CoveredShare, CountsWhatIsSeenInThePartAlone) {
   render::DrawScene picture;
   picture.surface.positions = {{-5, -5, 0}, {0, -5, 0}, {0, 5, 0}, {-5, -5, 0}, {0, 5, 0}, {-5, 5, 0}};
   const auto covered = [&](float x0, float y0, float x1, float y1) {
-    return covered_share(picture, camera, 1, AlignedBox2f(Vector2f(x0, y0), Vector2f(x1, y1)));
+    return covered_fraction(picture, camera, 1, AlignedBox2f(Vector2f(x0, y0), Vector2f(x1, y1)));
   };
   EXPECT_EQ(covered(0.05f, 0.1f, 0.45f, 0.6f), 1);
   EXPECT_EQ(covered(0.55f, 0.1f, 0.95f, 0.6f), 0);
@@ -50,7 +50,7 @@ class LegendCornerTest : public ::testing::Test {
     if (chosen) *chosen = legend.corner;
     const auto [low, high] = ui::legend_card(legend, legend.corner, imgui_.fonts(), {{0, 0}, kSize}, 1);
     const AlignedBox2f part(Vector2f(low.x / kSize.x, low.y / kSize.y), Vector2f(high.x / kSize.x, high.y / kSize.y));
-    return covered_share(picture, camera, kSize.x / kSize.y, part);
+    return covered_fraction(picture, camera, kSize.x / kSize.y, part);
   }
 
   render::EglContext context_;

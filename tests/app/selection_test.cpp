@@ -1,17 +1,17 @@
-#include "ui/selection.h"
+#include "ui/model/selection.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "app/explanation.h"
-#include "app/margin_history.h"
-#include "app/picking.h"
+#include "app/editor/picking.h"
+#include "app/editor/utilization_history.h"
+#include "app/shared/explanation.h"
 #include "program.h"
 #include "sim/world/node_report.h"
 #include "sim/world/world.h"
-#include "ui/units.h"
-#include "ui/verdict.h"
+#include "ui/model/units.h"
+#include "ui/model/verdict.h"
 
 namespace griffith::app {
 namespace {
@@ -70,31 +70,31 @@ TEST(Selection, IsTheSameNodeAgainInANewRun) {
   EXPECT_FALSE(ui::follow(selection, Frame{}).valid());
 }
 
-TEST(MarginHistory, HasThePastOfEveryNodeAndOfWhatCopiesWerePartOf) {
+TEST(UtilizationHistory, HasThePastOfEveryNodeAndOfWhatCopiesWerePartOf) {
   World world(weak_wall(false));
-  MarginHistory history;
-  std::vector<std::vector<double>> margins;
+  UtilizationHistory history;
+  std::vector<std::vector<double>> utilizations;
   std::vector<double> times;
   for (int step = 0; step < 20; ++step) {
     world.step();
     const Frame frame = world.frame();
     history.record(frame);
-    margins.emplace_back();
+    utilizations.emplace_back();
     times.push_back(frame.time);
-    for (const NodeSeparation& separation : frame.separations) margins.back().push_back(separation.margin);
+    for (const NodeSeparation& separation : frame.separations) utilizations.back().push_back(separation.utilization);
   }
   const Frame frame = world.frame();
-  ASSERT_GT(frame.positions.size(), margins.front().size());
+  ASSERT_GT(frame.positions.size(), utilizations.front().size());
   for (std::size_t node = 0; node < frame.positions.size(); ++node) {
     const NodeId id(static_cast<std::int64_t>(node));
     std::size_t steps = 0, breaks = 0;
-    for (const ui::MarginSample& sample : history.samples(frame, id)) {
+    for (const ui::UtilizationSample& sample : history.samples(frame, id)) {
       breaks += sample.broke;
-      EXPECT_TRUE(!sample.broke || sample.margin > 1);
+      EXPECT_TRUE(!sample.broke || sample.utilization > 1);
       if (sample.broke) continue;
       EXPECT_EQ(sample.time, times[steps]);
-      const bool known = node < margins[steps].size();
-      EXPECT_TRUE(!known || sample.margin == static_cast<float>(margins[steps][node]));
+      const bool known = node < utilizations[steps].size();
+      EXPECT_TRUE(!known || sample.utilization == static_cast<float>(utilizations[steps][node]));
       ++steps;
     }
     EXPECT_EQ(steps, times.size()) << node;
@@ -102,12 +102,12 @@ TEST(MarginHistory, HasThePastOfEveryNodeAndOfWhatCopiesWerePartOf) {
   }
 }
 
-TEST(MarginHistory, ForgetsTheOldestStepsWhenItIsFull) {
+TEST(UtilizationHistory, ForgetsTheOldestStepsWhenItIsFull) {
   Scene scene = small_wall();
   scene.simulation.fracture = false;  // cracks would make nodes
   World world(scene);
   const std::size_t nodes = world.frame().positions.size();
-  MarginHistory history(5 * nodes);
+  UtilizationHistory history(5 * nodes);
   for (int step = 0; step < 4; ++step) {
     world.step();
     history.record(world.frame());
@@ -151,7 +151,7 @@ TEST(Verdict, SaysWhetherAndWhyANodeBroke) {
     const NodeReport report = node_report(frame, NodeId(static_cast<std::int64_t>(i)));
     const ui::Verdict verdict = ui::verdict_on(report, frame, true);
     EXPECT_FALSE(verdict.text.empty());
-    const bool overloaded = report.separation.margin > 1 && !frame.bodies[report.body].rigid;
+    const bool overloaded = report.separation.utilization > 1 && !frame.bodies[report.body].rigid;
     EXPECT_EQ(verdict.kind == Kind::overloaded, overloaded);
     EXPECT_EQ(verdict.kind == Kind::broke, !report.events.empty() && !overloaded);
   }
@@ -168,8 +168,8 @@ TEST(Verdict, TellsWhatStoodInForTheMaterial) {
   ASSERT_FALSE(frame.crack_events.empty());
   const CrackEvent event = frame.crack_events.front();  // later steps move the others
   ASSERT_TRUE(event.scaled);
-  const double share = 100 * event.scaled->factor * event.scaled->factor;
-  const std::string told = "Shown at " + ui::format_quantity(share, "", 2) + " % of its stiffness, " +
+  const double fraction = 100 * event.scaled->factor * event.scaled->factor;
+  const std::string told = "Shown at " + ui::format_quantity(fraction, "", 2) + " % of its stiffness, " +
                            ui::format_quantity(1 / event.scaled->factor, "", 2) + " times slower: ";
   const std::string verdict = ui::verdict_on(node_report(frame, event.node), frame, true).text;
   EXPECT_NE(verdict.find(told + reason(*event.scaled)), std::string::npos) << verdict;
@@ -196,10 +196,10 @@ TEST(Verdict, KnowsThatTheSceneKeepsItWhole) {
   World world(scene);
   do {
     world.step();
-  } while (world.frame().separations[most_loaded_node(world.frame())].margin <= 1 && world.frame().step < 60);
+  } while (world.frame().separations[most_loaded_node(world.frame())].utilization <= 1 && world.frame().step < 60);
   const Frame frame = world.frame();
   const NodeReport report = node_report(frame, most_loaded_node(frame));
-  ASSERT_GT(report.separation.margin, 1);
+  ASSERT_GT(report.separation.utilization, 1);
   EXPECT_NE(ui::verdict_on(report, frame, false).text.find("does not let bodies break"), std::string::npos);
 }
 

@@ -1,4 +1,4 @@
-#include "app/shooting.h"
+#include "app/editor/shooting.h"
 
 #include <gtest/gtest.h>
 

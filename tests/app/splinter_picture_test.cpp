@@ -1,12 +1,12 @@
-#include "app/splinter_picture.h"
+#include "app/picture/splinter_picture.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "app/draw_scene_from_frame.h"
-#include "app/export_pieces.h"
+#include "app/output/export_pieces.h"
+#include "app/picture/draw_scene_from_frame.h"
 #include "program.h"
 #include "renderer/egl_context.h"
 #include "renderer/renderer.h"

@@ -1,4 +1,4 @@
-#include "app/statistics.h"
+#include "app/output/statistics.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program.h"
-#include "sim/replace_file.h"
+#include "sim/core/replace_file.h"
 #include "sim/world/step_counters.h"
 
 namespace griffith::app {

@@ -1,10 +1,10 @@
-#include "app/steady_range.h"
+#include "app/picture/steady_range.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "app/quantities.h"
+#include "app/picture/quantities.h"
 #include "program.h"
 #include "sim/world/world.h"
 

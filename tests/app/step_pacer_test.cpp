@@ -1,4 +1,4 @@
-#include "app/step_pacer.h"
+#include "app/editor/step_pacer.h"
 
 #include <gtest/gtest.h>
 

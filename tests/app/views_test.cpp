@@ -5,13 +5,13 @@
 #include <memory>
 #include <numeric>
 
-#include "app/draw_scene_from_frame.h"
-#include "app/glyph_shape.h"
-#include "app/named_view.h"
-#include "app/output.h"
-#include "app/picture_options.h"
-#include "app/scene_legend.h"
-#include "app/shown_mesh.h"
+#include "app/output/output.h"
+#include "app/picture/draw_scene_from_frame.h"
+#include "app/picture/glyph_shape.h"
+#include "app/picture/named_view.h"
+#include "app/picture/picture_options.h"
+#include "app/picture/scene_legend.h"
+#include "app/picture/shown_mesh.h"
 #include "program.h"
 #include "renderer/egl_context.h"
 #include "sim/scene/view_quantity.h"
@@ -150,19 +150,19 @@ TEST_F(ViewsTest, EveryQuantityAndStyleGivesAPictureOfItsOwn) {
 }
 
 TEST_F(ViewsTest, NothingOfAViewInfluencesAnother) {
-  const render::Image before = picture(*struck_, "margin");
+  const render::Image before = picture(*struck_, "utilization");
   for (const ViewLayerInfo& layer : view_layers()) picture(*struck_, std::string(layer.key) + "+slice");
-  EXPECT_EQ(picture(*struck_, "margin"), before);
+  EXPECT_EQ(picture(*struck_, "utilization"), before);
 }
 
 TEST_F(ViewsTest, UnknownNamesAreRefusedWithAllThatThereAre) {
   ViewSettings view;
   try {
-    use_named_view(view, "margin+sliced", world_->frame(), Vec3::UnitZ());
+    use_named_view(view, "utilization+sliced", world_->frame(), Vec3::UnitZ());
     FAIL();
   } catch (const InputError& error) {
     EXPECT_NE(error.problem().find("sliced"), std::string::npos);
-    for (const char* known : {"margin", "stress_axes", "wireframe", "slice"})
+    for (const char* known : {"utilization", "stress_axes", "wireframe", "slice"})
       EXPECT_NE(error.remedy().find(known), std::string::npos);
   }
 }

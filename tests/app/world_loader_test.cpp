@@ -1,14 +1,14 @@
-#include "app/world_loader.h"
+#include "app/editor/world_loader.h"
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <future>
 
-#include "app/expected_mesh.h"
+#include "app/shared/expected_mesh.h"
 #include "program.h"
-#include "sim/error.h"
-#include "sim/world/shapes.h"
+#include "sim/core/error.h"
+#include "sim/world/setup/shapes.h"
 
 namespace griffith::app {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <optional>
 
-#include "app/draw_scene_from_frame.h"
-#include "app/skin_picture.h"
+#include "app/picture/draw_scene_from_frame.h"
+#include "app/picture/skin_picture.h"
 #include "sim/world/world.h"
 
 namespace griffith {

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "sim/core/parallel.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/topology.h"
-#include "sim/parallel.h"
 #include "sim/shock/solid.h"
 
 namespace griffith::shock {

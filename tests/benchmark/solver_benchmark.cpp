@@ -4,7 +4,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "sim/parallel.h"
+#include "sim/core/parallel.h"
 #include "tests/solver/cracked_wall.h"
 
 namespace griffith {

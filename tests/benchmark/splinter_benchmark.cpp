@@ -3,7 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "app/draw_scene_from_frame.h"
+#include "app/picture/draw_scene_from_frame.h"
 #include "renderer/egl_context.h"
 #include "renderer/embedded_pass.h"
 #include "sim/mesh/box_mesh.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "sim/contact/contact_world.h"
-#include "sim/contact/convex_hull.h"
+#include "sim/geometry/convex_hull.h"
 #include "tests/contact/bodies.h"
 
 namespace griffith {

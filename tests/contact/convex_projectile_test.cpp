@@ -4,7 +4,7 @@
 #include <random>
 
 #include "sim/contact/mass_properties.h"
-#include "sim/free_turn.h"
+#include "sim/core/free_turn.h"
 #include "tests/contact/bodies.h"
 
 namespace griffith {
@@ -65,9 +65,9 @@ TEST(ConvexProjectile, NoneOfThemPassesThroughAThinPlate) {
     for (int trial = 0; trial < 16; ++trial) {
       ContactWorld world(Vec3::Zero());
       const Vec3 size(3, 3, 0.1);
-      const bool held = trial % 2 == 0;
-      const ProxyId plate =
-          world.add_proxy(box_parts(size), box_mass(size, 80), held ? Mobility::held : Mobility::free, {}, {});
+      const bool kinematic = trial % 2 == 0;
+      const ProxyId plate = world.add_proxy(box_parts(size), box_mass(size, 80),
+                                            kinematic ? Mobility::kinematic : Mobility::free, {}, {});
       const Convex convex = centred(shape, 1);
       RigidState state;
       state.pose.translation = Vec3(0.5 * uniform(random), 0.5 * uniform(random), 3 + uniform(random));
@@ -79,7 +79,7 @@ TEST(ConvexProjectile, NoneOfThemPassesThroughAThinPlate) {
       for (int i = 0; i < 20; ++i) {
         testing::solve(world, kDt);
         for (const Contact& contact : world.contacts()) total += contact.a == shot ? contact.impulse : -contact.impulse;
-        if (!held) testing::advance(world, plate, kDt);
+        if (!kinematic) testing::advance(world, plate, kDt);
       }
       const RigidState end = world.state(shot), plate_end = world.state(plate);
       EXPECT_GT((end.pose.translation - plate_end.pose.translation).dot(plate_end.pose.rotation * Vec3::UnitZ()), 0)

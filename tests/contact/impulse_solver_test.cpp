@@ -7,7 +7,7 @@
 namespace griffith::contact {
 namespace {
 
-constexpr SolverLimits kExact{.work = 1'000'000'000, .least_sweeps = 1, .most_sweeps = 5000, .tolerance = 1e-12};
+constexpr SolverLimits kExact{.work = 1'000'000'000, .min_sweeps = 1, .max_sweeps = 5000, .tolerance = 1e-12};
 
 Mat3 axes_along(const Vec3& normal) {
   Mat3 axes;
@@ -16,17 +16,17 @@ Mat3 axes_along(const Vec3& normal) {
 }
 
 SolverBody moving(double mass, const Vec3& velocity) {
-  SolverBody responder;
-  responder.inverse_mass = 1 / mass;
-  responder.inverse_inertia = 10 / mass * Mat3::Identity();
-  responder.velocity = velocity;
-  return responder;
+  SolverBody solver_body;
+  solver_body.inverse_mass = 1 / mass;
+  solver_body.inverse_inertia = 10 / mass * Mat3::Identity();
+  solver_body.velocity = velocity;
+  return solver_body;
 }
 
 ContactConstraint touch(int a, int b, const Vec3& normal, double friction = 0) {
   ContactConstraint row;
-  row.a.responder = a;
-  row.b.responder = b;
+  row.a.solver_body = a;
+  row.b.solver_body = b;
   row.axes = axes_along(normal);
   row.friction = friction;
   return row;
@@ -34,47 +34,47 @@ ContactConstraint touch(int a, int b, const Vec3& normal, double friction = 0) {
 
 /// A column of unit masses on an immovable one, all falling at 1 m/s: contact k carries what lies above it.
 struct Column {
-  explicit Column(int count) : responders(1) {
+  explicit Column(int count) : solver_bodies(1) {
     for (int i = 1; i <= count; ++i) {
-      responders.push_back(moving(1, -Vec3::UnitY()));
+      solver_bodies.push_back(moving(1, -Vec3::UnitY()));
       rows.push_back(touch(i, i - 1, Vec3::UnitY()));
     }
   }
-  std::vector<SolverBody> responders;
+  std::vector<SolverBody> solver_bodies;
   std::vector<ContactConstraint> rows;
 };
 
 TEST(ImpulseSolver, AColumnRestsOnWhatEachContactCarries) {
   Column column(30);
-  solve_impulses(column.rows, column.responders, kExact);
+  solve_impulses(column.rows, column.solver_bodies, kExact);
   for (int i = 0; i < 30; ++i) EXPECT_NEAR(column.rows[i].impulse[0], 30 - i, 1e-6);
-  for (const SolverBody& responder : column.responders) EXPECT_LT(responder.velocity.norm(), 1e-7);
+  for (const SolverBody& solver_body : column.solver_bodies) EXPECT_LT(solver_body.velocity.norm(), 1e-7);
 }
 
 TEST(ImpulseSolver, ConjugateStepsFindTheColumnsImpulsesInFewSweeps) {
   Column column(30);  // plain sweeps are half-way by then
-  solve_impulses(column.rows, column.responders, {.work = 1 << 20, .most_sweeps = 200, .tolerance = 0});
+  solve_impulses(column.rows, column.solver_bodies, {.work = 1 << 20, .max_sweeps = 200, .tolerance = 0});
   for (int i = 0; i < 30; ++i) EXPECT_NEAR(column.rows[i].impulse[0], 30 - i, 1e-2);
 }
 
 TEST(ImpulseSolver, FrictionStopsASlideOrOpposesItWithItsLimit) {
   for (const double friction : {0.3, 0.5}) {
-    std::vector<SolverBody> responders = {SolverBody{}, moving(2, Vec3(0.4, -1, 0))};
-    responders[1].inverse_inertia.setZero();
+    std::vector<SolverBody> solver_bodies = {SolverBody{}, moving(2, Vec3(0.4, -1, 0))};
+    solver_bodies[1].inverse_inertia.setZero();
     std::vector<ContactConstraint> rows = {touch(1, 0, Vec3::UnitY(), friction)};
-    solve_impulses(rows, responders, kExact);
+    solve_impulses(rows, solver_bodies, kExact);
     EXPECT_NEAR(rows[0].impulse[0], 2, 1e-9);
-    EXPECT_NEAR(responders[1].velocity.x(), std::max(0.0, 0.4 - friction), 1e-9) << friction;
+    EXPECT_NEAR(solver_bodies[1].velocity.x(), std::max(0.0, 0.4 - friction), 1e-9) << friction;
   }
 }
 
 /// Random objects with random contacts between them and with an immovable one.
 struct Heap {
-  explicit Heap(int seed, double friction) : responders(1) {
+  explicit Heap(int seed, double friction) : solver_bodies(1) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> uniform(-1, 1);
     const auto vector = [&] { return Vec3(uniform(random), uniform(random), uniform(random)); };
-    for (int i = 1; i <= 12; ++i) responders.push_back(moving(std::exp(2 * uniform(random)), vector()));
+    for (int i = 1; i <= 12; ++i) solver_bodies.push_back(moving(std::exp(2 * uniform(random)), vector()));
     for (int i = 0; i < 24; ++i) {
       const int a = 1 + i % 12, b = static_cast<int>(random() % 13);
       if (a == b) continue;
@@ -85,28 +85,28 @@ struct Heap {
   }
   Vec3 velocity(const ContactConstraint& row) const {
     const auto at = [&](const ContactEnd& end) {
-      const SolverBody& responder = responders[end.responder];
-      return Vec3(responder.velocity + responder.angular_velocity.cross(end.arm));
+      const SolverBody& solver_body = solver_bodies[end.solver_body];
+      return Vec3(solver_body.velocity + solver_body.angular_velocity.cross(end.arm));
     };
     return row.axes.transpose() * (at(row.a) - at(row.b));
   }
   double energy() const {
     double energy = 0;
-    for (const SolverBody& responder : responders) {
-      if (responder.inverse_mass == 0) continue;
-      energy += 0.5 / responder.inverse_mass *
-                (responder.velocity.squaredNorm() + responder.angular_velocity.squaredNorm() / 10);
+    for (const SolverBody& solver_body : solver_bodies) {
+      if (solver_body.inverse_mass == 0) continue;
+      energy += 0.5 / solver_body.inverse_mass *
+                (solver_body.velocity.squaredNorm() + solver_body.angular_velocity.squaredNorm() / 10);
     }
     return energy;
   }
-  std::vector<SolverBody> responders;
+  std::vector<SolverBody> solver_bodies;
   std::vector<ContactConstraint> rows;
 };
 
 TEST(ImpulseSolver, SolvesTheComplementarityProblem) {
   for (int seed = 0; seed < 20; ++seed) {
     Heap heap(seed, 0);
-    solve_impulses(heap.rows, heap.responders, kExact);
+    solve_impulses(heap.rows, heap.solver_bodies, kExact);
     for (const ContactConstraint& row : heap.rows) {
       const double parting = heap.velocity(row)[0];
       EXPECT_GE(row.impulse[0], 0);
@@ -120,7 +120,7 @@ TEST(ImpulseSolver, KeepsToTheLimitsOfFrictionHoweverEarlyItEnds) {
   for (int seed = 0; seed < 20; ++seed)
     for (int sweeps : {1, 2, 3, 7, 200}) {
       Heap heap(seed, 0.6);
-      solve_impulses(heap.rows, heap.responders, {.least_sweeps = 1, .most_sweeps = sweeps});
+      solve_impulses(heap.rows, heap.solver_bodies, {.min_sweeps = 1, .max_sweeps = sweeps});
       for (const ContactConstraint& row : heap.rows)
         EXPECT_LE(row.impulse.tail<2>().norm(), row.friction * row.impulse[0] * (1 + 1e-12) + 1e-15);
     }
@@ -130,23 +130,23 @@ TEST(ImpulseSolver, AddsNoEnergy) {
   for (int seed = 0; seed < 20; ++seed) {
     Heap heap(seed, 0.6);
     const double before = heap.energy();
-    solve_impulses(heap.rows, heap.responders);
+    solve_impulses(heap.rows, heap.solver_bodies);
     EXPECT_LE(heap.energy(), before) << seed;
   }
 }
 
 TEST(ImpulseSolver, GroupsThatDoNotTouchDoNotKnowOfEachOther) {
   Heap left(1, 0.6), right(2, 0.6), both(1, 0.6);
-  solve_impulses(left.rows, left.responders);
-  solve_impulses(right.rows, right.responders);
+  solve_impulses(left.rows, left.solver_bodies);
+  solve_impulses(right.rows, right.solver_bodies);
   const Heap fresh(2, 0.6);
-  for (std::size_t i = 1; i < fresh.responders.size(); ++i) both.responders.push_back(fresh.responders[i]);
+  for (std::size_t i = 1; i < fresh.solver_bodies.size(); ++i) both.solver_bodies.push_back(fresh.solver_bodies[i]);
   for (ContactConstraint row : fresh.rows) {
     for (ContactEnd* end : {&row.a, &row.b})
-      if (end->responder > 0) end->responder += 12;
+      if (end->solver_body > 0) end->solver_body += 12;
     both.rows.push_back(row);
   }
-  solve_impulses(both.rows, both.responders);
+  solve_impulses(both.rows, both.solver_bodies);
   for (std::size_t i = 0; i < left.rows.size(); ++i) EXPECT_EQ(both.rows[i].impulse, left.rows[i].impulse);
   for (std::size_t i = 0; i < right.rows.size(); ++i)
     EXPECT_EQ(both.rows[left.rows.size() + i].impulse, right.rows[i].impulse);

@@ -1,4 +1,4 @@
-#include "sim/point_compliance.h"
+#include "sim/core/point_compliance.h"
 
 #include <gtest/gtest.h>
 

@@ -105,7 +105,7 @@ TEST(ProxyContact, AHeldObjectActsWithItsVelocityAndKeepsIt) {
   ContactWorld world(Vec3::Zero());
   const Vec3 size(1, 1, 1);
   const ProxyId wall =
-      world.add_proxy(box_parts(size), box_mass(size, 5), Mobility::held, at(Vec3::Zero(), Vec3(2, 0, 0)), {0, 1});
+      world.add_proxy(box_parts(size), box_mass(size, 5), Mobility::kinematic, at(Vec3::Zero(), Vec3(2, 0, 0)), {0, 1});
   const ProxyId box =
       world.add_proxy(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(1.001, 0, 0)), {0, 1});
   substep(world, {wall, box}, kHalfDt);
@@ -117,17 +117,18 @@ TEST(ProxyContact, HeldObjectsMeetTheGroundOnlyWhereTheyMoveAndNeverEachOther) {
   ContactWorld world(Vec3(0, -9.81, 0));
   const ProxyId ground = world.add_ground(0, {});
   const Vec3 size(1, 1, 1);
-  std::vector<ProxyId> held;
+  std::vector<ProxyId> kinematic;
   for (double x : {0.0, 0.5})
-    held.push_back(world.add_proxy(box_parts(size), box_mass(size, 5), Mobility::held, at(Vec3(x, 0, 0)), {}));
+    kinematic.push_back(
+        world.add_proxy(box_parts(size), box_mass(size, 5), Mobility::kinematic, at(Vec3(x, 0, 0)), {}));
   world.detect();
   EXPECT_TRUE(world.contacts().empty());
   world.solve(kHalfDt);
-  world.set_state(held[0], at(Vec3(0, 0.01, 0)));
+  world.set_state(kinematic[0], at(Vec3(0, 0.01, 0)));
   world.detect();
   EXPECT_FALSE(world.contacts().empty());
   for (const Contact& contact : world.contacts()) {
-    EXPECT_TRUE(contact.a == held[0] || contact.b == held[0]);
+    EXPECT_TRUE(contact.a == kinematic[0] || contact.b == kinematic[0]);
     EXPECT_TRUE(contact.a == ground || contact.b == ground);
   }
 }

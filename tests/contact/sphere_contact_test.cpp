@@ -182,9 +182,9 @@ TEST(SphereContact, NothingPassesThroughAThinPlate) {
   for (int trial = 0; trial < 40; ++trial) {
     ContactWorld world(Vec3::Zero());
     const Vec3 size(2, 2, trial % 2 ? 0.1 : 0.01);
-    const bool held = trial % 4 < 2;
+    const bool kinematic = trial % 4 < 2;
     const ProxyId plate =
-        world.add_proxy(box_parts(size), box_mass(size, 80), held ? Mobility::held : Mobility::free, {}, {});
+        world.add_proxy(box_parts(size), box_mass(size, 80), kinematic ? Mobility::kinematic : Mobility::free, {}, {});
     const Vec3 aim(0.5 * uniform(random), 0.5 * uniform(random), 0);
     const Vec3 start = aim + Vec3(0.3 * uniform(random), 0.3 * uniform(random), 3 + uniform(random));
     const double speed = 100;
@@ -194,12 +194,12 @@ TEST(SphereContact, NothingPassesThroughAThinPlate) {
     for (int i = 0; i < 30; ++i) {
       testing::solve(world, kDt);
       for (const Contact& contact : world.contacts()) total += contact.a == ball ? contact.impulse : -contact.impulse;
-      if (!held) testing::advance(world, plate, kDt);
+      if (!kinematic) testing::advance(world, plate, kDt);
     }
     const RigidState end = world.state(ball), plate_end = world.state(plate);
     EXPECT_GT((end.pose.translation - plate_end.pose.translation).dot(plate_end.pose.rotation * Vec3::UnitZ()), 0);
     EXPECT_LT((end.velocity - velocity - total).norm(), 1e-9);
-    EXPECT_GE(total.z(), held ? -velocity.z() - 0.2 : 1.0);
+    EXPECT_GE(total.z(), kinematic ? -velocity.z() - 0.2 : 1.0);
   }
 }
 
@@ -212,7 +212,7 @@ TEST(SphereContact, NothingThatSlidesAlongOneWallEntersTheNext) {
   for (const double way : {0.02, 0.05, 0.1, 0.15})
     for (const double height : {0.0, 1e-4, 1e-3, 5e-3}) {
       ContactWorld world(Vec3(0, -9.81, 0));
-      world.add_proxy(corner, box_mass(Vec3::Ones(), 80), Mobility::held, {}, {0, 0});
+      world.add_proxy(corner, box_mass(Vec3::Ones(), 80), Mobility::kinematic, {}, {0, 0});
       const Vec3 start(kWall - kRadius - way, kRadius + height, 0);
       const ProxyId ball = world.add_sphere(kRadius, 1, at(start, Vec3(20, -2 * height / kDt, 0)), {0, 0});
       for (int i = 0; i < 3; ++i) {
@@ -235,7 +235,7 @@ TEST(SphereContact, AnImpactIsForetold) {
   for (bool approaching : {true, false}) {
     ContactWorld world(Vec3(0, -9.81, 0));
     const Vec3 size(2, 2, 0.1);
-    const ProxyId plate = world.add_proxy(box_parts(size), box_mass(size, 80), Mobility::held, {}, {});
+    const ProxyId plate = world.add_proxy(box_parts(size), box_mass(size, 80), Mobility::kinematic, {}, {});
     world.set_impact_speed(plate, 10);
     world.add_sphere(0.2, 25, at(Vec3(0, 0, 0.5), Vec3(0, 0, approaching ? -40 : 40)), {});
     world.detect();
@@ -250,7 +250,7 @@ TEST(SphereContact, AnImpactIsForetold) {
 TEST(SphereContact, TimeBeforeAnImpactIsThatOfFreeFlight) {
   ContactWorld world(Vec3::Zero());
   const Vec3 size(2, 2, 0.1);
-  world.set_impact_speed(world.add_proxy(box_parts(size), box_mass(size, 80), Mobility::held, {}, {}), 10);
+  world.set_impact_speed(world.add_proxy(box_parts(size), box_mass(size, 80), Mobility::kinematic, {}, {}), 10);
   world.add_sphere(0.2, 25, at(Vec3(0, 0, 0.5), Vec3(0, 0, -40)), {});   // 0.25 m off
   world.add_sphere(0.2, 25, at(Vec3(0, 0, -0.6), Vec3(0, 0, 50)), {});   // 0.35 m off
   world.add_sphere(0.2, 25, at(Vec3(0.7, 0, 0.3), Vec3(0, 0, -9)), {});  // too slow to hurt

@@ -1,9 +1,9 @@
-#include "sim/read_file.h"
+#include "sim/core/read_file.h"
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "test_folder.h"
 
 namespace griffith {
@@ -12,9 +12,9 @@ namespace {
 using ::testing::HasSubstr;
 using namespace griffith::testing;
 
-std::string problem_of(const std::filesystem::path& path, std::int64_t most_bytes = 1000) {
+std::string problem_of(const std::filesystem::path& path, std::int64_t max_bytes = 1000) {
   try {
-    read_file(path, most_bytes);
+    read_file(path, max_bytes);
   } catch (const InputError& error) {
     EXPECT_EQ(error.where(), path.string());
     return error.problem();

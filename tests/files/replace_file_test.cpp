@@ -1,4 +1,4 @@
-#include "sim/replace_file.h"
+#include "sim/core/replace_file.h"
 
 #include <gmock/gmock.h>
 #include <sys/resource.h>
@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "test_folder.h"
 
 namespace griffith {

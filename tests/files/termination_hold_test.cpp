@@ -1,4 +1,4 @@
-#include "sim/termination_hold.h"
+#include "sim/core/termination_hold.h"
 
 #include <csignal>
 #include <cstdio>

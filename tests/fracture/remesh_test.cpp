@@ -61,7 +61,7 @@ Remeshable box(BoxPattern pattern, unsigned seed, double noise = 0) {
 }
 
 /// Takes no node for part of the plane that is not, and never refuses.
-RemeshOptions exact() { return {.limits = {}, .snap_share = 0, .snap_angle = 1e-9, .crack_angle = 1e-9}; }
+RemeshOptions exact() { return {.limits = {}, .snap_fraction = 0, .snap_angle = 1e-9, .crack_angle = 1e-9}; }
 
 NodeId node_nearest(const Remeshable& body, const Vec3& place) {
   int nearest = 0;
@@ -90,7 +90,7 @@ TEST(Remesh, RandomAbuseKeepsEveryInvariant) {
     Remeshable body(soup, seed, 0.05 * size);
     const double quality = std::min(body.worst_quality(), 0.1);
     RemeshOptions options;
-    options.limits = {.least_length = size / 4, .least_quality = 0.1};
+    options.limits = {.min_length = size / 4, .min_quality = 0.1};
     const Eigen::VectorXd before = conserved(body);
     const int tets = body.mesh.tet_count(), cuts = 60;
     for (int i = 0; i < cuts; ++i) {
@@ -179,16 +179,16 @@ TEST(Remesh, ThousandsOfCutsComeToAnEnd) {
   for (BoxPattern pattern : kPatterns) {
     RandomValues random(6);
     Remeshable body = box(pattern, 6);
-    const BisectionLimits limits{.least_length = 0.1, .least_quality = 0.1};
+    const BisectionLimits limits{.min_length = 0.1, .min_quality = 0.1};
     for (int i = 0; i < 3000; ++i) {
       const NodeId node(random.index(body.mesh.node_count()));
       body.remesh(node, random.direction(), {.limits = limits});
     }
     EXPECT_THAT(check_invariants(body.mesh), ::testing::IsEmpty());
-    EXPECT_GE(body.worst_quality(), limits.least_quality);
+    EXPECT_GE(body.worst_quality(), limits.min_quality);
     // No tet is smaller than one of the least quality with the least edges.
-    const double least_volume = limits.least_quality * std::pow(limits.least_length, 3) / (6 * std::sqrt(2));
-    EXPECT_LT(body.mesh.tet_count(), 2 / least_volume);
+    const double min_volume = limits.min_quality * std::pow(limits.min_length, 3) / (6 * std::sqrt(2));
+    EXPECT_LT(body.mesh.tet_count(), 2 / min_volume);
   }
 }
 
@@ -211,7 +211,7 @@ TEST(Remesh, WhereNothingMayBeCutItFollowsFaces) {
   const int tets = body.mesh.tet_count(), nodes = body.mesh.node_count();
   int refused = 0;
   for (int node = 0; node < nodes; ++node)
-    refused += body.remesh(NodeId(node), random.direction(), {.limits = {.least_length = 1}}).cut.refused_edges;
+    refused += body.remesh(NodeId(node), random.direction(), {.limits = {.min_length = 1}}).cut.refused_edges;
   EXPECT_EQ(body.mesh.tet_count(), tets);
   EXPECT_GT(body.mesh.node_count(), nodes) << "nodes are parted all the same";
   EXPECT_GT(refused, nodes / 2);

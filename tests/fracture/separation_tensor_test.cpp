@@ -142,7 +142,7 @@ TEST(CandidatePlane, TakesTheWeakestDirectionUnderAUniaxialLoad) {
       const DirectionalStrength strength = directional_strength({WeaknessKind::grain, axis, ratio}, axis);
       const CandidatePlane plane = bar.plane(node, strength);
       const double expected = std::pow(std::cos(angle), 2) + std::pow(std::sin(angle), 2) / ratio;
-      EXPECT_NEAR(plane.stress / strength.share(plane.normal), kStress * expected, 1e-4 * kStress * expected)
+      EXPECT_NEAR(plane.stress / strength.fraction(plane.normal), kStress * expected, 1e-4 * kStress * expected)
           << "ratio " << ratio << ", angle " << angle;
     }
 }

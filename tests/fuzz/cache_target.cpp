@@ -1,8 +1,8 @@
+#include "sim/core/temporary_folder.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/meshing/mesh_cache.h"
 #include "sim/meshing/mesh_surface.h"
-#include "sim/meshing/temporary_folder.h"
 #include "tests/fuzz/mutate_bytes.h"
 #include "tests/fuzz/mutate_soup.h"
 #include "tests/fuzz/target.h"
@@ -33,7 +33,7 @@ class CacheTarget : public Target {
   CacheTarget() { prepare_surface(surface_); }
 
   std::string name() const override { return "cache"; }
-  int share() const override { return 100; }
+  int fraction() const override { return 100; }
 
   Input make(RandomValues& random) const override {
     const TemporaryFolder folder;
@@ -52,13 +52,13 @@ class CacheTarget : public Target {
     setup.cache = folder;
     std::filesystem::rename(folder / input.entry, cache_entry(folder, surface_, options_));
     SurfaceMesh mesh = mesh_surface(surface_, options_, setup);
-    if (mesh.soup.tets.size() > kMostTets) return Outcome::too_large;
+    if (mesh.soup.tets.size() > kMaxTets) return Outcome::too_large;
     prepare(mesh.soup, "cached mesh");
     return mesh.from_cache ? Outcome::ran : Outcome::refused;
   }
 
  private:
-  static constexpr std::size_t kMostTets = 2000;
+  static constexpr std::size_t kMaxTets = 2000;
   TriangleSurface surface_ = testing::box_surface(Vec3(0, 0, 0), Vec3(2, 1, 1));
   MeshingOptions options_ = {.method = MeshingMethod::volumetric, .element_size = 1};
 };

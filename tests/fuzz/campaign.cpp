@@ -10,8 +10,8 @@
 #include <set>
 #include <system_error>
 
-#include "sim/meshing/temporary_folder.h"
-#include "sim/parallel.h"
+#include "sim/core/parallel.h"
+#include "sim/core/temporary_folder.h"
 #include "tests/fuzz/minimize.h"
 
 namespace griffith::fuzz {
@@ -38,7 +38,7 @@ class Job {
 
   /// Returns the number of different failures.
   int run() {
-    while (!at_end(next_) && std::ssize(known_) < campaign_.most_findings)
+    while (!at_end(next_) && std::ssize(known_) < campaign_.max_findings)
       if (const auto failure = sandbox_.run([this] { work(); })) {
         const std::uint64_t failed = sandbox_.report().input;
         save(failed, *failure);
@@ -107,9 +107,9 @@ class Job {
 NumberedInput make_input(const Targets& targets, std::uint64_t seed, std::uint64_t number) {
   RandomValues random(static_cast<unsigned>(mixed(mixed(seed) + number)));
   int sum = 0;
-  for (const auto& target : targets) sum += target->share();
+  for (const auto& target : targets) sum += target->fraction();
   std::size_t index = 0;
-  for (int at = random.index(sum); at >= targets[index]->share(); ++index) at -= targets[index]->share();
+  for (int at = random.index(sum); at >= targets[index]->fraction(); ++index) at -= targets[index]->fraction();
   return {targets[index].get(), index, targets[index]->make(random)};
 }
 

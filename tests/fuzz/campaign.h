@@ -18,7 +18,7 @@ struct Campaign {
   int jobs = 1;                                                      ///< processes at once
   int threads = 1;                                                   ///< of the simulation, in each
   bool minimize = true;                                              ///< makes inputs that fail smaller
-  int most_findings = 20;                                            ///< a job ends after so many
+  int max_findings = 20;                                             ///< a job ends after so many
   std::filesystem::path findings = "fuzz_findings";                  ///< folder for inputs that fail
   Limits limits;
 };

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "sim/meshing/temporary_folder.h"
+#include "sim/core/temporary_folder.h"
 #include "tests/fuzz/campaign.h"
 
 namespace griffith::fuzz {
@@ -58,7 +58,7 @@ int run(int argc, char** argv) {
   app.add_option("--threads", campaign.threads, "Threads of the simulation in each process")->check(CLI::Range(1, 256));
   app.add_option("--target", target, "scene, mesh, surface, cells, points or cache alone");
   app.add_option("--findings", campaign.findings, "Folder for inputs that fail");
-  app.add_option("--most-findings", campaign.most_findings, "A job ends after so many different ones");
+  app.add_option("--most-findings", campaign.max_findings, "A job ends after so many different ones");
   app.add_flag("!--as-they-are", campaign.minimize, "Saves inputs that fail without making them smaller");
   app.add_option("--hang", campaign.limits.seconds, "Processor seconds after which an input counts as hanging");
   app.add_option("--replay", single, "An input by itself; needs --target")->check(CLI::ExistingPath);

@@ -42,7 +42,7 @@ Scene scene_of(const std::filesystem::path& path, const MeshReport& report) {
 class MeshTarget : public Target {
  public:
   std::string name() const override { return "mesh"; }
-  int share() const override { return 500; }
+  int fraction() const override { return 500; }
 
   Input make(RandomValues& random) const override {
     const bool odd = chance(random, 0.5);
@@ -61,13 +61,13 @@ class MeshTarget : public Target {
     std::int64_t skipped = 0;
     TetSoup soup = read_mesh(path, &skipped);
     promise(skipped >= 0, "a negative number of elements was skipped");
-    if (soup.tets.size() > kMostTets) return Outcome::too_large;
+    if (soup.tets.size() > kMaxTets) return Outcome::too_large;
     TetMesh mesh;
     const MeshReport report = prepare(soup, "mesh", &mesh);
     findings(report);
     promise(report.volume > 0, "a mesh without volume is called good");
     write_and_read(soup, folder);
-    run_world(scene_of(path, report), kMostSteps, report.slivers > 0);
+    run_world(scene_of(path, report), kMaxSteps, report.slivers > 0);
     return Outcome::ran;
   }
 
@@ -78,8 +78,8 @@ class MeshTarget : public Target {
     promise(again.points == soup.points && again.tets == soup.tets, "written and read, it is another mesh");
   }
 
-  static constexpr std::size_t kMostTets = 2000;
-  static constexpr int kMostSteps = 2;
+  static constexpr std::size_t kMaxTets = 2000;
+  static constexpr int kMaxSteps = 2;
   std::vector<TetSoup> soups_ = small_soups();
 };
 

@@ -84,12 +84,12 @@ class Minimizer {
     return parts;
   }
 
-  static constexpr std::chrono::seconds kMostTime{30};
+  static constexpr std::chrono::seconds kMaxTime{30};
   Sandbox& sandbox_;
   const Target& target_;
   Input best_;
   std::string signature_;
-  Clock::time_point deadline_ = Clock::now() + kMostTime;
+  Clock::time_point deadline_ = Clock::now() + kMaxTime;
 };
 
 }  // namespace

@@ -112,8 +112,8 @@ void exchange(std::string& text, Stretch a, Stretch b) {
 
 /// A whole number near the one that stands there: counts and indices that are off by a little.
 std::string near_number(const std::string& word, RandomValues& random) {
-  constexpr std::size_t kMostDigits = 9;
-  const bool whole = !word.empty() && word.size() <= kMostDigits && word.find_first_not_of("0123456789") == word.npos;
+  constexpr std::size_t kMaxDigits = 9;
+  const bool whole = !word.empty() && word.size() <= kMaxDigits && word.find_first_not_of("0123456789") == word.npos;
   return whole ? std::to_string(std::stoi(word) - 3 + random.index(7)) : pick(random, extreme_words());
 }
 

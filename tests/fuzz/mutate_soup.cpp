@@ -96,8 +96,8 @@ void add_neighbour(TetSoup& soup, RandomValues& random) {
 }
 
 void thin_out(TetSoup& soup, RandomValues& random) {
-  const double share = random.uniform(0, 0.7);
-  std::erase_if(soup.tets, [&](const auto&) { return chance(random, share); });
+  const double fraction = random.uniform(0, 0.7);
+  std::erase_if(soup.tets, [&](const auto&) { return chance(random, fraction); });
 }
 
 }  // namespace

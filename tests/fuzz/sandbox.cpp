@@ -19,8 +19,8 @@
 #include <thread>
 #include <typeinfo>
 
-#include "sim/error.h"
-#include "sim/parallel.h"
+#include "sim/core/error.h"
+#include "sim/core/parallel.h"
 
 namespace griffith::fuzz {
 namespace {
@@ -72,19 +72,19 @@ std::int64_t resident_bytes_of(int process) {
   return resident * sysconf(_SC_PAGESIZE);
 }
 
-void limit(__rlimit_resource resource, rlim_t most) {
-  const rlimit both = {most, most};
+void limit(__rlimit_resource resource, rlim_t maximum) {
+  const rlimit both = {maximum, maximum};
   setrlimit(resource, &both);
 }
 
 /// The last words of a process: a sanitizer's summary and report, or whatever there is.
 std::string end_of(const std::filesystem::path& file) {
-  constexpr std::size_t kMost = 4000;
+  constexpr std::size_t kMaximum = 4000;
   const std::string text = read_file(file);
   const std::size_t summary = text.find("SUMMARY: "), error = text.find("ERROR: ");
-  if (summary == std::string::npos) return "\n" + text.substr(text.size() - std::min(text.size(), kMost));
+  if (summary == std::string::npos) return "\n" + text.substr(text.size() - std::min(text.size(), kMaximum));
   return ", " + text.substr(summary, text.find('\n', summary) + 1 - summary) +
-         text.substr(std::min(error, summary), kMost);
+         text.substr(std::min(error, summary), kMaximum);
 }
 
 [[noreturn]] void give_up(Report& report, Failure::Kind kind, const std::string& message) {

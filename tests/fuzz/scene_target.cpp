@@ -22,7 +22,7 @@ Scene made_quick(Scene scene) {
 class SceneTarget : public Target {
  public:
   std::string name() const override { return "scene"; }
-  int share() const override { return 330; }
+  int fraction() const override { return 330; }
 
   Input make(RandomValues& random) const override {
     const Json& scene = pick(random, scenes_);
@@ -38,8 +38,8 @@ class SceneTarget : public Target {
     const Scene scene = scene_from_json(text, "scene", folder);
     promise(check_scene_text(text, "scene").empty(), "a scene that can be read has problems");
     write_and_read(scene);
-    if (work_of(scene) > kMostWork) return Outcome::too_large;
-    run_world(made_quick(scene), kMostSteps);
+    if (work_of(scene) > kMaxWork) return Outcome::too_large;
+    run_world(made_quick(scene), kMaxSteps);
     return Outcome::ran;
   }
 
@@ -53,8 +53,8 @@ class SceneTarget : public Target {
     promise(scene_to_json(back) == text, "written again, it is another text");
   }
 
-  static constexpr double kMostWork = 4000;  ///< tets, splinters, projectiles
-  static constexpr int kMostSteps = 6;
+  static constexpr double kMaxWork = 4000;  ///< tets, splinters, projectiles
+  static constexpr int kMaxSteps = 6;
   std::vector<Json> scenes_ = small_scenes();
   Vocabulary words_ = scene_vocabulary();
 };

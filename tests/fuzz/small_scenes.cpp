@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostBodies = 3, kMostBursts = 2;
+constexpr std::size_t kMaxBodies = 3, kMaxBursts = 2;
 
 void coarsen_pattern(SplinterPattern& pattern, double extent) {
   if (auto* voronoi = std::get_if<VoronoiSplinters>(&pattern)) voronoi->size = extent / 2;
@@ -42,8 +42,8 @@ void bring_near(ProjectileBurst& burst, const BodyDescription& body) {
 }
 
 Scene made_small(Scene scene) {
-  if (scene.bodies.size() > kMostBodies) scene.bodies.resize(kMostBodies);
-  if (scene.projectiles.size() > kMostBursts) scene.projectiles.resize(kMostBursts);
+  if (scene.bodies.size() > kMaxBodies) scene.bodies.resize(kMaxBodies);
+  if (scene.projectiles.size() > kMaxBursts) scene.projectiles.resize(kMaxBursts);
   std::erase_if(scene.probes, [&](const Probe& probe) {
     return std::ranges::none_of(scene.bodies, [&](const auto& body) { return body.name == probe.body; });
   });

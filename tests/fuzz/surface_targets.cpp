@@ -121,7 +121,7 @@ TriangleSurface mutate_surface(TriangleSurface surface, RandomValues& random) {
 class SurfaceTarget : public Target {
  public:
   std::string name() const override { return "surface"; }
-  int share() const override { return 5; }
+  int fraction() const override { return 5; }
 
   Input make(RandomValues& random) const override {
     const TriangleSurface& surface = pick(random, surfaces_);
@@ -138,7 +138,7 @@ class SurfaceTarget : public Target {
     MeshingSetup setup;
     setup.limits = {2, std::int64_t{2} << 30};  // TetGen never ends with some surfaces
     findings(report);
-    if (std::abs(report.volume) > kMostVolume || report.size() > kMostSize) return Outcome::too_large;
+    if (std::abs(report.volume) > kMaxVolume || report.size() > kMaxSize) return Outcome::too_large;
     TetSoup soup = mesh_surface(std::move(surface), options, setup).soup;
     TetMesh checked;
     prepare(soup, "surface", &checked);
@@ -148,7 +148,7 @@ class SurfaceTarget : public Target {
 
  private:
   /// The lattice; of some inputs what TetGen makes.
-  static constexpr double kMostVolume = 200, kMostSize = 40;
+  static constexpr double kMaxVolume = 200, kMaxSize = 40;
 
   static MeshingOptions options_for(const Input& input) {
     MeshingOptions options;
@@ -179,7 +179,7 @@ Outcome split_box(const CellPartition& cells) {
 class CellsTarget : public Target {
  public:
   std::string name() const override { return "cells"; }
-  int share() const override { return 5; }
+  int fraction() const override { return 5; }
 
   Input make(RandomValues& random) const override {
     return {"input.obj", {{"input.obj", mutate_file(small_files().at("cells.obj"), random)}}};
@@ -193,7 +193,7 @@ class CellsTarget : public Target {
 class PointsTarget : public Target {
  public:
   std::string name() const override { return "points"; }
-  int share() const override { return 60; }
+  int fraction() const override { return 60; }
 
   Input make(RandomValues& random) const override {
     std::string text = chance(random, 0.5) ? "x,y,z\n" : "";

@@ -30,7 +30,7 @@ class Target {
   virtual ~Target() = default;
   virtual std::string name() const = 0;
   /// Of 1,000 inputs for all targets, how many are for this one.
-  virtual int share() const = 0;
+  virtual int fraction() const = 0;
   /// A damaged, odd or extreme input; the same for the same random values.
   virtual Input make(RandomValues& random) const = 0;
   /// Reads the input, whose files are in `folder`, and uses what was read. Throws BrokenPromise, and InputError where

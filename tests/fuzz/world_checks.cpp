@@ -151,13 +151,13 @@ void check_mesh(const Frame& frame) {
 
 }  // namespace
 
-void run_world(const Scene& scene, int most_steps, bool has_slivers) {
+void run_world(const Scene& scene, int max_steps, bool has_slivers) {
   constexpr int kWork = 3000;  ///< steps times tets
   World world(scene);
   check_mesh(world.frame());
   Watch watch(scene, world.frame(), has_slivers);
   const int tets = 1 + static_cast<int>(world.frame().tets.size());
-  for (int steps = std::clamp(kWork / tets, 2, most_steps); steps > 0; --steps) {
+  for (int steps = std::clamp(kWork / tets, 2, max_steps); steps > 0; --steps) {
     world.step();
     watch.check(world.frame());
   }

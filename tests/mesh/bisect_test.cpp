@@ -137,7 +137,7 @@ TEST(Bisect, APinchedEdgeGetsANodeForEachOfItsPieces) {
 TEST(Bisect, LimitsAreKept) {
   RandomValues random(9);
   MovingMesh body(make_box(Vec3(1, 1, 1), Vec3::Constant(0.5), BoxPattern::bcc), 9, 0);
-  const BisectionLimits limits{.least_length = 0.06, .least_quality = 0.15};
+  const BisectionLimits limits{.min_length = 0.06, .min_quality = 0.15};
   int made = 0, refused = 0;
   for (int i = 0; i < 20000; ++i) {
     const auto [a, b] = random_edge(body.mesh, random);
@@ -149,9 +149,9 @@ TEST(Bisect, LimitsAreKept) {
   }
   for (const auto& [a, b, c, d] : body.mesh.tets) {
     const auto& x = body.mesh.rest_positions;
-    ASSERT_GE(tet_quality(x[a], x[b], x[c], x[d]), limits.least_quality);
+    ASSERT_GE(tet_quality(x[a], x[b], x[c], x[d]), limits.min_quality);
     for (const auto& [p, q] : {std::pair(a, b), {a, c}, {a, d}, {b, c}, {b, d}, {c, d}})
-      ASSERT_GE((x[p] - x[q]).norm(), limits.least_length);
+      ASSERT_GE((x[p] - x[q]).norm(), limits.min_length);
   }
   EXPECT_GT(made, 100);
   EXPECT_GT(refused, 10 * made) << "bisection has come to its end";

@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 #include <limits>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/read_mesh.h"
 #include "sim/mesh/topology.h"
@@ -129,7 +129,7 @@ TEST(PrepareTest, MakesAMeshOfAnyOfALatticesTets) {
     const BoxPattern pattern = std::array{BoxPattern::kuhn, BoxPattern::five_tet, BoxPattern::bcc}[round % 3];
     TetSoup soup = make_box(Vec3(2, 2, 2), Vec3::Ones(), pattern);
     std::erase_if(soup.tets,
-                  [&, share = random.uniform(0.1, 0.9)](const auto&) { return random.uniform(0, 1) > share; });
+                  [&, fraction = random.uniform(0.1, 0.9)](const auto&) { return random.uniform(0, 1) > fraction; });
     if (soup.tets.empty()) continue;
     TetMesh mesh;
     const MeshReport report = prepare(soup, "mesh", &mesh);

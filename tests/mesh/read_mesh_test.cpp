@@ -5,7 +5,7 @@
 
 #include <ostream>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"
 #include "tests/mesh/pattern_name.h"

@@ -5,10 +5,10 @@
 #include <numbers>
 #include <random>
 
+#include "sim/core/parallel.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"
 #include "sim/meshing/mesh_quality.h"
-#include "sim/parallel.h"
 
 namespace griffith {
 namespace {
@@ -40,7 +40,7 @@ double volume_of(const TetSoup& soup) {
 TEST(IsosurfaceStuffing, DihedralAnglesStayWithinTheProvenBounds) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  double least = 180, most = 0;
+  double minimum = 180, maximum = 0;
   for (int sample = 0; sample < 15; ++sample) {
     const Vec3 wave(3 * uniform(random), 3 * uniform(random), 3 * uniform(random)), center(uniform(random), 0, 0);
     const double wildness = sample % 3, radius = 0.8 + 0.4 * uniform(random);
@@ -49,11 +49,11 @@ TEST(IsosurfaceStuffing, DihedralAnglesStayWithinTheProvenBounds) {
     };
     const TetSoup soup = stuff_isosurface(solid_of(field), cube(1.6), 0.11 + 0.05 * uniform(random), "test");
     const MeshQuality quality = mesh_quality(soup);
-    least = std::min(least, quality.min_dihedral);
-    most = std::max(most, quality.max_dihedral);
+    minimum = std::min(minimum, quality.min_dihedral);
+    maximum = std::max(maximum, quality.max_dihedral);
   }
-  EXPECT_GT(least, 10.78);
-  EXPECT_LT(most, 164.75);
+  EXPECT_GT(minimum, 10.78);
+  EXPECT_LT(maximum, 164.75);
 }
 
 /// A number in [0, 1) that looks random and belongs to the point.

@@ -9,7 +9,7 @@
 #include <limits>
 #include <random>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"
 #include "sim/meshing/mesh_cache.h"
@@ -260,7 +260,8 @@ void write_crafted_entry(const std::filesystem::path& path, const std::array<std
 
 TEST(MeshSurface, CraftedCacheEntriesAreIgnored) {
   const std::filesystem::path entry = test_folder() / "entry.tets";
-  constexpr int kMethod = static_cast<int>(MeshingMethod::volumetric), kMost = std::numeric_limits<std::int32_t>::max();
+  constexpr int kMethod = static_cast<int>(MeshingMethod::volumetric),
+                kMaximum = std::numeric_limits<std::int32_t>::max();
   std::string content(4 * sizeof(Vec3), '\0');
   const auto append_tet = [&content](std::array<std::int32_t, 4> tet) {
     content.append(reinterpret_cast<const char*>(tet.data()), sizeof tet);
@@ -268,14 +269,15 @@ TEST(MeshSurface, CraftedCacheEntriesAreIgnored) {
   append_tet({0, 1, 2, 3});
   write_crafted_entry(entry, {kMethod, 0, 4, 1}, content);
   EXPECT_TRUE(read_cache_entry(entry));
-  const std::array<std::int32_t, 4> headers[] = {{kMethod, -1, 4, 1},    {kMethod, kMost, 4, 1}, {kMethod, 0, -4, 1},
-                                                 {kMethod, 0, kMost, 1}, {kMethod, 0, 4, -1},    {kMethod, 0, 4, kMost},
-                                                 {0, 0, 4, 1},           {77, 0, 4, 1},          {kMethod, 0, 3, 1}};
+  const std::array<std::int32_t, 4> headers[] = {
+      {kMethod, -1, 4, 1}, {kMethod, kMaximum, 4, 1}, {kMethod, 0, -4, 1}, {kMethod, 0, kMaximum, 1},
+      {kMethod, 0, 4, -1}, {kMethod, 0, 4, kMaximum}, {0, 0, 4, 1},        {77, 0, 4, 1},
+      {kMethod, 0, 3, 1}};
   for (const auto& header : headers) {
     write_crafted_entry(entry, header, content);
     EXPECT_FALSE(read_cache_entry(entry)) << header[0] << ' ' << header[1] << ' ' << header[2] << ' ' << header[3];
   }
-  for (const int corner : {-1, 4, kMost}) {
+  for (const int corner : {-1, 4, kMaximum}) {
     content.resize(4 * sizeof(Vec3));
     append_tet({0, 1, 2, corner});
     write_crafted_entry(entry, {kMethod, 0, 4, 1}, content);

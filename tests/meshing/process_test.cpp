@@ -1,4 +1,4 @@
-#include "sim/meshing/process.h"
+#include "sim/core/process.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

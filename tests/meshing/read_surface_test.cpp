@@ -5,8 +5,8 @@
 #include <iterator>
 #include <sstream>
 
-#include "sim/error.h"
-#include "sim/meshing/polygon.h"
+#include "sim/core/error.h"
+#include "sim/geometry/polygon.h"
 #include "sim/meshing/surface.h"
 #include "sim/meshing/surface_objects.h"
 #include "surfaces.h"

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/meshing/self_intersection.h"
 #include "sim/meshing/triangle_tree.h"
 #include "surfaces.h"

@@ -61,7 +61,7 @@ TEST(Image, DifferenceCountsPixelsBeyondTheToleranceAndFindsTheWorstTile) {
   const ImageDifference difference = compare_images(a, b);
   EXPECT_EQ(difference.pixels_off, 5);
   EXPECT_DOUBLE_EQ(difference.share_off, 5.0 / 7000);
-  EXPECT_DOUBLE_EQ(difference.worst_tile_share, 4.0 / 24);
+  EXPECT_DOUBLE_EQ(difference.worst_tile_fraction, 4.0 / 24);
   EXPECT_EQ(difference.worst_tile_x, 96);
   EXPECT_EQ(difference.worst_tile_y, 64);
 }

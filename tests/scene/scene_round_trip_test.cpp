@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "random_scene.h"
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/scene_writer.h"
 #include "text_of.h"

@@ -177,14 +177,14 @@ Solid cube_with(
   return solid;
 }
 
-void flatten(RestElement& rest, double share) {
-  rest.shape_gradients.row(0) /= share;
-  rest.volume *= share;
+void flatten(RestElement& rest, double fraction) {
+  rest.shape_gradients.row(0) /= fraction;
+  rest.volume *= fraction;
 }
 
-void shrink(RestElement& rest, double share) {
-  rest.shape_gradients /= share;
-  rest.volume *= share * share * share;
+void shrink(RestElement& rest, double fraction) {
+  rest.shape_gradients /= fraction;
+  rest.volume *= fraction * fraction * fraction;
 }
 
 double step_of(const Solid& solid) { return solid.stable_step(0.9); }

@@ -13,13 +13,13 @@ using testing::Load;
 constexpr ImplicitStep kFrameStep{.dt = 1.0 / 120, .relative_residual = 1e-3};
 
 /// The most iterations that a body of a wall of about 10,000 tets needs under any load.
-int most_iterations(BoxPattern pattern, Damage damage, double young_modulus, bool held) {
+int max_iterations(BoxPattern pattern, Damage damage, double young_modulus, bool held) {
   const int across = pattern == BoxPattern::five_tet ? 32 : 28;
   ElasticBox wall = testing::cracked_wall(across, 2, pattern, damage, young_modulus, 1 + static_cast<unsigned>(damage));
   if (held)
     for (int i = 0; i < wall.mesh.node_count(); ++i)
       if (wall.mesh.rest_positions[i].y() < -0.999) wall.constraints[i] = NodeConstraint::held();
-  int most = 0;
+  int maximum = 0;
   for (const std::vector<TetId>& piece : connected_components(wall.mesh, wall.tets)) {
     ElasticSystem system(wall.mesh, piece, wall.constraints, wall.rows);
     wall.assemble(system, kFrameStep);
@@ -27,10 +27,10 @@ int most_iterations(BoxPattern pattern, Damage damage, double young_modulus, boo
       testing::apply(wall, load);
       const SolveReport report = wall.solve(system, kFrameStep);
       EXPECT_TRUE(report.converged);
-      most = std::max(most, report.iterations);
+      maximum = std::max(maximum, report.iterations);
     }
   }
-  return most;
+  return maximum;
 }
 
 TEST(IterationBound, HoldsForEveryStiffnessAndCrack) {
@@ -38,7 +38,7 @@ TEST(IterationBound, HoldsForEveryStiffnessAndCrack) {
     for (Damage damage : {Damage::intact, Damage::half_cracked, Damage::in_two, Damage::in_sixteen})
       for (double young_modulus : {1e6, 1e8, 3e10, 4e11})
         for (bool held : {false, true})
-          EXPECT_LE(most_iterations(pattern, damage, young_modulus, held), 40)
+          EXPECT_LE(max_iterations(pattern, damage, young_modulus, held), 40)
               << "pattern " << static_cast<int>(pattern) << ", damage " << static_cast<int>(damage) << ", E "
               << young_modulus << (held ? ", held" : ", free");
 }

@@ -141,7 +141,7 @@ TEST(StaticSolve, FreeFallHasNoStressAndIsReported) {
   add_gravity(body, Vec3(0, -9.81, 0));
   const StaticReport report = solve(body);
   EXPECT_EQ(report.free_motions, 6);
-  EXPECT_NEAR(report.unbalanced_share, 1, 1e-12);
+  EXPECT_NEAR(report.unbalanced_fraction, 1, 1e-12);
   for (int i = 0; i < body.mesh.node_count(); ++i)
     EXPECT_LT((body.positions[i] - body.mesh.rest_positions[i]).norm(), 1e-12);
 }
@@ -152,7 +152,7 @@ TEST(StaticSolve, BalancedLoadsOnAFreeBodyNeedNoSupport) {
   add_traction(body, -Vec3::UnitX(), Vec3(-1e4, 0, 0));
   const StaticReport report = solve(body);
   EXPECT_TRUE(report.converged);
-  EXPECT_LT(report.unbalanced_share, 1e-12);
+  EXPECT_LT(report.unbalanced_fraction, 1e-12);
   body.update_states();
   for (TetId tet : body.tets) EXPECT_NEAR(body.states[tet].stress(0, 0), 1e4, 1e-3);
 }
@@ -165,7 +165,7 @@ TEST(StaticSolve, AFrictionlessBaseLeavesThreeMotionsFree) {
   const StaticReport report = solve(body);
   EXPECT_EQ(report.free_motions, 3);
   EXPECT_TRUE(report.converged);
-  EXPECT_LT(report.unbalanced_share, 1e-9);
+  EXPECT_LT(report.unbalanced_fraction, 1e-9);
   EXPECT_LT((sum(report.reaction_forces) + sum(body.forces)).norm(), 1e-6 * sum(body.forces).norm());
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/linear_algebra.h"
-#include "sim/replace_file.h"
+#include "sim/core/linear_algebra.h"
+#include "sim/core/replace_file.h"
 
 namespace griffith::testing {
 

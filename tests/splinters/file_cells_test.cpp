@@ -1,10 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
+#include "sim/core/temporary_folder.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/topology.h"
-#include "sim/meshing/temporary_folder.h"
 #include "sim/splinters/splinters.h"
 #include "tests/random_values.h"
 #include "tests/splinters/cell_files.h"

@@ -5,12 +5,12 @@
 #include <ctime>
 #include <fstream>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
+#include "sim/core/parallel.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/shapes.h"
 #include "sim/mesh/topology.h"
-#include "sim/parallel.h"
 #include "tests/random_values.h"
 #include "tests/splinters/patterns.h"
 
@@ -166,9 +166,9 @@ TEST(Patterns, GrainStretchesShards) {
   double along = 0, across = 0;
   for (const ConvexCell& cell : make_cells(shards, testing::bounds(mesh)))
     for (const CellWall& wall : cell.walls) {
-      const double share = std::pow(wall.inside.normal.dot(shards.grain.normalized()), 2);
-      along += share;
-      across += (1 - share) / 2;
+      const double fraction = std::pow(wall.inside.normal.dot(shards.grain.normalized()), 2);
+      along += fraction;
+      across += (1 - fraction) / 2;
     }
   EXPECT_LT(along, across / 4);
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/shapes.h"

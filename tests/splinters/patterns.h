@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/core/temporary_folder.h"
 #include "sim/mesh/tet_mesh.h"
-#include "sim/meshing/temporary_folder.h"
 #include "sim/splinters/convex_cells.h"
 #include "tests/splinters/cell_files.h"
 

@@ -1,4 +1,4 @@
-#include "ui/commands.h"
+#include "ui/model/commands.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

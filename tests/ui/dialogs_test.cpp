@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "ui/dialog_window.h"
-#include "ui/style.h"
+#include "ui/dialogs/dialog_window.h"
+#include "ui/widgets/style.h"
 #include "ui_driver.h"
 
 namespace griffith::ui {

@@ -1,4 +1,4 @@
-#include "ui/edit_history.h"
+#include "ui/model/edit_history.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "ui/editor_layout.h"
+#include "ui/panels/editor_layout.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "ui/widgets.h"
+#include "ui/widgets/widgets.h"
 #include "ui_driver.h"
 
 namespace griffith::ui {

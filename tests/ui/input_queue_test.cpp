@@ -1,4 +1,4 @@
-#include "ui/input_queue.h"
+#include "ui/model/input_queue.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "ui/legend.h"
+#include "ui/widgets/legend.h"
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ TEST(Legend, TicksAreRoundEvenlySpacedAndInside) {
 TEST(Legend, TitleNamesTheUnitOfTheTicks) {
   EXPECT_EQ(legend_title({"stress", "Pa", 0, 3e6, {}, false}), "stress [MPa]");
   EXPECT_EQ(legend_title({"pressure", "Pa", -4e9, 3e6, {}, false}), "pressure [GPa]");
-  EXPECT_EQ(legend_title({"margin", "-", 0, 1, {}, false}), "margin");
+  EXPECT_EQ(legend_title({"utilization", "-", 0, 1, {}, false}), "utilization");
   EXPECT_EQ(legend_title({"speed", "m/s", 0, 4000, {}, false}), "speed [m/s]");
 }
 

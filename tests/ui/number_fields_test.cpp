@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "ui/field_range.h"
+#include "ui/widgets/field_range.h"
 #include "ui_driver.h"
 
 namespace griffith::ui {

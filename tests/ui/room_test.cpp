@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "ui/bubble.h"
+#include "ui/widgets/bubble.h"
 #include "ui_driver.h"
 
 namespace griffith::ui {

@@ -9,8 +9,8 @@
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/scene_writer.h"
 #include "tests/random_values.h"
-#include "ui/body_rows.h"
-#include "ui/field_range.h"
+#include "ui/panels/body_rows.h"
+#include "ui/widgets/field_range.h"
 #include "ui_driver.h"
 
 namespace griffith::ui {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ui/style.h"
+#include "ui/widgets/style.h"
 
 namespace griffith::ui {
 namespace {

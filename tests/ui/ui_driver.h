@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/editor_layout.h"
+#include "ui/panels/editor_layout.h"
 
 namespace griffith::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/units.h"
+#include "ui/model/units.h"
 
 #include <gtest/gtest.h>
 

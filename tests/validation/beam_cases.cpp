@@ -60,18 +60,18 @@ double node_count(BoxPattern pattern, int n) {
 }
 
 /// What a finer or coarser mesh of a pattern would give: log(1 − share) is nearly linear in the logarithm of the nodes.
-double interpolated_share(const std::vector<int>& cells, const std::vector<double>& shares, BoxPattern pattern,
-                          double nodes) {
+double interpolated_fraction(const std::vector<int>& cells, const std::vector<double>& fractions, BoxPattern pattern,
+                             double nodes) {
   std::size_t i = 1;
   while (i + 1 < cells.size() && node_count(pattern, cells[i]) < nodes) ++i;
   const double before = std::log(node_count(pattern, cells[i - 1])), after = std::log(node_count(pattern, cells[i]));
   const double t = (std::log(nodes) - before) / (after - before);
-  return 1 - std::exp((1 - t) * std::log(1 - shares[i - 1]) + t * std::log(1 - shares[i]));
+  return 1 - std::exp((1 - t) * std::log(1 - fractions[i - 1]) + t * std::log(1 - fractions[i]));
 }
 
 struct Expectation {
   BoxPattern pattern;
-  std::array<double, 4> shares;  // of Timoshenko's deflection at n = 1, 2, 4, 8
+  std::array<double, 4> fractions;  // of Timoshenko's deflection at n = 1, 2, 4, 8
 };
 
 /// Kuhn and five-tet against the shares that linear tets give; BCC, which has more nodes, against five-tet.
@@ -79,29 +79,29 @@ std::vector<Row> cantilever(const char* scene_name, double (*closed_form)(const 
   constexpr std::array<Expectation, 2> kExpected = {
       {{BoxPattern::kuhn, {.22, .50, .79, .93}}, {BoxPattern::five_tet, {.35, .67, .89, .96}}}};
   const std::vector<int> cells = {1, 2, 4, 8};
-  std::array<std::vector<double>, 3> shares;
+  std::array<std::vector<double>, 3> fractions;
   for (BoxPattern pattern : kPatterns)
     for (int n : cells) {
       Scene scene = validation_scene(scene_name);
       cut(scene, pattern, n);
-      shares[static_cast<int>(pattern)].push_back(tip_deflection(scene) / closed_form(scene));
+      fractions[static_cast<int>(pattern)].push_back(tip_deflection(scene) / closed_form(scene));
     }
   std::vector<Row> rows;
   for (const auto& [pattern, expected] : kExpected)
     for (std::size_t i = 0; i < cells.size(); ++i)
       rows.push_back(near(mesh_label(pattern, cells[i]), "share of the deflection", expected[i],
-                          shares[static_cast<int>(pattern)][i], tolerance));
+                          fractions[static_cast<int>(pattern)][i], tolerance));
   for (std::size_t i = 0; i < cells.size(); ++i)
     for (BoxPattern other : {BoxPattern::kuhn, BoxPattern::five_tet}) {
       if (other == BoxPattern::five_tet && cells[i] < 4) continue;
-      const double share =
-          interpolated_share(cells, shares[static_cast<int>(other)], other, node_count(BoxPattern::bcc, cells[i]));
+      const double fraction = interpolated_fraction(cells, fractions[static_cast<int>(other)], other,
+                                                    node_count(BoxPattern::bcc, cells[i]));
       rows.push_back(at_least(mesh_label(BoxPattern::bcc, cells[i]),
-                              "share; " + mesh_label(other, 0).pattern + "'s with as many nodes", share,
-                              shares[static_cast<int>(BoxPattern::bcc)][i]));
+                              "share; " + mesh_label(other, 0).pattern + "'s with as many nodes", fraction,
+                              fractions[static_cast<int>(BoxPattern::bcc)][i]));
     }
   for (BoxPattern pattern : kPatterns) {
-    const std::vector<double>& own = shares[static_cast<int>(pattern)];
+    const std::vector<double>& own = fractions[static_cast<int>(pattern)];
     for (std::size_t i = 1; i < cells.size(); ++i)
       rows.push_back(at_most(mesh_label(pattern, cells[i]), "error over that at n/2", cells[i] < 4 ? 0.7 : 0.5,
                              (1 - own[i]) / (1 - own[i - 1])));
@@ -124,11 +124,11 @@ std::vector<Row> locking(Extent) {
       Scene scene = validation_scene("cantilever_tip_load");
       scene.bodies[0].material.poisson_ratio = poisson_ratio;
       cut(scene, pattern, kCells);
-      const double share = tip_deflection(scene) / tip_load_deflection(scene);
+      const double fraction = tip_deflection(scene) / tip_load_deflection(scene);
       char quantity[64];
       std::snprintf(quantity, sizeof quantity, "share at ν = %.3g; at the ν before", poisson_ratio);
-      rows.push_back(at_most(mesh_label(pattern, kCells), quantity, previous, share));
-      previous = share;
+      rows.push_back(at_most(mesh_label(pattern, kCells), quantity, previous, fraction));
+      previous = fraction;
     }
   }
   return rows;

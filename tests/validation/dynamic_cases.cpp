@@ -5,9 +5,11 @@
 #include <numbers>
 
 #include "sim/solver/explicit_step.h"
-#include "sim/world/energy_phase.h"
-#include "sim/world/phases.h"
+#include "sim/world/energy/energy_phase.h"
+#include "sim/world/phases/elastic_phase.h"
+#include "sim/world/phases/motion_phase.h"
 #include "sim/world/world.h"
+#include "sim/world/world_state.h"
 #include "tests/validation/specimen.h"
 
 namespace griffith::validation {
@@ -132,7 +134,7 @@ void step_explicitly(Specimen& specimen, double dt, const std::vector<Vec3>& ext
 void step_implicitly(Specimen& specimen, double dt) {
   WorldState& world = specimen.world();
   std::vector<Vec3> forces(specimen.node_count(), Vec3::Zero());
-  note_substep_start(world);
+  record_substep_start(world);
   assemble_systems(world, dt);
   predict_velocities(world, forces, dt);
   move_bodies(world, forces, dt);

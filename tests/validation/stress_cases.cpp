@@ -92,7 +92,7 @@ double bending_stress(const Scene& scene) {
 }
 
 /// s in the middle of the bottom, half-way between bearing and load, over its closed form.
-double far_field_share(const Specimen& specimen, const Scene& scene) {
+double far_field_fraction(const Specimen& specimen, const Scene& scene) {
   const Vec3& size = std::get<BoxShape>(scene.bodies[0].shape).size;
   const std::vector<int> nodes = specimen.nodes_where(
       [&](const Vec3& x) { return x.y() < -size.y() / 2 + 1e-9 && std::abs(std::abs(x.x()) - size.x() / 4) < 1e-9; });
@@ -141,11 +141,11 @@ std::vector<Row> three_point_bending(Extent) {
           at_most(mesh, "worst node: height above the bottom / depth", 0, (place.y() + size.y() / 2) / size.y()));
       rows.push_back(at_most(mesh, "worst node: distance from midspan / depth", 0.25, std::abs(place.x()) / size.y()));
       rows.push_back(at_least(mesh, "worst node: \\|n·x\\|", 0.988, std::abs(worst.separation.normal.x())));
-      const double share = far_field_share(specimen, scene), error = std::abs(1 - share);
+      const double fraction = far_field_fraction(specimen, scene), error = std::abs(1 - fraction);
       if (cells > 4) rows.push_back(at_most(mesh, "quarter span: error over that at n/2", 0.6, error / coarser_error));
       coarser_error = error;
       if (cells < 16) continue;
-      rows.push_back(near(mesh, "quarter span: s / (3PL/4bd²)", 1, share, 0.02));
+      rows.push_back(near(mesh, "quarter span: s / (3PL/4bd²)", 1, fraction, 0.02));
       rows.push_back(
           near(mesh, "worst node: s / (3PL/2bd²)", 1, worst.separation.stress / bending_stress(scene), 0.03));
     }

@@ -3,8 +3,14 @@
 #include <limits>
 
 #include "sim/mesh/topology.h"
-#include "sim/world/phases.h"
+#include "sim/world/bodies/bodies.h"
+#include "sim/world/phases/contact_phase.h"
+#include "sim/world/phases/elastic_phase.h"
+#include "sim/world/phases/motion_phase.h"
+#include "sim/world/setup/build_world.h"
+#include "sim/world/step.h"
 #include "sim/world/world.h"
+#include "sim/world/world_state.h"
 #include "tests/world/scenes.h"
 
 namespace griffith::testing {

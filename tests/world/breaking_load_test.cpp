@@ -75,8 +75,8 @@ class BarInTension : public ::testing::TestWithParam<BoxPattern> {};
 TEST_P(BarInTension, BreaksAtItsStrengthOnEveryMeshInEveryOrientation) {
   for (int cells : {2, 4, 8})
     for (const Vec3& degrees : {Vec3(0, 0, 0), Vec3(0, 0, 90), Vec3(25, -40, 70)}) {
-      const double share = breaking_share(pulled_bar(GetParam(), cells, degrees), {0.95, 1.1, 0.005}, has_parted);
-      EXPECT_NEAR(share, 1, 0.03) << cells << " cells across, turned by " << degrees.transpose();
+      const double fraction = breaking_fraction(pulled_bar(GetParam(), cells, degrees), {0.95, 1.1, 0.005}, has_parted);
+      EXPECT_NEAR(fraction, 1, 0.03) << cells << " cells across, turned by " << degrees.transpose();
     }
 }
 
@@ -84,11 +84,11 @@ TEST_P(BarInTension, BreaksAtNearlyTheSameLoadWhenItIsRemeshed) {
   for (const Vec3& degrees : {Vec3(0, 0, 0), Vec3(0, 0, 90), Vec3(25, -40, 70)}) {
     Scene scene = pulled_bar(GetParam(), 4, degrees);
     const LoadRamp ramp{0.9, 1.2, 0.005};
-    const double along_faces = breaking_share(scene, ramp, has_parted);
+    const double along_faces = breaking_fraction(scene, ramp, has_parted);
     scene.bodies[0].remeshing = true;
     int tets = 0;
-    const double remeshed = breaking_share(scene, ramp, has_parted,
-                                           [&](const Frame& frame) { tets = static_cast<int>(frame.tets.size()); });
+    const double remeshed = breaking_fraction(scene, ramp, has_parted,
+                                              [&](const Frame& frame) { tets = static_cast<int>(frame.tets.size()); });
     EXPECT_NEAR(remeshed / along_faces, 1, 0.1) << "turned by " << degrees.transpose();
     EXPECT_GT(tets, static_cast<int>(World(scene).frame().tets.size())) << "tets were cut";
   }

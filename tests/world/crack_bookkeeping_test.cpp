@@ -2,7 +2,12 @@
 
 #include <set>
 
-#include "sim/world/phases.h"
+#include "sim/world/phases/elastic_phase.h"
+#include "sim/world/phases/fracture_phase.h"
+#include "sim/world/phases/separation_phase.h"
+#include "sim/world/setup/build_world.h"
+#include "sim/world/step.h"
+#include "sim/world/world_state.h"
 #include "tests/world/loading.h"
 #include "tests/world/scenes.h"
 
@@ -28,11 +33,11 @@ std::unique_ptr<WorldState> build(const Scene& scene) {
   return world;
 }
 
-/// As if the node carried `margin` times its resistance across a plane.
-void overload(WorldState& world, NodeId node, const Vec3& normal, double margin = 2) {
+/// As if the node carried `utilization` times its resistance across a plane.
+void overload(WorldState& world, NodeId node, const Vec3& normal, double utilization = 2) {
   NodeSeparation& separation = world.nodes.separations[node];
   separation.direction = normal;
-  separation.margin = margin;
+  separation.utilization = utilization;
 }
 
 NodeId node_near(const WorldState& world, const Vec3& place) {
@@ -100,11 +105,11 @@ TEST(CrackBudget, WorstNodesFirstAndTheRestInTheNextStep) {
   auto world = build(scene);
   // Far apart, so that none relieves another.
   const std::vector<double> places = {-1.5, -0.5, 0.5, 1.5};
-  const std::vector<double> margins = {1.5, 3, 2, 4};
+  const std::vector<double> utilizations = {1.5, 3, 2, 4};
   std::vector<NodeId> nodes;
   for (std::size_t i = 0; i < places.size(); ++i) {
     nodes.push_back(node_near(*world, Vec3(places[i], 0, 0)));
-    overload(*world, nodes[i], Vec3::UnitX(), margins[i]);
+    overload(*world, nodes[i], Vec3::UnitX(), utilizations[i]);
   }
   open_cracks(*world, 0);
   ASSERT_EQ(world->crack_events.size(), 2u);
@@ -157,9 +162,9 @@ Scene hanging_block(bool can_tear) {
 
 TEST(Supports, ABodyTearsOffItsSupportAtItsStrength) {
   const auto torn = [](const Frame& frame) { return frame.report.supports_torn > 0; };
-  const double share = breaking_share(hanging_block(true), {0.9, 1.1, 0.01}, torn);
-  EXPECT_NEAR(share, 1 + kLayer / 2, 0.03) << "the middle of the uppermost elements lies half of them lower";
-  const double kept = breaking_share(hanging_block(false), {0.9, 1.1, 0.01}, torn);
+  const double fraction = breaking_fraction(hanging_block(true), {0.9, 1.1, 0.01}, torn);
+  EXPECT_NEAR(fraction, 1 + kLayer / 2, 0.03) << "the middle of the uppermost elements lies half of them lower";
+  const double kept = breaking_fraction(hanging_block(false), {0.9, 1.1, 0.01}, torn);
   EXPECT_GT(kept, 1.1) << "unless the support cannot tear";
 }
 

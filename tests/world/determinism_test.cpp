@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sim/parallel.h"
+#include "sim/core/parallel.h"
 #include "sim/world/world.h"
 #include "tests/world/scenes.h"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/world/world.h"
 #include "tests/world/scenes.h"
 
@@ -63,7 +63,7 @@ TEST(Editing, WeakeningAStandingWallBreaksItAtTheNextShot) {
   EXPECT_GT(world.frame().bodies.size(), 1u);
 }
 
-TEST(Editing, MarginsFollowTheMaterialAtOnce) {
+TEST(Editing, UtilizationsFollowTheMaterialAtOnce) {
   World edited(quiet_wall());
   Scene scene = quiet_wall();
   scene.bodies[0].material = brick(0.5);
@@ -72,7 +72,7 @@ TEST(Editing, MarginsFollowTheMaterialAtOnce) {
   const Frame frame = edited.frame(), expected = made_so.frame();
   for (std::size_t i = 0; i < frame.separations.size(); ++i) {
     EXPECT_EQ(frame.separations[i].resistance, expected.separations[i].resistance);
-    EXPECT_NEAR(frame.separations[i].margin, expected.separations[i].margin, 1e-6);
+    EXPECT_NEAR(frame.separations[i].utilization, expected.separations[i].utilization, 1e-6);
   }
 }
 
@@ -152,11 +152,11 @@ TEST(Editing, StiffeningAStandingWallBeforeTheFirstStepDoesNotCrackIt) {
   World world(quiet_wall());
   Material stiff = brick(1);
   stiff.young_modulus = 1e12;
-  const double margin = world.frame().report.peak_margin;
+  const double utilization = world.frame().report.peak_utilization;
   world.set_material(0, stiff);
   for (int step = 0; step < 10; ++step) {
     world.step();
-    EXPECT_LT(world.frame().report.peak_margin, 1.1 * margin);
+    EXPECT_LT(world.frame().report.peak_utilization, 1.1 * utilization);
   }
   EXPECT_TRUE(world.frame().crack_events.empty());
 }

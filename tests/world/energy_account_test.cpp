@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "scenes.h"
-#include "sim/parallel.h"
+#include "sim/core/parallel.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/world/world.h"
 
@@ -17,7 +17,7 @@ namespace {
 constexpr double kTolerance = 0.01;
 
 /// Of what came in, what is not accounted for.
-double share_unaccounted(const EnergyAccount& energy) {
+double fraction_unaccounted(const EnergyAccount& energy) {
   return energy.turned_over() > 0 ? std::abs(energy.unaccounted()) / energy.turned_over() : 0;
 }
 
@@ -79,7 +79,7 @@ TEST(EnergyAccount, ASlidingBlockLosesMuMgdToFriction) {
   EXPECT_GT(way, 0.5);
   EXPECT_NEAR(frame.energy.contacts, work, 0.01 * work);
   EXPECT_NEAR(frame.energy.projectiles, 0.5 * mass * speed * speed, 1e-9);
-  EXPECT_LT(share_unaccounted(frame.energy), 1e-3);
+  EXPECT_LT(fraction_unaccounted(frame.energy), 1e-3);
 }
 
 /// A bar of mild steel without inertia to speak of, drawn to five times its yield strain.
@@ -112,7 +112,7 @@ TEST(EnergyAccount, APlasticBarTakesItsYieldStressTimesItsFlow) {
   const double drawn = rate * kSteps * scene.simulation.time_step, flow = drawn - length * yield / young_modulus;
   EXPECT_NEAR(energy.plastic, yield * area * flow, 0.1 * energy.plastic);
   EXPECT_GT(energy.supports, energy.plastic);
-  EXPECT_LT(share_unaccounted(energy), kTolerance);
+  EXPECT_LT(fraction_unaccounted(energy), kTolerance);
 }
 
 /// A shot at a wall on the ground that goes to pieces.
@@ -132,7 +132,7 @@ TEST(EnergyAccount, AnImpactWithCracksClosesAndNothingIsGained) {
       world.step();
       const Frame frame = world.frame();
       sum += frame.energy_of_step;
-      ASSERT_LT(share_unaccounted(frame.energy), 2e-3) << "step " << i;
+      ASSERT_LT(fraction_unaccounted(frame.energy), 2e-3) << "step " << i;
       const double rounding = 1e-3 * frame.energy.turned_over();
       for (double EnergyAccount::*loss : {&EnergyAccount::contacts, &EnergyAccount::material_damping,
                                           &EnergyAccount::microstep_damping, &EnergyAccount::plastic})
@@ -192,7 +192,7 @@ TEST(EnergyAccount, AnEditedMaterialIsAccountedFor) {
   world.set_material(0, heavy);
   for (int i = 0; i < 8; ++i) world.step();
   EXPECT_NE(world.frame().energy.edits, 0);
-  EXPECT_LT(share_unaccounted(world.frame().energy), kTolerance);
+  EXPECT_LT(fraction_unaccounted(world.frame().energy), kTolerance);
 }
 
 /// A bar in weightless space, held at one end, near the other end of which a sphere strikes it.
@@ -229,7 +229,7 @@ TEST(EnergyAccount, ScaledBodiesTakeAsMuchLessFromTheirLoadsAsTheyAreScaled) {
   for (int i = 0; i < 20; ++i) {
     world.step();
     const Frame frame = world.frame();
-    ASSERT_LT(share_unaccounted(frame.energy), 1e-3) << "step " << i;
+    ASSERT_LT(fraction_unaccounted(frame.energy), 1e-3) << "step " << i;
     const std::optional<ScaledImpact>& scaled = frame.bodies[0].scaled;
     if (scaled && factor) {
       EXPECT_NEAR(last.scaling, (1 - *factor) * last.loads, 1e-5 * std::abs(last.loads)) << "step " << i - 1;
@@ -250,13 +250,13 @@ TEST(EnergyAccount, AScaledBodyClosesUnderItsWeight) {
   scene.projectiles[0].speed = 10;
   scene.projectiles[0].mass = 0.1;
   World world(scene);
-  double most = 0;
+  double maximum = 0;
   for (int i = 0; i < 40; ++i) {
     world.step();
-    ASSERT_LT(share_unaccounted(world.frame().energy), 1e-3) << "step " << i;
-    most = std::max(most, std::abs(world.frame().energy.scaling));
+    ASSERT_LT(fraction_unaccounted(world.frame().energy), 1e-3) << "step " << i;
+    maximum = std::max(maximum, std::abs(world.frame().energy.scaling));
   }
-  EXPECT_GT(most, 0.1 * world.frame().energy.turned_over());
+  EXPECT_GT(maximum, 0.1 * world.frame().energy.turned_over());
   EXPECT_FALSE(world.frame().bodies[0].scaled) << "the shock has ended";
 }
 
@@ -271,7 +271,7 @@ TEST(EnergyAccount, MovingSupportsWorkInMicrosteps) {
   for (int i = 0; i < 20; ++i) {
     world.step();
     const Frame frame = world.frame();
-    ASSERT_LT(share_unaccounted(frame.energy), 1e-3) << "step " << i;
+    ASSERT_LT(fraction_unaccounted(frame.energy), 1e-3) << "step " << i;
     if (frame.report.microsteps > 0) work += std::abs(frame.energy_of_step.supports);
   }
   EXPECT_GT(work, 0.05 * world.frame().energy.turned_over());
@@ -296,7 +296,7 @@ TEST(EnergyAccount, WhatVibratesInAPieceIsLostWhenItTurnsRigid) {
     const bool was_rigid = world.frame().bodies[0].rigid;
     world.step();
     const Frame frame = world.frame();
-    ASSERT_LT(share_unaccounted(frame.energy), 2e-4) << "step " << i;
+    ASSERT_LT(fraction_unaccounted(frame.energy), 2e-4) << "step " << i;
     struck += was_rigid && frame.report.microsteps > 0;
     lost = std::max(lost, frame.energy_of_step.hand_over);
   }
@@ -324,7 +324,7 @@ TEST(EnergyAccount, EverySceneCloses) {
       for (int i = 0; i < steps; ++i) world.step();
       const Frame frame = world.frame();
       EXPECT_GT(frame.energy.turned_over(), 0) << file.path();
-      EXPECT_LT(share_unaccounted(frame.energy), kTolerance) << file.path();
+      EXPECT_LT(fraction_unaccounted(frame.energy), kTolerance) << file.path();
       cracked += integrator == Integrator::hybrid && !frame.crack_events.empty();
     }
   }

@@ -127,15 +127,15 @@ TEST(Energy, BlocksOfAnySizeThatMeetKeepTheirMomentumAndGainNone) {
       World world(meeting_blocks(seed, size));
       const Totals before = world.frame().totals;
       const double scale = before.mass * 8;
-      double most = before.kinetic_energy;
+      double maximum = before.kinetic_energy;
       for (int step = 0; step < 25; ++step) {
         world.step();
         const Totals now = world.frame().totals;
         const double energy = now.kinetic_energy + now.elastic_energy;
         ASSERT_LT((now.momentum - before.momentum).norm(), 1e-7 * scale) << "size " << size << ", seed " << seed;
         // Verlet's energy swings by ω² dt²/4 of what is in the highest frequencies, which is all in so few elements.
-        ASSERT_LE(energy, most * (1 + 0.1)) << "size " << size << ", seed " << seed << ", step " << step;
-        most = std::min(most, energy);
+        ASSERT_LE(energy, maximum * (1 + 0.1)) << "size " << size << ", seed " << seed << ", step " << step;
+        maximum = std::min(maximum, energy);
       }
     }
 }

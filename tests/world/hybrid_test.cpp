@@ -4,7 +4,7 @@
 
 #include "crack_area.h"
 #include "scenes.h"
-#include "sim/parallel.h"
+#include "sim/core/parallel.h"
 #include "sim/world/world.h"
 
 namespace griffith {

@@ -3,9 +3,11 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/error.h"
-#include "sim/world/phases.h"
+#include "sim/core/error.h"
+#include "sim/world/setup/build_world.h"
+#include "sim/world/step.h"
 #include "sim/world/world.h"
+#include "sim/world/world_state.h"
 #include "tests/world/scenes.h"
 
 namespace griffith {

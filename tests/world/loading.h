@@ -13,8 +13,8 @@ struct LoadRamp {
 
 /// Loads of the scene grow along the ramp. The share at which `broken` holds after a step for the first time; `last`
 /// plus an increment when it never does. `inspect` sees the frame then.
-inline double breaking_share(Scene scene, const LoadRamp& ramp, const std::function<bool(const Frame&)>& broken,
-                             const std::function<void(const Frame&)>& inspect = {}) {
+inline double breaking_fraction(Scene scene, const LoadRamp& ramp, const std::function<bool(const Frame&)>& broken,
+                                const std::function<void(const Frame&)>& inspect = {}) {
   const int steps = static_cast<int>((ramp.last - ramp.first) / ramp.increment + 0.5);
   scene.analysis = Analysis::equilibrium;
   scene.simulation.time_step = 0.01;

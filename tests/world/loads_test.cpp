@@ -2,8 +2,10 @@
 
 #include <numbers>
 
-#include "sim/world/phases.h"
+#include "sim/world/phases/fracture_phase.h"
+#include "sim/world/setup/build_world.h"
 #include "sim/world/world.h"
+#include "sim/world/world_state.h"
 #include "tests/world/scenes.h"
 
 namespace griffith::testing {
@@ -160,7 +162,7 @@ TEST(Loads, KeepTheirSumWhenWhatTheyActOnBreaks) {
   WorldState world = loaded(kBox, loads);
   const Vec3 before = resultant(forces_at(world, 0));
   const int nodes = world.mesh.node_count();
-  for (NodeId node(0); node < nodes; ++node.value) world.nodes.separations[node].margin = 2;
+  for (NodeId node(0); node < nodes; ++node.value) world.nodes.separations[node].utilization = 2;
   open_cracks(world, 0);
   ASSERT_GT(world.mesh.node_count(), nodes);
   EXPECT_LT((resultant(forces_at(world, 0)) - before).norm(), 1e-11 * before.norm());

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <string>
 
-#include "sim/error.h"
-#include "sim/parallel.h"
-#include "sim/world/shape_mesh.h"
+#include "sim/core/error.h"
+#include "sim/core/parallel.h"
+#include "sim/world/setup/shape_mesh.h"
 #include "sim/world/world.h"
 
 namespace griffith {
@@ -57,7 +57,7 @@ TEST(ManyBodies, EachIsAsItIsAlone) {
       EXPECT_EQ(frame.positions[node], one.positions[n]);
       EXPECT_EQ(frame.velocities[node], one.velocities[n]);
       EXPECT_EQ(frame.node_masses[node], one.node_masses[n]);
-      EXPECT_EQ(frame.node_held[node], one.node_held[n]);
+      EXPECT_EQ(frame.node_supported[node], one.node_supported[n]);
       EXPECT_EQ(frame.at_crack_front[node], one.at_crack_front[n]);
     }
     for (std::size_t t = 0; t < one.tets.size(); ++t, ++tet) {

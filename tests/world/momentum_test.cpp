@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
+#include "sim/core/temporary_folder.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/write_mesh.h"
-#include "sim/meshing/temporary_folder.h"
 #include "sim/world/world.h"
 #include "tests/world/scenes.h"
 

@@ -22,9 +22,9 @@ TEST(NodeReport, WhatItShowsIsOfOneMomentAndAddsUp) {
       EXPECT_EQ(report.strained, !frame.bodies[report.body].rigid);
       if (!report.strained) continue;
       double sum = report.balance, scale = 1e-6;
-      for (const ElementShare& element : report.elements) {
-        sum += element.share;
-        scale += std::abs(element.share) + element.force.tensile.norm() + element.force.compressive.norm();
+      for (const ElementContribution& element : report.elements) {
+        sum += element.fraction;
+        scale += std::abs(element.fraction) + element.force.tensile.norm() + element.force.compressive.norm();
       }
       EXPECT_NEAR(sum, report.sum(), 1e-9 * scale) << "node " << i << ", step " << step;
       EXPECT_EQ(report.elements.size(), frame.stars[i].size());
@@ -65,7 +65,7 @@ TEST(NodeReport, ElementsAreRankedByTheirShare) {
     std::set<TetId> seen;
     for (std::size_t k = 0; k < report.elements.size(); ++k) {
       seen.insert(report.elements[k].tet);
-      EXPECT_TRUE(k == 0 || report.elements[k - 1].share >= report.elements[k].share);
+      EXPECT_TRUE(k == 0 || report.elements[k - 1].fraction >= report.elements[k].fraction);
     }
     EXPECT_EQ(seen.size(), report.elements.size());
   }
@@ -88,14 +88,14 @@ TEST(NodeReport, AllCopiesOfABrokenNodeKnowWhereItBroke) {
   }
 }
 
-TEST(NodeReport, MostLoadedNodeHasTheLargestMarginOfWhatIsElastic) {
+TEST(NodeReport, MostLoadedNodeHasTheLargestUtilizationOfWhatIsElastic) {
   World world(shot_wall(Vec3(2, 2, 0.5), 0.25, brick(20)));
   for (int step = 0; step < 20; ++step) world.step();
   const Frame frame = world.frame();
   const NodeId node = most_loaded_node(frame);
   ASSERT_TRUE(node.valid());
   for (const NodeSeparation& separation : frame.separations)
-    EXPECT_LE(separation.margin, frame.separations[node].margin);
+    EXPECT_LE(separation.utilization, frame.separations[node].utilization);
   EXPECT_FALSE(most_loaded_node(Frame{}).valid());
 }
 

@@ -1,4 +1,4 @@
-#include "sim/world/probes.h"
+#include "sim/world/conditions/probes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "sim/world/phases.h"
+#include "sim/world/phases/fracture_phase.h"
+#include "sim/world/setup/build_world.h"
 #include "sim/world/world.h"
 #include "sim/world/world_state.h"
 #include "tests/world/scenes.h"
@@ -116,7 +117,7 @@ TEST(Probes, SurviveACrack) {
       build_world(probed_block({probe_at(ProbePoint{}, {ProbeQuantity::stress}),
                                 probe_at(everything, {ProbeQuantity::reaction, ProbeQuantity::separation})}));
   const int nodes = world.mesh.node_count();
-  for (NodeId node(0); node < nodes; ++node.value) world.nodes.separations[node].margin = 2;
+  for (NodeId node(0); node < nodes; ++node.value) world.nodes.separations[node].utilization = 2;
   open_cracks(world, 0);
   ASSERT_GT(world.mesh.node_count(), nodes);
   for (std::size_t tet = 0; tet < world.elements.stresses.size(); ++tet)
@@ -135,7 +136,7 @@ TEST(Probes, EveryColumnHasAName) {
   const std::vector<std::string> columns = probe_columns(world.frame().probes);
   EXPECT_EQ(columns.size(), probe_values(world.frame().probes, world.frame()).size());
   EXPECT_THAT(columns, ::testing::IsSupersetOf({"probe.displacement.x [m]", "probe.stress.zx [Pa]",
-                                                "probe.separation.margin [-]", "probe.reaction.z [N]"}));
+                                                "probe.separation.utilization [-]", "probe.reaction.z [N]"}));
 }
 
 TEST(Probes, WhatTheyNameHasToExist) {

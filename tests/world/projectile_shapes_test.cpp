@@ -2,7 +2,7 @@
 
 #include <fstream>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/world/world.h"
 

@@ -2,10 +2,10 @@
 
 #include <set>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
+#include "sim/core/temporary_folder.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/write_mesh.h"
-#include "sim/meshing/temporary_folder.h"
 #include "sim/world/world.h"
 #include "tests/random_values.h"
 #include "tests/world/scenes.h"
@@ -68,7 +68,7 @@ TEST(TouchingPieces, AreHeldWhereAListNamesTheNodeThatTheyHadInCommon) {
   const Frame frame = world.frame();
   for (std::size_t tet = 0; tet < frame.tets.size(); ++tet)
     for (NodeId node : frame.tets[tet])
-      if (frame.node_held[node]) held.insert(frame.tet_bodies[tet]);
+      if (frame.node_supported[node]) held.insert(frame.tet_bodies[tet]);
   EXPECT_EQ(held.size(), 2u);
 }
 
@@ -76,18 +76,18 @@ TEST(TouchingPieces, AreHeldWhereAListNamesTheNodeThatTheyHadInCommon) {
 TetSoup random_lattice(RandomValues& random) {
   const BoxPattern pattern = std::array{BoxPattern::kuhn, BoxPattern::five_tet, BoxPattern::bcc}[random.index(3)];
   TetSoup soup = make_box(Vec3(2, 2, 2), Vec3::Ones(), pattern);
-  const double share = random.uniform(0.1, 0.9);
-  std::erase_if(soup.tets, [&](const auto&) { return random.uniform(0, 1) > share; });
+  const double fraction = random.uniform(0.1, 0.9);
+  std::erase_if(soup.tets, [&](const auto&) { return random.uniform(0, 1) > fraction; });
   if (soup.tets.empty()) soup = make_box(Vec3(2, 2, 2), Vec3::Ones(), pattern);
   return soup;
 }
 
-/// Moves corners next to the middles of the faces opposite them: slivers of any flatness down to `least`.
-void flatten_some(TetSoup& soup, RandomValues& random, double least) {
+/// Moves corners next to the middles of the faces opposite them: slivers of any flatness down to `minimum`.
+void flatten_some(TetSoup& soup, RandomValues& random, double minimum) {
   for (const auto& tet : soup.tets) {
     if (random.index(6) > 0) continue;
     const Vec3 middle = (soup.points[tet[1]] + soup.points[tet[2]] + soup.points[tet[3]]) / 3;
-    soup.points[tet[0]] = middle + std::pow(least, random.uniform(0, 1)) * (soup.points[tet[0]] - middle);
+    soup.points[tet[0]] = middle + std::pow(minimum, random.uniform(0, 1)) * (soup.points[tet[0]] - middle);
   }
 }
 

@@ -1,12 +1,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sim/core/parallel.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"
-#include "sim/parallel.h"
-#include "sim/world/phases.h"
-#include "sim/world/subdivision.h"
+#include "sim/world/phases/subdivision.h"
+#include "sim/world/setup/build_world.h"
+#include "sim/world/step.h"
 #include "sim/world/world.h"
+#include "sim/world/world_state.h"
 #include "tests/world/scenes.h"
 
 namespace griffith {
@@ -118,7 +120,7 @@ TEST(Remeshing, SupportsHoldTheMiddleOfAnEdgeWhereTheyHoldBothEnds) {
     const Frame frame = world.frame();
     EXPECT_GT(frame.fragments, 0);
     for (std::size_t node = 0; node < frame.positions.size(); ++node) {
-      if (frame.rest_positions[node].y() > -0.5 + 1e-9 || !frame.node_held[node]) continue;
+      if (frame.rest_positions[node].y() > -0.5 + 1e-9 || !frame.node_supported[node]) continue;
       on_cut_edges += std::ranges::count(frame.rest_positions.first(nodes), frame.rest_positions[node]) == 0;
       EXPECT_NEAR(frame.positions[node].y(), -0.5, 1e-8) << "node " << node;
     }
@@ -138,7 +140,8 @@ struct HalvedAtItsFoot {
     world.time += 0.5 * world.model->scene.simulation.time_step;
     const auto& corners = world.mesh.tets[0];
     std::vector<NodeId> held;
-    std::ranges::copy_if(corners, std::back_inserter(held), [&](NodeId node) { return world.nodes.held[node] != 0; });
+    std::ranges::copy_if(corners, std::back_inserter(held),
+                         [&](NodeId node) { return world.nodes.has_support[node] != 0; });
     bisect_edge(world.mesh, held.at(0), held.at(1), 0.4, cut);
     follow_subdivision(world, cut);
   }
@@ -168,7 +171,7 @@ TEST(Remeshing, SupportsGoOnAsTheStepBegan) {
   ASSERT_LT(velocity.x(), 0.09);
   int held = 0;
   for (NodeId node(0); node < halved.world.mesh.node_count(); ++node.value) {
-    if (!halved.world.nodes.held[node]) continue;
+    if (!halved.world.nodes.has_support[node]) continue;
     EXPECT_LT((halved.world.nodes.constraints[node].velocity - velocity).norm(), 1e-12) << "node " << node;
     ++held;
   }
@@ -179,9 +182,9 @@ TEST(Remeshing, ABodyThatIsTornOffInTheRoundIsNotGivenASpin) {
   HalvedAtItsFoot halved(0.03);
   WorldState& world = halved.world;
   MotionsBefore motions;
-  note_motion(world, world.bodies[0], motions);
-  std::ranges::fill(world.nodes.held, 0);
-  note_motion(world, world.bodies[0], motions);  // its new node is not among the body's yet
+  record_motion(world, world.bodies[0], motions);
+  std::ranges::fill(world.nodes.has_support, 0);
+  record_motion(world, world.bodies[0], motions);  // its new node is not among the body's yet
   const std::vector<Vec3> velocities = world.nodes.velocities;
   restore_angular_momentum(world, motions);
   EXPECT_EQ(world.nodes.velocities, velocities);

@@ -5,8 +5,10 @@
 #include <functional>
 #include <random>
 
-#include "sim/world/phases.h"
+#include "sim/world/bodies/bodies.h"
+#include "sim/world/setup/build_world.h"
 #include "sim/world/world.h"
+#include "sim/world/world_state.h"
 #include "tests/world/scenes.h"
 
 namespace griffith {
@@ -161,8 +163,8 @@ TEST(Rest, TheSpeedThatHurtsIsThatOfTheWeakestPlane) {
   scene.bodies[0].weakness.reset();
   scene.bodies[0].strength_scatter = StrengthScatter{10, 1e-4, 1};
   const WorldState scattered = build_world(scene);
-  const double least = *std::ranges::min_element(scattered.nodes.strength_factors);
-  EXPECT_NEAR(speed_of(scene), least * uniform, 1e-9);
+  const double minimum = *std::ranges::min_element(scattered.nodes.strength_factors);
+  EXPECT_NEAR(speed_of(scene), minimum * uniform, 1e-9);
   scene.bodies[0].strength_scatter.reset();
   Material& material = scene.bodies[0].material;
   material.criterion = FractureCriterion::separation_force;

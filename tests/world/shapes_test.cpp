@@ -1,10 +1,10 @@
-#include "sim/world/shapes.h"
+#include "sim/world/setup/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/mesh/mesh_report.h"
 
 namespace griffith {

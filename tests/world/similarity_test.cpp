@@ -1,15 +1,19 @@
 // Impacts of more microsteps than the budget leaves: bodies scaled by dynamic similarity.
 
-#include "sim/world/similarity.h"
+#include "sim/world/shock/similarity.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "sim/world/phases.h"
-#include "sim/world/shock_phase.h"
+#include "sim/world/bodies/bodies.h"
+#include "sim/world/phases/elastic_phase.h"
+#include "sim/world/phases/motion_phase.h"
+#include "sim/world/setup/build_world.h"
+#include "sim/world/shock/shock_phase.h"
 #include "sim/world/world.h"
+#include "sim/world/world_state.h"
 
 namespace griffith {
 namespace {
@@ -166,7 +170,7 @@ TEST(Similarity, TheEndGivesTheShapeThatBelongsToTheStress) {
     for (TetId tet(0); tet < world.mesh.tet_count(); ++tet.value)
       EXPECT_LT((world.elements.states[tet].stress - scaled[tet].stress).norm(), 1e-3 * scaled[tet].stress.norm());
     for (const NodeId node : bar.body().nodes) {
-      if (world.nodes.held[node] == 0) continue;
+      if (world.nodes.has_support[node] == 0) continue;
       EXPECT_LT((world.nodes.positions[node] - world.mesh.rest_positions[node]).norm(), 1e-12);
     }
     if (supported) continue;

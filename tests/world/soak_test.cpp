@@ -29,7 +29,7 @@ class RandomScenes {
 
  private:
   double uniform() { return std::uniform_real_distribution<double>(0, 1)(random_); }
-  double logarithmic(double least, double most) { return least * std::pow(most / least, uniform()); }
+  double logarithmic(double minimum, double maximum) { return minimum * std::pow(maximum / minimum, uniform()); }
   Vec3 direction() { return Vec3(uniform() - 0.5, uniform() - 0.5, uniform() - 0.5).normalized(); }
 
   BodyDescription body(double size, int index) {

@@ -1,8 +1,12 @@
 #include <gtest/gtest.h>
 
-#include "sim/parallel.h"
-#include "sim/world/phases.h"
+#include "sim/core/parallel.h"
+#include "sim/world/bodies/collision_shape.h"
+#include "sim/world/phases/fracture_phase.h"
+#include "sim/world/setup/build_world.h"
+#include "sim/world/step.h"
 #include "sim/world/world.h"
+#include "sim/world/world_state.h"
 #include "tests/world/scenes.h"
 
 namespace griffith {
@@ -43,7 +47,7 @@ void cut_in_two(WorldState& world) {
     if (std::abs(world.mesh.rest_positions[node].y()) < 1e-9) plane.push_back(node);
   for (const NodeId node : plane) {
     world.nodes.separations[node].direction = Vec3::UnitY();
-    world.nodes.separations[node].margin = 2;
+    world.nodes.separations[node].utilization = 2;
     open_cracks(world, 0);
     for (NodeSeparation& separation : world.nodes.separations) separation = {};
   }

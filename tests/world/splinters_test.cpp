@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
-#include "sim/error.h"
-#include "sim/parallel.h"
-#include "sim/world/phases.h"
+#include "sim/core/error.h"
+#include "sim/core/parallel.h"
+#include "sim/world/setup/build_world.h"
+#include "sim/world/setup/place_splinters.h"
 #include "sim/world/world.h"
+#include "sim/world/world_state.h"
 #include "tests/world/scenes.h"
 
 namespace griffith {

@@ -1,4 +1,4 @@
-#include "sim/world/starting_overlaps.h"
+#include "sim/world/setup/starting_overlaps.h"
 
 #include <gmock/gmock.h>
 

@@ -29,12 +29,12 @@ Scene bar(const Vec3& element_size, BoxPattern pattern) {
   return scene;
 }
 
-double peak_margin(Scene scene) {
+double peak_utilization(Scene scene) {
   scene.analysis = Analysis::equilibrium;
   scene.simulation.fracture = false;
   World world(scene);
   world.step();
-  return world.frame().report.peak_margin;
+  return world.frame().report.peak_utilization;
 }
 
 TEST(StrengthScatter, BarsBreakAsWeibullSaysOnCoarseAndFineMeshes) {
@@ -46,7 +46,7 @@ TEST(StrengthScatter, BarsBreakAsWeibullSaysOnCoarseAndFineMeshes) {
     for (int seed = 0; seed < bars; ++seed) {
       Scene scene = bar(Vec3::Constant(size), BoxPattern::five_tet);
       scene.bodies[0].strength_scatter = StrengthScatter{m, 1, seed};
-      const double strength = 1 / peak_margin(scene);
+      const double strength = 1 / peak_utilization(scene);
       sum += strength;
       squares += strength * strength;
     }
@@ -65,11 +65,11 @@ TEST(Weakness, AnOffAxisBarBreaksAtHankinsonsLoadAlongTheGrain) {
     Scene scene = bar(Vec3::Constant(0.125), BoxPattern::five_tet);
     scene.bodies[0].weakness = Weakness{WeaknessKind::grain, Vec3(std::cos(angle), std::sin(angle), 0), ratio};
     const double hankinson = 1 / (std::pow(std::cos(angle), 2) + std::pow(std::sin(angle), 2) / ratio);
-    EXPECT_NEAR(1 / peak_margin(scene), hankinson, 0.01 * hankinson) << degrees;
+    EXPECT_NEAR(1 / peak_utilization(scene), hankinson, 0.01 * hankinson) << degrees;
     if (degrees < 10) continue;
     const Vec3 grain = scene.bodies[0].weakness->direction;
     for (Load& load : scene.bodies[0].loads) load.traction *= hankinson;
-    breaking_share(scene, {0.95, 1.1, 0.01}, has_cracked, [&](const Frame& frame) {
+    breaking_fraction(scene, {0.95, 1.1, 0.01}, has_cracked, [&](const Frame& frame) {
       EXPECT_LT(std::abs(frame.crack_events.front().normal.dot(grain)), std::sin(0.2))
           << "the plane contains the grain";
     });
@@ -79,12 +79,12 @@ TEST(Weakness, AnOffAxisBarBreaksAtHankinsonsLoadAlongTheGrain) {
 TEST(Weakness, LayersPartAcrossTheirDirectionAndTurnWithTheBody) {
   Scene scene = bar(Vec3::Constant(0.25), BoxPattern::kuhn);
   scene.bodies[0].weakness = Weakness{WeaknessKind::layers, Vec3::UnitX(), 0.1};
-  EXPECT_NEAR(peak_margin(scene), 10, 1e-2);
+  EXPECT_NEAR(peak_utilization(scene), 10, 1e-2);
   scene.bodies[0].weakness->direction = Vec3::UnitY();
-  EXPECT_NEAR(peak_margin(scene), 1, 1e-3);
+  EXPECT_NEAR(peak_utilization(scene), 1, 1e-3);
   scene.bodies[0].rotation_degrees = Vec3(0, 0, 90);
   for (Load& load : scene.bodies[0].loads) load.traction = Vec3(0, load.traction.x(), 0);
-  EXPECT_NEAR(peak_margin(scene), 1, 1e-3) << "the direction is the body's, not the world's";
+  EXPECT_NEAR(peak_utilization(scene), 1, 1e-3) << "the direction is the body's, not the world's";
 }
 
 }  // namespace

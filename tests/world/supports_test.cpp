@@ -36,7 +36,7 @@ TEST(Supports, AFixedNodeStandsStill) {
   const Frame frame = world.frame();
   int held = 0;
   for (std::size_t i = 0; i < frame.positions.size(); ++i) {
-    if (!frame.node_held[i]) continue;
+    if (!frame.node_supported[i]) continue;
     EXPECT_TRUE(frame.positions[i] == frame.rest_positions[i] && frame.velocities[i].isZero(0));
     ++held;
   }
@@ -50,7 +50,7 @@ TEST(Supports, ASlidingBlockKeepsItsPlaneAndItsMomentumAlongIt) {
   for (int i = 0; i < 20; ++i) world.step();
   const Frame frame = world.frame();
   for (std::size_t i = 0; i < frame.positions.size(); ++i) {
-    if (!frame.node_held[i]) continue;
+    if (!frame.node_supported[i]) continue;
     EXPECT_NEAR(frame.positions[i].y(), -0.5, 1e-12);
   }
   const Vec3 drift = frame.bodies[0].center_of_mass - Vec3::Zero();
@@ -68,7 +68,7 @@ TEST(Supports, APrescribedOneGetsExactlyToWhereItStops) {
     const Frame frame = world.frame();
     const Vec3 way = std::min(frame.time, 0.03) * prescribed.velocity;
     for (std::size_t node = 0; node < frame.positions.size(); ++node) {
-      if (!frame.node_held[node]) continue;
+      if (!frame.node_supported[node]) continue;
       EXPECT_LT((frame.positions[node] - frame.rest_positions[node] - way).norm(), 1e-14);
     }
   }
@@ -118,8 +118,8 @@ TEST(Supports, OneThatIsTornOffCarriesNothing) {
     scene.bodies[0].material.tensile_strength = 1e3;  // its weight loads it with 19 kPa
     World world(scene);
     world.step();
-    for (int i = 0; i < 60 && std::ranges::count(world.frame().node_held, 1) > 0; ++i) world.step();
-    ASSERT_EQ(std::ranges::count(world.frame().node_held, 1), 0);
+    for (int i = 0; i < 60 && std::ranges::count(world.frame().node_supported, 1) > 0; ++i) world.step();
+    ASSERT_EQ(std::ranges::count(world.frame().node_supported, 1), 0);
     world.step();
     for (const Vec3& reaction : world.frame().reactions) EXPECT_TRUE(reaction.isZero(0));
   }

@@ -1,10 +1,10 @@
-#include "sim/world/surface_point.h"
+#include "sim/world/bodies/surface_point.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "sim/world/phases.h"
+#include "sim/world/setup/build_world.h"
 #include "sim/world/world_state.h"
 #include "tests/world/scenes.h"
 
@@ -18,15 +18,15 @@ Vec3 position_of(const WorldState& world, const SurfacePoint& point) {
 }
 
 double distance_to_all_faces(const WorldState& world, const Body& body, const Vec3& position) {
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (const SurfaceFace& face : body.surface) {
     const std::array<NodeId, 3> nodes = face_nodes(world.mesh, face.tet, face.face);
     std::array<Vec3, 3> corners;
     for (int i = 0; i < 3; ++i) corners[i] = world.nodes.positions[nodes[i]];
     const Vec3 weights = closest_on_triangle(position, corners);
-    least = std::min(least, (position_of(world, {nodes, weights}) - position).norm());
+    minimum = std::min(minimum, (position_of(world, {nodes, weights}) - position).norm());
   }
-  return least;
+  return minimum;
 }
 
 TEST(SurfacePoint, IsTheClosestOfAllFaces) {

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "../meshing/surfaces.h"
-#include "sim/error.h"
+#include "sim/core/error.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/world.h"
 

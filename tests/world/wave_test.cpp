@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <optional>
 
+#include "sim/core/temporary_folder.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/write_mesh.h"
-#include "sim/meshing/temporary_folder.h"
 #include "sim/world/world.h"
 
 namespace griffith {
@@ -101,7 +101,7 @@ TetSoup stepped_bar(double thin_length, double thick_length, double size) {
 }
 
 /// Of the impulse of a pulse [N·s] that arrives in the thick part of the bar, beside its closed form 2A₂ / (A₁ + A₂).
-double arriving_share(Integrator integrator, double traction, double time_step) {
+double arriving_fraction(Integrator integrator, double traction, double time_step) {
   constexpr double kThin = 0.8, kThick = 1.6, kSize = 0.025;
   const TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "bar.msh";
@@ -133,7 +133,7 @@ double arriving_share(Integrator integrator, double traction, double time_step) 
 TEST(SteppedBar, PassesTheImpulseThatItsAreasSayInPressureAndInTension) {
   for (const double traction : {-5e5, 5e5})
     for (const Integrator integrator : {Integrator::hybrid, Integrator::implicit_euler, Integrator::symplectic_euler})
-      EXPECT_NEAR(arriving_share(integrator, traction, 4e-6), 1, 0.03)
+      EXPECT_NEAR(arriving_fraction(integrator, traction, 4e-6), 1, 0.03)
           << traction << " " << static_cast<int>(integrator);
 }
 

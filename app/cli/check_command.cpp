@@ -1,0 +1,49 @@
+#include <algorithm>
+#include <cstdio>
+
+#include "app/shared/command_options.h"
+#include "app/shared/scene_world.h"
+#include "sim/core/error.h"
+#include "sim/scene/scene_reader.h"
+#include "sim/world/setup/starting_overlaps.h"
+
+namespace griffith::app {
+namespace {
+
+void warn_of(const std::vector<InputError>& findings, const std::filesystem::path& path) {
+  constexpr std::size_t kMaximum = 20;
+  for (std::size_t i = 0; i < std::min(findings.size(), kMaximum); ++i)
+    std::fprintf(stderr, "warning: %s\n", in_file(path, findings[i]).what());
+  if (findings.size() > kMaximum) std::fprintf(stderr, "warning: and %zu more\n", findings.size() - kMaximum);
+}
+
+/// All problems of the file, while its warnings are printed; where it reads well, the first one of its meshes.
+std::vector<InputError> problems_of(const std::filesystem::path& path) {
+  std::vector<InputError> problems = check_scene(path);
+  if (!problems.empty()) return problems;
+  try {
+    const Scene scene = read_scene(path);
+    const World world = make_world(scene, path);
+    warn_of(world.findings(), path);
+    warn_of(starting_overlaps(scene, world.frame()), path);
+  } catch (const InputError& error) {
+    problems.push_back(error);
+  }
+  return problems;
+}
+
+}  // namespace
+
+int check_command(const CheckOptions& options) {
+  int count = 0;
+  for (const std::filesystem::path& path : options.scenes) {
+    const std::vector<InputError> problems = problems_of(path);
+    for (const InputError& problem : problems) std::fprintf(stderr, "%s\n", problem.what());
+    if (problems.empty()) std::printf("%s: good\n", path.c_str());
+    count += static_cast<int>(problems.size());
+  }
+  if (count > 0) std::fprintf(stderr, "%d %s\n", count, count == 1 ? "problem" : "problems");
+  return count;
+}
+
+}  // namespace griffith::app

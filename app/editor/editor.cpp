@@ -1,0 +1,234 @@
+#include "app/editor/editor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/picture/bounds_of.h"
+#include "app/picture/named_view.h"
+#include "app/picture/picture_options.h"
+#include "app/picture/scene_camera.h"
+#include "app/picture/scene_legend.h"
+#include "app/shared/scene_files.h"
+#include "app/shared/scene_world.h"
+
+namespace griffith::app {
+namespace {
+
+constexpr double kSmoothing = 0.1;
+constexpr std::size_t kMaxLogLines = 500;
+/// The picture's size before the panels were laid out [pixels].
+constexpr int kFirstWidth = 640, kFirstHeight = 480;
+
+ProjectileBurst first_shot(const Scene& scene) {
+  ProjectileBurst shot = scene.projectiles.empty() ? ProjectileBurst{} : scene.projectiles.front();
+  shot.count = 1;
+  return shot;
+}
+
+/// Of what is elastic, whatever the picture shows of it.
+void set_bounds(ui::EditorInput& input) {
+  const Eigen::AlignedBox3d box = bounds_of(input.frame);
+  if (box.isEmpty()) return;
+  input.low = box.min();
+  input.high = box.max();
+}
+
+}  // namespace
+
+Editor::Editor(Scene scene, std::filesystem::path path)
+    : history_(scene),
+      file_time_(time_of_file(path)),
+      world_(make_world(scene, path)),
+      display_(embedded_display(world_.frame(), scene)) {
+  show_scene(std::move(scene), std::move(path));
+}
+
+void Editor::show_scene(Scene scene, std::filesystem::path path, const Scene* edited) {
+  state_.running = false;
+  state_.view = (edited ? *edited : scene).view;
+  state_.shot = first_shot(edited ? *edited : scene);
+  state_.selected_body = 0;
+  state_.selection = {};
+  history_ = ui::EditHistory(std::move(scene));
+  if (edited) {
+    history_.change("Recover edits", [&](Scene& recovered) { recovered = *edited; });
+    history_.finish();
+  }
+  copied_revision_ = -1;
+  path_ = std::move(path);
+  scene_files_ = scene_files(path_);
+  restart();
+  use_camera("");
+  log(ui::LogLevel::info, "Opened \"" + history_.scene().name + "\". Press Space to run, right-click to fire.");
+}
+
+void Editor::restart() {
+  built_ = history_.scene();
+  seen_revision_ = -1;
+  history_of_utilizations_.clear();
+  remember();
+  pacer_.reset();
+  step_seconds_ = 0;
+  ++world_count_;
+  range_.restart();
+  update_picture();
+}
+
+void Editor::update_picture() {
+  const Frame frame = world_.frame();
+  range_.follow(frame, state_.view.quantity);
+  picture_ = draw_scene_from_frame(frame, display_, built_, state_.view, state_.selection, range_.range());
+}
+
+void Editor::remember() {
+  const Frame frame = world_.frame();
+  history_of_utilizations_.record(frame);
+  select(ui::follow(state_.selection, frame));
+}
+
+void Editor::use_camera(const std::string& name) {
+  camera_ = scene_camera(history_.scene(), name, picture_, aspect());
+  if (history_.scene().cameras.empty()) look_at(render::bounds(picture_));
+}
+
+void Editor::look_at(const Eigen::AlignedBox3f& bounds) {
+  const render::Camera framed = render::frame_bounds(picture_camera(), bounds, aspect());
+  camera_.position = framed.position;  // the angle of view is widened for the picture alone
+  camera_.target = framed.target;
+}
+
+void Editor::frame_for_layout() {
+  if (laid_out_ || state_.viewport_size.x <= 0) return;
+  laid_out_ = true;
+  if (history_.scene().cameras.empty()) use_camera("");
+}
+
+void Editor::use_view(const std::string& names) {
+  use_named_view(state_.view, names, world_.frame(), (camera_.position - camera_.target).cast<double>());
+}
+
+void Editor::advance(double elapsed) {
+  if (elapsed > 0) picture_seconds_ += kSmoothing * (elapsed - picture_seconds_);
+  if (!state_.running) return;
+  const int steps = pacer_.steps_due(elapsed, state_.speed, history_.scene().simulation.time_step, step_seconds_);
+  for (int i = 0; i < steps; ++i) step();
+}
+
+void Editor::step() {
+  world_.step();
+  remember();
+  const Frame frame = world_.frame();
+  range_.follow(frame, state_.view.quantity);
+  const double seconds = frame.report.milliseconds.step / 1000;
+  step_seconds_ = step_seconds_ == 0 ? seconds : step_seconds_ + kSmoothing * (seconds - step_seconds_);
+  if (frame.report.non_finite_values > 0) {
+    log(ui::LogLevel::error,
+        "Step " + std::to_string(frame.step) + ": values are not finite or substeps too short, bodies were frozen.");
+  }
+}
+
+Editor::PictureKey Editor::picture_key() const {
+  const Frame frame = world_.frame();
+  const bool laid_out = state_.viewport_size.x > 0;
+  return {world_count_,
+          frame.step,
+          history_.revision(),
+          frame.projectiles.size(),
+          laid_out ? static_cast<int>(std::lround(state_.viewport_size.x)) : kFirstWidth,
+          laid_out ? static_cast<int>(std::lround(state_.viewport_size.y)) : kFirstHeight,
+          state_.view,
+          state_.selection,
+          camera_.position,
+          camera_.target};
+}
+
+void Editor::draw_picture(int samples) {
+  receive_world();  // before the picture, which else would be of another world than the panels
+  frame_for_layout();
+  const PictureKey key = picture_key();
+  if (key == drawn_) return;
+  drawn_ = key;
+  update_picture();
+  renderer_.render(picture_, picture_camera(), picture_options(key.width, key.height, samples, state_.view));
+}
+
+void Editor::draw_panels(const ui::Fonts& fonts) {
+  ui::EditorInput input;
+  input.frame = world_.frame();
+  input.fonts = fonts;
+  input.picture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(renderer_.color_texture()));
+  input.legend = scene_legend(picture_, state_.view.range.has_value());
+  if (input.legend) place_legend(*input.legend, fonts);
+  input.labels = scene_labels(picture_, picture_camera(), aspect());
+  if (state_.selection.valid()) utilizations_ = history_of_utilizations_.samples(input.frame, state_.selection.node);
+  input.utilizations = utilizations_;
+  set_bounds(input);
+  input.towards_eye = (camera_.position - camera_.target).cast<double>();
+  input.scene_files = scene_files_;
+  input.scene_path = path_;
+  input.time_step = history_.scene().simulation.time_step;
+  input.step_milliseconds = 1000 * step_seconds_;
+  input.frames_per_second = picture_seconds_ > 0 ? 1 / picture_seconds_ : 0;
+  input.reached_speed = pacer_.reached_speed();
+  input.falling_behind = pacer_.falling_behind();
+  for (const ui::Command& command : ui::draw_editor(input, state_, history_, tags_)) execute(command);
+  follow_edits();
+  move_camera();
+}
+
+void Editor::place_legend(ui::Legend& legend, const ui::Fonts& fonts) {
+  legend.corner = legend_corner_;
+  PictureKey key = picture_key();
+  key.step = key.revision = 0;
+  key.projectiles = 0;
+  key.selected = {};
+  if (key != legend_placed_) {
+    const ImVec2 size(static_cast<float>(key.width), static_cast<float>(key.height));
+    const float scale = fonts.small->FontSize / ui::kSmallText;
+    legend_corner_ = legend.corner = legend_corner(picture_, picture_camera(), legend, fonts, size, scale);
+    legend_placed_ = key;
+  }
+}
+
+void Editor::move_camera() {
+  const ui::CameraMotion motion = state_.camera_motion;
+  state_.camera_motion = {};
+  camera_ = render::orbit(camera_, motion.yaw, motion.pitch);
+  camera_ = render::pan(camera_, motion.pan_right, motion.pan_up);
+  camera_ = render::zoom(camera_, motion.zoom);
+  if (state_.view.slice && (motion.slice_right != 0 || motion.slice_up != 0)) move_slice(motion);
+}
+
+void Editor::move_slice(const ui::CameraMotion& motion) {
+  constexpr double kFacing = 0.05;
+  const Vec3 sight = (camera_.target - camera_.position).cast<double>();
+  const Vec3 right = sight.cross(Vec3::UnitY()).normalized(), up = right.cross(sight).normalized();
+  SlicePlane& slice = *state_.view.slice;
+  const Vec3 normal = slice.normal.normalized();
+  const Vec2 along(normal.dot(right), normal.dot(up)), drag(motion.slice_right, motion.slice_up);
+  // A plane that faces the eye has no direction on the screen: up is towards the eye.
+  const double fraction = along.squaredNorm() > kFacing ? drag.dot(along) / along.squaredNorm()
+                                                        : -normal.dot(sight.normalized()) * drag.y();
+  slice.offset += fraction * static_cast<double>(render::height_at_target(camera_));
+}
+
+float Editor::aspect() const {
+  const PictureKey key = picture_key();
+  return static_cast<float>(key.width) / static_cast<float>(key.height);
+}
+
+render::Camera Editor::picture_camera() const { return render::widen(camera_, aspect()); }
+
+void Editor::log(ui::LogLevel level, std::string text) {
+  if (state_.log.size() >= kMaxLogLines) state_.log.erase(state_.log.begin());
+  state_.log.push_back({level, std::move(text)});
+}
+
+std::string Editor::title() const {
+  return history_.scene().name + (history_.modified() ? " * - Griffith" : " - Griffith");
+}
+
+bool Editor::take_screenshot_request() { return std::exchange(screenshot_wanted_, false); }
+
+}  // namespace griffith::app

@@ -1,0 +1,176 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/editor/autosave.h"
+#include "app/editor/step_pacer.h"
+#include "app/editor/utilization_history.h"
+#include "app/editor/world_loader.h"
+#include "app/picture/draw_scene_from_frame.h"
+#include "app/picture/steady_range.h"
+#include "renderer/camera.h"
+#include "renderer/renderer.h"
+#include "sim/core/error.h"
+#include "sim/world/world.h"
+#include "ui/panels/editor_layout.h"
+
+namespace griffith::app {
+
+/// The editor but for its window: scene, world, camera, picture and panels. Needs a current OpenGL context; each drawn
+/// frame is advance(), draw_picture(), draw_panels().
+class Editor {
+ public:
+  /// Throws InputError when the scene can't be built.
+  Editor(Scene scene, std::filesystem::path path);
+
+  /// Makes the time steps that are due after `elapsed` [s] of real time, if the simulation runs.
+  void advance(double elapsed);
+  /// Makes one time step.
+  void step();
+
+  /// Draws the scene in the size that the panels left for it, if anything in it changed. `samples`: per pixel.
+  void draw_picture(int samples);
+  /// Draws the panels into the current ImGui frame and carries out what the user asked for.
+  void draw_panels(const ui::Fonts& fonts);
+
+  /// Carries out what the user asked for; problems are shown. What would lose edits that are not saved asks first.
+  void execute(const ui::Command& command);
+  /// Opens a scene, whatever becomes of the edits of this one; a problem is shown and leaves everything as it was.
+  /// Where its world takes longer to build, the scene appears when that is done, and a dialog that can cancel it shows
+  /// until then.
+  void open(const std::filesystem::path& path);
+  /// From now on keeps a copy of edits that are not saved, and asks what is to become of those that a crash left.
+  /// `states`: as Autosave has it.
+  void keep_edits_safe(const std::filesystem::path& states);
+  /// To be called often: copies what has been edited, once a minute at most. `now`: seconds of a clock that goes on.
+  void autosave(double now);
+  /// Looks through that camera of the scene. Throws InputError when there is none.
+  void use_camera(const std::string& name);
+  /// Changes what is shown by names, as named_view.h has them. Throws InputError for unknown ones.
+  void use_view(const std::string& names);
+  /// Chooses a node to be explained; nothing happens where there is none of that number.
+  void select_node(NodeId node);
+  void log(ui::LogLevel level, std::string text);
+
+  ui::EditorState& state() { return state_; }
+  const ui::WidgetTags& tags() const { return tags_; }
+  Frame frame() const { return world_.frame(); }
+  std::string title() const;
+  bool wants_to_quit() const { return wants_to_quit_; }
+  /// True once after a screenshot was asked for.
+  bool take_screenshot_request();
+
+ private:
+  /// Seconds that the window may stand still before it shows that work is going on.
+  static constexpr double kPatience = 0.3;
+
+  /// Seconds from one copy of edits to the next.
+  static constexpr double kAutosaveInterval = 60;
+
+  /// `edited`: what has become of the scene, where that is not saved.
+  void show_scene(Scene scene, std::filesystem::path path, const Scene* edited = nullptr);
+  /// Shows the world that was made from the scene as it is.
+  void restart();
+  /// Builds the world again from the scene as it is.
+  void follow();
+  void take_followed(WorldLoader::Loaded loaded);
+  /// Undoes or redoes what the world could not be built for.
+  void go_back_to_built();
+  void log_findings();
+  void follow_edits();
+  void follow_materials();
+  /// Whether the world could take it; else the edit is taken back.
+  bool follow_material(int scene_body);
+  void carry_out(const ui::Command& command);
+  void carry_out_with_files(const ui::Command& command);
+  void receive_world();
+  /// So many tetrahedra are built unasked: few, or no many more than there are.
+  double max_tets() const;
+  /// After work that led to no world: what is shown goes on.
+  void give_up_work();
+  void take_world(WorldLoader::Loaded loaded);
+  void add_surface();
+  void report_surface();
+  void show_error(const InputError& error);
+  void fire(const Vec2& cursor);
+  void pick(const Vec2& cursor);
+  void save(const ui::Command& command);
+  void ask_where_to_save(std::filesystem::path proposed = {});
+  /// Where the scene stands on disk, absolute; empty when nowhere.
+  std::filesystem::path own_file() const;
+  /// Why the file is not to be written unasked; empty when it may.
+  std::string what_saving_would_lose(const std::filesystem::path& file) const;
+  /// Asks for the newest: of this scene or, at the start, of any.
+  void ask_for_left_edits(bool of_any);
+  void recover();
+  void show_recovered(Scene scene, const std::filesystem::path& file);
+  /// Ends the program: what is not saved is not wanted.
+  void quit();
+  void select(const ui::Selection& selection);
+  void select_most_loaded();
+  void frame_all();
+  /// Moves the camera along its line of sight and across until the picture shows all of the box.
+  void look_at(const Eigen::AlignedBox3f& bounds);
+  /// A scene without cameras was framed for a guess until the panels are laid out.
+  void frame_for_layout();
+  void toggle_range_lock();
+  void toggle_slice();
+  void remember();
+  /// Makes the picture of the world as it is.
+  void update_picture();
+  void move_slice(const ui::CameraMotion& motion);
+  void move_camera();
+  /// Moves the legend to where it covers nothing, once for each camera, size and view: not because of a step.
+  void place_legend(ui::Legend& legend, const ui::Fonts& fonts);
+  float aspect() const;
+  /// The camera, opened so far that a narrow view shows as much across as a wide one.
+  render::Camera picture_camera() const;
+
+  /// What the picture depends on: an equal one need not be drawn again.
+  struct PictureKey {
+    std::int64_t world = -1, step = -1, revision = -1;
+    std::size_t projectiles = 0;
+    int width = 0, height = 0;
+    ViewSettings view;
+    ui::Selection selected;
+    Eigen::Vector3f position = Eigen::Vector3f::Zero(), target = Eigen::Vector3f::Zero();
+    bool operator==(const PictureKey&) const = default;
+  };
+  PictureKey picture_key() const;
+
+  ui::EditHistory history_;
+  ui::EditorState state_;
+  ui::WidgetTags tags_;
+  std::filesystem::path path_;
+  /// Of its file, before it was read or when it was written last; the earliest where edits were recovered.
+  std::filesystem::file_time_type file_time_;
+  std::filesystem::file_time_type opened_time_;  ///< of the file that is being opened, before it was read
+  std::vector<std::filesystem::path> scene_files_;
+  World world_;
+  EmbeddedDisplay display_;  ///< of the world
+  WorldLoader loader_;
+  std::optional<Autosave> autosave_;
+  double copied_at_ = -kAutosaveInterval;  ///< when edits were copied last, by the clock of autosave()
+  std::int64_t copied_revision_ = -1;      ///< of the scene
+  Scene built_;                            ///< what the world was built from, with the materials that it has now
+  std::int64_t seen_revision_ = -1;        ///< of the scene, when it was last compared with that
+  std::int64_t world_count_ = 0;           ///< worlds made so far
+  render::Camera camera_;
+  render::Renderer renderer_;
+  render::DrawScene picture_;
+  SteadyRange range_;
+  ui::LegendCorner legend_corner_ = {};
+  PictureKey legend_placed_;  ///< for which picture it was
+  PictureKey drawn_;
+  UtilizationHistory history_of_utilizations_;
+  std::vector<ui::UtilizationSample> utilizations_;  ///< of the selected node
+  StepPacer pacer_;
+  double step_seconds_ = 0, picture_seconds_ = 0;  ///< smoothed
+  bool laid_out_ = false;                          ///< the size of the picture is known
+  bool wants_to_quit_ = false, screenshot_wanted_ = false;
+};
+
+}  // namespace griffith::app

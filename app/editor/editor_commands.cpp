@@ -1,0 +1,227 @@
+#include <algorithm>
+#include <cassert>
+#include <new>
+#include <stdexcept>
+
+#include "app/editor/editor.h"
+#include "app/editor/picking.h"
+#include "app/editor/shooting.h"
+#include "app/picture/bulk_bounds.h"
+#include "sim/world/node_report.h"
+#include "ui/model/verdict.h"
+
+namespace griffith::app {
+using ui::CommandId;
+
+void Editor::execute(const ui::Command& command) {
+  const bool leaves = command.id == CommandId::open || command.id == CommandId::quit;
+  if (leaves && history_.modified() && !command.discard_edits) {
+    state_.unsaved = command;
+    return;
+  }
+  try {
+    carry_out(command);
+  } catch (const InputError& error) {
+    show_error(error);
+  }
+}
+
+void Editor::carry_out(const ui::Command& command) {
+  switch (command.id) {
+    case CommandId::toggle_run:
+      state_.running = !state_.running;
+      return pacer_.reset();
+    case CommandId::step:
+      state_.running = false;
+      return step();
+    case CommandId::reset:
+      return follow();
+    case CommandId::fire:
+      return fire(command.cursor);
+    case CommandId::pick:
+      return pick(command.cursor);
+    case CommandId::undo:
+      return history_.undo();
+    case CommandId::redo:
+      return history_.redo();
+    case CommandId::frame_all:
+      return frame_all();
+    case CommandId::toggle_edges:
+      state_.view.edges = !state_.view.edges;
+      return;
+    case CommandId::toggle_range_lock:
+      return toggle_range_lock();
+    case CommandId::toggle_slice:
+      return toggle_slice();
+    case CommandId::select_most_loaded:
+      return select_most_loaded();
+    case CommandId::help:
+      state_.show_help = !state_.show_help;
+      return;
+    default:
+      return carry_out_with_files(command);
+  }
+}
+
+void Editor::carry_out_with_files(const ui::Command& command) {
+  switch (command.id) {
+    case CommandId::open_dialog:
+      state_.show_open = true;
+      return;
+    case CommandId::open:
+      return open(command.path);
+    case CommandId::add_surface_dialog:
+      state_.show_surface = true;
+      return;
+    case CommandId::add_surface:
+      return add_surface();
+    case CommandId::save:
+      return save(command);
+    case CommandId::save_dialog:
+      return ask_where_to_save(command.path);
+    case CommandId::recover:
+      return recover();
+    case CommandId::discard_copy:
+      autosave_->remove_found();
+      return ask_for_left_edits(true);
+    case CommandId::leave_copy:
+      return autosave_->leave_found();
+    case CommandId::screenshot:
+      screenshot_wanted_ = true;
+      return;
+    case CommandId::quit:
+      return quit();
+    default:
+      assert(false && "every command is carried out");
+  }
+}
+
+void Editor::show_error(const InputError& error) {
+  state_.running = false;
+  state_.error = ui::ErrorMessage{error.where(), error.problem(), error.remedy()};
+  log(ui::LogLevel::error, error.what());
+}
+
+double Editor::max_tets() const {
+  constexpr double kMany = 4e5;
+  return std::max(kMany, 2.0 * static_cast<double>(world_.frame().tets.size()));
+}
+
+void Editor::receive_world() {
+  if (state_.cancel_work) {
+    loader_.cancel();
+    give_up_work();
+  }
+  if (state_.build_large_mesh) loader_.start_again();
+  state_.cancel_work = state_.build_large_mesh = false;
+  try {
+    if (std::optional<WorldLoader::Loaded> loaded = loader_.take()) take_world(std::move(*loaded));
+  } catch (const InputError& error) {
+    give_up_work();
+    show_error(error);
+  } catch (const LargeMesh& mesh) {
+    state_.large_mesh = mesh.tets;
+  } catch (const std::bad_alloc&) {
+    give_up_work();
+    show_error(InputError("the scene", "cannot be built: the memory does not suffice",
+                          "take larger elements or fewer bodies"));
+  } catch (const std::runtime_error& error) {
+    give_up_work();
+    show_error(InputError("the scene", std::string("cannot be built: ") + error.what(), ""));
+  }
+  state_.work = loader_.stage();
+}
+
+void Editor::give_up_work() {
+  if (loader_.reason() == LoadReason::follow) {
+    go_back_to_built();
+  } else {
+    seen_revision_ = -1;  // it may have taken the place of a world that was to follow an edit
+  }
+}
+
+void Editor::take_world(WorldLoader::Loaded loaded) {
+  if (loaded.reason == LoadReason::follow) return take_followed(std::move(loaded));
+  world_ = std::move(loaded.world);
+  display_ = std::move(loaded.display);
+  if (loaded.reason == LoadReason::recover) return show_recovered(std::move(loaded.scene), loaded.path);
+  if (loaded.reason == LoadReason::open) {
+    if (autosave_) autosave_->remove();
+    file_time_ = opened_time_;
+    show_scene(std::move(loaded.scene), std::move(loaded.path));
+    return ask_for_left_edits(false);
+  }
+  history_.change("Add body", [&](Scene& scene) { scene.bodies = loaded.scene.bodies; });
+  history_.finish();
+  state_.selection = {};
+  state_.selected_body = static_cast<int>(loaded.scene.bodies.size()) - 1;
+  restart();
+  report_surface();
+}
+
+void Editor::fire(const Vec2& cursor) {
+  const PictureKey key = picture_key();
+  const render::Ray ray = render::pixel_ray(picture_camera(), static_cast<float>(cursor.x() * key.width),
+                                            static_cast<float>(cursor.y() * key.height), key.width, key.height);
+  const Vec3 direction = ray.direction.cast<double>(), eye = ray.origin.cast<double>();
+  const double way = surface_hit(world_.frame(), history_.scene().ground, eye, direction)
+                         .value_or((camera_.target - camera_.position).norm());
+  // It leaves from beneath the eye, far enough ahead not to cover the picture.
+  const double ahead = std::min(4 * state_.shot.radius, way / 2);
+  const Vec3 muzzle = eye + ahead * direction - 2 * state_.shot.radius * Vec3::UnitY();
+  world_.fire(aimed_shot(state_.shot, muzzle, eye + way * direction, history_.scene().gravity));
+  if (!state_.running) log(ui::LogLevel::info, "Fired. It flies when the simulation runs: Space.");
+}
+
+void Editor::select(const ui::Selection& selection) {
+  const Frame frame = world_.frame();
+  state_.selection = selection;
+  if (selection.valid()) state_.selected_body = frame.bodies[frame.tet_bodies[selection.tet]].scene_body;
+}
+
+void Editor::select_node(NodeId node) {
+  const Frame frame = world_.frame();
+  if (!node.valid() || static_cast<std::size_t>(node) >= frame.positions.size()) return;
+  select(ui::select(frame, frame.stars[node].front(), node));
+}
+
+void Editor::select_most_loaded() {
+  const NodeId node = most_loaded_node(world_.frame());
+  if (node.valid()) return select_node(node);
+  log(ui::LogLevel::warning, std::string("There is no most loaded node: ") + ui::kNothingStrained);
+}
+
+void Editor::pick(const Vec2& cursor) {
+  const float x = static_cast<float>(cursor.x() * drawn_.width), y = static_cast<float>(cursor.y() * drawn_.height);
+  const std::int32_t id = renderer_.id_at(static_cast<int>(x), static_cast<int>(y));
+  state_.selection = {};
+  if (id < 0) return;
+  const Frame frame = world_.frame();
+  const render::Ray ray = render::pixel_ray(picture_camera(), x, y, drawn_.width, drawn_.height);
+  const ShownMesh shown = shown_mesh(frame, state_.view, {});
+  select(ui::select(frame, TetId(id), nearest_corner(shown, TetId(id), ray)));
+}
+
+void Editor::frame_all() {
+  const Eigen::AlignedBox3f bulk = bulk_bounds(shown_mesh(world_.frame(), state_.view, {}));
+  look_at(bulk.isEmpty() ? render::bounds(picture_) : bulk);
+}
+
+void Editor::toggle_slice() {
+  if (state_.view.slice) {
+    state_.view.slice.reset();
+  } else {
+    use_view("slice");
+  }
+}
+
+void Editor::toggle_range_lock() {
+  if (state_.view.range) {
+    state_.view.range.reset();
+  } else if (!picture_.surface.scalar_style.quantity.empty()) {
+    const render::ScalarStyle& style = picture_.surface.scalar_style;
+    state_.view.range = Vec2(style.minimum, style.maximum);
+  }
+}
+
+}  // namespace griffith::app

@@ -1,0 +1,84 @@
+#include <algorithm>
+#include <utility>
+
+#include "app/editor/editor.h"
+#include "app/shared/scene_world.h"
+
+namespace griffith::app {
+namespace {
+
+/// What a world is built from, materials aside, which it follows while it runs.
+Scene start_of(Scene scene) {
+  scene.name.clear();
+  scene.description.clear();
+  scene.cameras.clear();
+  scene.view = {};
+  scene.materials.clear();
+  scene.schema.clear();
+  for (BodyDescription& body : scene.bodies) body.material = {};
+  return scene;
+}
+
+}  // namespace
+
+void Editor::follow() {
+  loader_.start(LoadReason::follow, history_.scene(), path_, max_tets());
+  loader_.wait(kPatience);
+  receive_world();
+}
+
+void Editor::go_back_to_built() {
+  history_.go_to([start = start_of(built_)](const Scene& scene) { return start_of(scene) == start; });
+}
+
+void Editor::take_followed(WorldLoader::Loaded loaded) {
+  if (start_of(loaded.scene) != start_of(history_.scene())) return follow();  // edited since
+  const bool edited = start_of(loaded.scene) != start_of(built_);
+  world_ = std::move(loaded.world);
+  display_ = std::move(loaded.display);
+  restart();
+  if (edited) log_findings();
+}
+
+void Editor::log_findings() {
+  for (const InputError& finding : world_.findings()) log(ui::LogLevel::warning, finding.what());
+}
+
+void Editor::follow_edits() {
+  if (history_.revision() == seen_revision_) return;
+  const std::int64_t revision = history_.revision();
+  follow_materials();
+  if (history_.editing()) return;
+  seen_revision_ = revision;  // what an edit was taken back to is looked at next
+  state_.selected_body =
+      std::clamp(state_.selected_body, 0, std::max(0, static_cast<int>(history_.scene().bodies.size()) - 1));
+  if (start_of(history_.scene()) == start_of(built_)) return;
+  follow();
+}
+
+void Editor::follow_materials() {
+  const std::vector<BodyDescription>& bodies = history_.scene().bodies;
+  const Frame frame = world_.frame();
+  if (frame.materials.size() != bodies.size()) return;  // it comes with the world that is being built
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (frame.materials[i] != bodies[i].material && !follow_material(static_cast<int>(i))) return;
+    built_.bodies[i].material = bodies[i].material;
+  }
+}
+
+bool Editor::follow_material(int scene_body) {
+  try {
+    world_.set_material(scene_body, history_.scene().bodies[scene_body].material);
+    range_.restart();
+    return true;
+  } catch (const InputError& error) {
+    show_error(in_file(path_, error));
+    const std::span<const Material> in_force = world_.frame().materials;
+    const bool found = history_.go_to(
+        [&](const Scene& scene) { return std::ranges::equal(scene.bodies, in_force, {}, &BodyDescription::material); });
+    if (!found) history_.undo();  // some bodies have taken what one refused
+    return false;
+  }
+}
+
+}  // namespace griffith::app

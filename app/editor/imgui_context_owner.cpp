@@ -1,0 +1,40 @@
+#include "app/editor/imgui_context_owner.h"
+
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include "ui/widgets/style.h"
+
+namespace griffith::app {
+
+ImGuiContextOwner::ImGuiContextOwner(float scale) : context_(ImGui::CreateContext()) {
+  ImGui::GetIO().IniFilename = nullptr;
+  ImGui::GetIO().LogFilename = nullptr;
+  ui::apply_style(scale);
+  fonts_ = ui::load_fonts(scale);
+  ImGui_ImplOpenGL3_Init("#version 330");
+}
+
+ImGuiContextOwner::~ImGuiContextOwner() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui::DestroyContext(context_);
+}
+
+void ImGuiContextOwner::begin_frame(int width, int height) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
+  io.DeltaTime = 1.0f / 60;
+  begin_frame();
+}
+
+void ImGuiContextOwner::begin_frame() {
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui::NewFrame();
+}
+
+void ImGuiContextOwner::end_frame() {
+  ImGui::Render();
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+}  // namespace griffith::app

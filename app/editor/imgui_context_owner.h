@@ -1,0 +1,33 @@
+#pragma once
+
+#include "ui/widgets/fonts.h"
+
+struct ImGuiContext;
+
+namespace griffith::app {
+
+/// The user interface's context, drawn with OpenGL. Construct and use it while an OpenGL 3.3 context is current, one at
+/// a time. Reads and writes no settings file.
+class ImGuiContextOwner {
+ public:
+  /// `scale`: screen pixels per design pixel.
+  explicit ImGuiContextOwner(float scale);
+  ~ImGuiContextOwner();
+  ImGuiContextOwner(const ImGuiContextOwner&) = delete;
+  ImGuiContextOwner& operator=(const ImGuiContextOwner&) = delete;
+
+  const ui::Fonts& fonts() const { return fonts_; }
+
+  /// Begins a frame of that size without a window, no input, a fixed time after the last.
+  void begin_frame(int width, int height);
+  /// Begins a frame whose size and input somebody else has set.
+  void begin_frame();
+  /// Ends the frame and draws it into the bound framebuffer.
+  void end_frame();
+
+ private:
+  ImGuiContext* context_;
+  ui::Fonts fonts_;
+};
+
+}  // namespace griffith::app

@@ -1,0 +1,62 @@
+#include "app/editor/shooting.h"
+
+#include <cmath>
+
+#include "sim/mesh/tet_mesh.h"
+
+namespace griffith::app {
+
+std::optional<double> triangle_hit(const Vec3& origin, const Vec3& direction, const Vec3& a, const Vec3& b,
+                                   const Vec3& c) {
+  const Vec3 ab = b - a, ac = c - a, across = direction.cross(ac), from_a = origin - a;
+  const double determinant = ab.dot(across);
+  if (determinant == 0) return std::nullopt;
+  const double u = from_a.dot(across) / determinant;
+  const Vec3 turned = from_a.cross(ab);
+  const double v = direction.dot(turned) / determinant;
+  const double t = ac.dot(turned) / determinant;
+  if (!(u >= 0 && v >= 0 && u + v <= 1 && t > 0)) return std::nullopt;
+  return t;
+}
+
+std::optional<double> surface_hit(const Frame& frame, const std::optional<Ground>& ground, const Vec3& origin,
+                                  const Vec3& direction) {
+  std::optional<double> nearest;
+  const auto keep = [&nearest](std::optional<double> t) {
+    if (t && (!nearest || *t < *nearest)) nearest = t;
+  };
+  for (std::size_t tet = 0; tet < frame.tets.size(); ++tet) {
+    for (std::size_t face = 0; face < 4; ++face) {
+      if (frame.neighbours[tet][face].valid()) continue;
+      const auto corner = [&](std::size_t i) {
+        const NodeId node = frame.tets[tet][static_cast<std::size_t>(kTetFaces[face][i])];
+        return frame.positions[static_cast<std::size_t>(node.value)];
+      };
+      keep(triangle_hit(origin, direction, corner(0), corner(1), corner(2)));
+    }
+  }
+  if (ground && direction.y() != 0) {
+    const double t = (ground->height - origin.y()) / direction.y();
+    if (t > 0) keep(t);
+  }
+  return nearest;
+}
+
+ProjectileBurst aimed_shot(ProjectileBurst shot, const Vec3& muzzle, const Vec3& target, const Vec3& gravity) {
+  // target − muzzle = v t + g t²/2 with |v| = speed is a quadratic equation in t²; its smaller root is the flat arc.
+  const Vec3 way = target - muzzle;
+  const double b = way.dot(gravity) + shot.speed * shot.speed;
+  const double discriminant = b * b - gravity.squaredNorm() * way.squaredNorm();
+  shot.start = 0;
+  shot.position = muzzle;
+  shot.direction = way;
+  if (discriminant >= 0 && b > 0) {
+    const double time_squared = 2 * way.squaredNorm() / (b + std::sqrt(discriminant));
+    shot.direction = way - gravity * time_squared / 2;
+  }
+  if (shot.direction.squaredNorm() == 0) shot.direction = -Vec3::UnitZ();
+  shot.direction.normalize();
+  return shot;
+}
+
+}  // namespace griffith::app

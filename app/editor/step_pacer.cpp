@@ -1,0 +1,29 @@
+#include "app/editor/step_pacer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace griffith::app {
+namespace {
+
+constexpr double kTimeForSteps = 0.04;  // seconds per picture
+constexpr int kMaxSteps = 32;
+constexpr double kSmoothing = 0.1;
+constexpr double kRoundOff = 1e-9;
+
+}  // namespace
+
+int StepPacer::steps_due(double elapsed, double speed, double time_step, double step_cost) {
+  debt_ += std::max(elapsed, 0.0) * speed;
+  const double affordable = step_cost > 0 ? kTimeForSteps / step_cost : kMaxSteps;
+  const int maximum = static_cast<int>(std::clamp(affordable, 1.0, static_cast<double>(kMaxSteps)));
+  const double due = std::floor(debt_ / time_step + kRoundOff);
+  const int steps = static_cast<int>(std::min(due, static_cast<double>(maximum)));
+  const bool dropped = due > steps;
+  debt_ = dropped ? 0 : std::max(debt_ - steps * time_step, 0.0);
+  shortage_ += kSmoothing * ((dropped ? 1.0 : 0.0) - shortage_);
+  if (elapsed > 0) reached_speed_ += kSmoothing * (steps * time_step / elapsed - reached_speed_);
+  return steps;
+}
+
+}  // namespace griffith::app

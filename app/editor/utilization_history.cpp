@@ -1,0 +1,54 @@
+#include "app/editor/utilization_history.h"
+
+#include <algorithm>
+
+namespace griffith::app {
+namespace {
+
+/// The first node at each copy's place in rest space, from the latest to the oldest: the one of them that a step knew
+/// is what they were part of then.
+std::vector<NodeId> ancestors(const Frame& frame, NodeId node) {
+  std::vector<NodeId> nodes = {node};
+  for (std::int32_t i = node.value - 1; i >= 0; --i)
+    if (frame.rest_positions[i] == frame.rest_positions[node]) nodes.emplace_back(i);
+  return nodes;
+}
+
+}  // namespace
+
+void UtilizationHistory::clear() {
+  steps_.clear();
+  values_ = 0;
+}
+
+void UtilizationHistory::record(const Frame& frame) {
+  Step step{frame.time, {}};
+  step.utilizations.reserve(frame.separations.size());
+  for (const NodeSeparation& separation : frame.separations)
+    step.utilizations.push_back(static_cast<float>(separation.utilization));
+  values_ += step.utilizations.size();
+  steps_.push_back(std::move(step));
+  while (values_ > max_values_ && steps_.size() > 1) {
+    values_ -= steps_.front().utilizations.size();
+    steps_.pop_front();
+  }
+}
+
+std::vector<ui::UtilizationSample> UtilizationHistory::samples(const Frame& frame, NodeId node) const {
+  const std::vector<NodeId> nodes = ancestors(frame, node);
+  std::vector<ui::UtilizationSample> samples;
+  for (const Step& step : steps_) {
+    const auto known = std::ranges::find_if(
+        nodes, [&](NodeId candidate) { return static_cast<std::size_t>(candidate) < step.utilizations.size(); });
+    if (known != nodes.end()) samples.push_back({step.time, step.utilizations[*known], false});
+  }
+  for (const CrackEvent& event : frame.crack_events) {
+    const bool recorded = !steps_.empty() && event.time >= steps_.front().time;
+    if (recorded && event.rest_position == frame.rest_positions[node])
+      samples.push_back({event.time, static_cast<float>(event.load / event.resistance), true});
+  }
+  std::ranges::stable_sort(samples, {}, &ui::UtilizationSample::time);
+  return samples;
+}
+
+}  // namespace griffith::app

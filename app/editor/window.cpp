@@ -1,0 +1,220 @@
+#include <backends/imgui_impl_glfw.h>
+#include <epoxy/gl.h>
+// After the GL loader.
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <array>
+#include <cfloat>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "app/editor/editor.h"
+#include "app/editor/imgui_context_owner.h"
+#include "app/editor/starting_scene.h"
+#include "app/output/output.h"
+#include "app/shared/command_options.h"
+#include "app/shared/scene_files.h"
+#include "renderer/image.h"
+#include "sim/core/replace_file.h"
+#include "sim/scene/scene_reader.h"
+#include "ui/model/input_queue.h"
+
+namespace griffith::app {
+namespace {
+
+static_assert(ui::key::kSpace == GLFW_KEY_SPACE && ui::key::kEscape == GLFW_KEY_ESCAPE &&
+              ui::key::kHome == GLFW_KEY_HOME && ui::key::kF1 == GLFW_KEY_F1 && ui::key::kF12 == GLFW_KEY_F12);
+static_assert(ui::key::kLeftShift == GLFW_KEY_LEFT_SHIFT && ui::key::kRightSuper == GLFW_KEY_RIGHT_SUPER);
+
+constexpr int kWidth = 1500, kHeight = 940, kSamples = 4;
+constexpr int kMinWidth = 1024, kMinHeight = 600;  // design pixels; smaller, panels would cover each other
+constexpr double kLongestFrame = 0.25;             // seconds; what is longer was an interruption
+
+/// GLFW and its one window, with its OpenGL context current.
+class Window {
+ public:
+  Window() {
+    if (!glfwInit()) fail();
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    window_ = glfwCreateWindow(kWidth, kHeight, "Griffith", nullptr, nullptr);
+    if (!window_) fail();
+    glfwMakeContextCurrent(window_);
+    glfwSwapInterval(1);
+    fit_screen();
+  }
+  ~Window() {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+  }
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  GLFWwindow* handle() const { return window_; }
+
+  /// Screen pixels per design pixel, in the units in which the window counts.
+  float scale() const {
+    float content = 1;
+    int window_width = 1, buffer_width = 1;
+    glfwGetWindowContentScale(window_, &content, nullptr);
+    glfwGetWindowSize(window_, &window_width, nullptr);
+    glfwGetFramebufferSize(window_, &buffer_width, nullptr);
+    return content * static_cast<float>(std::max(window_width, 1)) / static_cast<float>(std::max(buffer_width, 1));
+  }
+
+ private:
+  /// Lets the window be no larger than the screen has room for, and no smaller than it is of use there.
+  void fit_screen() {
+    int width = 0, height = 0, room_across = 0, room_down = 0;
+    glfwGetWindowSize(window_, &width, &height);
+    glfwGetMonitorWorkarea(glfwGetPrimaryMonitor(), nullptr, nullptr, &room_across, &room_down);
+    if (room_across <= 0 || room_down <= 0) return;
+    glfwSetWindowSize(window_, std::min(width, room_across), std::min(height, room_down));
+    const float pixels = scale();
+    glfwSetWindowSizeLimits(window_, std::min(static_cast<int>(kMinWidth * pixels), room_across),
+                            std::min(static_cast<int>(kMinHeight * pixels), room_down), GLFW_DONT_CARE, GLFW_DONT_CARE);
+  }
+
+  [[noreturn]] static void fail() {
+    const char* reason = nullptr;
+    glfwGetError(&reason);
+    const std::string text = std::string("no window can be opened") + (reason ? std::string(": ") + reason : "") +
+                             ". Without a display, use: griffith render SCENE --frame N -o OUT.png";
+    glfwTerminate();
+    throw std::runtime_error(text);
+  }
+
+  GLFWwindow* window_ = nullptr;
+};
+
+/// Hands the window's events to ImGui and, for dropped files, to the editor.
+class WindowInput {
+ public:
+  WindowInput(const Window& window, Editor& editor) : editor_(editor) {
+    GLFWwindow* handle = window.handle();
+    ImGui_ImplGlfw_InitForOpenGL(handle, true);
+    glfwSetWindowUserPointer(handle, this);
+    // These in place of ImGui's own, which lose what begins and ends between two frames.
+    glfwSetKeyCallback(handle, [](GLFWwindow* from, int key, int, int action, int) {
+      if (action != GLFW_REPEAT) of(from).queue_.key(key, action == GLFW_PRESS);
+    });
+    glfwSetCharCallback(handle, [](GLFWwindow* from, unsigned int character) { of(from).queue_.text(character); });
+    glfwSetMouseButtonCallback(handle, [](GLFWwindow* from, int button, int action, int) {
+      of(from).queue_.button(button, action == GLFW_PRESS);
+    });
+    glfwSetScrollCallback(handle, [](GLFWwindow* from, double right, double up) {
+      of(from).queue_.scroll(static_cast<float>(right), static_cast<float>(up));
+    });
+    glfwSetCursorPosCallback(handle, [](GLFWwindow* from, double x, double y) { of(from).move(x, y); });
+    glfwSetCursorEnterCallback(handle, [](GLFWwindow* from, int entered) {
+      ImGui_ImplGlfw_CursorEnterCallback(from, entered);
+      if (!entered && !ImGui::IsAnyMouseDown()) of(from).move(-FLT_MAX, -FLT_MAX);
+    });
+    glfwSetDropCallback(handle, [](GLFWwindow* from, int count, const char** paths) {
+      if (count > 0) of(from).editor_.execute({.id = ui::CommandId::open, .path = paths[0]});
+    });
+  }
+  ~WindowInput() { ImGui_ImplGlfw_Shutdown(); }
+  WindowInput(const WindowInput&) = delete;
+  WindowInput& operator=(const WindowInput&) = delete;
+
+  /// Tells ImGui of the window and what the next frame is to see of the events.
+  void begin_frame() {
+    ImGui_ImplGlfw_NewFrame();
+    ImGuiIO& io = ImGui::GetIO();
+    std::ranges::copy(buttons_, io.MouseDown);  // the backend has asked for the state of the moment
+    queue_.play(io);
+    std::ranges::copy(io.MouseDown, buttons_.begin());
+  }
+
+ private:
+  static WindowInput& of(GLFWwindow* handle) { return *static_cast<WindowInput*>(glfwGetWindowUserPointer(handle)); }
+
+  void move(double x, double y) { queue_.move({static_cast<float>(x), static_cast<float>(y)}); }
+
+  Editor& editor_;
+  ui::InputQueue queue_;
+  std::array<bool, ImGuiMouseButton_COUNT> buttons_ = {};  ///< as the last frame saw them
+};
+
+/// What is in the window now.
+render::Image window_image(const Window& window) {
+  render::Image image;
+  glfwGetFramebufferSize(window.handle(), &image.width, &image.height);
+  const std::size_t row = static_cast<std::size_t>(image.width) * 4;
+  image.rgba.resize(row * static_cast<std::size_t>(image.height));
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  for (int y = 0; y < image.height / 2; ++y) {  // OpenGL counts rows from below
+    const auto top = image.rgba.begin() + static_cast<std::ptrdiff_t>(row) * y;
+    const auto bottom = image.rgba.begin() + static_cast<std::ptrdiff_t>(row) * (image.height - 1 - y);
+    std::swap_ranges(top, top + static_cast<std::ptrdiff_t>(row), bottom);
+  }
+  for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
+  return image;
+}
+
+void save_screenshot(Editor& editor, const Window& window) {
+  const std::filesystem::path path = free_screenshot_path();
+  try {
+    save_picture(path, window_image(window));
+    editor.log(ui::LogLevel::info, "Saved " + path.string());
+  } catch (const InputError& error) {
+    editor.log(ui::LogLevel::error, error.what());
+  }
+}
+
+void draw_frame(Editor& editor, ImGuiContextOwner& imgui, const Window& window, WindowInput& input) {
+  editor.draw_picture(kSamples);
+  input.begin_frame();
+  imgui.begin_frame();
+  editor.draw_panels(imgui.fonts());
+  int width = 0, height = 0;
+  glfwGetFramebufferSize(window.handle(), &width, &height);
+  glViewport(0, 0, width, height);
+  glClearColor(0, 0, 0, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+  imgui.end_frame();
+}
+
+void loop(Editor& editor, ImGuiContextOwner& imgui, const Window& window, WindowInput& input, int exit_after) {
+  double last = glfwGetTime();
+  for (int drawn = 1; !editor.wants_to_quit(); ++drawn) {
+    glfwPollEvents();
+    if (glfwWindowShouldClose(window.handle())) {
+      glfwSetWindowShouldClose(window.handle(), GLFW_FALSE);
+      editor.execute({.id = ui::CommandId::quit});
+    }
+    const double now = glfwGetTime();
+    editor.advance(std::min(now - last, kLongestFrame));
+    editor.autosave(now);
+    last = now;
+    draw_frame(editor, imgui, window, input);
+    if (editor.take_screenshot_request()) save_screenshot(editor, window);
+    if (drawn == exit_after) return;
+    glfwSetWindowTitle(window.handle(), editor.title().c_str());
+    glfwSwapBuffers(window.handle());
+  }
+}
+
+}  // namespace
+
+void run_editor(const EditorOptions& options) {
+  if (!options.screenshot.empty()) check_replaceable(options.screenshot);
+  const bool named = !options.scene.empty();
+  Scene scene = named ? read_scene(options.scene) : starting_scene();
+  const Window window;
+  Editor editor(std::move(scene), options.scene);
+  ImGuiContextOwner imgui(window.scale());
+  WindowInput input(window, editor);
+  editor.keep_edits_safe(state_folder());
+  loop(editor, imgui, window, input, options.exit_after);
+  if (!options.screenshot.empty()) save_picture(options.screenshot, window_image(window));
+}
+
+}  // namespace griffith::app

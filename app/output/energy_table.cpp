@@ -1,0 +1,26 @@
+#include "app/output/energy_table.h"
+
+#include "sim/mesh/number_text.h"
+
+namespace griffith::app {
+
+EnergyTable::EnergyTable(const Frame& frame) : csv_("step,time [s]") {
+  for (const EnergyEntry& entry : energy_entries()) csv_.append(",").append(entry.key).append(" [J]");
+  csv_ += ",unaccounted [J],crack_area [m²]\n";
+  add(frame);
+}
+
+void EnergyTable::add(const Frame& frame) {
+  append_number(csv_, frame.step);
+  const auto append = [&](double value) {
+    csv_ += ',';
+    append_number(csv_, value);
+  };
+  append(frame.time);
+  for (const EnergyEntry& entry : energy_entries()) append(frame.energy.*entry.value);
+  append(frame.energy.unaccounted());
+  append(frame.energy.crack_area);
+  csv_ += "\n";
+}
+
+}  // namespace griffith::app

@@ -1,0 +1,80 @@
+#include "app/output/export_frame.h"
+
+#include "app/picture/quantities.h"
+#include "sim/core/error.h"
+#include "sim/elasticity/principal_stress.h"
+#include "sim/mesh/write_mesh.h"
+
+namespace griffith::app {
+namespace {
+
+/// The arrays that a frame does not hold in the form that a file wants; they live as long as the fields that show them.
+struct ExportArrays {
+  std::vector<Vec3> displacements, separation_directions;
+  std::vector<double> separation_stresses, resistances, utilizations, von_mises;
+  std::vector<std::int32_t> bodies, scene_bodies;
+};
+
+ExportArrays arrays_of(const Frame& frame) {
+  ExportArrays arrays;
+  for (std::size_t i = 0; i < frame.positions.size(); ++i) {
+    const NodeSeparation& separation = frame.separations[i];
+    arrays.displacements.push_back(frame.positions[i] - frame.rest_positions[i]);
+    arrays.separation_directions.push_back(separation.direction);
+    arrays.separation_stresses.push_back(separation.stress);
+    arrays.resistances.push_back(separation.resistance);
+    arrays.utilizations.push_back(separation.utilization);
+  }
+  for (std::size_t i = 0; i < frame.tets.size(); ++i) {
+    const BodyId body = frame.tet_bodies[i];
+    arrays.von_mises.push_back(von_mises_stress(frame.stresses[i]));
+    arrays.bodies.push_back(body);
+    arrays.scene_bodies.push_back(frame.bodies[body].scene_body);
+  }
+  return arrays;
+}
+
+void export_vtu(const std::filesystem::path& path, const Frame& frame) {
+  const ExportArrays arrays = arrays_of(frame);
+  const auto doubles = [](const std::vector<double>& values) { return std::span<const double>(values); };
+  const auto vectors = [](const std::vector<Vec3>& values) { return std::span<const Vec3>(values); };
+  const auto ids = [](const std::vector<std::int32_t>& values) { return std::span<const std::int32_t>(values); };
+  VtuFields fields;
+  fields.per_node = {{"displacement [m]", vectors(arrays.displacements)},
+                     {"velocity [m/s]", frame.velocities},
+                     {"reaction [N]", frame.reactions},
+                     {"separation_stress [Pa]", doubles(arrays.separation_stresses)},
+                     {"resistance [Pa or N]", doubles(arrays.resistances)},
+                     {"utilization", doubles(arrays.utilizations)},
+                     {"separation_direction", vectors(arrays.separation_directions)}};
+  fields.per_tet = {{"stress [Pa]", frame.stresses},
+                    {"von_mises [Pa]", doubles(arrays.von_mises)},
+                    {"body", ids(arrays.bodies)},
+                    {"scene_body", ids(arrays.scene_bodies)}};
+  write_vtu(path, frame.positions, frame.tets, fields);
+}
+
+void export_gmsh(const std::filesystem::path& path, const Frame& frame) {
+  TetSoup soup;
+  soup.points.assign(frame.positions.begin(), frame.positions.end());
+  for (const auto& tet : frame.tets) soup.tets.push_back({tet[0], tet[1], tet[2], tet[3]});
+  write_gmsh(path, soup);
+}
+
+}  // namespace
+
+void check_export_path(const std::filesystem::path& path) {
+  if (path.extension() == ".vtu" || path.extension() == ".msh") return;
+  throw InputError(path.string(), "is no kind of file that frames are exported to", "end its name in .vtu or .msh");
+}
+
+void export_frame(const std::filesystem::path& path, const Frame& frame) {
+  check_export_path(path);
+  if (path.extension() == ".vtu") {
+    export_vtu(path, frame);
+  } else {
+    export_gmsh(path, frame);
+  }
+}
+
+}  // namespace griffith::app

@@ -1,0 +1,126 @@
+#include "app/output/export_pieces.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "sim/core/error.h"
+#include "sim/core/replace_file.h"
+#include "sim/mesh/tet_mesh.h"
+#include "sim/splinters/carried_corner.h"
+
+namespace griffith::app {
+namespace {
+
+template <class Polygon>
+void add_polygon(PieceSurface& surface, const Polygon& points) {
+  std::vector<int>& polygon = surface.polygons.emplace_back();
+  for (const Vec3& point : points) {
+    polygon.push_back(static_cast<int>(surface.points.size()));
+    surface.points.push_back(point);
+  }
+}
+
+/// The body that owns the splinter of a part.
+BodyId body_of(const Frame& frame, int part) {
+  return frame.tet_bodies[frame.splinters[frame.splinter_parts[part].splinter].owner];
+}
+
+void add_splinters(PieceSurface& surface, const Frame& frame, BodyId body) {
+  for (const SplinterFace& face : frame.splinter_faces) {
+    if (body_of(frame, face.part) != body) continue;
+    if (face.beyond >= 0 && body_of(frame, face.beyond) == body) continue;
+    const TetId tet = carrier(frame.splinters, frame.splinter_parts, frame.attached_parts, face.part);
+    std::vector<Vec3> points;
+    for (const SplinterCorner& corner : frame.splinter_corners.subspan(face.first_corner, face.corners))
+      points.push_back(carried_position(corner, frame.attached_parts[face.part], frame.tets[tet], frame.positions));
+    add_polygon(surface, points);
+  }
+}
+
+void add_tets(PieceSurface& surface, const Frame& frame, BodyId body, bool cracks_only) {
+  for (std::size_t tet = 0; tet < frame.tets.size(); ++tet) {
+    if (frame.tet_bodies[tet] != body) continue;
+    for (int face = 0; face < 4; ++face) {
+      const bool at_first = frame.first_surface[tet] >> face & 1;
+      if (frame.neighbours[tet][face].valid() || (cracks_only && at_first)) continue;
+      std::array<Vec3, 3> points;
+      for (int i = 0; i < 3; ++i) points[i] = frame.positions[frame.tets[tet][kTetFaces[face][i]]];
+      add_polygon(surface, points);
+    }
+  }
+}
+
+void add_skin(PieceSurface& surface, const Frame& frame, BodyId body, const Skin& skin) {
+  for (std::size_t i = 0; i < skin.corners.size(); i += 3) {
+    if (frame.tet_bodies[skin.corners[i].part.triangle_tet] != body) continue;
+    std::array<Vec3, 3> points;
+    for (std::size_t k = 0; k < 3; ++k) {
+      points[k] = skin_position(frame, skin.corners[i + k]);
+      if (skin.has_uvs) surface.uvs.push_back(skin.corners[i + k].uv);
+    }
+    add_polygon(surface, points);
+  }
+  add_tets(surface, frame, body, true);
+  if (skin.has_uvs) surface.uvs.resize(surface.points.size(), Vec2::Zero());
+}
+
+bool has_splinters(const Frame& frame, int scene_body) {
+  for (const Splinter& splinter : frame.splinters)
+    if (splinter.scene_body == scene_body) return true;
+  return false;
+}
+
+std::string obj_text(const PieceSurface& surface) {
+  std::string text;
+  char line[128];
+  for (const Vec3& point : surface.points) {
+    std::snprintf(line, sizeof line, "v %.9g %.9g %.9g\n", point.x(), point.y(), point.z());
+    text += line;
+  }
+  for (const Vec2& uv : surface.uvs) {
+    std::snprintf(line, sizeof line, "vt %.9g %.9g\n", uv.x(), uv.y());
+    text += line;
+  }
+  for (const std::vector<int>& polygon : surface.polygons) {
+    text += 'f';
+    for (const int point : polygon) {
+      const std::string number = std::to_string(point + 1);
+      text += ' ' + (surface.uvs.empty() ? number : number + '/' + number);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace
+
+PieceSurface piece_surface(const Frame& frame, BodyId body, std::span<const Skin> skins) {
+  PieceSurface surface;
+  const int scene_body = frame.bodies[body].scene_body;
+  const auto skin = std::ranges::find(skins, scene_body, &Skin::scene_body);
+  if (has_splinters(frame, scene_body)) {
+    add_splinters(surface, frame, body);
+  } else if (skin != skins.end()) {
+    add_skin(surface, frame, body, *skin);
+  } else {
+    add_tets(surface, frame, body, false);
+  }
+  return surface;
+}
+
+void export_pieces(const std::filesystem::path& folder, const Frame& frame, std::span<const Skin> skins) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder))
+    throw InputError(folder.string(), "is no folder and cannot be made one", "name a folder that may be written to");
+  for (const BodyView& body : frame.bodies) {
+    const PieceSurface surface = piece_surface(frame, body.id, skins);
+    if (surface.polygons.empty()) continue;  // tets too small to own a splinter
+    char name[32];
+    std::snprintf(name, sizeof name, "body_%04d.obj", body.id.value);
+    replace_file(folder / name, obj_text(surface));
+  }
+}
+
+}  // namespace griffith::app

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <vector>
+
+#include "app/picture/skin.h"
+
+namespace griffith::app {
+
+/// A polygonal surface: closed, but for cracks through a body that shows the surface it was filled from.
+struct PieceSurface {
+  std::vector<Vec3> points;                ///< world frame [m]; no two polygons share any
+  std::vector<Vec2> uvs;                   ///< per point, zeros on cracks; empty: none
+  std::vector<std::vector<int>> polygons;  ///< indices into `points`, counter-clockwise seen from outside
+};
+
+/// The surface of a body as it is seen: the splinters that it owns, without the walls between them; or what it has of
+/// its scene body's skin and the faces that cracks laid bare; or its tets' faces. `skins`: of the world's first frame.
+PieceSurface piece_surface(const Frame& frame, BodyId body, std::span<const Skin> skins = {});
+
+/// Writes each body of a frame as Wavefront OBJ into a folder, made if need be: body_0000.obj, ... Throws InputError
+/// when a file cannot be written.
+void export_pieces(const std::filesystem::path& folder, const Frame& frame, std::span<const Skin> skins = {});
+
+}  // namespace griffith::app

@@ -1,0 +1,34 @@
+#include "app/picture/carried_points.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace griffith::app {
+
+std::vector<std::array<int, 4>> summation_orders(const Frame& frame) {
+  std::vector<std::array<int, 4>> orders(frame.tets.size(), {0, 1, 2, 3});
+  for (std::size_t tet = 0; tet < orders.size(); ++tet) {
+    std::ranges::sort(orders[tet], [&](int a, int b) {
+      const Vec3& at_a = frame.rest_positions[frame.tets[tet][a]];
+      const Vec3& at_b = frame.rest_positions[frame.tets[tet][b]];
+      return std::lexicographical_compare(at_a.begin(), at_a.end(), at_b.begin(), at_b.end());
+    });
+  }
+  return orders;
+}
+
+render::Weights ordered(const Weights& weights, const std::array<int, 4>& order) {
+  constexpr float kRounding = 1e-7f;
+  render::Weights result;
+  for (int i = 0; i < 4; ++i) result[i] = std::abs(weights[order[i]]) < kRounding ? 0 : weights[order[i]];
+  return result;
+}
+
+std::vector<std::array<std::int32_t, 4>> ordered_tets(const Frame& frame, std::span<const std::array<int, 4>> orders) {
+  std::vector<std::array<std::int32_t, 4>> tets(frame.tets.size());
+  for (std::size_t tet = 0; tet < tets.size(); ++tet)
+    for (int i = 0; i < 4; ++i) tets[tet][i] = frame.tets[tet][tet < orders.size() ? orders[tet][i] : i].value;
+  return tets;
+}
+
+}  // namespace griffith::app

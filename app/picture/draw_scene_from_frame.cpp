@@ -1,0 +1,251 @@
+#include "app/picture/draw_scene_from_frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/picture/carried_points.h"
+#include "app/picture/element_picture.h"
+#include "app/picture/layer_picture.h"
+#include "app/picture/natural_materials.h"
+#include "app/picture/quantities.h"
+#include "app/picture/skin_picture.h"
+#include "app/picture/splinter_picture.h"
+#include "sim/mesh/tet_mesh.h"
+#include "sim/scene/view_quantity.h"
+#include "ui/model/view_layers.h"
+
+namespace griffith::app {
+namespace {
+
+constexpr render::Rgb kProjectileColor = {0.24f, 0.27f, 0.31f};
+
+/// Whether what is embedded in tets can stand for them.
+bool shows_whole_bodies(const ViewSettings& view) {
+  return view.elements == ElementStyle::surface && view.quantity != "crack_age";
+}
+
+/// Whether a picture shows tets, or what is embedded in them.
+class TetFilter {
+ public:
+  TetFilter(const Frame& frame, const EmbeddedDisplay& display, const ViewSettings& view)
+      : frame_(frame), display_(display), embedded_(view.splinters && display.mesh && shows_whole_bodies(view)) {}
+
+  bool shows_embedded() const { return embedded_; }
+  /// Whether a face without a neighbour is shown: of a body with a skin, what cracks have laid bare.
+  bool shows(std::size_t tet, std::size_t face) const {
+    if (!embedded_) return true;
+    const auto body = static_cast<std::size_t>(frame_.tet_bodies[tet].value);
+    const auto scene_body = static_cast<std::size_t>(frame_.bodies[body].scene_body);
+    const bool is_crack = !(frame_.first_surface[tet] >> face & 1);
+    return !display_.splintered[scene_body] && (is_crack || !display_.skinned[scene_body]);
+  }
+
+ private:
+  const Frame& frame_;
+  const EmbeddedDisplay& display_;
+  bool embedded_;
+};
+
+void color_plainly(render::DrawScene& picture, const Frame& frame, const EmbeddedDisplay& display) {
+  if (!picture.embedded.mesh) return;
+  picture.embedded.piece_colors.assign(frame.splinters.size() + display.skin_parts.size(), picture.surface.color);
+}
+
+/// Of a tet, what the quantity "body", "tet" or "splinter" tells apart.
+render::Rgb tet_color(const Frame& frame, std::int32_t tet, const ViewSettings& view) {
+  return id_color(view.quantity == "tet" ? tet : frame.tet_bodies[tet].value);
+}
+
+void color_by_id(render::DrawScene& picture, const Frame& frame, const EmbeddedDisplay& display,
+                 const ViewSettings& view) {
+  for (const std::int32_t tet : picture.surface.ids) picture.surface.colors.push_back(tet_color(frame, tet, view));
+  if (!picture.embedded.mesh) return;
+  for (std::size_t i = 0; i < frame.splinters.size(); ++i) {
+    const std::int32_t owner = frame.splinters[i].owner.value;
+    picture.embedded.piece_colors.push_back(view.quantity == "splinter" ? id_color(static_cast<std::int32_t>(i))
+                                                                        : tet_color(frame, owner, view));
+  }
+  for (const SkinPart& part : display.skin_parts)
+    picture.embedded.piece_colors.push_back(tet_color(frame, part.triangle_tet.value, view));
+}
+
+void color_by_material(render::DrawScene& picture, const Frame& frame) {
+  for (std::size_t i = 0; i < picture.surface.ids.size(); ++i) {
+    const BodyId body = frame.tet_bodies[picture.surface.ids[i]];
+    const Look look = picture.surface.flags[i] & render::kCrackFace ? Look::inside : Look::outside;
+    const auto index = static_cast<std::size_t>(look_index(frame.bodies[body].scene_body, look));
+    picture.surface.colors.push_back(picture.embedded.materials[index].color);
+  }
+}
+
+/// `automatic`: the range where the view has none.
+render::ScalarStyle scalar_style(const ViewSettings& view, const QuantityValues& values, const Vec2& automatic) {
+  constexpr int kBins = 48;
+  const bool parted = ui::parts_at_zero(view);
+  Vec2 range = view.range.value_or(automatic);
+  if ((view.symmetric || parted) && !view.range) range = symmetric_range(range);
+  render::ScalarStyle style;
+  style.color_map = render::find_color_map(view.color_map)
+                        .value_or(parted ? render::ColorMap::kCoolwarm : render::ColorMap::kViridis);
+  style.minimum = static_cast<float>(range[0]);
+  style.maximum = static_cast<float>(range[1]);
+  style.histogram = histogram(values, range, kBins);
+  style.has_nan =
+      values.place != ValuePlace::face && std::ranges::any_of(values.values, [](float v) { return std::isnan(v); });
+  const auto quantity = std::ranges::find(view_quantities(), view.quantity, &ViewQuantity::key);
+  style.quantity = quantity->label;
+  style.unit = quantity->unit;
+  return style;
+}
+
+/// Moves the edges of the wireframe, or the triangles that show the bodies, into the picture.
+void add_elements(const ShownMesh& shown, const TetFilter& filter, const QuantityValues* values, TetId selected,
+                  render::DrawScene& picture) {
+  constexpr double kShrink = 0.75;
+  const ViewSettings& view = shown.view;
+  const render::ScalarStyle style = picture.surface.scalar_style;
+  if (view.elements == ElementStyle::wireframe) {
+    picture.lines = wireframe(shown, values, style);
+    return;
+  }
+  const bool shrunken = view.elements == ElementStyle::shrunken;
+  std::vector<PictureTriangle> triangles =
+      shrunken
+          ? element_triangles(shown)
+          : surface_triangles(shown.frame, [&](std::size_t tet, std::size_t face) { return filter.shows(tet, face); });
+  if (view.slice && !shrunken) {
+    picture.visible = visible_half(*view.slice);
+    const std::vector<PictureTriangle> caps = cap_triangles(shown);
+    triangles.insert(triangles.end(), caps.begin(), caps.end());
+  }
+  picture.surface = surface_of(triangles, shown, shrunken ? kShrink : 1, selected);
+  picture.surface.scalar_style = style;
+  picture.surface.opacity = static_cast<float>(view.opacity);
+  if (values) add_scalars(triangles, shown.frame, *values, picture.surface);
+}
+
+/// Colours of what has no scalar.
+void add_colors(render::DrawScene& picture, const Frame& frame, const EmbeddedDisplay& display,
+                const ViewSettings& view) {
+  if (view.quantity == "material" || view.quantity == "texture") {
+    picture.embedded.checker = view.quantity == "texture";
+    color_by_material(picture, frame);
+  } else if (view.quantity == "plain") {
+    color_plainly(picture, frame, display);
+  } else if (!is_scalar(view.quantity)) {
+    color_by_id(picture, frame, display, view);
+  }
+}
+
+render::EmbeddedSurface embedded_surface(const ShownMesh& shown, const EmbeddedDisplay& display) {
+  const Frame& frame = shown.frame;
+  render::EmbeddedSurface surface;
+  surface.mesh = display.mesh;
+  surface.points.reserve(shown.positions.size());
+  for (const Vec3& position : shown.positions) surface.points.push_back(position.cast<float>());
+  surface.tets = ordered_tets(frame, display.orders);
+  add_carriers(frame, surface.carriers);
+  for (const SkinPart& part : display.skin_parts) surface.carriers.push_back(skin_carrier(frame, part).value);
+  surface.opened.assign(frame.open_walls.begin(), frame.open_walls.end());
+  return surface;
+}
+
+void mark_node(const ShownMesh& shown, NodeId node, render::DrawScene& picture) {
+  const Eigen::Vector3f place = shown.positions[node].cast<float>();
+  // Of two at one place the first is seen: the second is its rim.
+  picture.points.push_back({place, 9, {1.0f, 0.55f, 0.10f}, render::kNoId});
+  picture.points.push_back({place, 13, {0.10f, 0.11f, 0.13f}, render::kNoId});
+  picture.labels.push_back({place, "node " + std::to_string(node.value), 1.4f});
+}
+
+/// Makes room for one more triangle that is no part of a body.
+void add_plain_triangle(render::Surface& surface) {
+  const std::size_t triangles = surface.positions.size() / 3;
+  const std::size_t scalars = triangles > 0 ? surface.scalars.size() / triangles : 0;
+  surface.colors.resize(triangles, surface.color);
+  surface.ids.resize(triangles, render::kNoId);
+  surface.flags.resize(triangles, 0);
+  surface.scalars.resize(surface.scalars.size() + scalars, 0);
+  surface.colors.push_back(kProjectileColor);
+  surface.ids.push_back(render::kNoId);
+  surface.flags.push_back(render::kPlain);
+}
+
+void add_hull(const ProjectileView& projectile, render::Surface& surface) {
+  const auto corner = [&](int index) {
+    const Vec3 place = projectile.position + projectile.rotation * projectile.corners[static_cast<std::size_t>(index)];
+    return Eigen::Vector3f(place.cast<float>());
+  };
+  for (const std::vector<int>& face : projectile.faces)
+    for (std::size_t i = 2; i < face.size(); ++i) {
+      add_plain_triangle(surface);
+      for (const int index : {face[0], face[i - 1], face[i]}) surface.positions.push_back(corner(index));
+    }
+}
+
+void add_surroundings(const Frame& frame, const Scene& scene, render::DrawScene& picture) {
+  for (const ProjectileView& projectile : frame.projectiles) {
+    if (!projectile.corners.empty()) {
+      add_hull(projectile, picture.surface);
+      continue;
+    }
+    picture.spheres.push_back(
+        {projectile.position.cast<float>(), static_cast<float>(projectile.radius), kProjectileColor, render::kNoId});
+  }
+  if (!scene.ground) return;
+  render::Ground ground;
+  ground.height = static_cast<float>(scene.ground->height);
+  picture.ground = ground;
+}
+
+}  // namespace
+
+EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene) {
+  EmbeddedDisplay display;
+  display.splintered.resize(scene.bodies.size(), 0);
+  display.skinned.resize(scene.bodies.size(), 0);
+  for (const Splinter& splinter : frame.splinters)
+    display.splintered[static_cast<std::size_t>(splinter.scene_body)] = 1;
+  auto mesh = std::make_shared<render::EmbeddedMesh>();
+  add_splinters(frame, *mesh);
+  for (const Skin& skin : make_skins(frame, scene)) {
+    const auto parts = static_cast<int>(display.skin_parts.size());
+    add_skin(frame, skin, static_cast<int>(frame.splinter_parts.size()) + parts,
+             static_cast<int>(frame.splinters.size()) + parts, *mesh);
+    for (const SkinCorner& corner : skin.corners) display.skin_parts.push_back(corner.part);
+    display.skinned[static_cast<std::size_t>(skin.scene_body)] = 1;
+  }
+  if (mesh->polygons.empty()) return display;
+  display.mesh = std::move(mesh);
+  display.orders = summation_orders(frame);
+  return display;
+}
+
+render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDisplay& display, const Scene& scene,
+                                        const ViewSettings& view, const ui::Selection& selection,
+                                        const std::optional<Vec2>& range) {
+  render::DrawScene result;
+  const ShownMesh shown = shown_mesh(frame, view, selection);
+  const TetFilter filter(frame, display, view);
+  std::optional<QuantityValues> values;
+  if (is_scalar(view.quantity)) {
+    values = quantity_values(frame, view.quantity);
+    result.surface.scalar_style =
+        scalar_style(view, *values, range ? *range : automatic_range(frame, view.quantity, *values));
+  }
+  add_elements(shown, filter, values ? &*values : nullptr, selection.tet, result);
+  if (filter.shows_embedded()) result.embedded = embedded_surface(shown, display);
+  result.embedded.materials = natural_materials(scene);
+  result.embedded.selected_tet = selection.tet.value;
+  add_colors(result, frame, display, view);
+  if (values && filter.shows_embedded()) {
+    result.embedded.scalars_per_point = values->place == ValuePlace::node;
+    result.embedded.scalars = std::move(values->values);
+  }
+  add_layers(shown, result);
+  if (selection.valid()) mark_node(shown, selection.node, result);
+  add_surroundings(frame, scene, result);
+  return result;
+}
+
+}  // namespace griffith::app

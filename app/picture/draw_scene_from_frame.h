@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/picture/skin.h"
+#include "renderer/draw_scene.h"
+#include "sim/scene/scene.h"
+#include "sim/world/frame.h"
+#include "ui/model/selection.h"
+
+namespace griffith::app {
+
+/// What a world's pictures show in place of tets, found in its first frame: splinters, and the surfaces that bodies
+/// were made from.
+struct EmbeddedDisplay {
+  std::shared_ptr<const render::EmbeddedMesh> mesh;  ///< null where no body has any
+  std::vector<std::uint8_t> splintered;              ///< per scene body: 1 when it has splinters
+  std::vector<std::uint8_t> skinned;       ///< per scene body: 1 when it has the surface that it was made from
+  std::vector<SkinPart> skin_parts;        ///< numbered after the parts of splinters
+  std::vector<std::array<int, 4>> orders;  ///< per tet: summation_orders() of the first frame
+};
+
+/// Throws InputError when a surface cannot be read.
+EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene);
+
+/// The picture of a frame: bodies as view.elements says, coloured by view.quantity (natural colours for "material", one
+/// for each body, element or splinter for "body", "tet" and "splinter"), cracks and the selection marked, the view's
+/// layers, projectiles, ground. Bodies with splinters or a surface of their own show them if view.splinters says so. A
+/// triangle's id is its tet. `range`: of the colours where the view leaves it automatic, as SteadyRange has it; none:
+/// what suits this frame alone.
+render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDisplay& display, const Scene& scene,
+                                        const ViewSettings& view, const ui::Selection& selection,
+                                        const std::optional<Vec2>& range = std::nullopt);
+
+}  // namespace griffith::app

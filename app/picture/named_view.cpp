@@ -1,0 +1,74 @@
+#include "app/picture/named_view.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "app/picture/bounds_of.h"
+#include "sim/core/error.h"
+#include "sim/scene/view_quantity.h"
+#include "ui/model/view_layers.h"
+
+namespace griffith::app {
+namespace {
+
+constexpr double kExplode = 0.6;
+
+bool use_quantity(ViewSettings& view, const std::string& name) {
+  if (std::ranges::find(view_quantities(), name, &ViewQuantity::key) == view_quantities().end()) return false;
+  if (view.quantity != name) view.range.reset();
+  view.quantity = name;
+  return true;
+}
+
+bool use_layer(ViewSettings& view, const std::string& name) {
+  const auto found = std::ranges::find(view_layers(), name, &ViewLayerInfo::key);
+  if (found == view_layers().end()) return false;
+  ui::show_layer(view, static_cast<ViewLayer>(found - view_layers().begin()));
+  return true;
+}
+
+bool use_style(ViewSettings& view, const std::string& name) {
+  const auto found = std::ranges::find(element_style_names(), name);
+  if (found == element_style_names().end()) return false;
+  view.elements = static_cast<ElementStyle>(found - element_style_names().begin());
+  return true;
+}
+
+SlicePlane slice_through(const Frame& frame, const Vec3& towards_eye) {
+  Eigen::AlignedBox3d box = bounds_of(frame);
+  if (box.isEmpty()) box.extend(Vec3(Vec3::Zero()));
+  return ui::middle_slice(box.min(), box.max(), towards_eye);
+}
+
+std::string all_names() {
+  std::string names;
+  for (const ViewQuantity& quantity : view_quantities()) names.append(quantity.key).append(", ");
+  for (const ViewLayerInfo& layer : view_layers()) names.append(layer.key).append(", ");
+  for (const std::string_view style : element_style_names()) names.append(style).append(", ");
+  return names + "exploded, slice, unlit";
+}
+
+}  // namespace
+
+void use_named_view(ViewSettings& view, const std::string& names, const Frame& frame, const Vec3& towards_eye) {
+  bool has_quantity = false, has_layer = false;
+  std::istringstream list(names);
+  for (std::string name; std::getline(list, name, '+');) {
+    if (use_quantity(view, name)) {
+      has_quantity = true;
+    } else if (use_layer(view, name)) {
+      has_layer = true;
+    } else if (name == "exploded") {
+      view.explode = kExplode;
+    } else if (name == "unlit") {
+      view.shading = false;
+    } else if (name == "slice") {
+      view.slice = slice_through(frame, towards_eye);
+    } else if (!use_style(view, name)) {
+      throw InputError("--view", "there is no view \"" + name + "\"", "join with + any of " + all_names());
+    }
+  }
+  if (has_layer && !has_quantity) use_quantity(view, "plain");
+}
+
+}  // namespace griffith::app

@@ -1,0 +1,87 @@
+#include "app/picture/natural_materials.h"
+
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace griffith::app {
+namespace {
+
+/// The colours of a fresh body and of what a crack lays bare, and how even they are. What is all of a piece until it
+/// breaks has pieces of one brightness, so that nothing shows where it will.
+struct NaturalLook {
+  std::string_view preset;
+  render::Rgb outside, inside;
+  float variation, mottle, roughness;  ///< as EmbeddedMaterial
+};
+
+constexpr render::Rgb kMortar = {0.72f, 0.70f, 0.66f};
+constexpr NaturalLook kLookTable[] = {
+    {"soda_lime_glass", {0.66f, 0.82f, 0.84f}, {0.47f, 0.74f, 0.74f}, 0, 0.02f, 0.06f},
+    {"concrete", {0.66f, 0.65f, 0.63f}, {0.57f, 0.56f, 0.54f}, 0, 0.20f, 0.35f},
+    {"brick", {0.60f, 0.33f, 0.25f}, {0.67f, 0.40f, 0.30f}, 0.12f, 0.22f, 0.40f},
+    {"porcelain", {0.93f, 0.93f, 0.91f}, {0.88f, 0.87f, 0.83f}, 0, 0.02f, 0.15f},
+    {"alumina", {0.92f, 0.90f, 0.85f}, {0.86f, 0.84f, 0.80f}, 0, 0.03f, 0.15f},
+    {"ice", {0.80f, 0.90f, 0.96f}, {0.90f, 0.95f, 0.98f}, 0, 0.05f, 0.25f},
+    {"granite", {0.55f, 0.54f, 0.55f}, {0.50f, 0.49f, 0.50f}, 0, 0.45f, 0.40f},
+    {"wood_along_grain", {0.67f, 0.49f, 0.31f}, {0.83f, 0.67f, 0.45f}, 0.06f, 0.30f, 0.30f},
+    {"wood_across_grain", {0.67f, 0.49f, 0.31f}, {0.83f, 0.67f, 0.45f}, 0.06f, 0.30f, 0.30f},
+    {"abs", {0.25f, 0.26f, 0.28f}, {0.42f, 0.43f, 0.45f}, 0, 0.02f, 0.10f},
+    {"acrylic", {0.78f, 0.86f, 0.90f}, {0.88f, 0.93f, 0.95f}, 0, 0.02f, 0.10f},
+    {"grey_cast_iron", {0.36f, 0.37f, 0.39f}, {0.48f, 0.48f, 0.48f}, 0, 0.10f, 0.35f},
+    {"mild_steel", {0.56f, 0.58f, 0.61f}, {0.68f, 0.69f, 0.70f}, 0, 0.05f, 0.20f},
+    {"rubber", {0.17f, 0.17f, 0.18f}, {0.23f, 0.22f, 0.22f}, 0, 0.05f, 0.15f},
+    {"jelly", {0.76f, 0.25f, 0.32f}, {0.83f, 0.36f, 0.42f}, 0, 0.03f, 0.05f},
+};
+
+/// Nearest in density and Poisson's ratio, which people hardly tune; stiffness, which they do, parts what is alike.
+const NaturalLook& look_of(const Material& material) {
+  const NaturalLook* best = &kLookTable[0];
+  double minimum = std::numeric_limits<double>::infinity();
+  for (const NaturalLook& look : kLookTable) {
+    const std::optional<Material> preset = find_material_preset(look.preset);
+    if (!preset) continue;
+    const double distance = 8 * std::abs(std::log(preset->density / material.density)) +
+                            20 * std::abs(preset->poisson_ratio - material.poisson_ratio) +
+                            0.1 * std::abs(std::log(preset->young_modulus / material.young_modulus));
+    if (distance < minimum) minimum = distance, best = &look;
+  }
+  return *best;
+}
+
+/// Noise has a fraction of a splinter's size and runs along its grain.
+void fit_to_splinters(render::EmbeddedMaterial& material, const SplinterPattern& pattern) {
+  if (const auto* shards = std::get_if<VoronoiSplinters>(&pattern)) {
+    const double stretch = 4 * shards->elongation - 3;
+    material.noise_size = static_cast<float>(0.2 * shards->size);
+    material.fibre = (std::sqrt(1 - 1 / stretch) * shards->grain.normalized()).cast<float>();
+  } else if (const auto* bricks = std::get_if<BrickSplinters>(&pattern)) {
+    material.noise_size = static_cast<float>(0.15 * bricks->size.minCoeff());
+  } else if (const auto* rings = std::get_if<RadialSplinters>(&pattern)) {
+    material.noise_size = static_cast<float>(0.2 * rings->first_ring);
+  }
+}
+
+render::EmbeddedMaterial material_of(const BodyDescription& body, const NaturalLook& natural, Look look) {
+  render::EmbeddedMaterial material;
+  material.color = look == Look::mortar ? kMortar : look == Look::inside ? natural.inside : natural.outside;
+  material.variation = look == Look::mortar || !body.splinters ? 0 : natural.variation;
+  material.mottle = natural.mottle;
+  material.roughness = look == Look::outside ? natural.roughness / 4 : natural.roughness;
+  if (body.splinters) fit_to_splinters(material, *body.splinters);
+  return material;
+}
+
+}  // namespace
+
+std::vector<render::EmbeddedMaterial> natural_materials(const Scene& scene) {
+  std::vector<render::EmbeddedMaterial> materials;
+  for (const BodyDescription& body : scene.bodies) {
+    const NaturalLook& natural = look_of(body.material);
+    for (const Look look : {Look::outside, Look::inside, Look::mortar})
+      materials.push_back(material_of(body, natural, look));
+  }
+  return materials;
+}
+
+}  // namespace griffith::app

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <algorithm>
+
+#include "renderer/renderer.h"
+#include "sim/scene/scene.h"
+
+namespace griffith::app {
+
+/// Pixels of what is written over a picture of this size per design pixel, which is one of 1280×720: small pictures
+/// keep it legible.
+inline float writing_scale(int width, int height) {
+  constexpr float kDesignWidth = 1280, kDesignHeight = 720, kMinScale = 0.8f;
+  return std::max(std::min(static_cast<float>(width) / kDesignWidth, static_cast<float>(height) / kDesignHeight),
+                  kMinScale);
+}
+
+/// How to draw a picture of this size [pixels] and view: lines are as thick in proportion to the picture's height,
+/// whatever its resolution, as long as they can be seen.
+inline render::RenderOptions picture_options(int width, int height, int samples, const ViewSettings& view) {
+  constexpr float kDesignHeight = 720, kMinScale = 0.6f;
+  render::RenderOptions options;
+  options.width = width;
+  options.height = height;
+  options.samples = samples;
+  options.edges = view.edges;
+  options.unlit_scalars = !view.shading;
+  options.edge_width = static_cast<float>(view.edge_width);
+  options.pixel_scale = std::max(static_cast<float>(height) / kDesignHeight, kMinScale);
+  return options;
+}
+
+}  // namespace griffith::app

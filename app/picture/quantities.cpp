@@ -1,0 +1,116 @@
+#include "app/picture/quantities.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "app/shared/quantile.h"
+#include "sim/elasticity/principal_stress.h"
+#include "sim/meshing/mesh_quality.h"
+
+namespace griffith::app {
+namespace {
+
+using Value = double (*)(const Frame& frame, std::size_t index);
+
+struct Quantity {
+  std::string_view key;
+  ValuePlace place;
+  Value value;
+};
+
+double crack_age(const Frame& frame, std::size_t face) { return frame.time - frame.face_opened[face / 4][face % 4]; }
+
+constexpr std::array<Quantity, 13> kQuantities = {{
+    {"utilization", ValuePlace::node,
+     [](const Frame& frame, std::size_t i) { return frame.separations[i].utilization; }},
+    {"von_mises", ValuePlace::tet,
+     [](const Frame& frame, std::size_t i) { return von_mises_stress(frame.stresses[i]); }},
+    {"max_principal_stress", ValuePlace::tet,
+     [](const Frame& frame, std::size_t i) { return principal_stresses(frame.stresses[i])[0]; }},
+    {"mid_principal_stress", ValuePlace::tet,
+     [](const Frame& frame, std::size_t i) { return principal_stresses(frame.stresses[i])[1]; }},
+    {"min_principal_stress", ValuePlace::tet,
+     [](const Frame& frame, std::size_t i) { return principal_stresses(frame.stresses[i])[2]; }},
+    {"pressure", ValuePlace::tet, [](const Frame& frame, std::size_t i) { return -frame.stresses[i].trace() / 3; }},
+    {"separation_stress", ValuePlace::node,
+     [](const Frame& frame, std::size_t i) { return frame.separations[i].stress; }},
+    {"separation_eigenvalue", ValuePlace::node,
+     [](const Frame& frame, std::size_t i) { return frame.separations[i].eigenvalue; }},
+    {"strain_energy", ValuePlace::tet,
+     [](const Frame& frame, std::size_t i) { return frame.states[i].energy_density; }},
+    {"displacement", ValuePlace::node,
+     [](const Frame& frame, std::size_t i) { return (frame.positions[i] - frame.rest_positions[i]).norm(); }},
+    {"speed", ValuePlace::node, [](const Frame& frame, std::size_t i) { return frame.velocities[i].norm(); }},
+    {"element_quality", ValuePlace::tet, element_quality},
+    {"crack_age", ValuePlace::face, crack_age},
+}};
+
+std::size_t value_count(const Frame& frame, ValuePlace place) {
+  if (place == ValuePlace::node) return frame.positions.size();
+  return (place == ValuePlace::face ? 4 : 1) * frame.tets.size();
+}
+
+/// Differences below it are noise.
+double min_width(const Frame& frame, std::string_view key) {
+  constexpr double kStressFraction = 1e-4, kMinForce = 1e-3, kMinDisplacement = 1e-6, kMinSpeed = 1e-3,
+                   kMinEnergy = 1e-3, kMinAge = 1e-3;
+  if (key == "displacement") return kMinDisplacement;
+  if (key == "speed") return kMinSpeed;
+  if (key == "separation_eigenvalue") return kMinForce;
+  if (key == "strain_energy") return kMinEnergy;
+  if (key == "crack_age") return kMinAge;
+  double strength = 1;
+  for (const Material& material : frame.materials) strength = std::max(strength, material.tensile_strength);
+  return kStressFraction * strength;
+}
+
+}  // namespace
+
+double element_quality(const Frame& frame, std::size_t tet) {
+  std::array<Vec3, 4> corners;
+  for (std::size_t i = 0; i < 4; ++i)
+    corners[i] = frame.rest_positions[static_cast<std::size_t>(frame.tets[tet][i].value)];
+  return 1 / aspect_ratio(corners);
+}
+
+bool is_scalar(std::string_view key) {
+  return std::ranges::find(kQuantities, key, &Quantity::key) != kQuantities.end();
+}
+
+QuantityValues quantity_values(const Frame& frame, std::string_view key) {
+  const auto found = std::ranges::find(kQuantities, key, &Quantity::key);
+  assert(found != kQuantities.end());
+  QuantityValues result;
+  result.place = found->place;
+  result.values.resize(value_count(frame, found->place));
+  for (std::size_t i = 0; i < result.values.size(); ++i) result.values[i] = static_cast<float>(found->value(frame, i));
+  return result;
+}
+
+std::vector<int> histogram(const QuantityValues& values, const Vec2& range, int bins) {
+  std::vector<int> counts(static_cast<std::size_t>(bins), 0);
+  for (const float value : values.values) {
+    if (!std::isfinite(value)) continue;
+    const double t = std::clamp((value - range[0]) / (range[1] - range[0]), 0.0, 1.0);
+    ++counts[std::min(static_cast<std::size_t>(t * bins), counts.size() - 1)];
+  }
+  return counts;
+}
+
+Vec2 symmetric_range(const Vec2& range) {
+  const double reach = range.cwiseAbs().maxCoeff();
+  return {-reach, reach};
+}
+
+Vec2 automatic_range(const Frame& frame, std::string_view key, const QuantityValues& values) {
+  if (key == "utilization" || key == "element_quality") return {0, 1};
+  Vec2 range(std::min(0.0f, quantile(values.values, 0.02)), std::max(0.0f, quantile(values.values, 0.98)));
+  const double missing = min_width(frame, key) - (range[1] - range[0]);
+  if (missing > 0)
+    (range[1] > 0 || range[0] == 0 ? range[1] : range[0]) += range[1] > 0 || range[0] == 0 ? missing : -missing;
+  return range;
+}
+
+}  // namespace griffith::app

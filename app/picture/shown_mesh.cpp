@@ -1,0 +1,76 @@
+#include "app/picture/shown_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/world/node_report.h"
+
+namespace griffith::app {
+namespace {
+
+/// Where the pieces that still hold together are, by mass: what is exploded moves away from it.
+Vec3 common_center(const Frame& frame) {
+  Vec3 moment = Vec3::Zero();
+  double mass = 0;
+  for (const BodyView& body : frame.bodies) {
+    if (!body.center_of_mass.allFinite()) continue;
+    moment += body.mass * body.center_of_mass;
+    mass += body.mass;
+  }
+  return mass > 0 ? Vec3(moment / mass) : Vec3(Vec3::Zero());
+}
+
+std::vector<Vec3> exploded_offsets(const Frame& frame, double explode) {
+  std::vector<Vec3> offsets(frame.bodies.size(), Vec3::Zero());
+  if (explode == 0) return offsets;
+  const Vec3 center = common_center(frame);
+  for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = explode * (frame.bodies[i].center_of_mass - center);
+  return offsets;
+}
+
+double mean_element_size(const Frame& frame) {
+  double volume = 0;
+  for (const RestElement& rest : frame.rest_elements) volume += rest.volume;
+  return frame.rest_elements.empty() ? 1 : std::cbrt(6 * volume / static_cast<double>(frame.rest_elements.size()));
+}
+
+}  // namespace
+
+bool ShownMesh::visible(const Vec3& place) const {
+  return !view.slice || place.dot(view.slice->normal.normalized()) <= view.slice->offset;
+}
+
+Vec3 ShownMesh::centroid(TetId tet) const {
+  Vec3 sum = Vec3::Zero();
+  for (NodeId corner : frame.tets[tet]) sum += positions[corner];
+  return sum / 4;
+}
+
+ShownMesh shown_mesh(const Frame& frame, const ViewSettings& view, const ui::Selection& selection) {
+  ShownMesh shown{frame, view, exploded_offsets(frame, view.explode), {}, 1, selection.node};
+  shown.positions.assign(frame.positions.begin(), frame.positions.end());
+  if (view.explode != 0) {
+    for (std::size_t i = 0; i < shown.positions.size(); ++i)
+      shown.positions[i] += shown.offsets[shown.body_of(NodeId(static_cast<std::int64_t>(i)))];
+  }
+  if (view.layers.empty()) return shown;
+  shown.element_size = mean_element_size(frame);
+  if (!shown.chosen.valid()) shown.chosen = most_loaded_node(frame);
+  return shown;
+}
+
+render::HalfSpace visible_half(const SlicePlane& slice) {
+  return {slice.normal.normalized().cast<float>(), static_cast<float>(slice.offset)};
+}
+
+render::Rgb id_color(std::int32_t id) {
+  constexpr double kGoldenRatio = 0.6180339887498949, kStart = 0.07;
+  const double hue = std::fmod(kStart + kGoldenRatio * id, 1.0);
+  const auto channel = [hue](double offset) {
+    const double k = std::fmod(offset + 12 * hue, 12);
+    return static_cast<float>(0.66 - 0.2 * std::clamp(std::min(k - 3, 9 - k), -1.0, 1.0));
+  };
+  return {channel(0), channel(8), channel(4)};
+}
+
+}  // namespace griffith::app

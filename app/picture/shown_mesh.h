@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "app/picture/quantities.h"
+#include "renderer/draw_scene.h"
+#include "sim/scene/scene.h"
+#include "sim/world/frame.h"
+#include "ui/model/selection.h"
+
+namespace griffith::app {
+
+/// The mesh as a picture shows it: pieces moved apart, part of it cut away. What all parts of a picture are made from.
+struct ShownMesh {
+  const Frame& frame;
+  const ViewSettings& view;
+  std::vector<Vec3> offsets;    ///< per body: how far it is drawn from where it is [m]
+  std::vector<Vec3> positions;  ///< per node, as drawn [m]
+  double element_size =
+      1;          ///< edge of the cubes that six of the tets would fill, mean [m]: what the signs of layers go by
+  NodeId chosen;  ///< whose forces and plane are shown; invalid where there is none
+
+  /// Whether a place is on the side of the slice plane that is drawn.
+  bool visible(const Vec3& place) const;
+  BodyId body_of(NodeId node) const { return frame.tet_bodies[frame.stars[node].front()]; }
+  Vec3 centroid(TetId tet) const;
+};
+
+/// `selection`: of a node; without one, the most loaded node is the chosen one. Where the view has no layers, there is
+/// no need to know of it, nor of the size of elements. Frame and view must outlive what is made of them.
+ShownMesh shown_mesh(const Frame& frame, const ViewSettings& view, const ui::Selection& selection);
+ShownMesh shown_mesh(const Frame& frame, ViewSettings&& view, const ui::Selection& selection) = delete;
+
+/// The view's slice as the renderer wants it.
+render::HalfSpace visible_half(const SlicePlane& slice);
+
+/// A light, saturated colour of its own for each id; neighbours in number are far apart in hue.
+render::Rgb id_color(std::int32_t id);
+
+}  // namespace griffith::app

@@ -1,0 +1,51 @@
+#include "app/picture/skin_picture.h"
+
+#include "app/picture/carried_points.h"
+#include "app/picture/natural_materials.h"
+
+namespace griffith::app {
+namespace {
+
+Weights single(const std::array<double, 4>& weights) {
+  return Weights(float(weights[0]), float(weights[1]), float(weights[2]), float(weights[3]));
+}
+
+/// A normal as the renderer carries it: its products with the edges from the first point of its tet.
+render::CarriedNormal carried_normal(const Frame& frame, const Vec3& normal, TetId tet,
+                                     const std::array<int, 4>& order) {
+  const auto place = [&](int i) -> const Vec3& { return frame.rest_positions[frame.tets[tet][order[i]]]; };
+  Vec3 products;
+  for (int i = 0; i < 3; ++i) products[i] = normal.dot(place(i + 1) - place(0));
+  return render::CarriedNormal(products.cast<float>());
+}
+
+}  // namespace
+
+void add_skin(const Frame& frame, const Skin& skin, int first_part, int first_piece, render::EmbeddedMesh& mesh) {
+  const std::vector<std::array<int, 4>> orders = summation_orders(frame);
+  render::EmbeddedStyle style;
+  style.material = look_index(skin.scene_body, Look::outside);
+  style.textured = skin.has_uvs;
+  for (std::size_t i = 0; i < skin.corners.size(); ++i) {
+    const SkinCorner& corner = skin.corners[i];
+    const auto [tet, other] = corner.part;
+    if (i % 3 == 0) {
+      mesh.outer.push_back(static_cast<std::int32_t>(mesh.polygons.size()));
+      mesh.polygons.push_back({static_cast<std::int32_t>(mesh.corners.size()), 3});
+    }
+    const int part = static_cast<int>(i);
+    render::EmbeddedCorner drawn{corner.rest.cast<float>(),
+                                 ordered(single(corner.weights), orders[tet]),
+                                 ordered(single(corner.triangle_weights), orders[other]),
+                                 tet.value,
+                                 first_part + part,
+                                 first_piece + part,
+                                 style.packed()};
+    drawn.normal = carried_normal(frame, corner.normal, tet, orders[tet]);
+    drawn.other_normal = carried_normal(frame, corner.normal, other, orders[other]);
+    drawn.uv = corner.uv.cast<float>();
+    mesh.corners.push_back(drawn);
+  }
+}
+
+}  // namespace griffith::app

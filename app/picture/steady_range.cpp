@@ -1,0 +1,25 @@
+#include "app/picture/steady_range.h"
+
+#include <algorithm>
+
+#include "app/picture/quantities.h"
+
+namespace griffith::app {
+
+void SteadyRange::follow(const Frame& frame, const std::string& quantity) {
+  constexpr double kReturn = 0.08;  // of the way inwards a step: half of it in 8 steps
+  const bool goes_on = quantity == quantity_ && frame.step >= step_;
+  if (goes_on && frame.step == step_) return;
+  quantity_ = quantity;
+  step_ = frame.step;
+  if (!is_scalar(quantity)) return range_.reset();
+  const Vec2 now = automatic_range(frame, quantity, quantity_values(frame, quantity));
+  if (!goes_on) {
+    range_ = now;
+    return;
+  }
+  const Vec2 eased = *range_ + kReturn * (now - *range_);
+  range_ = Vec2(std::min(now[0], eased[0]), std::max(now[1], eased[1]));
+}
+
+}  // namespace griffith::app

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "sim/core/linear_algebra.h"
+#include "sim/world/frame.h"
+
+namespace griffith::app {
+
+/// The automatic range of the colours, without jumps from step to step: each end moves outwards at once and back
+/// inwards by a small part of the way a time step. It depends on the steps that it followed alone, not on when pictures
+/// were drawn.
+class SteadyRange {
+ public:
+  /// Takes in the frame of a step, none left out; again the same step changes nothing. Another quantity than before, or
+  /// an earlier step, starts anew.
+  void follow(const Frame& frame, const std::string& quantity);
+  /// The next frame is of another world.
+  void restart() { quantity_.clear(); }
+
+  /// Of the quantity that was followed last; nothing where that is no scalar.
+  const std::optional<Vec2>& range() const { return range_; }
+
+ private:
+  std::string quantity_;  ///< empty: followed none yet
+  std::int64_t step_ = 0;
+  std::optional<Vec2> range_;
+};
+
+}  // namespace griffith::app

@@ -1,0 +1,76 @@
+#include "app/shared/expected_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "sim/core/error.h"
+#include "sim/core/file_path.h"
+#include "sim/meshing/surface.h"
+#include "sim/scene/shape_fields.h"
+
+namespace griffith::app {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+struct Estimate {
+  const std::filesystem::path& folder;
+  const Monitor& monitor;
+  std::vector<std::pair<const SurfaceShape*, double>> surfaces = {};  ///< already counted; to read one takes long
+
+  static double in_cells(double volume, const Vec3& cell, BoxPattern pattern) {
+    return tets_per_cell(pattern) * std::max(volume / cell.prod(), 1.0);
+  }
+  static double in_cylinder(double radius, double length, const Vec2& cell, BoxPattern pattern) {
+    return in_cells(kPi * radius * radius * length, swept(cell), pattern);
+  }
+
+  double operator()(const BoxShape& box) const { return in_cells(box.size.prod(), box.element_size, box.pattern); }
+  double operator()(const CylinderShape& cylinder) const {
+    return in_cylinder(cylinder.radius, cylinder.length, cylinder.element_size, cylinder.pattern);
+  }
+  double operator()(const DiscShape& disc) const {
+    return in_cylinder(disc.radius, disc.thickness, disc.element_size, disc.pattern);
+  }
+  double operator()(const SphereShape& sphere) const {
+    return in_cells(4 * kPi / 3 * std::pow(sphere.radius, 3), Vec3::Constant(sphere.element_size), sphere.pattern);
+  }
+  double operator()(const PlateWithHoleShape& plate) const {
+    constexpr double kTowardsHole = 3;  // so many times the cells, which shrink towards it
+    return kTowardsHole * in_cells(plate.size.prod(), swept(plate.element_size), plate.pattern);
+  }
+  double operator()(const NotchedBeamShape& beam) const {
+    return in_cells(beam.size.prod(), beam.element_size, beam.pattern);
+  }
+  double operator()(const MeshFileShape&) const { return 0; }
+  double operator()(const SurfaceShape& shape) {
+    if (!shape.meshing.element_size) return 0;  // a twentieth of the diagonal: never many
+    const auto known = std::ranges::find_if(surfaces, [&](const auto& counted) { return *counted.first == shape; });
+    if (known != surfaces.end()) return known->second;
+    return surfaces.emplace_back(&shape, in_surface(shape)).second;
+  }
+  double in_surface(const SurfaceShape& shape) const try {
+    const TriangleSurface surface = read_surface(file_path(folder, shape.path), shape.scale, monitor);
+    constexpr double kTetsPerCube = 8.5;  // of regular tets, in a cube as wide as their edge
+    // The box round it is right where holes leave the volume without a meaning.
+    const double box = bounds(surface).volume(), enclosed = std::abs(enclosed_volume(surface));
+    const double volume = enclosed > 0.01 * box && enclosed <= box ? enclosed : box;
+    return kTetsPerCube * volume / std::pow(*shape.meshing.element_size * shape.meshing.grading, 3);
+  } catch (const InputError&) {
+    return 0;  // whoever builds the body tells it, with its place in the scene
+  }
+};
+
+}  // namespace
+
+double expected_tets(const Scene& scene, const Monitor& monitor) {
+  double sum = 0;
+  Estimate estimate{scene.folder, monitor};
+  for (const BodyDescription& body : scene.bodies) sum += std::visit(estimate, body.shape);
+  return sum;
+}
+
+}  // namespace griffith::app

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+
+#include "sim/core/error.h"
+#include "sim/world/world.h"
+
+namespace griffith::app {
+
+/// The error with the scene's file before its place, where that is a JSON pointer alone: a world knows no file.
+InputError in_file(const std::filesystem::path& scene_file, const InputError& error);
+
+/// The world of a scene that was read from `scene_file` (empty: from none). Errors name the file.
+World make_world(const Scene& scene, const std::filesystem::path& scene_file, const Monitor& monitor);
+/// As above; long work shows on the terminal.
+World make_world(const Scene& scene, const std::filesystem::path& scene_file);
+
+}  // namespace griffith::app

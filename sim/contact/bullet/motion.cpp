@@ -1,0 +1,373 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/contact/bullet/contact_world.h"
+#include "sim/contact/bullet/sweep.h"
+#include "sim/core/free_turn.h"
+#include "sim/core/rotation.h"
+
+namespace griffith {
+
+using namespace contact;
+
+namespace {
+
+/// Swept projectiles come to rest overlapping by this share of their radius, so that the next detection sees the
+/// contact.
+constexpr double kTouchFraction = 1e-6;
+/// A projectile changes its way at this many surfaces in one substep at most.
+constexpr int kMaxTurns = 4;
+
+/// A motion of `a` as seen from `b`, which stays in its present place.
+struct Sweep {
+  const Object &a, &b;
+  Vec3 start;         ///< of a's centre [m]
+  Vec3 displacement;  ///< [m]
+  double gap;         ///< that counts as touching [m]
+};
+
+PlacedShape placed(const Object& object, std::size_t part, const Vec3& center, double ground_height) {
+  if (object.kind == Kind::ground) return {nullptr, btTransform::getIdentity(), ground_height};
+  PlacedShape shape{object.shape.parts[part].get(), object.body->getWorldTransform(), 0};
+  shape.transform.setOrigin(to_bullet(center));
+  return shape;
+}
+
+/// How near to the origin a point comes that is displaced from `start`.
+double nearest_distance(const Vec3& start, const Vec3& displacement) {
+  const double length_squared = displacement.squaredNorm();
+  const double nearest = length_squared > 0 ? std::clamp(-start.dot(displacement) / length_squared, 0.0, 1.0) : 0;
+  return (start + nearest * displacement).norm();
+}
+
+/// Whether the spheres round the two objects come near enough to touch.
+bool may_touch(const Sweep& sweep, double ground_height) {
+  const auto& [a, b, start, displacement, gap] = sweep;
+  if (b.kind == Kind::ground)
+    return start.y() + std::min(0.0, displacement.y()) <= ground_height + a.shape.radius + gap;
+  return nearest_distance(start - b.state.pose.translation, displacement) <= a.shape.radius + b.shape.radius + gap;
+}
+
+/// Calls `use` with the touch of each pair of convex parts that comes near enough, and b's part.
+template <class Use>
+void for_each_touch(const Sweep& sweep, double ground_height, Use use) {
+  const auto& [a, b, start, displacement, gap] = sweep;
+  if (!may_touch(sweep, ground_height)) return;
+  const std::size_t b_parts = b.kind == Kind::ground ? 1 : b.shape.parts.size();
+  for (std::size_t i = 0; i < a.shape.parts.size(); ++i)
+    for (std::size_t j = 0; j < b_parts; ++j) {
+      const PlacedShape other = placed(b, j, b.state.pose.translation, ground_height);
+      if (const auto touch = first_touch(placed(a, i, start, ground_height), displacement, other, gap)) use(*touch, j);
+    }
+}
+
+Quat rotated(const Quat& rotation, const Vec3& turn) {
+  if (turn.isZero(0)) return rotation;
+  return (Quat(rotation_by(turn)) * rotation).normalized();
+}
+
+/// Where an object will be after a share (0..1) of the substep, moving uniformly. Projectiles have turned already.
+Pose pose_after(const Object& object, double fraction, double dt) {
+  Pose pose = object.state.pose;
+  pose.translation += fraction * (dt * object.state.velocity + object.correction.translation);
+  if (object.kind != Kind::projectile)
+    pose.rotation =
+        rotated(pose.rotation, fraction * (dt * object.state.angular_velocity + object.correction.rotation));
+  return pose;
+}
+
+bool is_sphere(const Object& object) {
+  return object.kind != Kind::ground && object.shape.parts.front()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
+}
+
+/// The fastest that rotation brings a surface point nearer to anything [m/s].
+double turning_speed(const Object& object) {
+  return is_sphere(object) ? 0 : object.state.angular_velocity.norm() * object.shape.radius;
+}
+
+/// Turns a projectile; its angular momentum stays.
+void turn(Object& object, const Mat3& rotation) {
+  RigidState& state = object.state;
+  const Quat before = state.pose.rotation;
+  state.pose.rotation = (Quat(rotation) * before).normalized();
+  const Vec3 own_spin = before.conjugate() * state.angular_velocity;
+  const Quat back = state.pose.rotation.conjugate();
+  const Vec3 momentum = before * (object.inverse_inertia.inverse() * own_spin);
+  state.angular_velocity = state.pose.rotation * (object.inverse_inertia * (back * momentum));
+}
+
+/// How fast what a projectile met at `center` moves there after a share of the substep [m/s]. Two projectiles, which
+/// both stop there, go on together.
+Vec3 velocity_of_met(const Object& projectile, const Object& met, const Vec3& center, double fraction, double dt) {
+  const double own = projectile.inverse_mass, other = met.inverse_mass;
+  if (met.kind == Kind::projectile && own + other > 0)
+    return (other * projectile.state.velocity + own * met.state.velocity) / (own + other);
+  return met.state.velocity + met.state.angular_velocity.cross(center - pose_after(met, fraction, dt).translation);
+}
+
+/// How a projectile turns by its spin in `dt` [s] and by its correction.
+Mat3 turn_of(const Object& object, double dt, double fraction) {
+  const Mat3 rotation = object.state.pose.rotation.toRotationMatrix();
+  const Mat3 inertia = rotation * object.inverse_inertia.inverse() * rotation.transpose();
+  return rotation_by(fraction * object.correction.rotation) *
+         free_turn(inertia, object.state.angular_velocity, fraction * dt);
+}
+
+}  // namespace
+
+/// Each is turned first, then moved as it lies then, so that it comes to touch what it meets.
+void ContactWorld::Impl::move_projectiles(double dt) {
+  std::vector<std::size_t> projectiles;
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    if (objects[i].kind == Kind::projectile && objects[i].moves()) projectiles.push_back(i);
+  for (std::size_t i : projectiles) {
+    Object& object = objects[i];
+    object.state.pose.translation += object.correction.translation;
+    object.pushed_out = object.correction.translation;
+    turn_free(object, dt);
+    object.correction = {};
+  }
+  std::vector<Vec3> ends;
+  for (std::size_t i : projectiles) ends.push_back(swept_end(objects[i], dt, {}));
+  for (std::size_t i = 0; i < projectiles.size(); ++i) {
+    RigidState& state = objects[projectiles[i]].state;
+    state.velocity = velocity_after(state.velocity, ends[i] - state.pose.translation, dt);
+    state.pose.translation = ends[i];
+    place(objects[projectiles[i]]);
+  }
+}
+
+Vec3 ContactWorld::Impl::velocity_after(const Vec3& velocity, const Vec3& displacement, double dt) const {
+  const double not_fallen = gravity.dot(dt * velocity - displacement);
+  if (!(not_fallen > 0)) return velocity;
+  const Vec3 down = gravity.normalized();
+  const double fall = std::max(0.0, down.dot(velocity));
+  return velocity + (std::sqrt(std::max(0.0, fall * fall - 2 * not_fallen)) - fall) * down;
+}
+
+/// Turns a projectile as far as nothing is in its way: with the next detection, contacts stop it there.
+void ContactWorld::Impl::turn_free(Object& object, double dt) {
+  constexpr double kLargestTurn = 0.2, kMinTurn = 1e-3;  // [rad]
+  if (is_sphere(object)) {
+    turn(object, turn_of(object, dt, 1));
+    return place(object);
+  }
+  const double allowed = std::max<double>(deepest_overlap(object), object.shape.parts.front()->getMargin());
+  const double whole = (dt * object.state.angular_velocity + object.correction.rotation).norm();
+  double left = 1, fraction = std::clamp(kLargestTurn / std::max(whole, kMinTurn), 0.01, 1.0);
+  while (left > 0 && fraction * whole >= std::min(left * whole, kMinTurn)) {
+    const RigidState before = object.state;
+    turn(object, turn_of(object, dt, fraction));
+    place(object);
+    if (deepest_overlap(object) <= allowed) {
+      left -= fraction;
+      fraction = std::min(fraction, left);
+      continue;
+    }
+    object.state = before;
+    place(object);
+    fraction /= 2;
+  }
+}
+
+/// With anything but the ground, out of which contacts lead whatever the depth [m].
+double ContactWorld::Impl::deepest_overlap(const Object& object) const {
+  double deepest = 0;
+  const Vec3& center = object.state.pose.translation;
+  for (const Object& other : objects) {
+    if (&other == &object || !other.body || other.kind == Kind::ground) continue;
+    if (!may_touch({object, other, center, Vec3::Zero(), 0}, ground_height)) continue;
+    for (std::size_t part = 0; part < other.shape.parts.size(); ++part) {
+      const PlacedShape shape = placed(other, part, other.state.pose.translation, ground_height);
+      deepest = std::max(deepest, -separation(placed(object, 0, center, ground_height), shape).distance);
+    }
+  }
+  return deepest;
+}
+
+bool ContactWorld::Impl::LeftSurface::is(const Object& other, std::size_t other_part, const Vec3& other_normal) const {
+  constexpr double kSameNormal = 0.999;  // the cosine
+  return object == &other && (part == other_part || normal.dot(other_normal) > kSameNormal);
+}
+
+/// Where a projectile is after `dt` among the others in uniform motion. Slow touches let it slide on along the surface.
+/// What it strikes stops it for the rest of `dt`, or pushes it on, no faster than it came, so that the next detection
+/// finds both in touch.
+Vec3 ContactWorld::Impl::swept_end(const Object& projectile, double dt, const SweepRule& rule) const {
+  Vec3 center = projectile.state.pose.translation, velocity = projectile.state.velocity;
+  double fraction = 0;
+  std::vector<LeftSurface> parting;
+  for (int turns = 0; turns < kMaxTurns; ++turns) {
+    const Vec3 before = velocity;
+    for (const TouchAhead& next : touches_ahead(projectile, center, velocity, fraction, dt, rule)) {
+      const Vec3 local_normal = pose_after(*next.met, next.fraction, dt).rotation.conjugate() * next.normal;
+      if (std::ranges::any_of(parting,
+                              [&](const LeftSurface& left) { return left.is(*next.met, next.part, local_normal); }))
+        continue;
+      parting.push_back({next.met, next.part, local_normal});
+      center += (next.fraction - fraction) * dt * velocity;
+      fraction = next.fraction;
+      velocity = velocity_at_touch(projectile, velocity, next, center, dt);
+      if (velocity != before) break;
+    }
+    if (velocity == before) return center + (1 - fraction) * dt * velocity;
+  }
+  return center;
+}
+
+/// How a projectile goes on from what it touches there: slowly, it slides; what it strikes stops it or pushes it on, no
+/// faster than it came.
+Vec3 ContactWorld::Impl::velocity_at_touch(const Object& projectile, Vec3 velocity, const TouchAhead& touch,
+                                           const Vec3& center, double dt) const {
+  const double pushed = touch.normal.dot(velocity_of_met(projectile, *touch.met, center, touch.fraction, dt));
+  const double approach = pushed - touch.normal.dot(velocity), speed = projectile.state.velocity.norm();
+  if (approach <= 0) return velocity;
+  const double came = touch.fraction * dt * (projectile.state.velocity - touch.met->state.velocity).norm();
+  const bool just_solved = came < 10 * kTouchFraction * projectile.shape.radius;
+  velocity += approach * touch.normal;
+  if (approach > touching_speed(projectile, *touch.met, dt) && !just_solved) velocity = pushed * touch.normal;
+  return velocity * (speed / std::max({velocity.norm(), speed, std::numeric_limits<double>::min()}));
+}
+
+/// How far a projectile may get into a proxy [m]. An elastic body gives way where it was touched, as the solve knows
+/// and its proxy, which does not deform, does not show.
+double ContactWorld::Impl::allowed_depth(const Object& projectile, const Object& other) const {
+  constexpr double kElasticFraction = 0.5;  // of a sphere: its centre stays outside
+  const bool yields_now = other.elastic && std::any_of(contacts.begin(), contacts.end(), [&](const Contact& contact) {
+                            const Object &a = objects[contact.a], &b = objects[contact.b];
+                            return (&a == &projectile && &b == &other) || (&a == &other && &b == &projectile);
+                          });
+  if (!yields_now) return kTouchFraction * projectile.shape.radius;
+  return is_sphere(projectile) ? kElasticFraction * projectile.shape.radius
+                               : projectile.shape.parts.front()->getMargin();
+}
+
+namespace {
+
+/// Whether the spheres round two objects touch while the one moves from `center` by `displacement` and the other turns
+/// and moves on from a share of the substep.
+bool may_come_near(const Object& object, const Vec3& center, const Vec3& displacement, const Object& other,
+                   double fraction, double dt) {
+  constexpr double kRounding = 1 + 1e-9;
+  if (other.kind == Kind::ground) return true;
+  const Vec3 whole = dt * other.state.velocity + other.correction.translation;
+  const Vec3 apart = center - other.state.pose.translation - fraction * whole;
+  const double reach = object.shape.radius + other.shape.radius;
+  return nearest_distance(apart, displacement - (1 - fraction) * whole) <= kRounding * reach + 1e-12 * apart.norm();
+}
+
+}  // namespace
+
+/// What a projectile in uniform motion meets after a share of the substep, in order. Each other object is looked at in
+/// its own frame, so that its turning counts.
+std::vector<ContactWorld::Impl::TouchAhead> ContactWorld::Impl::touches_ahead(const Object& projectile,
+                                                                              const Vec3& center, const Vec3& velocity,
+                                                                              double fraction, double dt,
+                                                                              const SweepRule& rule) const {
+  std::vector<TouchAhead> touches;
+  const Vec3 displacement = (1 - fraction) * dt * velocity;
+  for (const Object& other : objects) {
+    if (&other == &projectile || !other.body || !may_come_near(projectile, center, displacement, other, fraction, dt))
+      continue;
+    if (rule.stops && !rule.stops(ProxyId(&other - objects.data()))) continue;
+    const double gap = -allowed_depth(projectile, other);
+    const Pose& present = other.state.pose;
+    const Vec3 start = pose_after(other, fraction, dt).to_local(center);
+    const Vec3 end = pose_after(other, 1, dt).to_local(center + displacement);
+    const Sweep sweep{projectile, other, present.to_world(start), present.rotation * (end - start), gap};
+    if (sweep.displacement.norm() < rule.slow) continue;
+    for_each_touch(sweep, ground_height, [&](const Touch& touch, std::size_t part) {
+      if (!comes_nearer(sweep.displacement, touch.normal)) return;  // overlaps, and leads out
+      const double touch_fraction = fraction + touch.fraction * (1 - fraction);
+      const Quat turn = pose_after(other, touch_fraction, dt).rotation * present.rotation.conjugate();
+      touches.push_back({touch_fraction, &other, turn * touch.normal, part});
+    });
+  }
+  std::ranges::stable_sort(touches, {}, &TouchAhead::fraction);
+  return touches;
+}
+
+/// How fast two objects would meet, 0 if they do not, or too slowly to hurt either.
+double ContactWorld::Impl::striking_speed(std::size_t first, std::size_t second, double dt,
+                                          double minimum_speed) const {
+  const Object &a = objects[first], &b = objects[second];
+  const double damage_speed = std::max(minimum_speed, std::min(a.impact_speed, b.impact_speed));
+  const auto velocity = [&](const Object& object) {
+    return object.moves() ? Vec3(object.state.velocity + dt * gravity) : object.state.velocity;
+  };
+  const Vec3 relative = velocity(a) - velocity(b);
+  const double turning = turning_speed(a) + turning_speed(b);
+  if (relative.norm() + turning <= damage_speed) return 0;
+  double fastest = 0;
+  const Sweep sweep{a, b, a.state.pose.translation, dt * relative, dt * turning};
+  for_each_touch(sweep, ground_height, [&](const Touch& touch, std::size_t) {
+    fastest = std::max(fastest, turning - touch.normal.dot(relative));
+  });
+  return fastest > damage_speed ? fastest : 0;
+}
+
+/// Sorts the swept extents along x and looks at those that overlap, where at least one object is fast enough.
+std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double dt, double minimum_speed) const {
+  struct Extent {
+    std::size_t object;
+    Eigen::AlignedBox3d box;
+    bool fast;
+  };
+  std::vector<Extent> extents;
+  std::vector<Encounter> found;
+  const auto look = [&](std::size_t a, std::size_t b) {
+    const double speed = striking_speed(a, b, dt, minimum_speed);
+    if (speed > 0)
+      found.push_back({ProxyId(static_cast<std::int64_t>(a)), ProxyId(static_cast<std::int64_t>(b)), speed});
+  };
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const Object& object = objects[i];
+    if (!object.body) continue;
+    if (object.kind == Kind::ground) {
+      for (std::size_t j = 0; j < objects.size(); ++j)
+        if (objects[j].moves()) look(j, i);
+      continue;
+    }
+    const double speed = (object.state.velocity + dt * gravity).norm() + turning_speed(object);
+    const Vec3 center = object.state.pose.translation, reach = Vec3::Constant(object.shape.radius + dt * speed);
+    extents.push_back({i, {center - reach, center + reach}, speed > minimum_speed / 2});
+  }
+  std::stable_sort(extents.begin(), extents.end(),
+                   [](auto& left, auto& right) { return left.box.min().x() < right.box.min().x(); });
+  for (auto a = extents.begin(); a != extents.end(); ++a)
+    for (auto b = a + 1; b != extents.end() && b->box.min().x() <= a->box.max().x(); ++b) {
+      if ((!a->fast && !b->fast) || !a->box.intersects(b->box)) continue;
+      if (!objects[a->object].moves() && !objects[b->object].moves()) continue;
+      look(a->object, b->object);
+    }
+  return found;
+}
+
+/// By bisection, each time among those alone that meet before the end of the interval.
+double ContactWorld::Impl::time_before_impact(double maximum, double minimum_speed, double tolerance) const {
+  std::vector<Encounter> first = expected_impacts(maximum, minimum_speed);
+  if (first.empty()) return maximum;
+  const auto meet = [&](double time) {
+    return [this, time, minimum_speed](const Encounter& pair) {
+      return striking_speed(pair.a, pair.b, time, minimum_speed) > 0;
+    };
+  };
+  if (std::ranges::any_of(first, meet(tolerance))) return 0;  // debris, mostly
+  double calm = tolerance, struck = maximum;
+  while (struck - calm > tolerance) {
+    const double middle = 0.5 * (calm + struck);
+    std::vector<Encounter> earlier;
+    std::ranges::copy_if(first, std::back_inserter(earlier), meet(middle));
+    if (earlier.empty()) {
+      calm = middle;
+    } else {
+      struck = middle;
+      first = std::move(earlier);
+    }
+  }
+  return calm;
+}
+
+}  // namespace griffith

@@ -1,0 +1,70 @@
+#include "sim/contact/bullet/shapes.h"
+
+#include <cassert>
+
+#include "sim/geometry/convex_hull.h"
+
+namespace griffith::contact {
+namespace {
+
+/// The margin's share of volume/area, which lies between a third of a hull's inner radius and all of it.
+constexpr double kMarginFraction = 0.1;
+/// The margin of a hull without volume, as a share of its extent.
+constexpr double kFlatMarginFraction = 1e-3;
+
+double largest_distance(const std::vector<Vec3>& points, const Vec3& from) {
+  double largest = 0;
+  for (const Vec3& point : points) largest = std::max(largest, (point - from).norm());
+  return largest;
+}
+
+}  // namespace
+
+HullShape::HullShape(const ConvexPart& part) : contact_reach_(kContactReach * largest_distance(part, Vec3::Zero())) {
+  const ConvexHull hull = convex_hull(part);
+  const double size = largest_distance(hull.corners, hull.corners.front());
+  const bool solid = hull.volume > 1e-9 * size * size * size;
+  const double margin = solid ? kMarginFraction * hull.volume / hull.area : kFlatMarginFraction * size;
+  for (const Vec3& corner : hull.corners) corners_.push_back(to_bullet(corner));
+  setMargin(margin);
+  for (const Vec3& corner : solid ? shrunken_corners(hull, margin) : hull.corners) addPoint(to_bullet(corner), false);
+  recalcLocalAabb();
+}
+
+void HullShape::getAabb(const btTransform& transform, btVector3& minimum, btVector3& maximum) const {
+  btConvexHullShape::getAabb(transform, minimum, maximum);
+  const btVector3 reach(contact_reach_, contact_reach_, contact_reach_);
+  minimum -= reach;
+  maximum += reach;
+}
+
+Shape sphere_shape(double radius) {
+  assert(radius > 0);
+  Shape shape;
+  shape.parts.push_back(std::make_shared<btSphereShape>(radius));
+  shape.radius = radius;
+  return shape;
+}
+
+Shape ground_shape(double height) {
+  Shape shape;
+  shape.whole = std::make_shared<btStaticPlaneShape>(btVector3(0, 1, 0), height);
+  return shape;
+}
+
+Shape hull_shape(std::span<const ConvexPart> parts) {
+  assert(!parts.empty());
+  Shape shape;
+  for (const ConvexPart& part : parts) {
+    shape.radius = std::max(shape.radius, largest_distance(part, Vec3::Zero()));
+    shape.parts.push_back(std::make_shared<HullShape>(part));
+  }
+  if (parts.size() == 1) return shape;
+  auto compound = std::make_shared<btCompoundShape>(true, static_cast<int>(parts.size()));
+  compound->setMargin(0);
+  for (const auto& hull : shape.parts) compound->addChildShape(btTransform::getIdentity(), hull.get());
+  shape.whole = std::move(compound);
+  return shape;
+}
+
+}  // namespace griffith::contact

@@ -1,0 +1,116 @@
+#include "sim/contact/bullet/sweep.h"
+
+#include <BulletCollision/CollisionShapes/btUniformScalingShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
+#include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
+#include <BulletCollision/NarrowPhaseCollision/btPointCollector.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace griffith::contact {
+namespace {
+
+/// Shapes with a thinner margin are small: less than some centimetres [m].
+constexpr double kSmallMargin = 2e-3;
+
+Separation separation_from_ground(const PlacedShape& shape, double height) {
+  const btVector3 down(0, -1, 0);
+  const btVector3 local = shape.convex->localGetSupportingVertex(down * shape.transform.getBasis());
+  const Vec3 lowest = from_bullet(shape.transform * local);
+  return {lowest.y() - height, Vec3::UnitY(), Vec3(lowest.x(), height, lowest.z())};
+}
+
+Separation separation(const btConvexShape& a, const btTransform& a_place, const btConvexShape& b,
+                      const btTransform& b_place) {
+  btVoronoiSimplexSolver simplex;
+  btGjkEpaPenetrationDepthSolver penetration;
+  btGjkPairDetector detector(&a, &b, &simplex, &penetration);
+  btGjkPairDetector::ClosestPointInput input;
+  input.m_transformA = a_place;
+  input.m_transformB = b_place;
+  btPointCollector closest;
+  detector.getClosestPoints(input, closest, nullptr);
+  if (!closest.m_hasResult) return {std::numeric_limits<double>::infinity(), Vec3::UnitY(), Vec3::Zero()};
+  return {closest.m_distance, from_bullet(closest.m_normalOnBInWorld), from_bullet(closest.m_pointInWorld)};
+}
+
+/// Bullet's tolerances are lengths, areas and volumes: what is small is looked at through a magnifying glass.
+Separation scaled_separation(const PlacedShape& a, const PlacedShape& b, double scale) {
+  btUniformScalingShape large_a(const_cast<btConvexShape*>(a.convex), scale);
+  btUniformScalingShape large_b(const_cast<btConvexShape*>(b.convex), scale);
+  const btVector3 origin = b.transform.getOrigin();
+  const btTransform a_place(a.transform.getBasis(), scale * (a.transform.getOrigin() - origin));
+  const btTransform b_place(b.transform.getBasis(), btVector3(0, 0, 0));
+  Separation apart = separation(large_a, a_place, large_b, b_place);
+  apart.distance /= scale;
+  apart.point_on_b = apart.point_on_b / scale + from_bullet(origin);
+  return apart;
+}
+
+}  // namespace
+
+namespace {
+
+bool is_sphere(const PlacedShape& shape) { return shape.convex->getShapeType() == SPHERE_SHAPE_PROXYTYPE; }
+
+/// A sphere's margin is its radius.
+Separation separation_of_spheres(const PlacedShape& a, const PlacedShape& b) {
+  const Vec3 center = from_bullet(b.transform.getOrigin()), apart = from_bullet(a.transform.getOrigin()) - center;
+  const double distance = apart.norm();
+  const Vec3 normal = distance > 0 ? Vec3(apart / distance) : Vec3::UnitY();
+  return {distance - a.convex->getMargin() - b.convex->getMargin(), normal, center + b.convex->getMargin() * normal};
+}
+
+}  // namespace
+
+Separation separation(const PlacedShape& a, const PlacedShape& b) {
+  if (!b.convex) return separation_from_ground(a, b.ground_height);
+  if (is_sphere(a) && is_sphere(b)) return separation_of_spheres(a, b);
+  const double thinner = std::min(a.convex->getMargin(), b.convex->getMargin());
+  return thinner < kSmallMargin ? scaled_separation(a, b, std::exp2(std::ceil(std::log2(kSmallMargin / thinner))))
+                                : separation(*a.convex, a.transform, *b.convex, b.transform);
+}
+
+bool comes_nearer(const Vec3& displacement, const Vec3& normal) {
+  return -normal.dot(displacement) > 1e-9 * displacement.norm();
+}
+
+namespace {
+
+/// Whether the boxes round two convex shapes come as near as `gap` [m] on the way: cheap, and no for most.
+bool boxes_meet(const PlacedShape& moving, const Vec3& displacement, const PlacedShape& other, double gap) {
+  btVector3 low, high, other_low, other_high;
+  moving.convex->getAabb(moving.transform, low, high);
+  other.convex->getAabb(other.transform, other_low, other_high);
+  for (int axis = 0; axis < 3; ++axis) {
+    const double reach = std::max(gap, 0.0) + 1e-9 * std::abs(displacement[axis]);
+    if (low[axis] + std::min(displacement[axis], 0.0) > other_high[axis] + reach) return false;
+    if (high[axis] + std::max(displacement[axis], 0.0) < other_low[axis] - reach) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<Touch> first_touch(PlacedShape moving, const Vec3& displacement, const PlacedShape& other, double gap) {
+  constexpr int kMaxAdvances = 32;
+  if (other.convex && !boxes_meet(moving, displacement, other, gap)) return std::nullopt;
+  const double tolerance = 1e-9 * (displacement.norm() + std::abs(gap));
+  const btVector3 start = moving.transform.getOrigin();
+  Touch touch{0, Vec3::Zero()};
+  for (int i = 0; i < kMaxAdvances; ++i) {
+    moving.transform.setOrigin(start + touch.fraction * to_bullet(displacement));
+    const Separation apart = separation(moving, other);
+    touch.normal = apart.normal;
+    if (apart.distance <= gap + tolerance) return touch;
+    if (!comes_nearer(displacement, apart.normal)) return std::nullopt;
+    const double approach = -apart.normal.dot(displacement);
+    touch.fraction += (apart.distance - gap) / approach;
+    if (touch.fraction > 1) return std::nullopt;
+  }
+  return touch;
+}
+
+}  // namespace griffith::contact

@@ -1,0 +1,215 @@
+#include "sim/world/bodies/bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/core/parallel.h"
+#include "sim/elasticity/polar_decomposition.h"
+#include "sim/fracture/resistance.h"
+#include "sim/mesh/topology.h"
+#include "sim/world/bodies/collision_shape.h"
+#include "sim/world/energy/energy_phase.h"
+#include "sim/world/phases/elastic_phase.h"
+#include "sim/world/phases/motion_phase.h"
+#include "sim/world/world_state.h"
+
+namespace griffith {
+namespace {
+
+/// A body's nodes as columns.
+NodeVectors gather(const std::vector<Vec3>& values, const std::vector<NodeId>& nodes) {
+  NodeVectors gathered(3, nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) gathered.col(i) = values[nodes[i]];
+  return gathered;
+}
+
+Eigen::VectorXd gather(const std::vector<double>& values, const std::vector<NodeId>& nodes) {
+  Eigen::VectorXd gathered(nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) gathered[i] = values[nodes[i]];
+  return gathered;
+}
+
+/// A proxy for the body as it is.
+ContactWorld::Proxy proxy_of(const WorldState& world, const Body& body) {
+  const Material& material = world.material_of(body);
+  return {body.collision_parts,
+          {body.motion.mass, body.motion.inertia},
+          body.supported() ? Mobility::kinematic : Mobility::free,
+          {{body.motion.center, body.orientation}, body.motion.velocity, body.motion.angular_velocity},
+          {material.friction, material.restitution}};
+}
+
+void reshape_proxy(WorldState& world, const Body& body) {
+  const auto [parts, mass, mobility, state, surface] = proxy_of(world, body);
+  world.contact_world.reshape(body.proxy, parts, mass, mobility, state);
+  world.contact_world.set_impact_speed(body.proxy, damage_speed(world, body));
+}
+
+/// Longest edge of the box round the body at rest [m].
+double extent_of(const WorldState& world, const Body& body) {
+  Eigen::AlignedBox3d box;
+  for (NodeId node : body.nodes) box.extend(world.mesh.rest_positions[node]);
+  return box.sizes().maxCoeff();
+}
+
+/// What scatter and direction leave of the material's resistance at the body's weakest node, across its weakest plane
+/// [-].
+double weakest_fraction_of(const WorldState& world, const Body& body) {
+  double minimum = std::numeric_limits<double>::infinity();
+  for (NodeId node : body.nodes) minimum = std::min(minimum, world.nodes.strength_factors[node]);
+  const std::optional<Weakness>& weakness = world.model->weaknesses[body.scene_body];
+  return weakness ? weakness->strength_ratio * minimum : minimum;
+}
+
+/// The component that goes on as the body itself: a supported one before a free one, then the largest.
+std::size_t surviving_piece(const WorldState& world, const std::vector<std::vector<TetId>>& components) {
+  const auto rank = [&](const std::vector<TetId>& tets) {
+    const bool held = std::any_of(tets.begin(), tets.end(), [&](TetId tet) {
+      const auto& corners = world.mesh.tets[tet];
+      return std::any_of(corners.begin(), corners.end(),
+                         [&](NodeId node) { return world.nodes.has_support[node] != 0; });
+    });
+    return std::pair(held, tets.size());
+  };
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < components.size(); ++i)
+    if (rank(components[i]) > rank(components[best])) best = i;
+  return best;
+}
+
+}  // namespace
+
+double damage_speed(const WorldState& world, const Body& body) {
+  // Slower meetings do not come near the breaking speed sigma_t / (rho c).
+  constexpr double kShareOfBreakingSpeed = 0.5;
+  if (body.tets.size() == 1) return std::numeric_limits<double>::infinity();
+  const Material& material = world.material_of(body);
+  const double stress = min_breaking_stress(world, body, false);
+  return kShareOfBreakingSpeed * stress / (material.density * bar_wave_speed(material));
+}
+
+double min_breaking_stress(const WorldState& world, const Body& body, bool at_crack_front) {
+  const Material& material = world.material_of(body);
+  const double minimum = body.weakest_fraction * resistance(material, at_crack_front, body.element_size);
+  const bool is_force = material.criterion == FractureCriterion::separation_force;
+  return is_force ? minimum / (body.element_size * body.element_size) : minimum;
+}
+
+void clear_stress(WorldState& world, const Body& body) {
+  for (TetId tet : body.tets) {
+    world.elements.states[tet] = {};
+    world.elements.stresses[tet].setZero();
+  }
+  for (NodeId node : body.nodes) world.nodes.separations[node] = {};
+}
+
+RigidMotion motion_of(const WorldState& world, const Body& body) {
+  return rigid_motion(gather(world.nodes.positions, body.nodes), gather(world.nodes.velocities, body.nodes),
+                      gather(world.nodes.masses, body.nodes));
+}
+
+double mean_element_size(const WorldState& world, std::span<const TetId> tets) {
+  double volume = 0;
+  for (TetId tet : tets) volume += world.elements.rest_elements[tet].volume;
+  return std::cbrt(6 * volume / static_cast<double>(tets.size()));
+}
+
+void update_motion(WorldState& world, Body& body) {
+  body.motion = motion_of(world, body);
+  Mat3 correlation = Mat3::Zero();
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+    const NodeId node = body.nodes[i];
+    correlation += world.nodes.masses[node] * (world.nodes.positions[node] - body.motion.center) *
+                   body.reference_arms.col(i).transpose();
+  }
+  body.orientation = Quat(polar_rotation(correlation / correlation.norm())).normalized();
+}
+
+double rebuild_shape(WorldState& world, Body& body) {
+  body.nodes = nodes_of(world.mesh, body.tets);
+  body.surface.clear();
+  for (TetId tet : body.tets)
+    for (int face = 0; face < 4; ++face)
+      if (!world.mesh.neighbours[tet][face].valid()) body.surface.push_back({tet, face});
+  if (body.system) {
+    body.system->patch(world.mesh, body.nodes, world.nodes.constraints, world.nodes.rows);
+  } else {
+    body.system.emplace(world.mesh, body.tets, world.nodes.constraints, world.nodes.rows);
+  }
+  body.motion = motion_of(world, body);
+  body.reference_arms = gather(world.nodes.positions, body.nodes).colwise() - body.motion.center;
+  body.orientation.setIdentity();
+  body.element_size = mean_element_size(world, body.tets);
+  body.extent = extent_of(world, body);
+  body.weakest_fraction = weakest_fraction_of(world, body);
+  body.asleep = false;
+  // A single tet cannot break any further: it is debris from the start.
+  body.rigid = body.tets.size() == 1 && !body.supported();
+  body.quiet_steps = 0;
+  body.highest_frequency = 0;
+  if (!body.rigid) return 0;
+  update_elements(world, body);
+  const double before = mechanical_energy(world, body);
+  clear_stress(world, body);
+  return before - energy_of(world, body);
+}
+
+void add_proxies(WorldState& world, std::span<Body> bodies) {
+  std::vector<ContactWorld::Proxy> added;
+  for (const Body& body : bodies) added.push_back(proxy_of(world, body));
+  const std::vector<ProxyId> ids = world.contact_world.add_proxies(added);
+  if (ids.empty()) return;
+  world.body_of_proxy.resize(ids.back() + 1);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    bodies[i].proxy = ids[i];
+    world.body_of_proxy[ids[i]] = bodies[i].id;
+    world.contact_world.set_impact_speed(ids[i], damage_speed(world, bodies[i]));
+  }
+}
+
+void rebuild_body(WorldState& world, Body& body) {
+  rebuild_shape(world, body);
+  body.collision_parts = collision_parts(world, body);
+  reshape_proxy(world, body);
+}
+
+void assign_pieces(WorldState& world, BodyId id, std::vector<std::vector<TetId>> pieces) {
+  const std::size_t kept = surviving_piece(world, pieces);
+  world.bodies[id].tets = std::move(pieces[kept]);
+  for (TetId tet : world.bodies[id].tets) world.elements.bodies[tet] = id;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (i == kept) continue;
+    Body piece;
+    piece.id = BodyId(static_cast<std::int64_t>(world.bodies.size()));
+    piece.parent = id;
+    piece.scene_body = world.bodies[id].scene_body;
+    piece.scaled = world.bodies[id].scaled;
+    piece.shock = world.bodies[id].shock;
+    piece.shock_ended = world.bodies[id].shock_ended;
+    piece.tets = std::move(pieces[i]);
+    for (TetId tet : piece.tets) world.elements.bodies[tet] = piece.id;
+    world.bodies.push_back(std::move(piece));
+  }
+}
+
+void split_bodies(WorldState& world, std::span<const BodyId> opened) {
+  const std::size_t first_new = world.bodies.size();
+  for (BodyId id : opened) assign_pieces(world, id, connected_components(world.mesh, world.bodies[id].tets));
+  std::vector<BodyId> changed(opened.begin(), opened.end());
+  const std::span<Body> parted = std::span(world.bodies).subspan(first_new);
+  for (const Body& body : parted) changed.push_back(body.id);
+  std::vector<double> lost(changed.size(), 0.0);
+  parallel_for(static_cast<int>(changed.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      Body& body = world.bodies[changed[i]];
+      lost[i] = rebuild_shape(world, body);
+      body.collision_parts = collision_parts(world, body);
+    }
+  });
+  for (const double energy : lost) world.energy.hand_over += energy;
+  for (BodyId id : opened) reshape_proxy(world, world.bodies[id]);
+  add_proxies(world, parted);
+}
+
+}  // namespace griffith

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/world/world_state.h"
+
+namespace griffith {
+
+/// Takes the stress out of a body that is rigid from now on.
+void clear_stress(WorldState& world, const Body& body);
+/// Gives the tets of bodies that may have come apart to one body for each connected piece.
+void split_bodies(WorldState& world, std::span<const BodyId> opened);
+/// The same for pieces that are known: one goes on as the body itself, each other becomes a new body, of which nothing
+/// but the tets is known yet.
+void assign_pieces(WorldState& world, BodyId id, std::vector<std::vector<TetId>> pieces);
+/// Rebuilds what follows from the tets of a body with a proxy: all that rebuild_shape() does, collision parts and
+/// proxy.
+void rebuild_body(WorldState& world, Body& body);
+/// Nodes, surface, system and motion of a body. Writes to what is the body's own alone. Returns the energy that it lost
+/// where it is rigid from now on [J].
+double rebuild_shape(WorldState& world, Body& body);
+/// Makes the proxies of bodies that have none yet out of their collision parts, in the contact world.
+void add_proxies(WorldState& world, std::span<Body> bodies);
+/// The rigid motion that carries the momentum of a body's nodes.
+RigidMotion motion_of(const WorldState& world, const Body& body);
+/// Takes mass, momentum and orientation of a body from its nodes.
+void update_motion(WorldState& world, Body& body);
+/// Edge length of the cubes that six of these tets would fill [m].
+double mean_element_size(const WorldState& world, std::span<const TetId> tets);
+/// The least stress, spread over the face of an element, that could open a crack somewhere in the body, or could let
+/// one run on that is there already [Pa].
+double min_breaking_stress(const WorldState& world, const Body& body, bool at_crack_front);
+/// The speed of an impact from which a body could be hurt [m/s]; infinite for a single tet, which cannot break.
+double damage_speed(const WorldState& world, const Body& body);
+
+}  // namespace griffith

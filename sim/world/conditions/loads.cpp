@@ -1,0 +1,180 @@
+#include "sim/world/conditions/loads.h"
+
+#include <algorithm>
+
+#include "sim/world/phases/motion_phase.h"
+#include "sim/world/world_state.h"
+
+namespace griffith {
+namespace {
+
+bool all_marked(const TetSoup& soup, int tet, const std::vector<std::uint8_t>& marked, int except = -1) {
+  for (int corner = 0; corner < 4; ++corner)
+    if (corner != except && !marked[soup.tets[tet][corner]]) return false;
+  return true;
+}
+
+/// The first corner at each marked node.
+std::vector<TetCorner> one_corner_a_node(const RestBody& body, std::vector<std::uint8_t> marked) {
+  std::vector<TetCorner> corners;
+  for (const TetCorner& corner : corners_at(body, marked)) {
+    std::uint8_t& is_new = marked[body.soup.tets[corner.tet - body.range.first_tet][corner.corner]];
+    if (is_new) corners.push_back(corner);
+    is_new = 0;
+  }
+  return corners;
+}
+
+std::vector<SurfaceFace> faces_of(const TetMesh& mesh, const RestBody& body, const std::vector<std::uint8_t>& marked) {
+  std::vector<SurfaceFace> faces;
+  for (int i = 0; i < static_cast<int>(body.soup.tets.size()); ++i)
+    for (int face = 0; face < 4; ++face) {
+      const TetId tet(body.range.first_tet + i);
+      if (!mesh.neighbours[tet][face].valid() && all_marked(body.soup, i, marked, face)) faces.push_back({tet, face});
+    }
+  return faces;
+}
+
+std::vector<TetId> tets_of(const RestBody& body, const std::vector<std::uint8_t>& marked) {
+  std::vector<TetId> tets;
+  for (int i = 0; i < static_cast<int>(body.soup.tets.size()); ++i)
+    if (all_marked(body.soup, i, marked)) tets.push_back(TetId(body.range.first_tet + i));
+  return tets;
+}
+
+PlacedLoad place_load(const TetMesh& mesh, const Load& load, const RestBody& body) {
+  const std::vector<std::uint8_t> marked = nodes_in(body, load.region);
+  PlacedLoad placed{load, {}, {}, {}};
+  switch (load.kind) {
+    case LoadKind::point_force:
+      placed.corners = one_corner_a_node(body, marked);
+      break;
+    case LoadKind::traction:
+    case LoadKind::pressure:
+      placed.faces = faces_of(mesh, body, marked);
+      break;
+    case LoadKind::body_force:
+      placed.tets = tets_of(body, marked);
+      break;
+  }
+  return placed;
+}
+
+const char* loaded_things(LoadKind kind) {
+  switch (kind) {
+    case LoadKind::point_force:
+      return "node";
+    case LoadKind::traction:
+    case LoadKind::pressure:
+      return "surface face with all its nodes";
+    case LoadKind::body_force:
+      return "tetrahedron with all its nodes";
+  }
+  return "";
+}
+
+/// The outward area vector of a face [m²] with its nodes at `positions`.
+Vec3 area_vector(std::span<const Vec3> positions, const std::array<NodeId, 3>& nodes) {
+  const Vec3& origin = positions[nodes[0]];
+  return 0.5 * (positions[nodes[1]] - origin).cross(positions[nodes[2]] - origin);
+}
+
+void add_point_force(const WorldState& world, const PlacedLoad& placed, double factor, std::vector<Vec3>& forces) {
+  const Vec3 fraction = factor / static_cast<double>(placed.corners.size()) * placed.load.force;
+  for (const TetCorner& corner : placed.corners) forces[node_at(world.mesh.tets, corner)] += fraction;
+}
+
+void add_traction(const WorldState& world, const PlacedLoad& placed, double factor, std::vector<Vec3>& forces) {
+  for (const SurfaceFace& face : placed.faces) {
+    const std::array<NodeId, 3> nodes = face_nodes(world.mesh, face.tet, face.face);
+    const Vec3 fraction = factor * area_vector(world.mesh.rest_positions, nodes).norm() / 3 * placed.load.traction;
+    for (NodeId node : nodes) forces[node] += fraction;
+  }
+}
+
+void add_body_force(const WorldState& world, const PlacedLoad& placed, double factor, std::vector<Vec3>& forces) {
+  for (TetId tet : placed.tets) {
+    const double density = world.material_of(world.bodies[world.elements.bodies[tet]]).density;
+    const Vec3 fraction = factor * density * world.elements.rest_elements[tet].volume / 4 * placed.load.acceleration;
+    for (NodeId node : world.mesh.tets[tet]) forces[node] += fraction;
+  }
+}
+
+}  // namespace
+
+double load_factor(const Load& load, double time) {
+  const double acted = time - load.start;
+  if (acted < 0 || (load.duration && acted >= *load.duration)) return 0;
+  return acted < load.ramp ? acted / load.ramp : 1;
+}
+
+void place_loads(WorldState& world, int scene_body, const RestBody& body, std::vector<InputError>& findings) {
+  const std::vector<Load>& loads = world.model->scene.bodies[scene_body].loads;
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    world.loads.push_back(place_load(world.mesh, loads[i], body));
+    const PlacedLoad& placed = world.loads.back();
+    if (!placed.corners.empty() || !placed.faces.empty() || !placed.tets.empty()) continue;
+    findings.emplace_back("#/bodies/" + std::to_string(scene_body) + "/loads/" + std::to_string(i) + "/region",
+                          std::string("holds no ") + loaded_things(loads[i].kind),
+                          "make it larger, or move it: regions are in the body's rest space");
+  }
+}
+
+void make_loaded_bodies_elastic(WorldState& world, double before, double time) {
+  const auto make_owner_elastic = [&](TetId tet) {
+    Body& body = world.bodies[world.elements.bodies[tet]];
+    if (body.rigid && !body.supported() && body.tets.size() > 1) make_elastic(world, body);
+  };
+  for (const PlacedLoad& placed : world.loads) {
+    if (load_factor(placed.load, before) == load_factor(placed.load, time)) continue;
+    for (const TetCorner& corner : placed.corners) make_owner_elastic(corner.tet);
+    for (const SurfaceFace& face : placed.faces) make_owner_elastic(face.tet);
+    for (TetId tet : placed.tets) make_owner_elastic(tet);
+  }
+}
+
+void add_load_forces(const WorldState& world, double time, std::vector<Vec3>& forces) {
+  add_dead_forces(world, time, forces);
+  for (const std::vector<PressedFace>& faces : pressed_faces(world, time))
+    add_pressure(faces, world.nodes.positions, forces);
+}
+
+std::vector<std::vector<PressedFace>> pressed_faces(const WorldState& world, double time) {
+  std::vector<std::vector<PressedFace>> faces(world.bodies.size());
+  for (const PlacedLoad& placed : world.loads) {
+    const double pressure = load_factor(placed.load, time) * placed.load.pressure;
+    if (pressure == 0) continue;
+    for (const SurfaceFace& face : placed.faces)
+      faces[world.elements.bodies[face.tet]].push_back({face_nodes(world.mesh, face.tet, face.face), pressure});
+  }
+  return faces;
+}
+
+void add_pressure(std::span<const PressedFace> faces, std::span<const Vec3> positions, std::span<Vec3> forces) {
+  for (const PressedFace& face : faces) {
+    const Vec3 fraction = -face.pressure / 3 * area_vector(positions, face.nodes);
+    for (NodeId node : face.nodes) forces[node] += fraction;
+  }
+}
+
+void add_dead_forces(const WorldState& world, double time, std::vector<Vec3>& forces) {
+  for (const PlacedLoad& placed : world.loads) {
+    const double factor = load_factor(placed.load, time);
+    if (factor == 0) continue;
+    switch (placed.load.kind) {
+      case LoadKind::point_force:
+        add_point_force(world, placed, factor, forces);
+        break;
+      case LoadKind::traction:
+        add_traction(world, placed, factor, forces);
+        break;
+      case LoadKind::pressure:
+        break;
+      case LoadKind::body_force:
+        add_body_force(world, placed, factor, forces);
+        break;
+    }
+  }
+}
+
+}  // namespace griffith

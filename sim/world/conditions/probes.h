@@ -1,0 +1,45 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/core/error.h"
+#include "sim/scene/probe.h"
+#include "sim/world/setup/rest_body.h"
+
+namespace griffith {
+
+struct Frame;
+struct Scene;
+struct WorldState;
+
+/// One of the nodes that a probe looks at.
+struct ProbedNode {
+  TetCorner corner;             ///< it stays with this corner where a crack parts it
+  double weight = 0;            ///< in the probe's mean; all add up to 1
+  std::vector<TetCorner> star;  ///< all corners at the node before anything broke
+};
+
+/// A probe and where it measures.
+struct PlacedProbe {
+  Probe probe;
+  std::vector<ProbedNode> nodes;  ///< none where a region holds none: its values are not numbers
+};
+
+/// Finds the nodes of the probes that name this body; a region without any becomes a finding. Throws InputError when a
+/// probe names a node that the mesh lacks.
+void place_probes(WorldState& world, int scene_body, const RestBody& body, std::vector<InputError>& findings);
+
+/// Throws InputError when a probe names no body of the scene.
+void check_probes(const Scene& scene);
+
+/// "name.displacement.x [m]", …: what probe_values() gives, in its order.
+std::vector<std::string> probe_columns(std::span<const PlacedProbe> probes);
+
+/// The values of all probes in a frame, SI units. A node's stress is the mean of its tets', weighted by their volumes;
+/// a point's values are interpolated between the corners of its tet; a region's are means over its nodes. Reactions are
+/// sums over the probe's nodes and the copies that cracks made of them.
+std::vector<double> probe_values(std::span<const PlacedProbe> probes, const Frame& frame);
+
+}  // namespace griffith

@@ -1,0 +1,101 @@
+#include "sim/world/conditions/supports.h"
+
+#include <algorithm>
+#include <map>
+
+#include "sim/world/world_state.h"
+
+namespace griffith {
+namespace {
+
+/// The mean velocity of a support's nodes over a step.
+Vec3 velocity_of(const Support& support, double time, double dt) {
+  if (support.kind != SupportKind::prescribed) return Vec3::Zero();
+  return support.stop ? Vec3(std::clamp((*support.stop - time) / dt, 0.0, 1.0) * support.velocity) : support.velocity;
+}
+
+/// Takes the node's elements out of the supports that can tear; whether there were any.
+bool release(WorldState& world, NodeId node) {
+  std::size_t released = 0;
+  for (PlacedSupport& placed : world.supports)
+    if (placed.support.can_tear)
+      released += std::erase_if(placed.corners,
+                                [&](const TetCorner& corner) { return node_at(world.mesh.tets, corner) == node; });
+  if (released == 0) return false;
+  world.nodes.constraints[node] = {};
+  world.nodes.has_support[node] = 0;
+  return true;
+}
+
+/// The most corners that supports hold of an element at the node.
+long firmness(const WorldState& world, NodeId node) {
+  long maximum = 0;
+  for (TetId tet : world.mesh.stars[node]) {
+    const auto& corners = world.mesh.tets[tet];
+    maximum = std::max(maximum, static_cast<long>(std::count_if(corners.begin(), corners.end(), [&](NodeId corner) {
+                         return world.nodes.has_support[corner] != 0;
+                       })));
+  }
+  return maximum;
+}
+
+void block(NodeConstraint& constraint, const Support& support, const Vec3& velocity) {
+  if (support.kind == SupportKind::sliding) return constraint.block(support.normal, 0);
+  for (int axis = 0; axis < 3; ++axis) constraint.block(Vec3::Unit(axis), velocity[axis]);
+}
+
+}  // namespace
+
+void place_supports(WorldState& world, int scene_body, const RestBody& body, std::vector<InputError>& findings) {
+  const std::vector<Support>& supports = world.model->scene.bodies[scene_body].supports;
+  for (std::size_t i = 0; i < supports.size(); ++i) {
+    world.supports.push_back({supports[i], corners_at(body, nodes_in(body, supports[i].region))});
+    if (!world.supports.back().corners.empty()) continue;
+    findings.emplace_back("#/bodies/" + std::to_string(scene_body) + "/supports/" + std::to_string(i) + "/region",
+                          "holds no node", "make it larger, or move it: regions are in the body's rest space");
+  }
+}
+
+bool tear_off(WorldState& world, NodeId node, const Vec3& normal) {
+  const NodeConstraint& constraint = world.nodes.constraints[node];
+  if ((normal - constraint.allowed * normal).norm() < 0.5 || !release(world, node)) return false;
+  hold_again(world);
+  return true;
+}
+
+bool reassign_supports(WorldState& world, std::span<const NodeCopy> copies) {
+  std::map<NodeId, long> firmest;
+  for (const NodeCopy& copy : copies)
+    if (world.nodes.has_support[copy.original])
+      firmest[copy.original] =
+          std::max({firmest[copy.original], firmness(world, copy.original), firmness(world, copy.copy)});
+  std::vector<NodeId> loose;
+  for (const NodeCopy& copy : copies)
+    for (NodeId node : {copy.original, copy.copy})
+      if (world.nodes.has_support[copy.original] && firmness(world, node) < firmest[copy.original])
+        loose.push_back(node);
+  bool torn = false;
+  for (NodeId node : loose) torn |= release(world, node);
+  if (torn) hold_again(world);
+  return torn;
+}
+
+void update_supports(WorldState& world, double time, double dt) {
+  for (const PlacedSupport& placed : world.supports)
+    for (const TetCorner& corner : placed.corners) world.nodes.constraints[node_at(world.mesh.tets, corner)] = {};
+  for (const PlacedSupport& placed : world.supports) {
+    const Vec3 velocity = velocity_of(placed.support, time, dt);
+    for (const TetCorner& corner : placed.corners) {
+      const NodeId node = node_at(world.mesh.tets, corner);
+      block(world.nodes.constraints[node], placed.support, velocity);
+      world.nodes.has_support[node] = 1;
+    }
+  }
+}
+
+void hold_again(WorldState& world) {
+  const double time_step = world.model->scene.simulation.time_step;
+  update_supports(world, static_cast<double>(world.step) * time_step, time_step);
+}
+
+}  // namespace griffith

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "sim/core/error.h"
+#include "sim/fracture/split.h"
+#include "sim/scene/boundary_condition.h"
+#include "sim/world/setup/rest_body.h"
+
+namespace griffith {
+
+struct WorldState;
+
+/// A support and what it holds.
+struct PlacedSupport {
+  Support support;
+  std::vector<TetCorner> corners;  ///< all at its nodes: where a crack parts one, it holds both, until it tears
+};
+
+/// Finds the nodes of a body's supports, once; one that holds none becomes a finding. Then update_supports().
+void place_supports(WorldState& world, int scene_body, const RestBody& body, std::vector<InputError>& findings);
+
+/// Lets a support lose its hold on a node that would separate across the plane of unit normal `normal` although all
+/// elements lie on one side of it: then the plane is that between body and support. False where no support holds it in
+/// that direction, or it cannot tear.
+bool tear_off(WorldState& world, NodeId node, const Vec3& normal);
+/// Where a crack parted held nodes, the pieces that are held most firmly stay so (by an element, a face, an edge, a
+/// point), and the others tear off. Whether any did.
+bool reassign_supports(WorldState& world, std::span<const NodeCopy> copies);
+
+/// Sets the constraints of all held nodes for a step of `dt` from `time` [s]. Prescribed supports that stop within the
+/// step move slower, so that they get exactly as far as they should. Which directions are blocked never changes.
+void update_supports(WorldState& world, double time, double dt);
+/// The same for the step under way, after supports lost or gained nodes.
+void hold_again(WorldState& world);
+
+}  // namespace griffith

@@ -1,0 +1,95 @@
+#include <cmath>
+
+#include "sim/world/energy/energy_phase.h"
+#include "sim/world/phases/motion_phase.h"
+#include "sim/world/world_state.h"
+
+namespace griffith {
+namespace {
+
+double elastic_energy(const WorldState& world) {
+  double sum = 0;
+  for (std::size_t i = 0; i < world.elements.rest_elements.size(); ++i)
+    sum += world.elements.rest_elements[i].volume * world.elements.states[i].energy_density;
+  return sum;
+}
+
+double kinetic_energy_of_nodes(const WorldState& world, const Body& body) {
+  double sum = 0;
+  for (NodeId node : body.nodes) sum += 0.5 * world.nodes.masses[node] * world.nodes.velocities[node].squaredNorm();
+  return sum;
+}
+
+double kinetic_energy(const WorldState& world) {
+  double sum = kinetic_energy_of_projectiles(world);
+  for (const Body& body : world.bodies)
+    sum += body.rigid ? kinetic_energy(body.motion) : kinetic_energy_of_nodes(world, body);
+  return sum;
+}
+
+/// Energy that cracks of an area take, both sides counted once: G_c = K_Ic² (1 − ν²) / E [J/m²].
+double fracture_energy(const Material& material) {
+  const double toughness = material.fracture_toughness, ratio = material.poisson_ratio;
+  return toughness * toughness * (1 - ratio * ratio) / material.young_modulus;
+}
+
+double potential_energy(const WorldState& world) {
+  Vec3 moment = Vec3::Zero();
+  for (std::size_t i = 0; i < world.nodes.positions.size(); ++i)
+    moment += world.nodes.masses[i] * world.nodes.positions[i];
+  for (const Projectile& projectile : world.projectiles)
+    moment += projectile.mass * world.contact_world.state(projectile.object).pose.translation;
+  return -world.model->scene.gravity.dot(moment);
+}
+
+}  // namespace
+
+double elastic_energy(const WorldState& world, const Body& body) {
+  double energy = 0;
+  for (TetId tet : body.tets)
+    energy += world.elements.rest_elements[tet].volume * world.elements.states[tet].energy_density;
+  return energy;
+}
+
+double energy_of(const WorldState& world, const Body& body) {
+  return body.rigid ? kinetic_energy(body.motion) + elastic_energy(world, body) : mechanical_energy(world, body);
+}
+
+EnergyNow energy_now(const WorldState& world) {
+  return {kinetic_energy(world) + elastic_energy(world), potential_energy(world), world.energy.lost()};
+}
+
+void open_account(WorldState& world) {
+  world.energy = {};
+  world.potential_at_start = potential_energy(world);
+  close_account(world, elastic_energy(world));
+  world.energy.start = world.energy.stored();
+  world.energy_before = world.energy;
+}
+
+void close_account(WorldState& world, double elastic) {
+  world.energy.kinetic = kinetic_energy(world);
+  world.energy.elastic = elastic;
+  world.energy.gravity = world.potential_at_start - potential_energy(world);
+}
+
+void book_edit(WorldState& world, const EnergyNow& before) {
+  if (world.step == 0) return open_account(world);
+  const EnergyNow now = energy_now(world);
+  world.energy.edits += now.stored + now.lost - before.stored - before.lost;
+  world.potential_at_start += now.potential - before.potential;
+}
+
+void book_launch(WorldState& world, const Projectile& projectile, const RigidState& state) {
+  world.energy.projectiles += kinetic_energy(projectile, state);
+  world.potential_at_start -= projectile.mass * world.model->scene.gravity.dot(state.pose.translation);
+}
+
+void book_crack(WorldState& world, TetId tet, int face) {
+  const auto corner = [&](int i) { return world.mesh.rest_positions[world.mesh.tets[tet][kTetFaces[face][i]]]; };
+  const double area = 0.25 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();  // the other side counts half
+  world.energy.crack_area += area;
+  world.energy.fracture_energy += area * fracture_energy(world.material_of(world.bodies[world.elements.bodies[tet]]));
+}
+
+}  // namespace griffith

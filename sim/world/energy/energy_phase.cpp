@@ -1,0 +1,329 @@
+#include "sim/world/energy/energy_phase.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim/core/parallel.h"
+#include "sim/elasticity/principal_stress.h"
+#include "sim/world/corners.h"
+#include "sim/world/world_state.h"
+
+namespace griffith {
+namespace {
+
+/// Linear and angular impulse about a centre [N·s], [N·m·s].
+struct RigidImpulse {
+  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
+};
+
+/// What contacts did to everything, per ProxyId; of moved objects about their centres before they move.
+std::vector<RigidImpulse> contact_impulses(const WorldState& world) {
+  std::vector<Vec3> centers(world.body_of_proxy.size(), Vec3::Zero());
+  for (const Body& body : world.bodies) centers[body.proxy] = body.motion.center;
+  for (std::size_t i = 0; i < world.projectiles.size(); ++i) {
+    const auto object = static_cast<std::size_t>(world.projectiles[i].object.value);
+    if (object >= centers.size()) centers.resize(object + 1, Vec3::Zero());
+    centers[object] = world.scratch.substep_start.projectiles[i].pose.translation;
+  }
+  std::vector<RigidImpulse> sums(centers.size());
+  const auto add = [&](ProxyId object, const Vec3& place, const Vec3& impulse) {
+    const auto index = static_cast<std::size_t>(object.value);
+    if (index >= sums.size()) return;  // the ground
+    sums[index].linear += impulse;
+    sums[index].angular += (place - centers[index]).cross(impulse);
+  };
+  for (const Contact& contact : world.contact_world.contacts()) {
+    add(contact.a, contact.position, contact.impulse);
+    add(contact.b, contact.position, -contact.impulse);
+  }
+  return sums;
+}
+
+double twice_turning_energy(const Mat3& inertia, const Vec3& spin) { return spin.dot(inertia * spin); }
+
+/// A rigid body's kick by external forces and contacts.
+void book_rigid_contacts(WorldState& world, const Body& body, const RigidImpulse& impulse, double dt) {
+  const RigidStart& start = body.start;
+  const RigidMotion& now = body.motion;
+  const double damping = start.falls ? 1 + dt * world.material_of(body).mass_damping : 1;
+  const Vec3 pushed = start.velocity + dt / now.mass * start.force;
+  const Vec3 turned = start.angular_velocity + dt * (now.inertia.inverse() * start.torque);
+  const Vec3 spin = turned / damping + now.inertia.inverse() * impulse.angular;  // before rolling resistance
+  const Vec3 mean = 0.5 * (start.velocity + now.velocity), mean_spin = 0.5 * (start.angular_velocity + spin);
+  EnergyAccount& energy = world.energy;
+  energy.contacts -= impulse.linear.dot(mean) + impulse.angular.dot(mean_spin);
+  energy.contacts +=
+      0.5 * (twice_turning_energy(now.inertia, spin) - twice_turning_energy(now.inertia, now.angular_velocity));
+  energy.material_damping += (1 - 1 / damping) * (now.mass * pushed.dot(mean) + turned.dot(now.inertia * mean_spin));
+  const Vec3 load = start.force - (start.falls ? now.mass : 0) * world.model->scene.gravity;
+  energy.loads += dt * (load.dot(mean) + start.torque.dot(mean_spin));
+}
+
+/// A projectile's kick, and its motion, which the contact world has made.
+void book_projectile(WorldState& world, std::size_t index, const RigidImpulse& impulse, double dt) {
+  const Projectile& projectile = world.projectiles[index];
+  if (world.contact_world.asleep(projectile.object)) return;
+  const RigidState& start = world.scratch.substep_start.projectiles[index];
+  const RigidState state = world.contact_world.state(projectile.object);
+  const Mat3 turn = start.pose.rotation.toRotationMatrix();
+  const Mat3 inertia = turn * projectile.inertia * turn.transpose();
+  const Vec3 velocity = start.velocity + dt * world.model->scene.gravity + impulse.linear / projectile.mass;
+  const Vec3 spin = start.angular_velocity + inertia.inverse() * impulse.angular;
+  const Vec3 mean = 0.5 * (start.velocity + velocity), mean_spin = 0.5 * (start.angular_velocity + spin);
+  EnergyAccount& energy = world.energy;
+  energy.contacts -= impulse.linear.dot(mean) + impulse.angular.dot(mean_spin);
+  const double solved = 0.5 * projectile.mass * velocity.squaredNorm() + 0.5 * twice_turning_energy(inertia, spin);
+  energy.contacts += solved - kinetic_energy(projectile, state);  // rolling, and what it met on its way
+  const Vec3 displacement = state.pose.translation - start.pose.translation;
+  const Vec3 pushed_out = world.contact_world.pushed_out(projectile.object);
+  energy.limited += projectile.mass * world.model->scene.gravity.dot(pushed_out);
+  energy.time_integration += projectile.mass * world.model->scene.gravity.dot(displacement - pushed_out - dt * mean);
+}
+
+/// Twice the elastic energy of a stress, per volume [J/m³].
+double twice_energy_density(const ElasticLaw& law, const Mat3& stress) {
+  const double fraction = law.lambda / (3 * law.lambda + 2 * law.mu);
+  return (stress.squaredNorm() - fraction * stress.trace() * stress.trace()) / (2 * law.mu);
+}
+
+/// The stress that a tet would have if it had not yielded since.
+Mat3 unyielded_stress(const WorldState& world, const Body& body, const BodySnapshot& before, double mu, int i) {
+  const TetId tet = body.tets[i];
+  const Mat3& stress = world.elements.states[tet].stress;
+  if (before.plastic_strains.empty()) return stress;
+  return stress + 2 * mu * (world.elements.plastic_strains[tet] - before.plastic_strains[i]);
+}
+
+/// The elastic energy of the change of strains since `before`, ½ ∫ Δσ : Δε [J]: what loads that come at once do beyond
+/// what a body takes up.
+double energy_of_change(const WorldState& world, const Body& body, const BodySnapshot& before) {
+  const ElasticLaw law = elastic_law(world.material_of(body));
+  return parallel_sum(static_cast<int>(body.tets.size()), [&](int begin, int end) {
+    double sum = 0;
+    for (int i = begin; i < end; ++i)
+      sum += 0.5 * world.elements.rest_elements[body.tets[i]].volume *
+             twice_energy_density(law, unyielded_stress(world, body, before, law.mu, i) - before.stresses[i]);
+    return sum;
+  });
+}
+
+/// What elastic forces did to a body over the way by its solved velocities, as the linearised step knows them.
+struct ElasticWorks {
+  double first = 0;   ///< against the forces at the start [J]
+  double change = 0;  ///< against their linearised change, all of it over all of the way [J]
+  double stored = 0;  ///< what elastic energy has grown by [J]
+};
+
+/// Of a tet over ways of its corners, but for what is stored.
+ElasticWorks works_of_tet(const ElasticLaw& law, const RestElement& rest, const Mat3& frame, const Mat3& stress,
+                          const Corners& displacements) {
+  const Mat3 gradient = deformation_gradient(rest, displacements), turned = frame.transpose() * gradient;
+  const Mat3 strain = 0.5 * (turned + turned.transpose());
+  ElasticWorks works;
+  works.first = rest.volume * stress.cwiseProduct(strain).sum();
+  works.change = rest.volume * (law.lambda * strain.trace() * strain.trace() + 2 * law.mu * strain.squaredNorm());
+  if (law.model == ElementModel::green_strain)
+    works.change += rest.volume * (gradient * tensile_part(stress)).cwiseProduct(gradient).sum();
+  return works;
+}
+
+ElasticWorks elastic_works(const WorldState& world, const Body& body, const BodySnapshot& before, double dt) {
+  const ElasticLaw law = elastic_law(world.material_of(body));
+  std::vector<ElasticWorks> of_tets(body.tets.size());
+  parallel_for(static_cast<int>(of_tets.size()), 1024, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const TetId tet = body.tets[i];
+      const RestElement& rest = world.elements.rest_elements[tet];
+      const Corners displacements = dt * corners_of(world.mesh, tet, world.scratch.substep_start.solved_velocities);
+      of_tets[i] = works_of_tet(law, rest, before.frames[i], before.stresses[i], displacements);
+      of_tets[i].stored = rest.volume * (world.elements.states[tet].energy_density -
+                                         0.5 * twice_energy_density(law, before.stresses[i]));
+    }
+  });
+  ElasticWorks sum;
+  for (const ElasticWorks& works : of_tets) {
+    sum.first += works.first;
+    sum.change += works.change;
+    sum.stored += works.stored;
+  }
+  return sum;
+}
+
+/// What the nodes of an elastic body did in a substep.
+struct NodeWorks {
+  double before = 0, predicted = 0, after = 0;  ///< kinetic energy: at the start, before and after the motion [J]
+  double change = 0;                            ///< kinetic energy of the change of velocities [J]
+  double loads = 0, gravity = 0;                ///< work over the way [J]
+  double beside = 0;  ///< work of external forces over what the way lacks of that by the velocities [J]
+};
+
+NodeWorks works_of_nodes(const WorldState& world, const Body& body, const BodySnapshot& before,
+                         const std::vector<Vec3>& external, double dt) {
+  NodeWorks works;
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+    const NodeId node = body.nodes[i];
+    const double mass = world.nodes.masses[node];
+    const Vec3 &first = world.scratch.substep_start.velocities[node], &predicted = before.velocities[i];
+    const Vec3 displacement = world.nodes.positions[node] - before.positions[i],
+               weight = mass * world.model->scene.gravity;
+    works.before += 0.5 * mass * first.squaredNorm();
+    works.predicted += 0.5 * mass * predicted.squaredNorm();
+    works.after += 0.5 * mass * world.nodes.velocities[node].squaredNorm();
+    works.change += 0.5 * mass * (predicted - first).squaredNorm();
+    works.loads += (external[node] - weight).dot(displacement);
+    works.gravity += weight.dot(displacement);
+    works.beside += external[node].dot(dt * predicted - displacement);
+  }
+  return works;
+}
+
+}  // namespace
+
+double kinetic_energy(const RigidMotion& motion) {
+  return 0.5 * motion.mass * motion.velocity.squaredNorm() +
+         0.5 * twice_turning_energy(motion.inertia, motion.angular_velocity);
+}
+
+double kinetic_energy(const Projectile& projectile, const RigidState& state) {
+  const Vec3 spin = state.pose.rotation.conjugate() * state.angular_velocity;
+  return 0.5 * projectile.mass * state.velocity.squaredNorm() + 0.5 * twice_turning_energy(projectile.inertia, spin);
+}
+
+double kinetic_energy_of_projectiles(const WorldState& world) {
+  double sum = 0;
+  for (const Projectile& projectile : world.projectiles)
+    sum += kinetic_energy(projectile, world.contact_world.state(projectile.object));
+  return sum;
+}
+
+void record_substep_start(WorldState& world) {
+  SubstepStart& start = world.scratch.substep_start;
+  start.velocities = world.nodes.velocities;
+  start.projectiles.clear();
+  for (const Projectile& projectile : world.projectiles)
+    start.projectiles.push_back(world.contact_world.state(projectile.object));
+  for (Body& body : world.bodies) {
+    body.start = {body.motion.velocity, body.motion.angular_velocity};
+    body.start.rigid = body.rigid;
+  }
+}
+
+void book_rigid_contacts(WorldState& world, double dt) {
+  const std::vector<RigidImpulse> impulses = contact_impulses(world);
+  for (const Body& body : world.bodies)
+    if (body.rigid && !body.asleep && !body.shock && !body.supported())
+      book_rigid_contacts(world, body, impulses[body.proxy], dt);
+  for (std::size_t i = 0; i < world.projectiles.size(); ++i)
+    book_projectile(world, i, impulses[world.projectiles[i].object], dt);
+}
+
+BodySnapshot snapshot(const WorldState& world, const Body& body) {
+  BodySnapshot taken;
+  taken.positions.reserve(body.nodes.size());
+  taken.velocities.reserve(body.nodes.size());
+  taken.frames.reserve(body.tets.size());
+  taken.stresses.reserve(body.tets.size());
+  for (NodeId node : body.nodes) {
+    taken.positions.push_back(world.nodes.positions[node]);
+    taken.velocities.push_back(world.nodes.velocities[node]);
+  }
+  for (TetId tet : body.tets) {
+    taken.frames.push_back(world.elements.states[tet].frame);
+    taken.stresses.push_back(world.elements.states[tet].stress);
+  }
+  if (world.material_of(body).yield_strength)
+    for (TetId tet : body.tets) taken.plastic_strains.push_back(world.elements.plastic_strains[tet]);
+  return taken;
+}
+
+double plastic_work(const WorldState& world, const Body& body, const BodySnapshot& before) {
+  if (before.plastic_strains.empty()) return 0;
+  const double mu = shear_modulus(world.material_of(body));
+  double work = 0;
+  for (std::size_t i = 0; i < body.tets.size(); ++i) {
+    const TetId tet = body.tets[i];
+    const Mat3 flowed = world.elements.plastic_strains[tet] - before.plastic_strains[i];
+    // At the mean of the stresses before and after it flowed.
+    const Mat3 stress = world.elements.states[tet].stress + mu * flowed;
+    work += world.elements.rest_elements[tet].volume * stress.cwiseProduct(flowed).sum();
+  }
+  return work;
+}
+
+EnergyAccount spent_in_move(const WorldState& world, const Body& body, const BodySnapshot& before,
+                            const std::vector<Vec3>& external, double dt, bool shortened) {
+  const Material& material = world.material_of(body);
+  const NodeWorks nodes = works_of_nodes(world, body, before, external, dt);
+  const ElasticWorks elastic = elastic_works(world, body, before, dt);
+  EnergyAccount spent;
+  spent.loads = world.loads.empty() ? 0 : nodes.loads;
+  for (NodeId node : body.system->supports())
+    spent.supports += dt * world.nodes.reactions[node].dot(world.nodes.constraints[node].velocity);
+  spent.plastic = plastic_work(world, body, before);
+  spent.material_damping =
+      2 * dt * material.mass_damping * nodes.predicted + material.stiffness_damping / dt * elastic.change;
+  if (shortened) {
+    spent.limited = nodes.before + spent.loads + nodes.gravity + spent.supports + body.contact_work - nodes.after -
+                    elastic.stored - spent.plastic - spent.material_damping;
+  } else {
+    const double forces = (body.start.rigid ? 0 : elastic.first) + (world.integrates_explicitly() ? 0 : elastic.change);
+    spent.time_integration =
+        nodes.change + nodes.predicted - nodes.after - nodes.beside + forces - elastic.stored - spent.plastic;
+  }
+  return spent;
+}
+
+EnergyAccount spent_in_equilibrium(const WorldState& world, const Body& body, const BodySnapshot& before,
+                                   double displacement_time) {
+  EnergyAccount spent;
+  spent.time_integration = energy_of_change(world, body, before);
+  spent.plastic = plastic_work(world, body, before);
+  for (NodeId node : body.system->supports())
+    spent.supports += displacement_time * world.nodes.reactions[node].dot(world.nodes.constraints[node].velocity);
+  if (world.loads.empty()) return spent;
+  std::vector<Vec3> loads(world.nodes.positions.size(), Vec3::Zero());
+  add_load_forces(world, world.time, loads);
+  for (std::size_t i = 0; i < body.nodes.size(); ++i)
+    spent.loads += loads[body.nodes[i]].dot(world.nodes.positions[body.nodes[i]] - before.positions[i]);
+  return spent;
+}
+
+EnergyAccount spent_in_rigid_move(const WorldState& world, const Body& body, const RigidMotion& before, double dt) {
+  const RigidMotion& after = body.motion;
+  const Vec3 mean = 0.5 * (body.start.velocity + before.velocity);
+  const Vec3 beside = after.center - before.center - (body.start.falls ? dt : 0) * mean;
+  EnergyAccount spent;
+  spent.time_integration =
+      kinetic_energy(before) - kinetic_energy(after) + before.mass * world.model->scene.gravity.dot(beside);
+  return spent;
+}
+
+ObstacleAccount::Kept ObstacleAccount::kept_by(const WorldState& world, const shock::Obstacle& obstacle) {
+  if (!obstacle.object.valid() || obstacle.inverse_mass == 0) return {};
+  const BodyId id = world.body_of(obstacle.object);
+  if (id.valid()) return {energy_of(world, world.bodies[id]), world.bodies[id].motion.center};
+  for (const Projectile& projectile : world.projectiles)
+    if (projectile.object == obstacle.object) {
+      const RigidState state = world.contact_world.state(projectile.object);
+      return {kinetic_energy(projectile, state), state.pose.translation};
+    }
+  return {};
+}
+
+ObstacleAccount::ObstacleAccount(const WorldState& world, std::span<const shock::Obstacle> obstacles) {
+  for (const shock::Obstacle& obstacle : obstacles) before_.push_back(kept_by(world, obstacle));
+}
+
+void ObstacleAccount::book(WorldState& world, std::span<const shock::Obstacle> obstacles) const {
+  for (std::size_t i = 0; i < obstacles.size(); ++i) {
+    if (obstacles[i].inverse_mass == 0 || !std::isfinite(obstacles[i].energy_gained)) continue;
+    const Kept after = kept_by(world, obstacles[i]);
+    world.energy.hand_over += before_[i].energy + obstacles[i].energy_gained - after.energy;
+    world.energy.time_integration +=
+        world.model->scene.gravity.dot(after.center - before_[i].center) / obstacles[i].inverse_mass;
+  }
+}
+
+}  // namespace griffith

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/world/world_state.h"
+
+namespace griffith {
+
+/// Puts the proxies where their bodies are: after bodies move, so that impacts are foreseen from where they are now.
+void place_proxies(WorldState& world);
+/// External force on each node [N]: gravity and loads.
+std::vector<Vec3> external_forces(const WorldState& world);
+/// Finds all contacts and changes the velocities so that nothing penetrates; moves the projectiles.
+void resolve_contacts(WorldState& world, double dt);
+/// Rigid bodies that lie still fall asleep; after a step of this length [s].
+void update_sleep(WorldState& world, double time_step);
+
+}  // namespace griffith

@@ -1,0 +1,163 @@
+#include "sim/world/phases/elastic_phase.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "sim/core/parallel.h"
+#include "sim/elasticity/plasticity.h"
+#include "sim/mesh/topology.h"
+#include "sim/solver/pivot.h"
+#include "sim/world/corners.h"
+#include "sim/world/phases/explicit_phase.h"
+#include "sim/world/phases/motion_phase.h"
+#include "sim/world/shock/similarity.h"
+#include "sim/world/world_state.h"
+
+namespace griffith {
+namespace {
+
+void update_element(WorldState& world, const ElasticLaw& law, const std::optional<PlasticLaw>& plastic,
+                    double similarity, TetId tet) {
+  ElementArrays& elements = world.elements;
+  const ElementDeformation deformation =
+      element_deformation(law.model, elements.rest_elements[tet], corners_of(world.mesh, tet, world.nodes.positions));
+  if (plastic) elements.plastic_strains[tet] = flow(*plastic, deformation, elements.plastic_strains[tet]);
+  elements.states[tet] = element_state(law, deformation, stress_free_strain(world, tet));
+  elements.states[tet].energy_density *= similarity;
+  elements.stresses[tet] = cauchy_stress(elements.states[tet].frame, elements.states[tet].stress);
+}
+
+/// Elastic plus external force of the body's nodes, per node of the mesh; only the body's own entries are written.
+void add_elastic_forces(const WorldState& world, const Body& body, std::vector<Vec3>& forces) {
+  const ElementArrays& elements = world.elements;
+  parallel_for(static_cast<int>(body.nodes.size()), 1024, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const NodeId node = body.nodes[i];
+      for (TetId tet : world.mesh.stars[node]) {
+        const int corner = local_corner(world.mesh, tet, node);
+        const Vec3 traction = elements.states[tet].stress * elements.rest_elements[tet].shape_gradients.col(corner);
+        forces[node] -= elements.rest_elements[tet].volume * (elements.states[tet].frame * traction);
+      }
+    }
+  });
+}
+
+/// Takes the torque of the elastic forces [N·m] out of the forces on a free body. Corotational stress is symmetric
+/// before the stretch is applied: where plastic strain and stretch have different axes, it leaves one, which would let
+/// the body spin itself up.
+void remove_inner_torque(const WorldState& world, const Body& body, const Vec3& torque, std::vector<Vec3>& forces) {
+  const Vec3 spin = body.motion.inertia.inverse() * torque;
+  for (NodeId node : body.nodes)
+    forces[node] -= world.nodes.masses[node] * spin.cross(world.nodes.positions[node] - body.motion.center);
+}
+
+/// Lets the forces on a body that swings about a pivot act where it will be half-way through a substep of `dt` [s].
+void turn_forces_halfway(const WorldState& world, const Body& body, double dt, std::vector<Vec3>& forces) {
+  const auto pivot = pivot_of(body.system->supports(), world.nodes.constraints, world.nodes.positions);
+  if (!pivot) return;
+  const auto count = static_cast<Eigen::Index>(body.nodes.size());
+  NodeVectors positions(3, count), velocities(3, count), acting(3, count);
+  Eigen::VectorXd masses(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const NodeId node = body.nodes[i];
+    positions.col(i) = world.nodes.positions[node];
+    velocities.col(i) = world.nodes.velocities[node];
+    acting.col(i) = forces[node];
+    masses[i] = world.nodes.masses[node];
+  }
+  const Vec3 half_turn = 0.5 * dt * turning_about(*pivot, positions, velocities, masses).spin;
+  const Vec3 change = swing_acceleration(*pivot, positions, masses, acting, half_turn) -
+                      swing_acceleration(*pivot, positions, masses, acting, Vec3::Zero());
+  for (NodeId node : body.nodes)
+    forces[node] += world.nodes.masses[node] * change.cross(world.nodes.positions[node] - pivot->place);
+}
+
+SolveReport predict_elastic(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt) {
+  const bool spins_freely = !body.supported() && world.material_of(body).yield_strength;
+  const Vec3 outer_torque = spins_freely ? wrench_of(world, body, forces).torque : Vec3(Vec3::Zero());
+  if (body.supported() && !world.integrates_explicitly()) turn_forces_halfway(world, body, dt, forces);
+  add_elastic_forces(world, body, forces);
+  if (spins_freely) remove_inner_torque(world, body, wrench_of(world, body, forces).torque - outer_torque, forces);
+  if (world.integrates_explicitly()) {
+    predict_explicitly(world, body, forces, dt);
+    return {};
+  }
+  const SolveReport report = body.system->solve(implicit_step(world, body, dt), world.nodes.positions, forces,
+                                                world.nodes.masses, world.nodes.constraints, world.nodes.velocities);
+  read_back_reactions(world, body);
+  return report;
+}
+
+}  // namespace
+
+ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt) {
+  const Material& material = world.material_of(body);
+  const SimulationSettings& settings = world.model->scene.simulation;
+  return {dt, material.mass_damping, material.stiffness_damping, settings.relative_residual,
+          settings.max_solver_iterations};
+}
+
+void update_elements(WorldState& world, const Body& body) {
+  const ElasticLaw law = law_in_shock(world, body);
+  const std::optional<PlasticLaw> plastic = plastic_law(world.material_of(body));
+  const double similarity = body.shock ? body.shock->similarity : 1;
+  parallel_for(static_cast<int>(body.tets.size()), 1024, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) update_element(world, law, plastic, similarity, body.tets[i]);
+  });
+}
+
+void update_elements(WorldState& world) {
+  for (const Body& body : world.bodies)
+    if (body.sways()) update_elements(world, body);
+}
+
+void assemble_systems(WorldState& world, double dt) {
+  parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      if (world.bodies[i].sways()) assemble_system(world, world.bodies[i], dt);
+  });
+}
+
+void assemble_system(WorldState& world, Body& body, double dt) {
+  if (world.integrates_explicitly()) return;
+  body.system->assemble(implicit_step(world, body, dt), elastic_law(world.material_of(body)),
+                        world.elements.rest_elements, world.elements.states, world.nodes.positions, world.nodes.masses);
+}
+
+void read_back_reactions(WorldState& world, const Body& body) {
+  const std::span<const NodeId> supports = body.system->supports();
+  for (std::size_t i = 0; i < supports.size(); ++i)
+    world.nodes.reactions[supports[i]] = body.system->reaction_forces()[i];
+}
+
+void count_solve(WorldState& world, const SolveReport& solve) {
+  world.report.solver_iterations = std::max(world.report.solver_iterations, solve.iterations);
+  world.report.max_relative_residual = std::max(world.report.max_relative_residual, solve.relative_residual);
+  world.report.unconverged_solves += !solve.converged;
+}
+
+void predict_velocities(WorldState& world, std::vector<Vec3> forces, double dt) {
+  std::ranges::fill(world.nodes.reactions, Vec3::Zero());
+  std::vector<SolveReport> reports(world.bodies.size());
+  parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      Body& body = world.bodies[i];
+      if (body.asleep || body.shock) continue;
+      if (body.rigid) {
+        predict_rigid(world, body, forces, dt);
+      } else {
+        body.energy = mechanical_energy(world, body);
+        body.contact_work = 0;
+        reports[i] = predict_elastic(world, body, forces, dt);
+      }
+    }
+  });
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    freeze_if_broken_down(world, world.bodies[i]);
+    count_solve(world, reports[i]);
+  }
+}
+
+}  // namespace griffith

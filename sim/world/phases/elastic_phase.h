@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/world/world_state.h"
+
+namespace griffith {
+
+/// Elastic state of a body's tets, or of all of bodies that are not rigid.
+void update_elements(WorldState& world, const Body& body);
+void update_elements(WorldState& world);
+/// Assembles the systems of elastic bodies for a substep of `dt` [s].
+void assemble_systems(WorldState& world, double dt);
+/// The same for one body, which was rigid until now.
+void assemble_system(WorldState& world, Body& body, double dt);
+/// The velocities after a substep of `dt` under `external` and elastic forces [N] as if nothing touched; the nodes of
+/// rigid bodies keep theirs until they move.
+void predict_velocities(WorldState& world, std::vector<Vec3> external, double dt);
+/// The implicit step of a body.
+ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt);
+/// Takes what the supports of a body did from its system, after a solve.
+void read_back_reactions(WorldState& world, const Body& body);
+/// Counts what a linear solve for a body needed.
+void count_solve(WorldState& world, const SolveReport& solve);
+
+}  // namespace griffith

@@ -1,0 +1,80 @@
+#include "sim/world/phases/equilibrium.h"
+
+#include <algorithm>
+
+#include "sim/core/parallel.h"
+#include "sim/solver/static_solve.h"
+#include "sim/world/bodies/bodies.h"
+#include "sim/world/corners.h"
+#include "sim/world/energy/energy_phase.h"
+#include "sim/world/phases/motion_phase.h"
+#include "sim/world/world_state.h"
+
+namespace griffith {
+namespace {
+
+StaticProblem problem_of(const WorldState& world, const Body& body, std::span<const NodeConstraint> displacements,
+                         std::span<const Vec3> loads, std::span<const PressedFace> pressed) {
+  const ElasticLaw law = elastic_law(world.material_of(body));
+  const auto evaluate = [&world, &body, law](std::span<const Vec3> positions, std::span<ElementState> states) {
+    const ElementArrays& elements = world.elements;
+    parallel_for(static_cast<int>(body.tets.size()), 1024, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) {
+        const TetId tet = body.tets[i];
+        const ElementDeformation deformation =
+            element_deformation(law.model, elements.rest_elements[tet], corners_of(world.mesh, tet, positions));
+        states[tet] = element_state(law, deformation, elements.plastic_strains[tet]);
+      }
+    });
+  };
+  StaticProblem problem{world.mesh, body.tets, world.elements.rest_elements, law, world.nodes.masses, displacements,
+                        loads,      evaluate};
+  if (!pressed.empty())
+    problem.add_follower_loads = [pressed](std::span<const Vec3> positions, std::span<Vec3> forces) {
+      add_pressure(pressed, positions, forces);
+    };
+  return problem;
+}
+
+void settle(WorldState& world, Body& body, const StaticProblem& problem, const Monitor& monitor) {
+  StaticSettings settings;
+  settings.given_up = monitor.cancelled;
+  const StaticReport report = solve_static(problem, settings, world.nodes.positions, world.elements.states);
+  if (monitor.is_cancelled()) throw Cancelled();
+  for (NodeId node : body.nodes) world.nodes.velocities[node] = world.nodes.reactions[node] = Vec3::Zero();
+  for (std::size_t i = 0; i < report.supports.size(); ++i)
+    world.nodes.reactions[report.supports[i]] = report.reaction_forces[i];
+  update_motion(world, body);
+  world.report.solver_iterations = std::max(world.report.solver_iterations, report.linear_iterations);
+  world.report.max_relative_residual = std::max(world.report.max_relative_residual, report.relative_residual);
+  world.report.unconverged_solves += !report.converged;
+}
+
+}  // namespace
+
+void find_equilibrium(WorldState& world, double time, double displacement_time,
+                      const std::function<bool(const Body&)>& concerns, const Monitor& monitor) {
+  std::vector<NodeConstraint> displacements = world.nodes.constraints;
+  for (NodeConstraint& constraint : displacements) constraint.velocity *= displacement_time;
+  std::vector<Vec3> loads(world.nodes.positions.size());
+  for (std::size_t i = 0; i < loads.size(); ++i) loads[i] = world.nodes.masses[i] * world.model->scene.gravity;
+  add_dead_forces(world, time, loads);
+  const std::vector<std::vector<PressedFace>> pressed = pressed_faces(world, time);
+  for (Body& body : world.bodies) {
+    if (body.rigid || !concerns(body)) continue;
+    const BodySnapshot before = snapshot(world, body);
+    settle(world, body, problem_of(world, body, displacements, loads, pressed[body.id]), monitor);
+    world.energy += spent_in_equilibrium(world, body, before, displacement_time);
+    freeze_if_broken_down(world, body);
+  }
+}
+
+void find_static_start(WorldState& world, int scene_body, const Monitor& monitor) {
+  if (!world.model->scene.simulation.static_start || world.model->scene.analysis != Analysis::dynamic) return;
+  const auto concerns = [&](const Body& body) {
+    return body.supported() && (scene_body < 0 || body.scene_body == scene_body);
+  };
+  find_equilibrium(world, 0, 0, concerns, monitor);
+}
+
+}  // namespace griffith

@@ -1,0 +1,251 @@
+#include "sim/world/phases/face_contacts.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "sim/core/sort_unique.h"
+#include "sim/mesh/topology.h"
+
+namespace griffith {
+namespace {
+
+constexpr double kAlike = 0.95;      // cosine between normals of one face
+constexpr double kReach = 0.5;       // of an element: farther nodes do not touch
+constexpr double kDownwards = 0.05;  // cosine to the vertical of a face that may lie on the ground
+constexpr double kSamePlace = 0.01;  // of an element
+
+/// Coordinates in the contact plane and along the normal.
+struct FaceFrame {
+  Mat3 axes;  // rows: first, second, normal
+  explicit FaceFrame(const Vec3& normal) {
+    const Vec3 first = normal.unitOrthogonal();
+    axes << first.transpose(), normal.cross(first).transpose(), normal.transpose();
+  }
+};
+
+struct FaceNode {
+  NodeId node;
+  Vec3 place;  // in the frame
+};
+
+struct FaceTriangle {
+  std::array<Vec3, 3> corners;  // in the frame
+  double low, high;             // along the first axis
+};
+
+/// The part of a body's surface that faces the other side of a contact, by the first axis.
+struct Face {
+  std::vector<FaceNode> nodes;
+  std::vector<FaceTriangle> triangles;
+  double widest = 0;
+};
+
+/// Two bodies whose faces meet: `normal` from b to a, and where about.
+struct FacePair {
+  ProxyId a, b;
+  Vec3 normal;
+  Eigen::AlignedBox3d patch;
+};
+
+bool is_of_nodes(const Contact& contact) { return contact.node_a.valid() || contact.node_b.valid(); }
+
+bool is_elastic(const WorldState& world, BodyId id) { return id.valid() && world.bodies[id].sways(); }
+
+/// Groups of at least three detected contacts of two bodies that point alike.
+std::vector<FacePair> face_pairs(const WorldState& world) {
+  struct Group {
+    FacePair pair;
+    int count = 0;
+    bool spread = false;
+  };
+  std::map<std::pair<ProxyId, ProxyId>, std::vector<Group>> groups;
+  for (const Contact& contact : world.contact_world.contacts()) {
+    const BodyId a = world.body_of(contact.a), b = world.body_of(contact.b);
+    if (!a.valid() || !b.valid() || (!is_elastic(world, a) && !is_elastic(world, b))) continue;
+    if (world.contact_world.allowed_overlap(contact.a, contact.b) > 0) continue;
+    std::vector<Group>& of_pair = groups[{contact.a, contact.b}];
+    auto group = std::ranges::find_if(
+        of_pair, [&](const Group& other) { return other.pair.normal.dot(contact.normal) > kAlike; });
+    if (group == of_pair.end())
+      group = of_pair.insert(of_pair.end(), Group{{contact.a, contact.b, contact.normal, {}}});
+    group->pair.patch.extend(contact.position);
+    group->spread |= is_of_nodes(contact);
+    ++group->count;
+  }
+  std::vector<FacePair> pairs;
+  for (const auto& [objects, of_pair] : groups)
+    for (const Group& group : of_pair)
+      if (group.count >= 3 && !group.spread) pairs.push_back(group.pair);
+  return pairs;
+}
+
+/// `side`: 1 for what faces along the normal, −1 for what faces against it.
+Face face_of(const WorldState& world, const Body& body, const FaceFrame& frame, double side,
+             const Eigen::AlignedBox3d& region) {
+  Face face;
+  std::set<NodeId> nodes;
+  for (const SurfaceFace& surface : body.surface) {
+    const std::array<NodeId, 3> ids = face_nodes(world.mesh, surface.tet, surface.face);
+    FaceTriangle triangle;
+    Eigen::AlignedBox3d box;
+    for (int i = 0; i < 3; ++i) box.extend(world.nodes.positions[ids[i]]);
+    if (!region.intersects(box)) continue;
+    for (int i = 0; i < 3; ++i) triangle.corners[i] = frame.axes * world.nodes.positions[ids[i]];
+    const auto& [p, q, r] = triangle.corners;
+    const Vec3 area = (q - p).cross(r - p);
+    if (side * area.z() < kAlike * area.norm()) continue;
+    triangle.low = std::min({p.x(), q.x(), r.x()});
+    triangle.high = std::max({p.x(), q.x(), r.x()});
+    face.widest = std::max(face.widest, triangle.high - triangle.low);
+    face.triangles.push_back(triangle);
+    for (int i = 0; i < 3; ++i)
+      if (nodes.insert(ids[i]).second) face.nodes.push_back({ids[i], triangle.corners[i]});
+  }
+  std::ranges::sort(face.nodes, [](const FaceNode& a, const FaceNode& b) {
+    return a.place.x() != b.place.x() ? a.place.x() < b.place.x() : a.node < b.node;
+  });
+  std::ranges::stable_sort(face.triangles, std::ranges::less(), &FaceTriangle::low);
+  return face;
+}
+
+/// The height of a triangle over the contact plane at a point, if it has one there.
+std::optional<double> height_at(const FaceTriangle& triangle, const Vec3& point) {
+  constexpr double kOutside = -0.02;  // corners that meet corners touch though they shift a little
+  const auto& [a, b, c] = triangle.corners;
+  const auto area = [](const Vec3& u, const Vec3& v) { return u.x() * v.y() - u.y() * v.x(); };
+  const double whole = area(b - a, c - a);
+  const double u = area(c - b, point - b) / whole, v = area(a - c, point - c) / whole, w = 1 - u - v;
+  if (u < kOutside || v < kOutside || w < kOutside) return {};
+  return u * a.z() + v * b.z() + w * c.z();
+}
+
+std::optional<double> height_at(const Face& face, const Vec3& point) {
+  auto triangle =
+      std::ranges::lower_bound(face.triangles, point.x() - face.widest, std::ranges::less(), &FaceTriangle::low);
+  for (; triangle != face.triangles.end() && triangle->low <= point.x(); ++triangle) {
+    if (triangle->high < point.x()) continue;
+    if (const std::optional<double> height = height_at(*triangle, point)) return height;
+  }
+  return {};
+}
+
+/// Whether one of the nodes, which are in order, is there, seen along the normal.
+const FaceNode* node_at(const std::vector<FaceNode>& nodes, const Vec3& point, double tolerance) {
+  auto node = std::ranges::lower_bound(nodes, point.x() - tolerance, std::ranges::less(),
+                                       [](const FaceNode& other) { return other.place.x(); });
+  for (; node != nodes.end() && node->place.x() <= point.x() + tolerance; ++node)
+    if ((node->place - point).head<2>().norm() <= tolerance) return &*node;
+  return nullptr;
+}
+
+/// Nodes of both faces within reach of the other.
+void add_face_contacts(const WorldState& world, const FacePair& pair, std::vector<Contact>& added) {
+  const Body &a = world.bodies[world.body_of(pair.a)], &b = world.bodies[world.body_of(pair.b)];
+  const double size = std::min(a.element_size, b.element_size), reach = kReach * size;
+  Eigen::AlignedBox3d region = pair.patch;
+  region.extend(Vec3(pair.patch.min().array() - reach));
+  region.extend(Vec3(pair.patch.max().array() + reach));
+  const FaceFrame frame(pair.normal);
+  const Face face_a = face_of(world, a, frame, -1, region), face_b = face_of(world, b, frame, 1, region);
+  const auto add = [&](const FaceNode& node, double distance, double to_middle, NodeId node_a, NodeId node_b) {
+    const Vec3 middle = world.nodes.positions[node.node] + to_middle * pair.normal;
+    if (std::abs(distance) < reach)
+      added.push_back({pair.a, pair.b, middle, pair.normal, distance, 0, Vec3::Zero(), node_a, node_b});
+  };
+  std::vector<FaceNode> touching;
+  for (const FaceNode& node : face_a.nodes)
+    if (const std::optional<double> height = height_at(face_b, node.place)) {
+      const double distance = node.place.z() - *height;
+      const FaceNode* met = node_at(face_b.nodes, node.place, kSamePlace * size);
+      add(node, distance, -0.5 * distance, node.node, met ? met->node : NodeId());
+      touching.push_back(node);
+    }
+  for (const FaceNode& node : face_b.nodes)
+    if (const std::optional<double> height = height_at(face_a, node.place)) {
+      if (node_at(touching, node.place, kSamePlace * size)) continue;
+      const double distance = *height - node.place.z();
+      add(node, distance, 0.5 * distance, NodeId(), node.node);
+    }
+}
+
+void add_ground_contacts(const WorldState& world, const Body& body, const Contact& like, std::vector<Contact>& added) {
+  const double height = world.model->scene.ground->height, reach = kReach * body.element_size;
+  std::vector<NodeId> nodes;
+  for (const SurfaceFace& face : body.surface) {
+    const std::array<NodeId, 3> corners = face_nodes(world.mesh, face.tet, face.face);
+    const Vec3 &p = world.nodes.positions[corners[0]], &q = world.nodes.positions[corners[1]],
+               &r = world.nodes.positions[corners[2]];
+    const Vec3 area = (q - p).cross(r - p);
+    if (area.y() > -kDownwards * area.norm()) continue;
+    for (const NodeId node : corners)
+      if (!world.nodes.has_support[node] && std::abs(world.nodes.positions[node].y() - height) < reach)
+        nodes.push_back(node);
+  }
+  sort_unique(nodes);
+  const bool is_a = world.body_of(like.a) == body.id;
+  for (const NodeId node : nodes) {
+    const double distance = world.nodes.positions[node].y() - height;
+    const Vec3 middle = world.nodes.positions[node] - 0.5 * distance * Vec3::UnitY();
+    Contact contact{like.a, like.b, middle, is_a ? Vec3(Vec3::UnitY()) : Vec3(-Vec3::UnitY()), distance};
+    (is_a ? contact.node_a : contact.node_b) = node;
+    added.push_back(contact);
+  }
+}
+
+/// Adds what elastic bodies have on the ground, once for each.
+void add_all_ground_contacts(const WorldState& world, std::vector<Contact>& added) {
+  std::set<BodyId> done;
+  const std::span<const Contact> contacts = world.contact_world.contacts();
+  for (const Contact& contact : contacts)
+    for (const auto& [side, other] : {std::pair(contact.a, contact.b), std::pair(contact.b, contact.a)})
+      if (is_of_nodes(contact) && world.contact_world.is_ground(other)) done.insert(world.body_of(side));
+  for (const Contact& contact : contacts)
+    for (const auto& [side, other] : {std::pair(contact.a, contact.b), std::pair(contact.b, contact.a)}) {
+      const BodyId id = world.body_of(side);
+      if (is_elastic(world, id) && world.contact_world.is_ground(other) && done.insert(id).second)
+        add_ground_contacts(world, world.bodies[id], contact, added);
+    }
+}
+
+auto objects_of(const Contact& contact) { return std::pair(contact.a, contact.b); }
+
+/// Whether a detected contact is where one of the added, which are in the order of their objects, is.
+bool is_doubled(const Contact& contact, std::span<const Contact> added, double tolerance) {
+  return !is_of_nodes(contact) &&
+         std::ranges::any_of(std::ranges::equal_range(added, objects_of(contact), std::ranges::less(), objects_of),
+                             [&](const Contact& node) {
+                               return node.normal.dot(contact.normal) > kAlike &&
+                                      (node.position - contact.position).norm() < tolerance;
+                             });
+}
+
+/// The size of the smaller elements of what touches [m].
+double element_size(const WorldState& world, const Contact& contact) {
+  double size = std::numeric_limits<double>::infinity();
+  for (const ProxyId side : {contact.a, contact.b})
+    if (const BodyId id = world.body_of(side); id.valid()) size = std::min(size, world.bodies[id].element_size);
+  return size;
+}
+
+}  // namespace
+
+void spread_contacts(WorldState& world) {
+  const std::span<const Contact> contacts = std::as_const(world.contact_world).contacts();
+  std::vector<Contact> added;
+  add_all_ground_contacts(world, added);
+  for (const FacePair& pair : face_pairs(world)) add_face_contacts(world, pair, added);
+  if (added.empty()) return;
+  std::ranges::stable_sort(added, std::ranges::less(), objects_of);
+  std::vector<bool> doubled;
+  for (const Contact& contact : contacts)
+    doubled.push_back(is_doubled(contact, added, kSamePlace * element_size(world, contact)));
+  world.contact_world.replace_contacts(doubled, added);
+}
+
+}  // namespace griffith

@@ -1,0 +1,191 @@
+#include "sim/world/phases/fracture_phase.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "sim/fracture/remesh.h"
+#include "sim/fracture/split.h"
+#include "sim/world/bodies/bodies.h"
+#include "sim/world/energy/energy_phase.h"
+#include "sim/world/phases/cracking.h"
+#include "sim/world/phases/separation_phase.h"
+#include "sim/world/phases/subdivision.h"
+#include "sim/world/setup/build_world.h"
+#include "sim/world/world_state.h"
+
+namespace griffith {
+namespace {
+
+/// Cracks that waited for the budget open as they would have then, unless the load has grown since.
+void restore_postponed(WorldState& world) {
+  for (const PostponedCrack& crack : world.postponed) {
+    const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[crack.node].front()]];
+    NodeSeparation& now = world.nodes.separations[crack.node];
+    if (!body.rigid && now.utilization < crack.separation.utilization) now = crack.separation;
+  }
+  world.postponed.clear();
+}
+
+/// Nodes past their resistance, the worst of all bodies first.
+std::vector<NodeId> overloaded_nodes(const WorldState& world) {
+  std::vector<NodeId> nodes;
+  for (const Body& body : world.bodies) {
+    if (!body.sways()) continue;
+    for (NodeId node : body.nodes)
+      if (world.nodes.separations[node].utilization > 1) nodes.push_back(node);
+  }
+  std::sort(nodes.begin(), nodes.end(), [&](NodeId a, NodeId b) {
+    const double utilization_a = world.nodes.separations[a].utilization,
+                 utilization_b = world.nodes.separations[b].utilization;
+    return utilization_a != utilization_b ? utilization_a > utilization_b : a < b;
+  });
+  return nodes;
+}
+
+void append_copy(WorldState& world, const NodeCopy& copy) {
+  NodeArrays& nodes = world.nodes;
+  nodes.append_copy(copy.original);
+  for (const NodeId node : {copy.original, copy.copy}) nodes.masses[node] = node_mass(world, node);
+  nodes.at_crack_front[copy.original] = 0;
+  nodes.separations[copy.original] = {};
+}
+
+/// Cuts the node's star along the plane; which of its tets lie above (1).
+std::vector<std::uint8_t> remesh(WorldState& world, const Body& body, NodeId node, const Vec3& normal, Opened& opened) {
+  record_motion(world, body, opened.motions);
+  RemeshOptions options;
+  options.limits.min_length = world.model->min_edges[body.scene_body];
+  StarCut cut = cut_star(world.mesh, world.nodes.positions, world.nodes.at_crack_front, node, normal, options);
+  world.report.remeshing_refused += cut.refused_edges;
+  follow_subdivision(world, cut.subdivision);
+  if (!cut.subdivision.tets.empty()) {
+    opened.bodies.insert(body.id);
+    world.bodies[body.id].system.reset();
+  }
+  return std::move(cut.above);
+}
+
+/// `above`: per tet of the node's star.
+CrackEvent describe(const WorldState& world, NodeId node, const std::vector<std::uint8_t>& above) {
+  const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
+  const NodeSeparation& separation = world.nodes.separations[node];
+  CrackEvent event;
+  event.step = world.step;
+  event.time = world.time;
+  event.body = body.id;
+  event.node = node;
+  event.position = world.nodes.positions[node];
+  event.rest_position = world.mesh.rest_positions[node];
+  event.normal = separation.direction;
+  event.eigenvalue = separation.eigenvalue;
+  event.load = separation.utilization * separation.resistance;
+  event.resistance = separation.resistance;
+  if (body.shock && body.shock->similarity < 1) event.scaled = body.scaled;
+  const SeparationInput input = separation_input(world);
+  const std::vector<TetId>& star = world.mesh.stars[node];
+  for (std::size_t i = 0; i < star.size(); ++i)
+    event.elements.push_back({star[i], above[i] != 0, split_force(input, star[i], node)});
+  return event;
+}
+
+/// Notes when the faces were opened that have no neighbour any more.
+void date_open_faces(WorldState& world, const std::vector<TetId>& parted) {
+  for (TetId tet : parted)
+    for (int face = 0; face < 4; ++face) {
+      const bool open = !world.mesh.neighbours[tet][face].valid() && !(world.elements.first_surface[tet] >> face & 1);
+      if (!open || !std::isnan(world.elements.opened[tet][face])) continue;
+      world.elements.opened[tet][face] = world.time;
+      book_crack(world, tet, face);
+    }
+}
+
+}  // namespace
+
+bool crack(WorldState& world, NodeId node, Opened& opened) {
+  const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
+  const Vec3 normal = world.nodes.separations[node].direction;
+  const std::vector<std::uint8_t> above = world.model->scene.bodies[body.scene_body].remeshing
+                                              ? remesh(world, body, node, normal, opened)
+                                              : tets_above(world.mesh, world.nodes.positions, node, normal);
+  CrackEvent event = describe(world, node, above);
+  const SplitResult result = split_node(world.mesh, node, above, world.model->scene.simulation.min_fragment_tets);
+  world.report.cracks_suppressed += result.too_small;
+  if (result.too_small) return false;
+  for (const NodeCopy& copy : result.copies) append_copy(world, copy);
+  opened.copies.insert(opened.copies.end(), result.copies.begin(), result.copies.end());
+  for (NodeId front : result.front) world.nodes.at_crack_front[front] = 1;
+  event.nodes_made = static_cast<int>(result.copies.size());
+  event.torn_off =
+      result.changed_tets.empty() ? tear_off(world, node, event.normal) : reassign_supports(world, result.copies);
+  if (result.changed_tets.empty() && !event.torn_off) return false;
+  date_open_faces(world, result.changed_tets);
+  opened.parted.insert(opened.parted.end(), result.changed_tets.begin(), result.changed_tets.end());
+  world.report.supports_torn += event.torn_off;
+  world.crack_events.push_back(std::move(event));
+  return true;
+}
+
+namespace {
+
+/// Whether a wave from a crack that opened in this very substep relieves the node within it (Mott 1947). A crack that
+/// runs already outruns such waves.
+bool is_relieved(const WorldState& world, NodeId node, std::size_t first_event, double substep) {
+  if (world.nodes.at_crack_front[node]) return false;
+  const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
+  const double reach = bar_wave_speed(world.material_of(body)) * substep;
+  return std::any_of(world.crack_events.begin() + static_cast<std::ptrdiff_t>(first_event), world.crack_events.end(),
+                     [&](const CrackEvent& event) {
+                       return event.body == body.id && (event.position - world.nodes.positions[node]).norm() < reach;
+                     });
+}
+
+/// Cracks the nodes in their order as far as the budget goes.
+Opened crack_in_turn(WorldState& world, const std::vector<NodeId>& overloaded, double substep) {
+  Opened opened;
+  opened.first_event = world.crack_events.size();
+  for (NodeId node : overloaded) {
+    if (opened.waiting.contains(node) || is_relieved(world, node, opened.first_event, substep)) continue;
+    if (world.report.cracks >= world.model->scene.simulation.max_cracks_per_step) {
+      world.postponed.push_back({node, world.nodes.separations[node]});
+      continue;
+    }
+    const std::vector<TetId> star = world.mesh.stars[node];
+    const BodyId body = world.elements.bodies[star.front()];
+    if (!crack(world, node, opened)) continue;
+    ++world.report.cracks;
+    opened.bodies.insert(body);
+    if (world.crack_events.back().torn_off) world.bodies[body].system.reset();
+    for (TetId tet : star) opened.waiting.insert(world.mesh.tets[tet].begin(), world.mesh.tets[tet].end());
+  }
+  return opened;
+}
+
+/// The bodies to which the elements of a crack belong, when there is more than one.
+std::vector<BodyId> children_of(const WorldState& world, const CrackEvent& event) {
+  std::set<BodyId> bodies;
+  for (const CrackElement& element : event.elements) bodies.insert(world.elements.bodies[element.tet]);
+  if (bodies.size() < 2) return {};
+  return {bodies.begin(), bodies.end()};
+}
+
+}  // namespace
+
+void part_opened(WorldState& world, const Opened& opened) {
+  restore_angular_momentum(world, opened.motions);
+  follow_cracks(world.model->splinters, world.mesh.neighbours, opened.parted, world.splinter_state);
+  split_bodies(world, std::vector<BodyId>(opened.bodies.begin(), opened.bodies.end()));
+  for (std::size_t i = opened.first_event; i < world.crack_events.size(); ++i)
+    world.crack_events[i].children = children_of(world, world.crack_events[i]);
+}
+
+void open_cracks(WorldState& world, double substep) {
+  restore_postponed(world);
+  const std::vector<NodeId> overloaded = overloaded_nodes(world);
+  if (overloaded.empty()) return;
+  part_opened(world, crack_in_turn(world, overloaded, substep));
+  world.report.cracks_postponed = static_cast<int>(world.postponed.size());
+}
+
+}  // namespace griffith

@@ -1,0 +1,369 @@
+#include "sim/world/phases/motion_phase.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include "sim/core/free_turn.h"
+#include "sim/core/parallel.h"
+#include "sim/core/rotation.h"
+#include "sim/solver/pivot.h"
+#include "sim/world/bodies/bodies.h"
+#include "sim/world/energy/energy_phase.h"
+#include "sim/world/phases/contact_phase.h"
+#include "sim/world/phases/elastic_phase.h"
+#include "sim/world/world_state.h"
+
+namespace griffith {
+namespace {
+
+/// Moves a free body by its velocities: its rigid part turns it, what is left deforms it. Along the tangents instead, a
+/// turn by the angle a would stretch it by a²/2, which a stiff body answers with more than its strength. Linear and
+/// angular momentum are kept.
+void move_free(WorldState& world, const Body& body, double dt) {
+  const RigidMotion before = motion_of(world, body);
+  const Mat3 turn = free_turn(before.inertia, before.angular_velocity, dt);
+  const Vec3 center = before.center + dt * before.velocity;
+  for (NodeId node : body.nodes) {
+    Vec3 &position = world.nodes.positions[node], &velocity = world.nodes.velocities[node];
+    const Vec3 deforming = velocity - before.velocity_at(position);
+    position = center + turn * (position - before.center + dt * deforming);
+    velocity = turn * deforming;
+  }
+  const RigidMotion after = motion_of(world, body);
+  const Vec3 spin = after.inertia.inverse() * (before.inertia * before.angular_velocity);
+  for (NodeId node : body.nodes)
+    world.nodes.velocities[node] += before.velocity + spin.cross(world.nodes.positions[node] - center);
+}
+
+std::optional<Pivot> pivot_of(const WorldState& world, const Body& body) {
+  return pivot_of(body.system->supports(), world.nodes.constraints, world.nodes.positions);
+}
+
+NodeVectors of_nodes(const Body& body, const std::vector<Vec3>& values) {
+  NodeVectors columns(3, body.nodes.size());
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) columns.col(i) = values[body.nodes[i]];
+  return columns;
+}
+
+Eigen::VectorXd masses_of(const WorldState& world, const Body& body) {
+  Eigen::VectorXd masses(body.nodes.size());
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) masses[i] = world.nodes.masses[body.nodes[i]];
+  return masses;
+}
+
+Turning turning_of(const WorldState& world, const Body& body, const Pivot& pivot) {
+  return turning_about(pivot, of_nodes(body, world.nodes.positions), of_nodes(body, world.nodes.velocities),
+                       masses_of(world, body));
+}
+
+/// The mean spin of a body in a substep of `dt` [s] after which it has `spin` [rad/s]: with half of what `external`
+/// forces gave it, so that it swings without gain or loss (position Verlet). What touches something
+/// moves by the velocity with which it does not get into it.
+Vec3 mean_spin(const WorldState& world, const Body& body, const Pivot& pivot, const Vec3& spin,
+               const std::vector<Vec3>& external, double dt) {
+  if (body.contact_work != 0) return spin;
+  constexpr int kIterations = 3;
+  const NodeVectors positions = of_nodes(body, world.nodes.positions), forces = of_nodes(body, external);
+  const Eigen::VectorXd masses = masses_of(world, body);
+  Vec3 gained = Vec3::Zero();
+  for (int i = 0; i < kIterations; ++i)
+    gained = dt * swing_acceleration(pivot, positions, masses, forces, 0.5 * dt * (spin - gained));
+  return spin - 0.5 * gained;
+}
+
+/// The same for a supported body that turns about a pivot; its angular momentum about it is kept.
+void move_swinging(WorldState& world, const Body& body, const Pivot& pivot, const std::vector<Vec3>& external,
+                   double dt) {
+  const Turning before = turning_of(world, body, pivot);
+  const Vec3 mean = mean_spin(world, body, pivot, before.spin, external, dt);
+  const Mat3 turn =
+      pivot.axes.cols() == 3 ? free_turn(before.inertia, mean, dt) : rotation_by(dt * mean).toRotationMatrix();
+  for (NodeId node : body.nodes) {
+    Vec3 &position = world.nodes.positions[node], &velocity = world.nodes.velocities[node];
+    const Vec3 from = position, deforming = velocity - before.spin.cross(position - pivot.place);
+    position = pivot.place + turn * (position - pivot.place + dt * deforming);
+    velocity = turn * deforming;
+    const NodeConstraint& constraint = world.nodes.constraints[node];
+    position = from + constraint.allowed * (position - from);
+  }
+  const Turning after = turning_of(world, body, pivot);
+  const Mat3 turned = pivot.axes.cols() == 3 ? Mat3(Mat3::Identity()) : turn;
+  const Eigen::MatrixXd inertia = pivot.axes.transpose() * after.inertia * pivot.axes;
+  const Vec3 spin =
+      pivot.axes * (inertia.inverse() * (pivot.axes.transpose() * (turned * (before.inertia * before.spin))));
+  for (NodeId node : body.nodes) {
+    Vec3& velocity = world.nodes.velocities[node];
+    velocity =
+        world.nodes.constraints[node].allowed * (velocity + spin.cross(world.nodes.positions[node] - pivot.place));
+  }
+}
+
+/// How far a rigid body gets [m]. What is fast stops at what it meets, or it would pass through thin bodies. Pieces of
+/// one body, much of a size, may pass through one another.
+Vec3 way_of(const WorldState& world, const Body& body, double dt) {
+  constexpr double kSlowFraction = 0.25;  // of its size: so much overlap would still be found
+  const double slow = kSlowFraction * body.extent;
+  const Vec3 displacement = dt * body.motion.velocity;
+  if (displacement.norm() < slow) return displacement;
+  const auto stops = [&](ProxyId proxy) {
+    constexpr double kMuchLarger = 2;
+    const BodyId id = world.body_of(proxy);
+    return !id.valid() || world.bodies[id].scene_body != body.scene_body ||
+           world.bodies[id].extent > kMuchLarger * body.extent;
+  };
+  return world.contact_world.swept_center(body.proxy, dt, slow, stops) -
+         world.contact_world.state(body.proxy).pose.translation;
+}
+
+/// The same for a body that does not deform: its motion leads, its nodes follow.
+void move_rigid(WorldState& world, Body& body, double dt) {
+  if (body.supported()) return;  // frozen: its supports hold it
+  RigidMotion& motion = body.motion;
+  const Mat3 turn = free_turn(motion.inertia, motion.angular_velocity, dt);
+  const Vec3 angular_momentum = motion.inertia * motion.angular_velocity;
+  const Vec3 displacement = way_of(world, body, dt);
+  motion.center += displacement;
+  motion.velocity = world.contact_world.velocity_after(motion.velocity, displacement, dt);
+  motion.inertia = turn * motion.inertia * turn.transpose();
+  motion.angular_velocity = motion.inertia.inverse() * angular_momentum;
+  body.orientation = (Quat(turn) * body.orientation).normalized();
+  place_rigid_nodes(world, body);
+}
+
+/// What of the work on a body it may have gained in a substep: by external forces, supports and contacts [J].
+double work_done(const WorldState& world, const Body& body, const std::vector<Vec3>& external, double dt) {
+  double work = body.contact_work;
+  for (NodeId node : body.nodes) work += dt * external[node].dot(world.nodes.velocities[node]);
+  for (NodeId node : body.system->supports())
+    work += dt * world.nodes.reactions[node].dot(world.nodes.velocities[node]);
+  return work;
+}
+
+/// What of a node's velocity does not deform the body: of its motion as a whole, its swinging or its supports.
+std::function<Vec3(NodeId)> rigid_velocity_of(const WorldState& world, const Body& body) {
+  if (!body.supported())
+    return [&world, motion = motion_of(world, body)](NodeId node) {
+      return motion.velocity_at(world.nodes.positions[node]);
+    };
+  if (const std::optional<Pivot> pivot = pivot_of(world, body))
+    return [&world, place = pivot->place, spin = turning_of(world, body, *pivot).spin](NodeId node) {
+      return Vec3(spin.cross(world.nodes.positions[node] - place));
+    };
+  return [&world](NodeId node) { return world.nodes.constraints[node].velocity; };
+}
+
+/// Back to a snapshot, with `fraction` of the velocities that deform the body.
+void restore(WorldState& world, const Body& body, const BodySnapshot& taken, double fraction) {
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+    world.nodes.positions[body.nodes[i]] = taken.positions[i];
+    world.nodes.velocities[body.nodes[i]] = taken.velocities[i];
+  }
+  for (std::size_t i = 0; i < taken.plastic_strains.size(); ++i)
+    world.elements.plastic_strains[body.tets[i]] = taken.plastic_strains[i];
+  const std::function<Vec3(NodeId)> rigid_velocity = rigid_velocity_of(world, body);
+  for (NodeId node : body.nodes) {
+    const Vec3 kept = rigid_velocity(node);
+    world.nodes.velocities[node] = kept + fraction * (world.nodes.velocities[node] - kept);
+  }
+}
+
+void move_nodes(WorldState& world, const Body& body, const std::vector<Vec3>& external, double dt) {
+  if (!world.integrates_explicitly()) {
+    if (!body.supported()) return move_free(world, body, dt);
+    if (const std::optional<Pivot> pivot = pivot_of(world, body))
+      return move_swinging(world, body, *pivot, external, dt);
+  }
+  for (NodeId node : body.nodes) world.nodes.positions[node] += dt * world.nodes.velocities[node];
+}
+
+/// What a strain of this size all over a body stores [J].
+double energy_of_strain(const WorldState& world, const Body& body, double strain) {
+  const Material& material = world.material_of(body);
+  return 0.5 * material.young_modulus * strain * strain * body.motion.mass / material.density;
+}
+
+/// Moves an elastic body and takes its stress. Where parts of it turn far in one step, as on a hinge that a crack left,
+/// the linearised step stretches it: then it deforms less, so that it has no more energy than it was given. Whether it
+/// had to.
+bool move_elastic(WorldState& world, const Body& body, const BodySnapshot& before, const std::vector<Vec3>& external,
+                  double dt) {
+  constexpr double kTolerance = 1e-5;
+  const bool checked = !world.integrates_explicitly();
+  const double given = checked ? body.energy + work_done(world, body, external, dt) : 0;
+  move_nodes(world, body, external, dt);
+  update_elements(world, body);
+  if (!checked) return false;
+  const double noise = energy_of_strain(world, body, 1e-12);
+  const auto gains = [&](double limit) {
+    return mechanical_energy(world, body) > limit + kTolerance * (body.energy + limit) + noise;
+  };
+  if (!gains(given)) return false;
+  const auto move_with = [&](double fraction) {
+    restore(world, body, before, fraction);
+    move_nodes(world, body, external, dt);
+    update_elements(world, body);
+  };
+  move_with(0);  // as a rigid body: what its turning alone gains is not for the deformation to make up for
+  const double limit = std::max(given, mechanical_energy(world, body));
+  for (double fraction = 0.5; fraction > 0.05; fraction /= 2) {
+    move_with(fraction);
+    if (!gains(limit)) return true;
+  }
+  move_with(0);
+  return true;
+}
+
+bool all_finite(const std::vector<Vec3>& values, const std::vector<NodeId>& nodes) {
+  return std::ranges::all_of(nodes, [&](NodeId node) { return values[node].allFinite(); });
+}
+
+/// Whether the body is in a place that can be told.
+bool is_placed(const WorldState& world, const Body& body) {
+  return all_finite(world.nodes.positions, body.nodes) && body.motion.center.allFinite() &&
+         body.motion.inertia.allFinite() && body.orientation.coeffs().allFinite();
+}
+
+bool is_sound(const WorldState& world, const Body& body) {
+  return is_placed(world, body) && all_finite(world.nodes.velocities, body.nodes) && body.motion.velocity.allFinite() &&
+         body.motion.angular_velocity.allFinite();
+}
+
+/// Whether neither stress nor waves come near what could hurt a free body. A wave of stress σ moves nodes by σ/(ρc), in
+/// compression as in tension, while it has not yet come to where it could part the body.
+bool is_calm(const WorldState& world, const Body& body) {
+  constexpr double kQuietUtilization = 0.05, kQuietSpeed = 0.1;
+  const RigidMotion motion = motion_of(world, body);
+  const double fastest = kQuietSpeed * damage_speed(world, body);
+  return std::ranges::all_of(body.nodes, [&](NodeId node) {
+    const Vec3 deforming = world.nodes.velocities[node] - motion.velocity_at(world.nodes.positions[node]);
+    return world.nodes.separations[node].utilization < kQuietUtilization && deforming.norm() < fastest;
+  });
+}
+
+}  // namespace
+
+Wrench wrench_of(const WorldState& world, const Body& body, const std::vector<Vec3>& forces) {
+  Wrench wrench;
+  for (NodeId node : body.nodes) {
+    wrench.force += forces[node];
+    wrench.torque += (world.nodes.positions[node] - body.motion.center).cross(forces[node]);
+  }
+  return wrench;
+}
+
+double mechanical_energy(const WorldState& world, const Body& body) {
+  double energy = elastic_energy(world, body);
+  for (NodeId node : body.nodes) energy += 0.5 * world.nodes.masses[node] * world.nodes.velocities[node].squaredNorm();
+  return energy;
+}
+
+void make_rigid(WorldState& world, Body& body) {
+  body.rigid = true;
+  const Mat3 back = body.orientation.conjugate().toRotationMatrix();
+  for (std::size_t i = 0; i < body.nodes.size(); ++i)
+    body.reference_arms.col(i) = back * (world.nodes.positions[body.nodes[i]] - body.motion.center);
+}
+
+void place_rigid_nodes(WorldState& world, const Body& body) {
+  const RigidMotion& motion = body.motion;
+  const Mat3 rotation = body.orientation.toRotationMatrix();
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+    const Vec3 arm = rotation * body.reference_arms.col(i);
+    world.nodes.positions[body.nodes[i]] = motion.center + arm;
+    world.nodes.velocities[body.nodes[i]] = motion.velocity + motion.angular_velocity.cross(arm);
+  }
+}
+
+void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>& forces, double dt) {
+  if (body.supported()) return;  // frozen: its supports hold it
+  const auto [force, torque] = wrench_of(world, body, forces);
+  RigidMotion& motion = body.motion;
+  const double damping = 1 + dt * world.material_of(body).mass_damping;
+  body.start.force = force;
+  body.start.torque = torque;
+  body.start.falls = true;
+  motion.velocity = (motion.velocity + dt / motion.mass * force) / damping;
+  motion.angular_velocity = (motion.angular_velocity + dt * (motion.inertia.inverse() * torque)) / damping;
+}
+
+void freeze_if_broken_down(WorldState& world, Body& body) {
+  if (body.asleep || is_sound(world, body)) return;
+  if (!is_placed(world, body)) {
+    const Pose last = world.contact_world.state(body.proxy).pose;
+    body.motion.center = last.translation;
+    body.orientation = last.rotation;
+    place_rigid_nodes(world, body);
+  }
+  for (NodeId node : body.nodes) world.nodes.velocities[node] = world.nodes.reactions[node] = Vec3::Zero();
+  for (TetId tet : body.tets)
+    if (!world.elements.plastic_strains[tet].allFinite()) world.elements.plastic_strains[tet].setZero();
+  freeze(world, body);
+}
+
+void freeze(WorldState& world, Body& body) {
+  ++world.report.non_finite_values;
+  const double before = energy_of(world, body);
+  if (body.supported())
+    for (NodeId node : body.nodes) world.nodes.velocities[node] = world.nodes.reactions[node] = Vec3::Zero();
+  clear_stress(world, body);
+  body.motion = motion_of(world, body);
+  make_rigid(world, body);
+  if (std::isfinite(before)) world.energy.limited += before - energy_of(world, body);
+}
+
+void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt) {
+  world.scratch.substep_start.solved_velocities = world.nodes.velocities;
+  std::vector<std::uint8_t> shortened(world.bodies.size(), 0);
+  std::vector<EnergyAccount> spent(world.bodies.size());
+  parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      Body& body = world.bodies[i];
+      if (body.asleep || body.shock) continue;
+      if (body.rigid) {
+        const RigidMotion before = body.motion;
+        move_rigid(world, body, dt);
+        spent[i] = spent_in_rigid_move(world, body, before, dt);
+      } else {
+        const BodySnapshot before = snapshot(world, body);
+        shortened[i] = move_elastic(world, body, before, external, dt);
+        spent[i] = spent_in_move(world, body, before, external, dt, shortened[i] != 0);
+        update_motion(world, body);
+      }
+    }
+  });
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    Body& body = world.bodies[i];
+    if (!body.asleep && !body.shock) world.energy += spent[i];
+    freeze_if_broken_down(world, body);
+    world.report.shortened_motions += shortened[i];
+    if (!body.sways()) continue;
+    for (TetId tet : body.tets) world.report.inverted_tets += world.elements.states[tet].inverted;
+  }
+  place_proxies(world);
+}
+
+void make_elastic(WorldState& world, Body& body) {
+  world.contact_world.wake_up(body.proxy);
+  const double before = elastic_energy(world, body);
+  body.rigid = body.asleep = false;
+  body.quiet_steps = 0;
+  update_elements(world, body);  // it has turned since
+  world.energy.hand_over += before - elastic_energy(world, body);
+}
+
+void rigidify_quiet_bodies(WorldState& world) {
+  constexpr int kQuietSteps = 20;
+  for (Body& body : world.bodies) {
+    if (!body.sways() || body.supported()) continue;
+    body.quiet_steps = is_calm(world, body) ? body.quiet_steps + 1 : 0;
+    if (body.tets.size() > 1 && body.quiet_steps < kQuietSteps) continue;
+    const double before = energy_of(world, body);
+    make_rigid(world, body);
+    world.energy.hand_over += before - energy_of(world, body);
+  }
+}
+
+}  // namespace griffith

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/world/world_state.h"
+
+namespace griffith {
+
+/// Makes a rigid body elastic again.
+void make_elastic(WorldState& world, Body& body);
+void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>& forces, double dt);
+/// Moves every body by its velocities and takes the elastic state after; `external` as in predict_velocities().
+void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt);
+/// Puts the nodes of a rigid body where its motion and orientation say.
+void place_rigid_nodes(WorldState& world, const Body& body);
+/// A body whose numbers broke down goes on as a rigid one, at rest where it was: one lost body, not a lost scene. Where
+/// its positions are lost too, it has the shape again that it had when it was made or last turned rigid, in the place
+/// of its proxy. A supported one stays there for good.
+void freeze_if_broken_down(WorldState& world, Body& body);
+/// Takes the shape as it is now for that of a rigid body.
+void make_rigid(WorldState& world, Body& body);
+/// Makes a body rigid from now on, its stress gone. A free one keeps its momentum, a supported one stands still.
+void freeze(WorldState& world, Body& body);
+/// The sum of nodal forces on a body [N], and their torque about its centre of mass [N·m].
+struct Wrench {
+  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+};
+Wrench wrench_of(const WorldState& world, const Body& body, const std::vector<Vec3>& forces);
+/// Kinetic and elastic energy of a body [J].
+double mechanical_energy(const WorldState& world, const Body& body);
+/// Bodies whose stress has died, and single tets, which cannot break, turn rigid.
+void rigidify_quiet_bodies(WorldState& world);
+
+}  // namespace griffith

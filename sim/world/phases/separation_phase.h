@@ -1,0 +1,21 @@
+#pragma once
+
+#include "sim/fracture/separation_tensor.h"
+#include "sim/world/world_state.h"
+
+namespace griffith {
+
+/// Separation tensors, and the utilization of every node against the material's resistance. `averaged`: the stress is
+/// the mean of this evaluation and the last, so that the noise of a stiff body in motion does not crack it.
+void evaluate_separation(WorldState& world, bool averaged);
+/// The same for one body, of its stress as it is now.
+void evaluate_separation(WorldState& world, const Body& body);
+/// Edge length of the cells round a node: that of a cube of six of its tets [m].
+double element_size_at(const WorldState& world, NodeId node);
+/// The separation of one node of a body under the states of its elements now.
+NodeSeparation evaluate_node(const WorldState& world, const SeparationInput& input, const Body& body, NodeId node,
+                             bool averaged);
+/// What the separation tensors are made of.
+SeparationInput separation_input(const WorldState& world);
+
+}  // namespace griffith

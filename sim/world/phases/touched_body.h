@@ -1,0 +1,49 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "sim/contact/contact_world.h"
+#include "sim/world/bodies/surface_point.h"
+
+namespace griffith {
+
+/// Where a contact touches an elastic body. The contact lies a little off the elastic surface: a free body takes the
+/// torque of that offset as a whole, so that angular momentum is kept.
+struct TouchedPoint {
+  SurfacePoint surface;
+  NodeId node = {};              ///< where a node is known to touch
+  Vec3 contact = Vec3::Zero();   ///< [m]
+  Vec3 position = Vec3::Zero();  ///< of the surface point [m]
+};
+
+/// An elastic body among its contacts in a substep.
+struct TouchedBody {
+  BodyId body;
+  std::vector<TouchedPoint> points;  ///< per contact of its response
+  NodeVectors free;    ///< velocities of the nodes of its system without the contacts, once it has answered [m/s]
+  NodeVectors change;  ///< what the contacts did to them [m/s]
+};
+
+/// The elastic bodies that touch something, and an empty response of each, by body.
+struct TouchedBodies {
+  std::vector<TouchedBody> bodies;
+  std::vector<ElasticResponse> responses;
+};
+
+/// Lists what the contacts touch.
+TouchedBodies touched_bodies(const WorldState& world);
+/// Changes the contacts' distances from those of the proxies, which do not deform, to those of the elastic surfaces;
+/// those of nodes are right.
+void correct_distances(WorldState& world, const TouchedBodies& touched);
+/// Leaves out the contacts that will not push in a substep of `dt` [s]: here and in the contact world.
+void drop_near_misses(WorldState& world, TouchedBodies& touched, double dt);
+/// Fills a response with the velocities of a body that knows nothing of its contacts yet.
+void prepare_response(const WorldState& world, const TouchedBody& touched, double dt, ElasticResponse& response);
+/// Velocities of the contact points as the body's nodes move now: J v.
+Eigen::Matrix3Xd point_velocities(const WorldState& world, const TouchedBody& touched);
+/// Nodal impulses Jᵀ p for impulses p at the contact points, added to values per node of the mesh.
+void add_nodal_impulses(const WorldState& world, const TouchedBody& touched, const Eigen::Matrix3Xd& impulses,
+                        std::vector<Vec3>& nodal);
+
+}  // namespace griffith

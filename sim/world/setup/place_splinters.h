@@ -1,0 +1,14 @@
+#pragma once
+
+#include "sim/core/monitor.h"
+#include "sim/world/model.h"
+#include "sim/world/setup/rest_body.h"
+
+namespace griffith {
+
+/// Makes a body's splinters, if it has a pattern for them. Throws InputError for one that cannot be made.
+void place_splinters(Model& model, int scene_body, const RestBody& body, const Monitor& monitor);
+/// After the splinters of all bodies were made: what is known of them together.
+void close_splinters(Model& model);
+
+}  // namespace griffith

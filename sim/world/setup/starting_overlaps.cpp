@@ -1,0 +1,88 @@
+#include "sim/world/setup/starting_overlaps.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <utility>
+
+#include "sim/contact/contact_world.h"
+
+namespace griffith {
+namespace {
+
+/// Shallower overlaps are what collision shapes have that touch [of the smaller body's size].
+constexpr double kTolerance = 0.005;
+
+constexpr int kGround = -1;
+
+/// How deep two scene bodies, the first of which may be the ground, are inside one another [m].
+using Depths = std::map<std::pair<int, int>, double>;
+
+using Boxes = std::vector<Eigen::AlignedBox3d>;
+
+/// Round the scene bodies.
+Boxes boxes_round(const Scene& scene, const Frame& frame) {
+  Boxes boxes(scene.bodies.size());
+  for (std::size_t tet = 0; tet < frame.tets.size(); ++tet)
+    for (const NodeId corner : frame.tets[tet])
+      boxes[frame.bodies[frame.tet_bodies[tet]].scene_body].extend(frame.rest_positions[corner]);
+  return boxes;
+}
+
+void add_ground(const Scene& scene, const Boxes& boxes, Depths& depths) {
+  if (!scene.ground) return;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    depths[{kGround, static_cast<int>(i)}] = scene.ground->height - boxes[i].min().y();
+}
+
+/// All bodies are free here: two that are held would not touch, but are inside one another all the same.
+void add_pairs(const Frame& frame, Depths& depths) {
+  ContactWorld contacts(Vec3::Zero());
+  std::vector<ContactWorld::Proxy> proxies;
+  for (const BodyView& body : frame.bodies) {
+    RigidState state;
+    state.pose = {body.center_of_mass, body.orientation};
+    proxies.push_back({body.collision_parts, {body.mass, Mat3::Identity()}, Mobility::free, state, {}});
+  }
+  std::map<ProxyId, int> scene_body;
+  const std::vector<ProxyId> ids = contacts.add_proxies(proxies);
+  for (std::size_t i = 0; i < ids.size(); ++i) scene_body[ids[i]] = frame.bodies[i].scene_body;
+  contacts.detect();
+  for (const Contact& contact : contacts.contacts()) {
+    const auto [first, second] = std::minmax({scene_body.at(contact.a), scene_body.at(contact.b)});
+    if (first == second) continue;
+    double& depth = depths[{first, second}];
+    depth = std::max(depth, -contact.distance);
+  }
+}
+
+InputError finding(const Scene& scene, const std::pair<int, int>& pair, double depth) {
+  const auto name = [&](int body) { return "\"" + scene.bodies[body].name + "\""; };
+  char text[32];
+  std::snprintf(text, sizeof text, " starts %.3g m ", depth);
+  return {"#/bodies/" + std::to_string(pair.second) + "/position",
+          name(pair.second) + text + (pair.first == kGround ? "under the ground" : "inside " + name(pair.first)),
+          pair.first == kGround ? "raise it" : "move them apart"};
+}
+
+}  // namespace
+
+std::vector<InputError> starting_overlaps(const Scene& scene, const Frame& start) {
+  const Boxes boxes = boxes_round(scene, start);
+  Depths depths;
+  add_ground(scene, boxes, depths);
+  add_pairs(start, depths);
+  std::erase_if(depths, [&](const auto& entry) {
+    const auto& [first, second] = entry.first;
+    const double size = boxes[second].diagonal().norm();
+    return entry.second <= kTolerance * (first == kGround ? size : std::min(size, boxes[first].diagonal().norm()));
+  });
+  std::vector<std::pair<std::pair<int, int>, double>> deepest(depths.begin(), depths.end());
+  std::ranges::stable_sort(deepest, std::greater(), &std::pair<std::pair<int, int>, double>::second);
+  std::vector<InputError> findings;
+  for (const auto& [pair, depth] : deepest) findings.push_back(finding(scene, pair, depth));
+  return findings;
+}
+
+}  // namespace griffith

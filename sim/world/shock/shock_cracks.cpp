@@ -1,0 +1,223 @@
+#include <algorithm>
+#include <map>
+
+#include "sim/core/parallel.h"
+#include "sim/fracture/resistance.h"
+#include "sim/mesh/topology.h"
+#include "sim/world/phases/separation_phase.h"
+#include "sim/world/shock/shock_run.h"
+#include "sim/world/shock/similarity.h"
+#include "sim/world/world_state.h"
+
+namespace griffith {
+namespace {
+
+/// A node opens when its overload has lasted so long, in the time that a wave takes to cross an element.
+constexpr double kOverloadTime = 0.75;
+/// Cracks run no faster than this share of the bar wave's speed: some half of the Rayleigh wave's (Freund 1990).
+constexpr double kCrackSpeed = 0.3;
+/// Elements are screened by the stress of another frame than the nodes are judged by.
+constexpr float kScreeningFraction = 0.97F;
+/// Elements and nodes that are judged side by side: fewer are done before another thread could start.
+constexpr int kGrain = 128;
+
+}  // namespace
+
+shock::CrackSides crack_sides(const TetMesh& mesh, TetId first, int first_face, TetId second, int first_slot,
+                              int second_slot) {
+  shock::CrackSides sides{first_slot, second_slot, {}, {}};
+  for (int i = 0; i < 3; ++i) {
+    sides.first_corners[i] = kTetFaces[first_face][i];
+    const Vec3& place = mesh.rest_positions[mesh.tets[first][sides.first_corners[i]]];
+    for (int corner = 0; corner < 4; ++corner)
+      if (mesh.rest_positions[mesh.tets[second][corner]] == place) sides.second_corners[i] = corner;
+  }
+  return sides;
+}
+
+/// The stress in an element at a node below which the node cannot be overloaded.
+void ShockRun::update_threshold(int index) {
+  const NodeId node = nodes_[index];
+  const Body& body = body_of(node);
+  const Material& material = world_.material_of(body);
+  shock::SolidNode& target = solid_.node(index);
+  target.threshold = std::numeric_limits<float>::infinity();
+  if (!world_.model->scene.simulation.fracture) return;
+  if (world_.mesh.stars[node].size() == 1 && world_.nodes.has_support[node] == 0) return;  // a tip: nothing to part
+  double minimum = resistance(material, world_.nodes.at_crack_front[node] != 0, element_size_at(world_, node),
+                              world_.nodes.strength_factors[node]);
+  if (const auto& weakness = world_.model->weaknesses[body.scene_body]) minimum *= weakness->strength_ratio;
+  if (material.criterion == FractureCriterion::separation_force) {
+    double area = 0;  // v⁺ is at most half the sum of the tensile forces
+    for (const TetId tet : world_.mesh.stars[node])
+      area += world_.elements.rest_elements[tet].volume *
+              world_.elements.rest_elements[tet].shape_gradients.col(local_corner(world_.mesh, tet, node)).norm();
+    minimum *= 2 / area;
+  }
+  target.threshold = kScreeningFraction * static_cast<float>(body.shock->similarity * minimum);
+}
+
+/// How long a wave takes to cross an element at the node [s].
+double ShockRun::transit_time(NodeId node) const {
+  return element_size_at(world_, node) / slowed_wave_speed(world_, body_of(node));
+}
+
+/// The state of an element as it is now, of which the separation tensors are made.
+void ShockRun::bring_up_to_date(TetId tet) {
+  const int slot = slot_of_tet_[tet];
+  Corners corners;
+  for (int i = 0; i < 4; ++i) corners.col(i) = solid_.position(solid_.corner(slot, i));
+  const Body& body = world_.bodies[world_.elements.bodies[tet]];
+  const ElasticLaw law = law_in_shock(world_, body);
+  const ElementDeformation deformation = element_deformation(law.model, world_.elements.rest_elements[tet], corners);
+  if (solid_.is_relieved(slot)) let_sliver_yield(tet, deformation.strain);
+  world_.elements.states[tet] = element_state(law, deformation, stress_free_strain(world_, tet));
+}
+
+/// Nodes that are judged need the states of all elements round them, and places to split their stars by.
+void ShockRun::bring_stars_up_to_date() {
+  stale_.clear();
+  for (const int index : flagged_)
+    for (const TetId tet : world_.mesh.stars[nodes_[index]]) {
+      const int slot = slot_of_tet_[tet];
+      if (seen_[slot] == microsteps_) continue;
+      seen_[slot] = microsteps_;
+      stale_.push_back(tet);
+      for (int i = 0; i < 4; ++i) {
+        const int corner = solid_.corner(slot, i);
+        world_.nodes.positions[nodes_[corner]] = solid_.position(corner);
+      }
+    }
+  parallel_for(static_cast<int>(stale_.size()), kGrain, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) bring_up_to_date(stale_[i]);
+  });
+}
+
+void ShockRun::look() {
+  ++looks_made_;
+  overloaded_.clear();
+  std::erase_if(flagged_, [&](int index) { return time_ < looks_[index].ready; });
+  bring_stars_up_to_date();
+  const SeparationInput input = separation_input(world_);
+  parallel_for(static_cast<int>(flagged_.size()), kGrain, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const NodeId node = nodes_[flagged_[i]];
+      world_.nodes.separations[node] = evaluate_node(world_, input, body_of(node), node, false);
+    }
+  });
+  for (const int index : flagged_) judge(index);
+  std::ranges::sort(overloaded_, [](const Overload& a, const Overload& b) {
+    return a.utilization != b.utilization ? a.utilization > b.utilization : a.node < b.node;
+  });
+  world_.report.cracks_postponed = 0;
+  for (const Overload& overload : overloaded_) {
+    if (rebuild_) break;  // the others are judged again on the new mesh
+    if (world_.report.cracks >= world_.model->scene.simulation.max_cracks_per_step) {
+      ++world_.report.cracks_postponed;
+    } else if (looks_[local(overload.node)].ready <= time_) {
+      open(overload);
+    }
+  }
+}
+
+/// Whether a node has been overloaded for long enough.
+void ShockRun::judge(int index) {
+  Look& seen = looks_[index];
+  const NodeId node = nodes_[index];
+  const double utilization = world_.nodes.separations[node].utilization;
+  world_.report.peak_utilization = std::max(world_.report.peak_utilization, utilization);
+  if (utilization <= 1) return;
+  if (seen.last != looks_made_ - 1 || seen.over_since < 0) seen.over_since = time_;
+  seen.last = looks_made_;
+  const double wait = kOverloadTime * transit_time(node);
+  if (time_ - seen.over_since + 1e-3 * dt_ >= wait) overloaded_.push_back({utilization, node});
+}
+
+/// Nodes of these tets at which a crack ends.
+std::vector<NodeId> ShockRun::front_among(const std::vector<TetId>& tets) const {
+  std::vector<NodeId> front;
+  for (const TetId tet : tets)
+    for (const NodeId node : world_.mesh.tets[tet])
+      if (world_.nodes.at_crack_front[node]) front.push_back(node);
+  return front;
+}
+
+void ShockRun::open(const Overload& overload) {
+  const NodeId node = overload.node;
+  const Body& body = body_of(node);
+  const BodyId id = body.id;
+  const double transit = transit_time(node);
+  if (world_.model->scene.bodies[body.scene_body].remeshing) write_back();
+  world_.time = time_;
+  const std::vector<TetId> star = world_.mesh.stars[node];
+  std::vector<std::array<TetId, 4>> neighbours;
+  for (const TetId tet : star) neighbours.push_back(world_.mesh.neighbours[tet]);
+  const std::vector<NodeId> front = front_among(star);
+  const std::size_t first_copy = opened_.copies.size(), tets = world_.mesh.tets.size();
+  looks_[local(node)].ready = time_ + transit;
+  const bool cracked = crack(world_, node, opened_);
+  if (world_.mesh.tets.size() > tets) {
+    restore_angular_momentum(world_, opened_.motions);
+    opened_.motions.clear();
+    rebuild_ = true;
+  }
+  if (!cracked) return;
+  ++world_.report.cracks;
+  opened_.bodies.insert(id);
+  world_.bodies[id].shock->last_event = time_;
+  const bool torn_off = world_.crack_events.back().torn_off;
+  if (torn_off) world_.bodies[id].system.reset();
+  if (rebuild_) return;
+  follow(std::span(opened_.copies).subspan(first_copy), star, neighbours);
+  if (torn_off)
+    for (const shock::SolidConstraint& held : solid_.constraints())
+      solid_.constrain(held.node, world_.nodes.constraints[nodes_[held.node]]);
+  for (const TetId tet : star)
+    for (const NodeId near : world_.mesh.tets[tet]) {
+      const bool new_front = world_.nodes.at_crack_front[near] && std::ranges::find(front, near) == front.end();
+      looks_[local(near)] = {time_ + (new_front ? transit / kCrackSpeed : transit), -1, -2};
+    }
+}
+
+/// Parts the nodes of the solid as those of the mesh were parted.
+void ShockRun::follow(std::span<const NodeCopy> copies, const std::vector<TetId>& star,
+                      const std::vector<std::array<TetId, 4>>& neighbours) {
+  const TetMesh& mesh = world_.mesh;
+  local_of_node_.resize(mesh.rest_positions.size(), -1);
+  std::map<NodeId, std::vector<NodeId>> parted;
+  for (const NodeCopy& copy : copies) parted[copy.original].push_back(copy.copy);
+  const auto entries = [&](NodeId node) {
+    std::vector<int> star_entries;
+    for (const TetId tet : mesh.stars[node])
+      star_entries.push_back(4 * slot_of_tet_[tet] + local_corner(mesh, tet, node));
+    return star_entries;
+  };
+  for (const auto& [original, made] : parted) {
+    const int index = local(original);
+    std::vector<std::vector<int>> stars = {entries(original)};
+    std::vector<int> locals;
+    for (const NodeId copy : made) {
+      stars.push_back(entries(copy));
+      locals.push_back(solid_.copy_node(index, world_.nodes.masses[copy]));
+      local_of_node_[copy] = locals.back();
+      nodes_.push_back(copy);
+      looks_.emplace_back();
+      starts_.push_back(Start(starts_[index]));
+    }
+    solid_.node(index).inverse_mass = 1 / world_.nodes.masses[original];
+    solid_.part(index, locals, stars);
+    update_threshold(index);
+    for (const int copy : locals) update_threshold(copy);
+  }
+  for (std::size_t i = 0; i < star.size(); ++i)
+    for (int face = 0; face < 4; ++face) {
+      const TetId was = neighbours[i][face];
+      if (!was.valid() || mesh.neighbours[star[i]][face].valid() || was < star[i]) continue;
+      impacts_->open(crack_sides(mesh, star[i], face, was, slot_of_tet_[star[i]], slot_of_tet_[was]));
+    }
+  for (const TetId tet : star)
+    for (const NodeId near : mesh.tets[tet])
+      if (world_.nodes.at_crack_front[near]) update_threshold(local(near));
+}
+
+}  // namespace griffith

@@ -1,0 +1,250 @@
+#include "sim/world/shock/shock_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "sim/mesh/topology.h"
+#include "sim/world/bodies/bodies.h"
+#include "sim/world/corners.h"
+#include "sim/world/energy/energy_phase.h"
+#include "sim/world/phases/contact_phase.h"
+#include "sim/world/phases/elastic_phase.h"
+#include "sim/world/phases/expected_impacts.h"
+#include "sim/world/shock/similarity.h"
+#include "sim/world/world_state.h"
+
+namespace griffith {
+namespace {
+
+/// Share of the stable microstep: nearer to it, the energy of the highest frequencies swings widely.
+constexpr double kCourant = 0.5;
+/// Overload is looked for at this interval, in the time that a wave takes to cross an element.
+constexpr double kLookInterval = 0.375;
+/// A node that is pushed again sooner is still pressed on, in the time that a wave takes to cross an element.
+constexpr double kPressing = 4;
+
+}  // namespace
+
+ShockRun::ShockRun(WorldState& world, std::vector<shock::Obstacle> obstacles) : world_(world), time_(world.time) {
+  opened_.first_event = world.crack_events.size();
+  build(std::move(obstacles));
+}
+
+void ShockRun::build(std::vector<shock::Obstacle> obstacles) {
+  solid_ = {};
+  bodies_.clear(), turns_.clear(), nodes_.clear(), tets_.clear(), surfaces_.clear(), overloaded_.clear();
+  starts_.clear();
+  local_of_node_.assign(world_.nodes.positions.size(), -1);
+  slot_of_tet_.assign(world_.mesh.tets.size(), -1);
+  const std::vector<Vec3> external = external_forces(world_);
+  double size = 0;
+  min_speed_ = std::numeric_limits<double>::infinity();
+  for (const Body& body : world_.bodies) {
+    if (!body.shock) continue;
+    add_body(body, external);
+    size += body.element_size;
+    min_speed_ = std::min(min_speed_, std::max(damage_speed(world_, body), min_impact_speed(world_)));
+  }
+  size /= static_cast<double>(bodies_.size());
+  solid_.finish();
+  seen_.assign(tets_.size(), -1);
+  looks_.assign(nodes_.size(), {});
+  for (int i = 0; i < solid_.node_count(); ++i) update_threshold(i);
+  impacts_.emplace(surface_of_bodies(), cracks_of_bodies(), std::move(obstacles), surfaces_, size);
+}
+
+void ShockRun::add_body(const Body& body, const std::vector<Vec3>& external) {
+  const std::vector<NodeId> nodes = nodes_of(world_.mesh, body.tets);
+  const Placement placement = placement_of(world_, nodes);
+  add_nodes(nodes, placement, body.shock->similarity, external);
+  add_elements(body, placement.turn);
+  bodies_.push_back(body.id);
+  turns_.push_back(placement.turn);
+  surfaces_.push_back({body.scene_body, world_.material_of(body).friction});
+}
+
+/// `external`: per node of the mesh [N]. What strains the body is scaled by f.
+void ShockRun::add_nodes(const std::vector<NodeId>& nodes, const Placement& placement, double f,
+                         const std::vector<Vec3>& external) {
+  const auto is_held = [&](NodeId node) { return !world_.nodes.constraints[node].is_free(); };
+  Vec3 common = Vec3::Zero();  // acceleration that strains nothing and is as it is, however the body is scaled
+  if (std::ranges::none_of(nodes, is_held)) {
+    double mass = 0;
+    for (const NodeId node : nodes) common += external[node], mass += world_.nodes.masses[node];
+    common /= mass;
+  }
+  for (const NodeId node : nodes) {
+    const Vec3 reference = placement.to_world(world_.mesh.rest_positions[node]);
+    const double mass = world_.nodes.masses[node];
+    const Vec3 acceleration = common + f * (external[node] / mass - common);
+    local_of_node_[node] = solid_.add_node(
+        {reference, world_.nodes.positions[node] - reference, world_.nodes.velocities[node], acceleration, mass});
+    nodes_.push_back(node);
+    starts_.push_back({world_.nodes.positions[node], external[node] / mass});
+    if (is_held(node)) solid_.constrain(local_of_node_[node], world_.nodes.constraints[node]);
+  }
+}
+
+void ShockRun::add_elements(const Body& body, const Mat3& turn) {
+  std::vector<std::array<int, 4>> tets;
+  std::vector<RestElement> rest_elements;
+  std::vector<Mat3> offsets;
+  for (const TetId tet : body.tets) {
+    std::array<int, 4>& corners = tets.emplace_back();
+    for (int i = 0; i < 4; ++i) corners[i] = local(world_.mesh.tets[tet][i]);
+    rest_elements.push_back(
+        {turn * world_.elements.rest_elements[tet].shape_gradients, world_.elements.rest_elements[tet].volume});
+    offsets.push_back(turn * stress_free_strain(world_, tet) * turn.transpose());
+  }
+  ElasticLaw law = law_in_shock(world_, body);  // of stress; forces are those of E′ = f² E
+  law.lambda *= body.shock->similarity, law.mu *= body.shock->similarity;
+  solid_.add_body(law, world_.material_of(body).density, tets, rest_elements, offsets);
+  const int first = solid_.slot(solid_.body_count() - 1, 0);
+  tets_.resize(solid_.tet_slots());
+  for (std::size_t i = 0; i < body.tets.size(); ++i) {
+    tets_[first + i] = body.tets[i];
+    slot_of_tet_[body.tets[i]] = first + static_cast<int>(i);
+  }
+}
+
+std::vector<shock::SurfaceSide> ShockRun::surface_of_bodies() const {
+  std::vector<shock::SurfaceSide> surface;
+  for (int slot = 0; slot < static_cast<int>(tets_.size()); ++slot) {
+    if (!tets_[slot].valid()) continue;
+    for (int face = 0; face < 4; ++face)
+      if (!world_.mesh.neighbours[tets_[slot]][face].valid()) surface.push_back({slot, face});
+  }
+  return surface;
+}
+
+/// Faces that cracks opened before, paired by their places at rest.
+std::vector<shock::CrackSides> ShockRun::cracks_of_bodies() const {
+  const TetMesh& mesh = world_.mesh;
+  std::map<std::array<double, 3>, std::pair<TetId, int>> unpaired;
+  std::vector<shock::CrackSides> cracks;
+  for (const TetId tet : tets_) {
+    if (!tet.valid()) continue;
+    for (int face = 0; face < 4; ++face) {
+      if (mesh.neighbours[tet][face].valid() || world_.elements.first_surface[tet] >> face & 1) continue;
+      std::array<Vec3, 3> places;
+      for (int i = 0; i < 3; ++i) places[i] = mesh.rest_positions[mesh.tets[tet][kTetFaces[face][i]]];
+      std::ranges::sort(places, [](const Vec3& a, const Vec3& b) {
+        return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+      });
+      const Vec3 sum = places[0] + 2 * places[1] + 4 * places[2];  // tells faces apart, whichever corner comes first
+      const std::array<double, 3> key{sum[0], sum[1], sum[2]};
+      const auto [other, is_new] = unpaired.try_emplace(key, tet, face);
+      if (is_new) continue;
+      const auto [partner, partner_face] = other->second;
+      cracks.push_back(crack_sides(mesh, partner, partner_face, tet, slot_of_tet_[partner], slot_of_tet_[tet]));
+      unpaired.erase(other);
+    }
+  }
+  return cracks;
+}
+
+const Body& ShockRun::body_of(NodeId node) const {
+  return world_.bodies[world_.elements.bodies[world_.mesh.stars[node].front()]];
+}
+
+void ShockRun::run(double duration) {
+  const double end = time_ + duration;
+  double previous_dt = 0;
+  while (end - time_ > 1e-9 * duration) {
+    rebuild_ = false;
+    const int steps = std::max(1, static_cast<int>(std::ceil((end - time_) / solid_.stable_step(kCourant) - 1e-9)));
+    dt_ = (end - time_) / steps;
+    solid_.set_step(dt_);
+    double transit = std::numeric_limits<double>::infinity();
+    for (const BodyId id : bodies_) transit = std::min(transit, element_transit_time(world_, world_.bodies[id]));
+    const int interval = std::max(1, static_cast<int>(kLookInterval * transit / dt_ + 0.2));
+    for (int i = 0; i < steps && !rebuild_; ++i) {
+      solid_.compute_forces();
+      if (i == 0) begin_account();
+      solid_.advance(0.5 * (1 + previous_dt / dt_), flagged_);
+      previous_dt = dt_;
+      time_ += dt_;
+      ++microsteps_;
+      impacts_->resolve(solid_, dt_, min_speed_);
+      record_blows();
+      if (microsteps_ % interval == 0) look();
+    }
+    impacts_->catch_up();
+    if (rebuild_) solid_.stop_viscosity();
+    solid_.compute_forces();
+    if (!rebuild_) solid_.kick(0.5);
+    book_account();
+    if (rebuild_) {
+      world_.time = time_;
+      build({impacts_->obstacles().begin(), impacts_->obstacles().end()});
+    }
+  }
+  world_.report.microsteps += static_cast<int>(microsteps_);
+  world_.scratch.microstep_work += kMicrostepWork * static_cast<double>(microsteps_ * solid_.tet_slots());
+}
+
+void ShockRun::record_blows() {
+  for (const shock::Impacts::Blow& blow : impacts_->blows()) {
+    const NodeId node = nodes_[blow.node];
+    Body& body = world_.bodies[body_of(node).id];
+    // What presses on, or has got stuck, blows at every microstep: no news.
+    const bool is_new = time_ - world_.nodes.pushed_at[node] > kPressing * transit_time(node);
+    world_.nodes.pushed_at[node] = time_;
+    if (is_new) body.shock->last_event = time_;
+    body.shock->impact_speed = std::max(body.shock->impact_speed, blow.approach);
+    const shock::Obstacle* obstacle = blow.obstacle >= 0 ? &impacts_->obstacles()[blow.obstacle] : nullptr;
+    world_.contact_views.push_back(
+        {body.id, obstacle ? world_.body_of(obstacle->object) : BodyId(), blow.place, -blow.normal, blow.impulse});
+  }
+}
+
+void ShockRun::write_back() {
+  for (int i = 0; i < solid_.node_count(); ++i) {
+    const bool sound = solid_.position(i).allFinite() && solid_.velocity(i).allFinite();
+    world_.nodes.positions[nodes_[i]] = sound ? solid_.position(i) : solid_.reference(i);
+    world_.nodes.velocities[nodes_[i]] = sound ? solid_.velocity(i) : Vec3::Zero();
+    world_.report.non_finite_values += !sound;
+  }
+  for (int slot = 0; slot < static_cast<int>(tets_.size()); ++slot) {
+    if (!tets_[slot].valid() || !solid_.is_relieved(slot)) continue;
+    const TetId tet = tets_[slot];
+    const ElementModel model = world_.material_of(world_.bodies[world_.elements.bodies[tet]]).element_model;
+    const Corners corners = corners_of(world_.mesh, tet, world_.nodes.positions);
+    let_sliver_yield(tet, element_deformation(model, world_.elements.rest_elements[tet], corners).strain);
+  }
+}
+
+/// What a relieved sliver strains beyond what it answers with stress is permanent: under its full stiffness it would
+/// give back more than was put in. `strain`: all of it [-].
+void ShockRun::let_sliver_yield(TetId tet, const Mat3& strain) {
+  world_.elements.plastic_strains[tet] = strain - elastic_strain(tet, strain) - world_.elements.similarity_strains[tet];
+}
+
+Mat3 ShockRun::elastic_strain(TetId tet, const Mat3& strain) const {
+  const int slot = slot_of_tet_[tet];
+  const Mat3& turn = turns_[solid_.body_of_slot(slot)];
+  return turn.transpose() * solid_.elastic_strain(slot, turn * strain * turn.transpose()) * turn;
+}
+
+void ShockRun::finish(double duration) {
+  write_back();
+  for (const shock::SolidConstraint& held : solid_.constraints())
+    world_.nodes.reactions[nodes_[held.node]] =
+        held.impulse / (duration * body_of(nodes_[held.node]).shock->similarity);
+  if (!opened_.bodies.empty()) part_opened(world_, opened_);
+  for (Body& body : world_.bodies) {
+    if (!body.shock) continue;
+    if (!body.rigid) {
+      const BodySnapshot before = snapshot(world_, body);
+      update_elements(world_, body);
+      world_.energy.plastic += plastic_work(world_, body, before);
+    }
+    update_motion(world_, body);
+    if (!body.rigid) continue;
+    body.shock.reset();
+    body.shock_ended = time_;
+  }
+}
+
+}  // namespace griffith

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "sim/shock/impacts.h"
+#include "sim/shock/solid.h"
+#include "sim/world/phases/cracking.h"
+#include "sim/world/shock/placement.h"
+
+namespace griffith {
+
+/// Face `first_face` of a tet that lost its neighbour `second`, corner by corner beside what is there now.
+shock::CrackSides crack_sides(const TetMesh& mesh, TetId first, int first_face, TetId second, int first_slot,
+                              int second_slot);
+
+/// The microsteps of all bodies in shock over a part of a step, from and back to the world.
+class ShockRun {
+ public:
+  /// `obstacles`: the rigid things that they may run into, as they are now.
+  ShockRun(WorldState& world, std::vector<shock::Obstacle> obstacles);
+
+  /// Goes on for `duration` [s]: moves, pushes and cracks.
+  void run(double duration);
+
+  /// Hands positions, velocities, reactions and pieces back to the world, after `duration` [s] in all.
+  void finish(double duration);
+
+  std::span<const shock::Obstacle> obstacles() { return impacts_->obstacles(); }
+
+ private:
+  /// What a look for overload knows of a node.
+  struct Look {
+    double ready = 0;        ///< beside a crack, the stress is not known before [s]
+    double over_since = -1;  ///< [s]; negative: was not overloaded in the last look
+    long last = -2;          ///< look in which it was overloaded
+  };
+  /// Where a node was when it was added, and its acceleration by external forces, however its body is scaled.
+  struct Start {
+    Vec3 position, external;  ///< [m], [m/s²]
+  };
+  struct Overload {
+    double utilization = 0;
+    NodeId node;
+  };
+
+  void build(std::vector<shock::Obstacle> obstacles);
+  void add_body(const Body& body, const std::vector<Vec3>& external);
+  void add_nodes(const std::vector<NodeId>& nodes, const Placement& placement, double f,
+                 const std::vector<Vec3>& external);
+  void add_elements(const Body& body, const Mat3& turn);
+  std::vector<shock::CrackSides> cracks_of_bodies() const;
+  std::vector<shock::SurfaceSide> surface_of_bodies() const;
+  void record_blows();
+  void look();
+  void judge(int index);
+  void open(const Overload& overload);
+  std::vector<NodeId> front_among(const std::vector<TetId>& tets) const;
+  void follow(std::span<const NodeCopy> copies, const std::vector<TetId>& star,
+              const std::vector<std::array<TetId, 4>>& neighbours);
+  void update_threshold(int index);
+  void bring_up_to_date(TetId tet);
+  void bring_stars_up_to_date();
+  void let_sliver_yield(TetId tet, const Mat3& strain);
+  Mat3 elastic_strain(TetId tet, const Mat3& strain) const;
+  void write_back();
+  void begin_account();
+  void book_account();
+  double relieved_energy(bool at_start) const;
+  void add_external_works(EnergyAccount& spent) const;
+  int local(NodeId node) const { return local_of_node_[node]; }
+  const Body& body_of(NodeId node) const;
+  double transit_time(NodeId node) const;
+
+  WorldState& world_;
+  shock::Solid solid_;
+  std::optional<shock::Impacts> impacts_;
+  std::vector<BodyId> bodies_;                    ///< per body of the solid
+  std::vector<Mat3> turns_;                       ///< per body of the solid, from its place at rest
+  std::vector<shock::SurfaceLaw> surfaces_;       ///< per body of the solid
+  std::vector<NodeId> nodes_;                     ///< per node of the solid
+  std::vector<TetId> tets_;                       ///< per slot; invalid in unused ones
+  std::vector<int> local_of_node_, slot_of_tet_;  ///< -1 outside the shock
+  std::vector<long> seen_;                        ///< per slot: microstep at which its state was made
+  std::vector<Look> looks_;                       ///< per node of the solid
+  std::vector<Overload> overloaded_;
+  std::vector<TetId> stale_;
+  std::vector<int> flagged_;
+  Opened opened_;
+  std::vector<Start> starts_;  ///< per node of the solid
+  EnergyAccount first_;        ///< what an account of this build starts from
+  double dt_ = 0, time_ = 0, min_speed_ = 0;
+  long microsteps_ = 0, looks_made_ = 0;
+  bool rebuild_ = false;  ///< the mesh has changed
+};
+
+}  // namespace griffith

@@ -1,0 +1,293 @@
+#include "sim/world/shock/similarity.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "sim/geometry/connected_groups.h"
+#include "sim/solver/pivot.h"
+#include "sim/world/bodies/bodies.h"
+#include "sim/world/corners.h"
+#include "sim/world/energy/energy_phase.h"
+#include "sim/world/phases/elastic_phase.h"
+#include "sim/world/phases/subdivision.h"
+#include "sim/world/shock/placement.h"
+#include "sim/world/world_state.h"
+
+namespace griffith {
+namespace {
+
+/// Waves would cross the whole body so often after the last event. Pieces of it are followed as long: cracks take about
+/// that time through them.
+constexpr double kTransits = 4;
+/// Down to here breaking speeds stay as they are.
+constexpr double kMinFactor = 1.0 / 16;
+/// Impacts and spins must be slower than this share of the slowed waves.
+constexpr double kImpactFraction = 0.2;
+/// The length of a microstep times the highest frequency.
+constexpr double kMicrostepAtFrequency = 0.887;
+/// What each stretch may spend, whatever was spent before: a share of the budget.
+constexpr double kMinFraction = 1.0 / 8;
+/// Scaled bodies strain more: no more than this at their strength.
+constexpr double kMaxStrain = 0.02;
+/// A shock that this share of the budget left can follow to its end is followed as it is.
+constexpr double kShareOfOneShock = 0.5;
+
+double min_factor(const WorldState& world, const Body& body) {
+  const Material& material = world.material_of(body);
+  if (material.yield_strength) return 1;  // flow has its own pace
+  const double speed = std::max(body.shock->impact_speed, inner_speed(world, body)),
+               for_speed = speed / (kImpactFraction * bar_wave_speed(material)),
+               for_strain = material.tensile_strength / (kMaxStrain * material.young_modulus);
+  return std::clamp(std::max(for_speed, for_strain), kMinFactor, 1.0);
+}
+
+/// Where a body is, to tell its deformation from: a free one where it fits best, one that swings about its pivot, any
+/// other at its place at rest.
+Placement frame_of(const WorldState& world, const Body& body) {
+  if (!body.supported()) return placement_of(world, body.nodes);
+  const auto pivot = pivot_of(body.system->supports(), world.nodes.constraints, world.nodes.positions);
+  if (!pivot) return {};
+  Placement placement = placement_of(world, body.nodes);
+  placement.rest_center += placement.turn.transpose() * (pivot->place - placement.center);
+  placement.center = pivot->place;
+  return placement;
+}
+
+Vec3 displacement(const WorldState& world, const Placement& frame, NodeId node) {
+  return frame.turn.transpose() * (world.nodes.positions[node] - frame.to_world(world.mesh.rest_positions[node]));
+}
+
+/// That of the body as it would be under the full stiffness.
+Vec3 true_displacement(const WorldState& world, const Body& body, const Placement& frame, NodeId node) {
+  const Vec3& start = world.nodes.similarity_starts[node];
+  const double f = body.shock->similarity;
+  const Vec3 now = displacement(world, frame, node);
+  return f == 1 ? now : Vec3(start + f * (now - start));
+}
+
+/// Centre and angular momentum as before a change of shape.
+void keep_momentum(WorldState& world, const Body& body, const RigidMotion& before) {
+  const Vec3 shift = before.center - motion_of(world, body).center;
+  for (const NodeId node : body.nodes) world.nodes.positions[node] += shift;
+  restore_angular_momentum(world, body, before);
+}
+
+/// What the microsteps of all bodies in shock come to.
+struct Demand {
+  int tets = 0;
+  double microsteps = 0;         ///< of what is left of the step
+  double highest_frequency = 0;  ///< as slowed now [rad/s]
+};
+
+Demand demand_of(const WorldState& world, double left) {
+  Demand demand;
+  for (const Body& body : world.bodies) {
+    if (!body.shock) continue;
+    demand.tets += static_cast<int>(body.tets.size());
+    demand.highest_frequency = std::max(demand.highest_frequency, body.shock->similarity * body.shock->frequency);
+  }
+  demand.microsteps = left * demand.highest_frequency / kMicrostepAtFrequency;
+  return demand;
+}
+
+/// What the user is told of a body that is not followed under its full stiffness.
+ScaledImpact scaled_impact(const WorldState& world, const Body& body) {
+  const Material& material = world.material_of(body);
+  const double f = body.shock->similarity;
+  ScaledImpact impact = body.scaled.value_or(ScaledImpact());
+  impact.factor = f;
+  impact.young_modulus = f * f * material.young_modulus;
+  impact.tensile_strength = f * material.tensile_strength;
+  return impact;
+}
+
+}  // namespace
+
+ElasticLaw law_in_shock(const WorldState& world, const Body& body) {
+  ElasticLaw law = elastic_law(world.material_of(body));
+  if (!body.shock) return law;
+  law.lambda *= body.shock->similarity;
+  law.mu *= body.shock->similarity;
+  return law;
+}
+
+double inner_speed(const WorldState& world, const Body& body) {
+  double fastest = 0;
+  for (const NodeId node : body.nodes)
+    fastest = std::max(fastest, (world.nodes.velocities[node] - body.motion.velocity).norm());
+  return fastest;
+}
+
+double slowed_wave_speed(const WorldState& world, const Body& body) {
+  return body.shock->similarity * bar_wave_speed(world.material_of(body));
+}
+
+double element_transit_time(const WorldState& world, const Body& body) {
+  return body.element_size / slowed_wave_speed(world, body);
+}
+
+double shock_window(const WorldState& world, const Body& body) {
+  return kTransits * world.model->extents[body.scene_body] / slowed_wave_speed(world, body);
+}
+
+double time_to_follow(const WorldState& world) {
+  double until = 0;
+  for (const Body& body : world.bodies)
+    if (body.shock) until = std::max(until, body.shock->last_event + shock_window(world, body) - world.time);
+  return until;
+}
+
+namespace {
+
+/// Per scene body: the least index of those in shock that it may meet within `duration` [s], straight or through
+/// others. They share one f: where waves are slowed in one of two bodies alone, its faces give way too far to the
+/// other's.
+std::vector<int> groups_in_shock(const WorldState& world, double duration) {
+  const int count = static_cast<int>(world.model->scene.bodies.size());
+  std::vector<Eigen::AlignedBox3d> boxes(count);
+  for (const Body& body : world.bodies) {
+    if (!body.shock) continue;
+    for (const NodeId node : body.nodes) {
+      boxes[body.scene_body].extend(world.nodes.positions[node]);
+      boxes[body.scene_body].extend(world.nodes.positions[node] + duration * world.nodes.velocities[node]);
+    }
+  }
+  std::vector<std::pair<int, int>> meetings;
+  for (int a = 0; a < count; ++a)
+    for (int b = 0; b < a; ++b)
+      if (!boxes[a].isEmpty() && !boxes[b].isEmpty() && boxes[a].intersects(boxes[b])) meetings.emplace_back(a, b);
+  return contact::connected_groups(count, meetings);
+}
+
+/// What the bodies of a group ask for.
+struct GroupDemand {
+  double min_factor = 0, highest_frequency = 0, similarity = 1;
+  std::optional<ScaledImpact> scaled;  ///< of the slowest
+
+  /// The f at which no frequency exceeds `frequency` [rad/s], and nobody's waves run faster than another's by now.
+  double factor(double frequency) const {
+    return std::max(min_factor, std::min(frequency / highest_frequency, similarity));
+  }
+};
+
+std::vector<GroupDemand> group_demands(const WorldState& world, const std::vector<int>& groups) {
+  std::vector<GroupDemand> demands(groups.size());
+  for (const Body& body : world.bodies) {
+    if (!body.shock) continue;
+    GroupDemand& demand = demands[groups[body.scene_body]];
+    demand.min_factor = std::max(demand.min_factor, min_factor(world, body));
+    demand.highest_frequency = std::max(demand.highest_frequency, body.shock->frequency);
+    if (body.shock->similarity >= demand.similarity) continue;
+    demand.similarity = body.shock->similarity;
+    demand.scaled = body.scaled;
+  }
+  return demands;
+}
+
+}  // namespace
+
+void choose_similarity(WorldState& world, double left) {
+  const double budget = 1e3 * world.model->scene.simulation.step_budget;
+  const double available = std::max(budget - world.scratch.microstep_work, kMinFraction * budget);
+  const Demand demand = demand_of(world, left);
+  const double work = demand.microsteps * kMicrostepWork * demand.tets,
+               followed = std::min(1.0, time_to_follow(world) / left);
+  const bool is_too_much = followed * work > kShareOfOneShock * available;
+  const auto is_scaled = [](const Body& body) { return body.shock && body.shock->similarity < 1; };
+  if (!is_too_much && std::ranges::none_of(world.bodies, is_scaled)) return;
+  const double frequency =
+      is_too_much ? demand.highest_frequency * available / work : std::numeric_limits<double>::infinity();
+  ScaledImpact told;
+  told.tets = demand.tets;
+  told.microsteps = demand.microsteps;
+  told.affordable = available / (kMicrostepWork * demand.tets);
+  const std::vector<int> groups = groups_in_shock(world, left);
+  const std::vector<GroupDemand> demands = group_demands(world, groups);
+  for (Body& body : world.bodies) {
+    if (!body.shock) continue;
+    const GroupDemand& group = demands[groups[body.scene_body]];
+    const double factor = group.factor(frequency);
+    if (factor < body.shock->similarity) {
+      body.scaled = frequency / group.highest_frequency < group.similarity ? told : group.scaled;
+      set_similarity(world, body, factor);
+    }
+    if (body.shock->similarity < 1) body.scaled = scaled_impact(world, body);
+  }
+}
+
+void set_similarity(WorldState& world, Body& body, double factor) {
+  const double before = body.shock->similarity;
+  const ElasticLaw law = elastic_law(world.material_of(body));
+  ElementArrays& elements = world.elements;
+  for (const TetId tet : body.tets) {
+    const ElementDeformation deformation =
+        element_deformation(law.model, elements.rest_elements[tet], corners_of(world.mesh, tet, world.nodes.positions));
+    const Mat3 free = deformation.strain - elements.plastic_strains[tet];
+    elements.similarity_strains[tet] = free - before / factor * (free - elements.similarity_strains[tet]);
+  }
+  const Placement frame = frame_of(world, body);
+  for (const NodeId node : body.nodes)
+    world.nodes.similarity_starts[node] =
+        (true_displacement(world, body, frame, node) - factor * displacement(world, frame, node)) / (1 - factor);
+  body.shock->similarity = factor;
+}
+
+namespace {
+
+/// The shape that belongs to a body's stress under its full stiffness; momentum and the places of supports stay.
+void take_true_shape(WorldState& world, Body& body) {
+  const RigidMotion before = motion_of(world, body);
+  const Placement frame = frame_of(world, body);
+  for (const NodeId node : body.nodes) {
+    const Vec3 place = frame.center + frame.turn * (world.mesh.rest_positions[node] - frame.rest_center +
+                                                    true_displacement(world, body, frame, node));
+    world.nodes.positions[node] += world.nodes.constraints[node].allowed * (place - world.nodes.positions[node]);
+  }
+  for (const TetId tet : body.tets) world.elements.similarity_strains[tet].setZero();
+  body.shock->similarity = 1;
+  if (!body.supported()) keep_momentum(world, body, before);
+  update_elements(world, body);
+}
+
+/// ε = C⁻¹ σ.
+Mat3 strain_of(const ElasticLaw& law, const Mat3& stress) {
+  const double fraction = law.lambda / (3 * law.lambda + 2 * law.mu);
+  return (stress - fraction * stress.trace() * Mat3::Identity()) / (2 * law.mu);
+}
+
+/// The shape and stress that a body had: what of its strain the full stiffness does not explain is permanent.
+void keep_shape(WorldState& world, const Body& body, const BodySnapshot& before) {
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+    world.nodes.positions[body.nodes[i]] = before.positions[i];
+    world.nodes.velocities[body.nodes[i]] = before.velocities[i];
+  }
+  const ElasticLaw law = elastic_law(world.material_of(body));
+  for (std::size_t i = 0; i < body.tets.size(); ++i) {
+    const TetId tet = body.tets[i];
+    const Corners corners = corners_of(world.mesh, tet, world.nodes.positions);
+    const Mat3 strain = element_deformation(law.model, world.elements.rest_elements[tet], corners).strain;
+    world.elements.plastic_strains[tet] = strain - strain_of(law, before.stresses[i]);
+  }
+  update_elements(world, body);
+}
+
+}  // namespace
+
+void end_similarity(WorldState& world, Body& body) {
+  if (body.shock->similarity == 1) return;
+  constexpr double kMaxGain = 1.05;  // of elastic energy: where supports hold on to what moves
+  const RigidMotion motion = motion_of(world, body);
+  const BodySnapshot before = snapshot(world, body);
+  const double energy = energy_of(world, body), elastic = elastic_energy(world, body);
+  take_true_shape(world, body);
+  if (elastic_energy(world, body) > kMaxGain * elastic) keep_shape(world, body, before);
+  update_motion(world, body);
+  const Vec3 displacement = body.motion.center - motion.center;
+  world.energy.scaling += energy - energy_of(world, body) + motion.mass * world.model->scene.gravity.dot(displacement);
+}
+
+}  // namespace griffith

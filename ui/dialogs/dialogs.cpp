@@ -1,0 +1,168 @@
+#include "ui/dialogs/dialogs.h"
+
+#include <array>
+#include <utility>
+
+#include "ui/dialogs/dialog_window.h"
+#include "ui/model/scene_names.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace griffith::ui {
+namespace {
+
+constexpr char kWorkTitle[] = "Building the bodies";
+
+constexpr std::array<std::pair<const char*, const char*>, 8> kMouseHelp = {{
+    {"Left drag", "turn about the target"},
+    {"Shift + drag, middle drag", "move the picture"},
+    {"Wheel", "come closer, go away"},
+    {"Click", "inspect a node and its element, select the body"},
+    {"Ctrl + drag", "move the slice plane"},
+    {"Right click in the view", "fire the projectile there"},
+    {"Right click on a number", "type a value, such as 20 GPa"},
+    {"Drop a file", "open a scene"},
+}};
+
+void labelled_text(const char* label, const std::string& text, ImU32 color) {
+  if (text.empty()) return;
+  ImGui::TextColored(as_vec4(palette::kTextDim), "%s", label);
+  ImGui::PushTextWrapPos(0);
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopTextWrapPos();
+  ImGui::Spacing();
+}
+
+void error_dialog(Panel& panel) {
+  std::optional<ErrorMessage>& error = panel.state.error;
+  if (!begin_dialog(panel, "That did not work", error.has_value(), 480)) return;
+  if (error) {
+    labelled_text("Where", error->where, palette::kText);
+    labelled_text("Problem", error->problem, palette::kError);
+    labelled_text("Remedy", error->remedy, palette::kGood);
+  }
+  hint(panel, "The program goes on with what it had.");
+  ImGui::Spacing();
+  if (text_button(panel, "error/close", "Close", 120 * ui_scale(panel)) || escape_pressed()) error.reset();
+  if (!error) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+void work_dialog(Panel& panel) {
+  EditorState& state = panel.state;
+  if (!begin_dialog(panel, kWorkTitle, true, 480)) return;
+  const std::string text = state.work + " ...";
+  ImGui::TextUnformatted(text.c_str());
+  tag_last_item(panel.tags, "work/stage", state.work);
+  ImGui::Spacing();
+  if (text_button(panel, "work/cancel", "Cancel", 120 * ui_scale(panel)) || escape_pressed()) state.cancel_work = true;
+  ImGui::EndPopup();
+}
+
+/// Closes the dialog of work that is done: nothing in it says so itself.
+void close_work_dialog() {
+  if (!ImGui::IsPopupOpen(kWorkTitle)) return;
+  if (ImGui::BeginPopupModal(kWorkTitle, nullptr, kDialogFlags)) {
+    ImGui::CloseCurrentPopup();
+    ImGui::EndPopup();
+  }
+}
+
+void open_scene(Panel& panel, const std::filesystem::path& path) {
+  issue(panel, {.id = CommandId::open, .path = path});
+  panel.state.show_open = false;
+}
+
+void scene_list(Panel& panel) {
+  ImGui::BeginChild("##scenes", {0, 12 * ImGui::GetTextLineHeightWithSpacing()});
+  const std::span<const std::filesystem::path> files = panel.input.scene_files;
+  const std::vector<std::string> names = scene_names(files);
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const std::string& name = names[i];
+    if (ImGui::Selectable(name.c_str(), files[i] == panel.input.scene_path)) open_scene(panel, files[i]);
+    tag_last_item(panel.tags, "open/" + name, name);
+  }
+  ImGui::EndChild();
+}
+
+void open_dialog(Panel& panel) {
+  EditorState& state = panel.state;
+  if (!begin_dialog(panel, "Open a scene", state.show_open, 520)) return;
+  scene_list(panel);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  const bool entered =
+      ImGui::InputTextWithHint("##path", "path of a scene file, or drop it on the window", state.path_text.data(),
+                               state.path_text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool left = escape_left_untyped();
+  tag_last_item(panel.tags, "open/path", state.path_text.data());
+  ImGui::Spacing();
+  const bool pressed = text_button(panel, "open/open", "Open", 120 * ui_scale(panel));
+  if ((entered || pressed) && state.path_text[0] != '\0') open_scene(panel, state.path_text.data());
+  ImGui::SameLine();
+  if (text_button(panel, "open/cancel", "Cancel", 120 * ui_scale(panel)) || escape_pressed() || left)
+    state.show_open = false;
+  if (!state.show_open) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+void help_table_row(const char* keys, const char* text) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::TextColored(as_vec4(palette::kAccent), "%s", keys);
+  ImGui::TableNextColumn();
+  ImGui::TextUnformatted(text);
+}
+
+void help_dialog(Panel& panel) {
+  EditorState& state = panel.state;
+  if (!begin_dialog(panel, "Mouse and keyboard", state.show_help, 620)) return;
+  if (ImGui::BeginTable("##help", 2, ImGuiTableFlags_SizingFixedFit)) {
+    for (const auto& [keys, text] : kMouseHelp) help_table_row(keys, text);
+    help_table_row("", "");
+    for (const CommandInfo& info : command_registry()) {
+      if (info.shortcut.key == key::kNone) continue;
+      help_table_row(std::string(info.shortcut_text).c_str(), std::string(info.hint).c_str());
+    }
+    ImGui::EndTable();
+  }
+  ImGui::Spacing();
+  if (text_button(panel, "help/close", "Close", 120 * ui_scale(panel)) || escape_pressed()) state.show_help = false;
+  if (!state.show_help) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+}  // namespace
+
+void draw_dialogs(Panel& panel) {
+  if (panel.state.work.empty()) close_work_dialog();
+  switch (shown_dialog(panel.state)) {
+    case Dialog::none:
+      return;
+    case Dialog::work:
+      return work_dialog(panel);
+    case Dialog::error:
+      return error_dialog(panel);
+    case Dialog::large_mesh:
+      return draw_large_mesh_dialog(panel);
+    case Dialog::report:
+      return draw_report_dialog(panel);
+    case Dialog::unsaved:
+      return draw_unsaved_dialog(panel);
+    case Dialog::save_as:
+      return draw_save_dialog(panel);
+    case Dialog::replacement:
+      return draw_replacement_dialog(panel);
+    case Dialog::left_edits:
+      return draw_left_edits_dialog(panel);
+    case Dialog::surface:
+      return draw_surface_dialog(panel);
+    case Dialog::open:
+      return open_dialog(panel);
+    case Dialog::help:
+      return help_dialog(panel);
+  }
+}
+
+}  // namespace griffith::ui

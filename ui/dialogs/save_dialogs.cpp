@@ -1,0 +1,143 @@
+#include <algorithm>
+#include <cfloat>
+
+#include "ui/dialogs/dialog_window.h"
+#include "ui/dialogs/dialogs.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace griffith::ui {
+namespace {
+
+constexpr float kButtonWidth = 120;    // design pixels
+constexpr std::size_t kMaxLines = 12;  ///< of the list, before it scrolls
+
+void set_name(SaveTarget& target, const std::string& name) {
+  target.name = {};
+  name.copy(target.name.data(), target.name.size() - 1);
+}
+
+/// The scenes that are there: a click takes the name.
+void name_list(Panel& panel, SaveTarget& target) {
+  if (target.there.empty()) return;
+  const auto lines = static_cast<float>(std::min<std::size_t>(target.there.size(), kMaxLines));
+  ImGui::BeginChild("##scenes", {0, lines * ImGui::GetTextLineHeightWithSpacing()});
+  for (const std::string& name : target.there) {
+    if (ImGui::Selectable(name.c_str(), name == target.name.data())) set_name(target, name);
+    tag_last_item(panel.tags, "save/" + name, name);
+  }
+  ImGui::EndChild();
+}
+
+void close(bool answered) {
+  if (answered) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+}  // namespace
+
+SaveTarget save_target(const std::filesystem::path& file) {
+  const std::filesystem::path whole = std::filesystem::absolute(file).lexically_normal();
+  SaveTarget target{whole.parent_path(), {}, {}};
+  set_name(target, whole.filename().string());
+  return target;
+}
+
+std::filesystem::path file_of(const SaveTarget& target) {
+  std::filesystem::path file = target.folder / target.name.data();
+  if (file.extension() != ".json") file += ".json";
+  return file.lexically_normal();
+}
+
+void draw_save_dialog(Panel& panel) {
+  std::optional<SaveTarget>& target = panel.state.save_as;
+  if (!begin_dialog(panel, "Save the scene as", target.has_value(), 520)) return;
+  name_list(panel, *target);
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  const bool entered =
+      ImGui::InputTextWithHint("##name", "name of the file", target->name.data(), target->name.size(),
+                               ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  const bool left = escape_left_untyped();
+  tag_last_item(panel.tags, "save/name", target->name.data());
+  const bool named = target->name[0] != '\0';
+  const std::filesystem::path file = file_of(*target);
+  hint(panel, named ? file.string() : target->folder.string());
+  tag_last_item(panel.tags, "save/path", file.string());
+  ImGui::Spacing();
+  const bool pressed = text_button(panel, "save/save", "Save", kButtonWidth * ui_scale(panel));
+  const bool saved = (entered || pressed) && named;
+  if (saved) issue(panel, {.id = CommandId::save, .path = file});
+  ImGui::SameLine();
+  const bool cancelled =
+      text_button(panel, "save/cancel", "Cancel", kButtonWidth * ui_scale(panel)) || escape_pressed() || left;
+  if (cancelled) panel.state.after_save.reset();
+  if (saved || cancelled) target.reset();
+  close(saved || cancelled);
+}
+
+void draw_replacement_dialog(Panel& panel) {
+  std::optional<Replacement>& replacement = panel.state.replacement;
+  if (!begin_dialog(panel, "Replace the file?", replacement.has_value(), 480)) return;
+  ImGui::TextWrapped("%s What it holds would be lost.", replacement->problem.c_str());
+  tag_last_item(panel.tags, "replace/problem", replacement->problem);
+  ImGui::Spacing();
+  const float width = kButtonWidth * ui_scale(panel);
+  const bool agreed = text_button(panel, "replace/replace", "Replace", width);
+  if (agreed) {
+    replacement->command.replace = true;
+    issue(panel, replacement->command);
+  }
+  ImGui::SameLine();
+  const bool cancelled = text_button(panel, "replace/cancel", "Cancel", width) || escape_pressed();
+  const std::filesystem::path file = replacement->command.path;
+  if (cancelled && !file.empty()) issue(panel, {.id = CommandId::save_dialog, .path = file});
+  if (cancelled && file.empty()) panel.state.after_save.reset();
+  if (agreed || cancelled) replacement.reset();
+  close(agreed || cancelled);
+}
+
+void draw_unsaved_dialog(Panel& panel) {
+  std::optional<Command>& command = panel.state.unsaved;
+  if (!begin_dialog(panel, "Edits are not saved", command.has_value(), 480)) return;
+  ImGui::TextWrapped("%s would lose them.", command->id == CommandId::quit ? "Quitting" : "Opening another scene");
+  ImGui::Spacing();
+  const float width = kButtonWidth * ui_scale(panel);
+  const bool saved = text_button(panel, "unsaved/save", "Save", width);
+  ImGui::SameLine();
+  const bool discarded = text_button(panel, "unsaved/discard", "Discard", width);
+  ImGui::SameLine();
+  const bool cancelled = text_button(panel, "unsaved/cancel", "Cancel", width) || escape_pressed();
+  if (saved) {
+    panel.state.after_save = command;
+    issue(panel, {.id = CommandId::save});
+  } else if (discarded) {
+    command->discard_edits = true;
+    issue(panel, *command);
+  }
+  if (saved || discarded || cancelled) command.reset();
+  close(saved || discarded || cancelled);
+}
+
+void draw_left_edits_dialog(Panel& panel) {
+  std::string& edits = panel.state.left_edits;
+  if (!begin_dialog(panel, "Edits were cut short", !edits.empty(), 520)) return;
+  ImGui::TextWrapped("Griffith ended before these edits were saved. A copy of them was kept:");
+  ImGui::TextWrapped("%s", edits.c_str());
+  tag_last_item(panel.tags, "left_edits/text", edits);
+  ImGui::Spacing();
+  const float width = kButtonWidth * ui_scale(panel);
+  std::optional<CommandId> answer;
+  if (text_button(panel, "left_edits/recover", "Recover", width)) answer = CommandId::recover;
+  ImGui::SameLine();
+  if (text_button(panel, "left_edits/discard", "Discard", width)) answer = CommandId::discard_copy;
+  ImGui::SameLine();
+  if (text_button(panel, "left_edits/later", "Ask later", width) || escape_pressed()) answer = CommandId::leave_copy;
+  if (answer) {
+    issue(panel, {.id = *answer});
+    edits.clear();
+  }
+  close(answer.has_value());
+}
+
+}  // namespace griffith::ui

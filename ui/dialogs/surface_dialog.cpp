@@ -1,0 +1,98 @@
+#include <array>
+#include <cfloat>
+#include <string>
+
+#include "ui/dialogs/dialog_window.h"
+#include "ui/dialogs/dialogs.h"
+#include "ui/widgets/field_range.h"
+#include "ui/widgets/number_slider.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace griffith::ui {
+namespace {
+
+/// As MeshingMethod.
+const std::array<std::string, 3> kMethods = {"automatic", "TetGen", "volumetric"};
+
+void method_row(Panel& panel, MeshingMethod& method) {
+  const int chosen = combo_row(panel, "surface/method", "Method", kMethods, kMethods[static_cast<std::size_t>(method)]);
+  if (chosen >= 0) method = static_cast<MeshingMethod>(chosen);
+}
+
+void fill(Panel& panel) {
+  issue(panel, {.id = CommandId::add_surface});
+  panel.state.show_surface = false;
+}
+
+void text_lines(Panel& panel, const char* tag, const std::vector<std::string>& lines, ImU32 color) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(lines[i].c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+    tag_last_item(panel.tags, tag + std::to_string(i), lines[i]);
+  }
+}
+
+}  // namespace
+
+void draw_surface_dialog(Panel& panel) {
+  EditorState& state = panel.state;
+  SurfaceRequest& request = state.surface;
+  if (!begin_dialog(panel, "Add a body from a surface", state.show_surface, 520)) return;
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  const bool entered =
+      ImGui::InputTextWithHint("##surface", "path of an OBJ, STL, PLY, OFF or glTF file", request.path.data(),
+                               request.path.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool left = escape_left_untyped();
+  tag_last_item(panel.tags, "surface/path", request.path.data());
+  number_slider(panel,
+                {.tag = "surface/scale",
+                 .label = "Metres per unit",
+                 .numbers = range_of<SurfaceShape>("scale"),
+                 .low = 1e-6,
+                 .high = 1e3,
+                 .logarithmic = true},
+                request.scale);
+  method_row(panel, request.method);
+  checkbox(panel, "surface/automatic_size", "Element size from the size of the surface", request.automatic_size);
+  if (!request.automatic_size)
+    number_slider(panel,
+                  {.tag = "surface/element_size",
+                   .label = "Element size",
+                   .numbers = range_of<SurfaceShape>("element_size"),
+                   .low = 1e-3,
+                   .high = 100,
+                   .logarithmic = true},
+                  request.element_size);
+  hint(panel,
+       "TetGen keeps every triangle of the surface; the volumetric method takes open and crossing surfaces too.");
+  ImGui::Spacing();
+  const bool pressed = text_button(panel, "surface/fill", "Fill", 120 * ui_scale(panel));
+  if ((entered || pressed) && request.path[0] != '\0') fill(panel);
+  ImGui::SameLine();
+  if (text_button(panel, "surface/cancel", "Cancel", 120 * ui_scale(panel)) || escape_pressed() || left)
+    state.show_surface = false;
+  if (!state.show_surface) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+void draw_report_dialog(Panel& panel) {
+  std::optional<WorkReport>& report = panel.state.report;
+  if (!begin_dialog(panel, "Done", report.has_value(), 520)) return;
+  if (report) {
+    ImGui::TextUnformatted(report->title.c_str());
+    tag_last_item(panel.tags, "report/title", report->title);
+    ImGui::Spacing();
+    text_lines(panel, "report/fact", report->facts, palette::kText);
+    text_lines(panel, "report/warning", report->warnings, palette::kAccent);
+  }
+  ImGui::Spacing();
+  if (text_button(panel, "report/close", "Close", 120 * ui_scale(panel)) || escape_pressed()) report.reset();
+  if (!report) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+}  // namespace griffith::ui

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "sim/core/linear_algebra.h"
+
+namespace griffith::ui {
+
+/// Everything that a user can ask for besides editing values.
+enum class CommandId {
+  toggle_run,
+  step,
+  reset,
+  fire,
+  pick,
+  open_dialog,
+  open,
+  add_surface_dialog,
+  add_surface,
+  save,
+  save_dialog,
+  recover,
+  discard_copy,
+  leave_copy,
+  undo,
+  redo,
+  frame_all,
+  toggle_edges,
+  toggle_range_lock,
+  toggle_slice,
+  select_most_loaded,
+  screenshot,
+  help,
+  quit,
+};
+
+/// A request, carried out by the program after the panels are drawn.
+struct Command {
+  CommandId id;
+  std::filesystem::path path = {};  ///< open: the scene; save: where, or empty for its own file; save_dialog: proposed
+  Vec2 cursor = Vec2(0.5, 0.5);     ///< fire, pick: place in the view, from its top left corner, 0..1
+  bool discard_edits = false;       ///< open, quit: even where edits are not saved
+  bool replace = false;             ///< save: even where that loses what another has written
+};
+
+/// Key codes in GLFW's numbering; letters and digits are their ASCII codes.
+namespace key {
+inline constexpr int kNone = 0, kSpace = 32, kEscape = 256, kHome = 268, kF1 = 290, kF12 = 301;
+inline constexpr int kLeftShift = 340, kLeftControl = 341, kLeftAlt = 342, kLeftSuper = 343;
+inline constexpr int kRightShift = 344, kRightControl = 345, kRightAlt = 346, kRightSuper = 347;
+inline constexpr int kFirstModifier = kLeftShift, kLastModifier = kRightSuper;
+}  // namespace key
+
+struct Shortcut {
+  int key = key::kNone;
+  bool ctrl = false, shift = false;
+};
+
+/// A command as menus, buttons, shortcuts, help and tests know it.
+struct CommandInfo {
+  CommandId id;
+  std::string_view name;   ///< "simulation.step"
+  std::string_view label;  ///< "Step"
+  std::string_view hint;   ///< one line for tooltips and help
+  Shortcut shortcut;
+  std::string_view shortcut_text;  ///< "Ctrl+Z"
+};
+
+/// All commands, in the order in which help shows them.
+std::span<const CommandInfo> command_registry();
+const CommandInfo& command_info(CommandId id);
+
+}  // namespace griffith::ui

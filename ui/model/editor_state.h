@@ -1,0 +1,120 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/scene/scene.h"
+#include "ui/model/commands.h"
+#include "ui/model/edit_history.h"
+#include "ui/model/selection.h"
+
+namespace griffith::ui {
+
+/// What the mouse asked of the camera in one drawn frame.
+struct CameraMotion {
+  float yaw = 0, pitch = 0;             ///< turn about the target [rad]
+  float pan_right = 0, pan_up = 0;      ///< of camera and target, in heights of the picture
+  float zoom = 1;                       ///< factor on the distance to the target
+  float slice_right = 0, slice_up = 0;  ///< of the slice plane, in heights of the picture
+};
+
+/// What the utilization of a node was at a time.
+struct UtilizationSample {
+  double time = 0;  ///< [s]
+  float utilization = 0;
+  bool broke = false;  ///< the node separated under it
+};
+
+/// What an error dialog says.
+struct ErrorMessage {
+  std::string where, problem, remedy;
+};
+
+/// A body to be filled from a surface file, as the dialog for it has it.
+struct SurfaceRequest {
+  std::array<char, 512> path = {};
+  double scale = 1;            ///< metres per unit of the file
+  bool automatic_size = true;  ///< the size of the elements follows from that of the surface
+  double element_size = 0.1;   ///< else this [m]
+  MeshingMethod method = MeshingMethod::automatic;
+};
+
+/// Where the scene is to be saved, as the dialog for it has it.
+struct SaveTarget {
+  std::filesystem::path folder;  ///< where relative names start, absolute
+  std::array<char, 512> name = {};
+  std::vector<std::string> there;  ///< names of scenes in the folder
+};
+/// With the file's folder and name.
+SaveTarget save_target(const std::filesystem::path& file);
+/// The file; ends in .json, whether that was typed or not.
+std::filesystem::path file_of(const SaveTarget& target);
+
+/// A save that would lose what another has written.
+struct Replacement {
+  Command command;
+  std::string problem;  ///< "/home/me/wall.json is there already."
+};
+
+/// Why the last edit of a field was not taken as it was meant.
+struct FieldNote {
+  std::string tag;  ///< of the field; empty: there is nothing to say
+  std::string text;
+};
+
+/// What there is to tell about work that went well.
+struct WorkReport {
+  std::string title;
+  std::vector<std::string> facts, warnings;
+};
+
+enum class LogLevel { info, warning, error };
+
+struct LogLine {
+  LogLevel level = LogLevel::info;
+  std::string text;
+};
+
+/// What the editor itself remembers: nothing of it is part of the scene, nothing of it influences results of a step.
+struct EditorState {
+  bool running = false;
+  double speed = 1;          ///< simulated seconds per second, 0.001..1
+  ViewSettings view;         ///< as shown now; starts with the scene's
+  ProjectileBurst shot;      ///< what the projectile tool fires; position and direction come from the cursor
+  int selected_body = 0;     ///< index into Scene::bodies
+  bool list_pieces = false;  ///< the list of bodies holds each piece by itself
+  std::array<char, 64> body_filter = {};  ///< what the listed ones have in their name or state
+  FieldNote field_note;                   ///< of the last edit, until the next click
+  Selection selection;                    ///< picked in the view; follows the material when a body breaks
+  CameraMotion camera_motion;
+  ImVec2 viewport_minimum = {0, 0}, viewport_size = {0, 0};  ///< of the picture, as drawn last [pixels]
+  float left_width = 0, right_width = 0;                     ///< of the side panels [pixels]; 0: not laid out yet
+  bool show_times = true;  ///< milliseconds and pictures a second; off makes pictures of the panels reproducible
+  bool show_help = false, show_open = false, show_surface = false;
+  SurfaceRequest surface;
+  std::optional<WorkReport> report;
+  std::string work;                  ///< what is being done while a world is built; empty: nothing
+  bool cancel_work = false;          ///< the user wants no more of it
+  std::optional<double> large_mesh;  ///< the tetrahedra that work would make: so many that it waits for an answer
+  bool build_large_mesh = false;     ///< the answer is yes
+  std::optional<ErrorMessage> error;
+  std::optional<Command> unsaved;          ///< waits for an answer: it would lose edits that are not saved
+  std::optional<SaveTarget> save_as;       ///< being asked for
+  std::optional<Replacement> replacement;  ///< waits for an answer
+  std::optional<Command> after_save;       ///< what the scene is being saved for
+  std::string left_edits;                  ///< which edits were cut short and are waiting for an answer; empty: none
+  std::vector<LogLine> log;
+  std::size_t log_seen = 0;              ///< so many of the lines are older than the last thing that the user did
+  std::array<char, 512> path_text = {};  ///< being typed in the open dialog
+  std::string typed_tag;                 ///< the number field being typed into
+  std::array<char, 64> typed_text = {};
+  int typed_frames = 0;  ///< drawn since typing began
+};
+
+}  // namespace griffith::ui

@@ -1,0 +1,111 @@
+#include "ui/model/input_queue.h"
+
+#include <algorithm>
+#include <cfloat>
+
+#include "ui/model/commands.h"
+
+namespace griffith::ui {
+namespace {
+
+// Frames until the keyboard is where a click led it, and where Enter, Escape or Tab left it.
+constexpr int kFramesToFocus = 3, kFramesToLeave = 2;
+
+bool is_modifier(int key) { return key >= key::kFirstModifier && key <= key::kLastModifier; }
+
+/// Writes a character, unless modifiers make a shortcut of it.
+bool is_text_key(int key) { return key >= key::kSpace && key < key::kEscape; }
+
+bool either(const ImGuiIO& io, int left, int right) { return io.KeysDown[left] || io.KeysDown[right]; }
+
+}  // namespace
+
+void InputQueue::key(int key, bool down) {
+  if (key >= 0 && key < IM_ARRAYSIZE(ImGuiIO::KeysDown)) events_.push_back({Kind::key, key, down});
+}
+
+void InputQueue::button(int button, bool down) {
+  if (button >= 0 && button < ImGuiMouseButton_COUNT) events_.push_back({Kind::button, button, down});
+}
+
+void InputQueue::move(ImVec2 place) { events_.push_back({.kind = Kind::move, .place = place}); }
+
+void InputQueue::scroll(float right, float up) { events_.push_back({.kind = Kind::scroll, .place = {right, up}}); }
+
+void InputQueue::text(unsigned int character) { events_.push_back({Kind::text, static_cast<int>(character)}); }
+
+/// Text is typed without its keys: fields read the characters, and shortcuts are not meant.
+bool InputQueue::changes(const Event& event, const ImGuiIO& io) {
+  if (event.kind == Kind::button) return io.MouseDown[event.code] != event.down;
+  if (event.kind != Kind::key) return true;
+  const bool typed = event.down && io.WantTextInput && is_text_key(event.code) && !io.KeyCtrl && !io.KeySuper;
+  return !typed && io.KeysDown[event.code] != event.down;
+}
+
+bool InputQueue::fits(const Event& event, const Seen& seen) {
+  const auto acted = [&](Kind kind) { return seen.act && seen.act->kind == kind; };
+  switch (event.kind) {
+    case Kind::key:
+      return !seen.act && !seen.changed_keys[static_cast<std::size_t>(event.code)];
+    case Kind::button:  // what is dragged sees where it was let go before it is
+      return !seen.act && (event.down || !seen.moved);
+    case Kind::move:
+      return !seen.act;
+    case Kind::scroll:
+      return !seen.act || acted(Kind::scroll);
+    case Kind::text:
+      return !seen.act || acted(Kind::text) || (acted(Kind::key) && is_text_key(seen.act->code));
+  }
+  return true;
+}
+
+bool InputQueue::waits_for_focus(const Event& event) const {
+  return frames_to_focus_ > 0 && (event.kind == Kind::text || (event.kind == Kind::key && event.down));
+}
+
+void InputQueue::tell(const Event& event, ImGuiIO& io, Seen& seen) {
+  switch (event.kind) {
+    case Kind::key:
+      io.KeysDown[event.code] = event.down;
+      seen.changed_keys[static_cast<std::size_t>(event.code)] = true;
+      if (!event.down || is_modifier(event.code)) return;
+      if (io.WantTextInput && !is_text_key(event.code)) frames_to_focus_ = kFramesToLeave;
+      break;
+    case Kind::button:
+      io.MouseDown[event.code] = event.down;
+      if (event.down) frames_to_focus_ = kFramesToFocus;
+      break;
+    case Kind::move:
+      place_ = event.place;
+      seen.moved = true;
+      return;
+    case Kind::scroll:
+      io.MouseWheelH += event.place.x;
+      io.MouseWheel += event.place.y;
+      break;
+    case Kind::text:
+      io.AddInputCharacter(static_cast<unsigned int>(event.code));
+      break;
+  }
+  seen.act = event;
+}
+
+void InputQueue::play(ImGuiIO& io) {
+  frames_to_focus_ = std::max(frames_to_focus_ - 1, 0);
+  Seen seen;
+  while (!events_.empty()) {
+    const Event event = events_.front();
+    if (changes(event, io)) {
+      if (waits_for_focus(event) || !fits(event, seen)) break;
+      tell(event, io, seen);
+      io.KeyShift = either(io, key::kLeftShift, key::kRightShift);
+      io.KeyCtrl = either(io, key::kLeftControl, key::kRightControl);
+      io.KeyAlt = either(io, key::kLeftAlt, key::kRightAlt);
+      io.KeySuper = either(io, key::kLeftSuper, key::kRightSuper);
+    }
+    events_.pop_front();
+  }
+  io.MousePos = place_;
+}
+
+}  // namespace griffith::ui

@@ -1,0 +1,122 @@
+#include "ui/panels/editor_layout.h"
+
+#include <algorithm>
+
+#include "ui/dialogs/dialogs.h"
+#include "ui/panels/panels.h"
+#include "ui/panels/shortcuts.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace griffith::ui {
+namespace {
+
+constexpr float kSideWidth = 300, kMinimumSide = 240, kMaximumSide = 520;  // design pixels
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                                    ImGuiWindowFlags_NoBringToFrontOnFocus;
+constexpr ImGuiWindowFlags kBar = kFixed | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoScrollbar;
+
+/// Where the fixed windows lie.
+struct Layout {
+  ImVec2 corner, end;  ///< of everything below the menu
+  float toolbar_height, status_height;
+  float top() const { return corner.y + toolbar_height; }
+  float bottom() const { return end.y - status_height; }
+};
+
+Layout lay_out() {
+  const ImGuiViewport* viewport = ImGui::GetMainViewport();
+  const ImGuiStyle& style = ImGui::GetStyle();
+  return {viewport->WorkPos,
+          {viewport->WorkPos.x + viewport->WorkSize.x, viewport->WorkPos.y + viewport->WorkSize.y},
+          ImGui::GetFrameHeight() + 2 * style.WindowPadding.y,
+          ImGui::GetTextLineHeight() + style.WindowPadding.y};
+}
+
+void begin_fixed(const char* name, ImVec2 corner, ImVec2 end, ImGuiWindowFlags flags, ImU32 color) {
+  ImGui::SetNextWindowPos(corner);
+  ImGui::SetNextWindowSize({end.x - corner.x, end.y - corner.y});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, color);
+  ImGui::Begin(name, nullptr, flags);
+  ImGui::PopStyleColor();
+}
+
+/// A side panel whose inner border can be dragged; `width` follows.
+void begin_side(const Panel& panel, const char* name, const Layout& layout, bool left, float& width) {
+  const float scale = ui_scale(panel), height = layout.bottom() - layout.top();
+  const ImGuiCond once = width == 0 ? ImGuiCond_Always : ImGuiCond_Once;
+  if (width == 0) width = kSideWidth * scale;
+  ImGui::SetNextWindowSize({width, height}, once);
+  ImGui::SetNextWindowSizeConstraints({kMinimumSide * scale, height}, {kMaximumSide * scale, height});
+  ImGui::SetNextWindowPos({left ? layout.corner.x : layout.end.x - width, layout.top()});
+  ImGui::Begin(name, nullptr, kFixed);
+  width = ImGui::GetWindowWidth();
+}
+
+void draw_left(Panel& panel, const Layout& layout) {
+  begin_side(panel, "##left", layout, true, panel.state.left_width);
+  draw_bodies_panel(panel);
+  draw_material_panel(panel);
+  draw_body_panel(panel);
+  draw_scene_panel(panel);
+  draw_projectile_panel(panel);
+  ImGui::End();
+}
+
+void draw_right(Panel& panel, const Layout& layout) {
+  begin_side(panel, "##right", layout, false, panel.state.right_width);
+  draw_view_panel(panel);
+  // Rows of numbers stand closer than widgets.
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 3 * ui_scale(panel)});
+  draw_inspector_panel(panel);
+  draw_statistics_panel(panel);
+  ImGui::PopStyleVar();
+  ImGui::End();
+}
+
+void draw_bars(Panel& panel, const Layout& layout) {
+  begin_fixed("##toolbar", layout.corner, {layout.end.x, layout.top()}, kBar, palette::kWindow);
+  draw_toolbar(panel);
+  ImGui::End();
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ImGui::GetStyle().WindowPadding.x, 4 * ui_scale(panel)});
+  begin_fixed("##status", {layout.corner.x, layout.bottom()}, layout.end, kBar, palette::kWindow);
+  draw_status_bar(panel);
+  ImGui::End();
+  ImGui::PopStyleVar();
+}
+
+void draw_center(Panel& panel, const Layout& layout) {
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  begin_fixed("##view", {layout.corner.x + panel.state.left_width, layout.top()},
+              {layout.end.x - panel.state.right_width, layout.bottom()}, kBar | ImGuiWindowFlags_NoScrollWithMouse,
+              palette::kWindow);
+  ImGui::PopStyleVar();
+  draw_viewport(panel);
+  ImGui::End();
+}
+
+}  // namespace
+
+std::vector<Command> draw_editor(const EditorInput& input, EditorState& state, EditHistory& history, WidgetTags& tags) {
+  std::vector<Command> commands;
+  tags.clear();
+  Panel panel{input, state, history, tags, commands};
+  const bool had_error = state.error.has_value();
+  const std::int64_t revision = history.revision();
+  for (int button = 0; button < ImGuiMouseButton_COUNT; ++button)
+    if (ImGui::IsMouseClicked(button)) state.field_note = {};
+  issue_shortcuts(panel);
+  draw_menu_bar(panel);
+  const Layout layout = lay_out();
+  draw_bars(panel, layout);
+  draw_left(panel, layout);
+  draw_right(panel, layout);
+  draw_center(panel, layout);
+  draw_dialogs(panel);
+  const bool acted = !commands.empty() || history.revision() != revision || (had_error && !state.error);
+  if (acted) state.log_seen = state.log.size();
+  return commands;
+}
+
+}  // namespace griffith::ui

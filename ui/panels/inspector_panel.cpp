@@ -1,0 +1,164 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "sim/elasticity/principal_stress.h"
+#include "ui/model/units.h"
+#include "ui/model/verdict.h"
+#include "ui/panels/panels.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/utilization_plot.h"
+#include "ui/widgets/widgets.h"
+
+namespace griffith::ui {
+namespace {
+
+constexpr std::size_t kMaxElements = 8, kMaxEvents = 4;  // listed
+
+/// Three values with the prefix of the largest: "3.02, -1.85, -12.7 kPa".
+std::string triple(const Vec3& values, const char* unit) {
+  const double largest = values.cwiseAbs().maxCoeff();
+  const SiPrefix prefix = si_prefix(largest, unit);
+  const auto shown = [&](double value) { return std::abs(value) < 1e-9 * largest ? 0 : value / prefix.factor; };
+  char text[96];
+  std::snprintf(text, sizeof text, "%.3g, %.3g, %.3g ", shown(values[0]), shown(values[1]), shown(values[2]));
+  return text + std::string(prefix.symbol) + unit;
+}
+
+void verdict_line(const Panel& panel, const Verdict& verdict) {
+  constexpr std::array kColors = {palette::kGood, palette::kWarning, palette::kError, palette::kAccent,
+                                  palette::kTextDim};
+  ImGui::PushTextWrapPos(0);
+  ImGui::PushStyleColor(ImGuiCol_Text, kColors[static_cast<std::size_t>(verdict.kind)]);
+  ImGui::TextUnformatted(verdict.text.c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopTextWrapPos();
+  tag_last_item(panel.tags, "inspector/verdict", verdict.text);
+}
+
+/// What was decided on.
+void utilization_rows(const Panel& panel, const NodeReport& report, const Material& material) {
+  const NodeSeparation& separation = report.separation;
+  const char* unit = load_unit(material);
+  value_row(panel, "Load", format_quantity(load_of(separation, material), unit), palette::kText);
+  tooltip("What its utilization was taken of: the mean over the last substeps, so that no passing peak breaks it.");
+  value_row(panel, "Resistance", resistance_text(separation, material), palette::kText);
+  value_row(panel, "Utilization", format_quantity(separation.utilization, "", 3),
+            separation.utilization > 0.8 ? palette::kWarning : palette::kText);
+}
+
+/// The separation tensor, which weighs elements against each other: of one alone, none is left.
+void tensor_rows(const Panel& panel, const NodeReport& report) {
+  if (report.elements.size() == 1 && report.principal.values.isZero(0)) {
+    value_row(panel, "Eigenvalues", "none: one element", palette::kTextDim);
+    tooltip(
+        "The separation tensor weighs the elements of a node against each other. Here is one alone, whose own "
+        "tensile stress is the load.");
+    return;
+  }
+  value_row(panel, "Eigenvalues", triple(Vec3(report.principal.values.reverse()), "N"), palette::kText);
+  tooltip("Of the separation tensor, largest first: what pulls the node apart along its three axes.");
+  value_row(panel, "Top eigenvector", direction_text(report.principal.directions.col(2)), palette::kText);
+}
+
+/// What there is at the time of the frame, all from its own stresses.
+void load_rows(const Panel& panel, const NodeReport& report, const Material& material) {
+  value_row(panel, "Load now", format_quantity(report.load, load_unit(material)), palette::kText);
+  hint(panel, origin_of_load(report, material));
+  tag_last_item(panel.tags, "inspector/origin", origin_of_load(report, material));
+  value_row(panel, "Normal of the plane", direction_text(report.normal()), palette::kText);
+  tensor_rows(panel, report);
+}
+
+/// One ranked element; a click selects it.
+void element_row(Panel& panel, const ElementContribution& element, const char* unit, std::size_t rank) {
+  char text[96];
+  std::snprintf(text, sizeof text, "%zu   element %d, %s", rank + 1, element.tet.value,
+                element.above ? "above" : "below");
+  const bool selected = panel.state.selection.tet == element.tet;
+  if (ImGui::Selectable((std::string(text) + "##share").c_str(), selected)) panel.state.selection.tet = element.tet;
+  const std::string fraction = format_quantity(element.fraction, unit, 3);
+  tag_last_item(panel.tags, "inspector/element/" + std::to_string(rank), fraction);
+  tooltip("Tensile force " + format_quantity(element.force.tensile.norm(), "N", 3) + " along " +
+          direction_text(element.force.tensile.normalized()) + "\nCompressive force " +
+          format_quantity(element.force.compressive.norm(), "N", 3) + " along " +
+          direction_text(element.force.compressive.normalized()));
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(fraction.c_str()).x);
+  ImGui::TextColored(as_vec4(element.fraction > 0 ? palette::kAccent : palette::kTextDim), "%s", fraction.c_str());
+}
+
+void contribution_rows(Panel& panel, const NodeReport& report) {
+  const char* unit = fraction_unit(report);
+  hint(panel, "What each element adds to it, by rank:");
+  const std::size_t listed = std::min(report.elements.size(), kMaxElements);
+  for (std::size_t i = 0; i < listed; ++i) element_row(panel, report.elements[i], unit, i);
+  double others = 0;
+  for (std::size_t i = listed; i < report.elements.size(); ++i) others += report.elements[i].fraction;
+  if (listed < report.elements.size())
+    value_row(panel, (std::to_string(report.elements.size() - listed) + " more elements").c_str(),
+              format_quantity(others, unit, 3), palette::kText);
+  if (report.balance != 0) {
+    value_row(panel, "Balance of all forces", format_quantity(report.balance, "N", 3), palette::kText);
+    tooltip(
+        "What the sums of the tensile and compressive forces take away from it: forces that balance each other across "
+        "the node pull it apart, a force that is not balanced accelerates it.");
+  }
+  value_row(panel, "Together", format_quantity(report.sum(), unit, 3), palette::kText);
+}
+
+void event_rows(const Panel& panel, const NodeReport& report) {
+  const Frame& frame = panel.input.frame;
+  const std::size_t first = report.events.size() - std::min(report.events.size(), kMaxEvents);
+  for (std::size_t i = first; i < report.events.size(); ++i) {
+    const CrackEvent& event = frame.crack_events[report.events[i]];
+    const std::string text = "step " + std::to_string(event.step) + ", " + format_quantity(event.time, "s", 3) +
+                             ", utilization " + format_quantity(event.load / event.resistance, "", 3);
+    value_row(panel, "Crack", text, palette::kAccent);
+    tooltip("Plane " + direction_text(event.normal) + ", " + std::to_string(event.elements.size()) + " elements, " +
+            std::to_string(event.nodes_made) + " nodes made");
+  }
+}
+
+void element_rows(const Panel& panel, TetId tet) {
+  const Frame& frame = panel.input.frame;
+  const Mat3& stress = frame.stresses[tet];
+  const BodyView& body = frame.bodies[frame.tet_bodies[tet]];
+  value_row(panel, "Element", std::to_string(tet.value), palette::kText);
+  value_row(panel, "Von Mises stress", format_quantity(von_mises_stress(stress), "Pa"), palette::kText);
+  value_row(panel, "Principal stresses", triple(principal_stresses(stress), "Pa"), palette::kText);
+  if (body.rigid) hint(panel, "as they were when the piece became rigid");
+  value_row(panel, "Piece", std::to_string(body.id.value) + ", " + format_quantity(body.mass, "kg", 3), palette::kText);
+  value_row(panel, "Its elements", std::to_string(body.tets), palette::kText);
+  value_row(panel, "Speed", format_quantity(body.velocity.norm(), "m/s", 3), palette::kText);
+}
+
+}  // namespace
+
+void draw_inspector_panel(Panel& panel) {
+  heading(panel, "Why did it break?");
+  const Frame& frame = panel.input.frame;
+  const Selection& selection = panel.state.selection;
+  if (!selection.valid() || static_cast<std::size_t>(selection.node) >= frame.positions.size()) {
+    const bool strained = std::ranges::any_of(frame.bodies, [](const BodyView& body) { return !body.rigid; });
+    hint(panel, "Click a node in the view, or press M for the most loaded one.");
+    if (!strained && !frame.bodies.empty()) hint(panel, std::string("Now ") + kNothingStrained);
+    return;
+  }
+  const NodeReport report = node_report(frame, selection.node);
+  const BodyView& body = frame.bodies[report.body];
+  verdict_line(panel, verdict_on(report, frame, panel.history.scene().simulation.fracture));
+  const Material& material = frame.materials[body.scene_body];
+  if (report.strained) draw_utilization_bar(panel, report.separation.utilization);
+  draw_utilization_plot(panel, panel.input.utilizations);
+  value_row(panel, "Node", std::to_string(report.node.value), palette::kText);
+  if (report.strained) utilization_rows(panel, report, material);
+  event_rows(panel, report);
+  if (report.strained) {
+    load_rows(panel, report, material);
+    contribution_rows(panel, report);
+  }
+  element_rows(panel, selection.tet);
+}
+
+}  // namespace griffith::ui

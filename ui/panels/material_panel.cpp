@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "ui/panels/panels.h"
+#include "ui/widgets/field_range.h"
+#include "ui/widgets/number_slider.h"
+#include "ui/widgets/style.h"
+
+namespace griffith::ui {
+namespace {
+
+constexpr std::array<std::string_view, 2> kCriteria = {"strength", "separation force"};
+constexpr std::array<std::string_view, 2> kElementModels = {"corotational", "Green's strain"};
+
+/// Puts the edited material into the scene as a part of the edit `label`.
+void keep(Panel& panel, const Edit& edit, const std::string& label, const Material& material) {
+  const auto body = static_cast<std::size_t>(panel.state.selected_body);
+  if (edit.changed) panel.history.change(label, [&](Scene& scene) { scene.bodies[body].material = material; });
+  if (edit.finished) panel.history.finish();
+}
+
+/// A property of the material as a slider.
+struct Row {
+  const char* name;  ///< in a scene file
+  const char* label;
+  double low = 0, high = 0;  ///< ends of the slider, within what a file takes; 0, 0: all of that
+  bool logarithmic = false;
+  const char* tooltip = "";
+};
+
+void number_row(Panel& panel, Material& material, const Row& row, double& value) {
+  NumberField field = {.tag = std::string("material/") + row.name,
+                       .label = row.label,
+                       .numbers = range_of<Material>(row.name),
+                       .tooltip = row.tooltip,
+                       .logarithmic = row.logarithmic};
+  if (row.low < row.high) field.low = row.low, field.high = row.high;
+  const Edit edit = number_slider(panel, field, value);
+  keep(panel, edit, std::string("Set ") + row.label, material);
+}
+
+/// "brick", or "brick (edited)" where it is that preset no more.
+std::string preset_text(const Material& material) {
+  const auto is_edited = [&](const MaterialPreset& preset) {
+    return preset.material.name == material.name && preset.material != material;
+  };
+  return material.name + (std::ranges::any_of(material_presets(), is_edited) ? " (edited)" : "");
+}
+
+void preset_row(Panel& panel, Material& material) {
+  std::vector<std::string> names;
+  for (const MaterialPreset& preset : material_presets()) names.push_back(preset.material.name);
+  const int chosen = combo_row(panel, "material/preset", "Preset", names, preset_text(material));
+  if (chosen < 0) return;
+  material = material_presets()[static_cast<std::size_t>(chosen)].material;
+  keep(panel, {true, true}, "Set material " + material.name, material);
+}
+
+void criterion_row(Panel& panel, Material& material) {
+  const std::vector<std::string> names(kCriteria.begin(), kCriteria.end());
+  const bool by_force = material.criterion == FractureCriterion::separation_force;
+  const int chosen = combo_row(panel, "material/criterion", "Criterion", names, kCriteria[by_force]);
+  if (chosen < 0) return;
+  material.criterion = chosen == 1 ? FractureCriterion::separation_force : FractureCriterion::strength;
+  keep(panel, {true, true}, "Set criterion", material);
+}
+
+void fracture_rows(Panel& panel, Material& material) {
+  criterion_row(panel, material);
+  if (material.criterion == FractureCriterion::separation_force) {
+    number_row(panel, material,
+               {"separation_toughness", "Sep. toughness", 1, 1e12, true,
+                "τ: a node separates when the largest eigenvalue of its separation tensor exceeds it. Depends on the "
+                "element size."},
+               material.separation_toughness);
+    return;
+  }
+  number_row(panel, material,
+             {"tensile_strength", "Tensile strength", 1, 1e10, true,
+              "A node separates when its mesh-independent separation stress exceeds it."},
+             material.tensile_strength);
+  number_row(panel, material,
+             {"fracture_toughness", "Toughness K_Ic", 1, 1e9, true,
+              "Lowers the resistance at the front of a crack: small values let a crack, once started, run."},
+             material.fracture_toughness);
+}
+
+void element_model_row(Panel& panel, Material& material) {
+  const std::vector<std::string> names(kElementModels.begin(), kElementModels.end());
+  const bool green = material.element_model == ElementModel::green_strain;
+  const int chosen = combo_row(panel, "material/element_model", "Strain", names, kElementModels[green]);
+  if (chosen < 0) return;
+  material.element_model = static_cast<ElementModel>(chosen);
+  keep(panel, {true, true}, "Set element model", material);
+}
+
+void yield_rows(Panel& panel, Material& material) {
+  bool yields = material.yield_strength.has_value();
+  if (checkbox(panel, "material/yields", "Yields before it breaks", yields)) {
+    material.yield_strength = yields ? std::optional(material.tensile_strength) : std::nullopt;
+    keep(panel, {true, true}, "Set yielding", material);
+  }
+  if (!material.yield_strength) return;
+  number_row(panel, material,
+             {"yield_strength", "Yield strength", 1, 1e10, true, "The von Mises stress above which it flows."},
+             *material.yield_strength);
+  number_row(panel, material,
+             {"plastic_limit", "Plastic limit", 0, 0, false, "The norm of the plastic strain at which flow ends."},
+             material.plastic_limit);
+}
+
+void damping_rows(Panel& panel, Material& material) {
+  number_row(panel, material, {"friction", "Friction", 0, 2}, material.friction);
+  number_row(panel, material, {"restitution", "Restitution"}, material.restitution);
+  number_row(panel, material,
+             {"stiffness_damping", "Damping β", 0, 1e-2, false, "Rayleigh's β: damps fast vibrations."},
+             material.stiffness_damping);
+  number_row(panel, material, {"mass_damping", "Damping α", 0, 10, false, "Rayleigh's α: damps all motion."},
+             material.mass_damping);
+}
+
+}  // namespace
+
+void draw_material_panel(Panel& panel) {
+  const std::vector<BodyDescription>& bodies = panel.history.scene().bodies;
+  if (bodies.empty()) return;
+  panel.state.selected_body = std::clamp(panel.state.selected_body, 0, static_cast<int>(bodies.size()) - 1);
+  const BodyDescription& body = bodies[static_cast<std::size_t>(panel.state.selected_body)];
+  heading(panel, ("Material of " + body.name).c_str());
+  Material material = body.material;
+  preset_row(panel, material);
+  number_row(panel, material,
+             {"young_modulus", "Young's modulus", 1e3, 1e12, true,
+              "E: stiffness. Right-click to type a value with its unit, such as 20 GPa."},
+             material.young_modulus);
+  number_row(panel, material,
+             {"poisson_ratio", "Poisson ratio", 0, 0, false,
+              "ν: sideways contraction over extension. 0.5 would be incompressible and is out of reach."},
+             material.poisson_ratio);
+  number_row(panel, material, {"density", "Density", 1, 25000, true, "ρ"}, material.density);
+  fracture_rows(panel, material);
+  element_model_row(panel, material);
+  yield_rows(panel, material);
+  if (ImGui::TreeNodeEx("Contact and damping", ImGuiTreeNodeFlags_SpanAvailWidth)) {
+    damping_rows(panel, material);
+    ImGui::TreePop();
+  }
+}
+
+}  // namespace griffith::ui

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "ui/widgets/panel.h"
+
+namespace griffith::ui {
+
+// Each draws its content into the current ImGui window, edits through panel.history and panel.state, and leaves the
+// rest to commands.
+
+/// File, edit, simulation and view menus.
+void draw_menu_bar(Panel& panel);
+/// Run, pause, step, reset, slow motion, time.
+void draw_toolbar(Panel& panel);
+/// The list of bodies of the scene, or of pieces, with their state.
+void draw_bodies_panel(Panel& panel);
+/// All that a scene says of the selected body but its material. What it changes starts the simulation again.
+void draw_body_panel(Panel& panel);
+/// What a scene says besides its bodies and the view.
+void draw_scene_panel(Panel& panel);
+/// The material of the selected body; takes effect in the running simulation at once.
+void draw_material_panel(Panel& panel);
+/// What the projectile tool fires.
+void draw_projectile_panel(Panel& panel);
+/// What the picture shows: quantity, range and colours, how elements are drawn, slice, layers.
+void draw_view_panel(Panel& panel);
+/// Why the picked node did or did not break, and its element and piece.
+void draw_inspector_panel(Panel& panel);
+/// Counts, solver, time per phase and everything that went wrong.
+void draw_statistics_panel(Panel& panel);
+/// The picture with camera and projectile control, legend and hints.
+void draw_viewport(Panel& panel);
+/// The last message.
+void draw_status_bar(Panel& panel);
+
+}  // namespace griffith::ui

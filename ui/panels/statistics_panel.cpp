@@ -1,0 +1,133 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <span>
+#include <string>
+
+#include "sim/mesh/number_text.h"
+#include "sim/world/step_counters.h"
+#include "ui/model/units.h"
+#include "ui/panels/panels.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace griffith::ui {
+namespace {
+
+void count_row(const Panel& panel, const char* label, std::size_t value) {
+  value_row(panel, label, count_text(static_cast<long long>(value)), palette::kText);
+}
+
+/// A counter that ought to be 0.
+void trouble_row(const Panel& panel, const char* label, int value, ImU32 color, const char* cure) {
+  value_row(panel, label, count_text(value), value > 0 ? color : palette::kTextDim);
+  tooltip(cure);
+}
+
+void mesh_rows(const Panel& panel) {
+  const Frame& frame = panel.input.frame;
+  heading(panel, "Simulation");
+  count_row(panel, "Tetrahedra", frame.tets.size());
+  count_row(panel, "Nodes", frame.positions.size());
+  count_row(panel, "Pieces", frame.bodies.size());
+  count_row(panel, "Fragments", static_cast<std::size_t>(std::max(frame.fragments, 0)));
+  count_row(panel, "Crack events", frame.crack_events.size());
+}
+
+/// What stood in for the material of the slowest body, and why.
+std::string scaled_text(const ScaledImpact& impact) {
+  return "As a material of " + format_quantity(impact.young_modulus, "Pa", 3) + " with a strength of " +
+         format_quantity(impact.tensile_strength, "Pa", 3) +
+         " the struck body breaks at the speed at which it should: " + reason(impact) + ".";
+}
+
+void scaled_row(const Panel& panel) {
+  const std::span<const BodyView> bodies = panel.input.frame.bodies;
+  const auto factor = [](const BodyView& body) { return body.scaled ? body.scaled->factor : 1; };
+  const auto count = std::ranges::count_if(bodies, [](const BodyView& body) { return body.scaled.has_value(); });
+  const auto slowest = std::ranges::min_element(bodies, {}, factor);
+  trouble_row(panel, "Scaled bodies", static_cast<int>(count), palette::kWarning,
+              count > 0 ? scaled_text(*slowest->scaled).c_str()
+                        : "Their waves would have taken more microsteps than step_budget leaves.");
+}
+
+void counter_row(const Panel& panel, const StepCounter& counter, int value) {
+  const ImU32 color = counter.concern == CounterConcern::error ? palette::kError : palette::kWarning;
+  if (counter.concern != CounterConcern::none)
+    return trouble_row(panel, counter.label.data(), value, color, counter.meaning.data());
+  count_row(panel, counter.label.data(), static_cast<std::size_t>(std::max(value, 0)));
+  tooltip(counter.meaning.data());
+}
+
+void counter_row(const Panel& panel, const StepCounter& counter, double value) {
+  char ratio[32];
+  std::snprintf(ratio, sizeof ratio, "%.1e", value);
+  const std::string text = counter.unit == "-" ? ratio : format_quantity(value, counter.unit.data(), 3);
+  value_row(panel, counter.label.data(), text, palette::kText);
+  tooltip(counter.meaning.data());
+}
+
+void step_rows(const Panel& panel) {
+  heading(panel, "Last step");
+  for (const StepCounter& counter : step_counters())
+    std::visit([&](auto value) { counter_row(panel, counter, panel.input.frame.report.*value); }, counter.value);
+  scaled_row(panel);
+}
+
+/// A value and, as a bar below it, its share of a whole.
+void share_row(const Panel& panel, const char* label, const std::string& text, double value, double whole) {
+  value_row(panel, label, text, palette::kText);
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  const float left = ImGui::GetWindowPos().x + ImGui::GetStyle().WindowPadding.x;
+  const float fraction = static_cast<float>(std::clamp(whole > 0 ? value / whole : 0, 0.0, 1.0));
+  const float thickness = 2 * ui_scale(panel);
+  ImGui::GetWindowDrawList()->AddRectFilled({left, high.y}, {high.x, high.y + thickness}, palette::kField);
+  ImGui::GetWindowDrawList()->AddRectFilled({left, high.y}, {left + fraction * (high.x - left), high.y + thickness},
+                                            palette::kAccent);
+  ImGui::Dummy({0, (low.y < high.y ? 1 : 0) * thickness / 2});
+}
+
+void time_bar(const Panel& panel, const char* label, double milliseconds, double whole) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f ms", milliseconds);
+  share_row(panel, label, text, milliseconds, whole);
+}
+
+void energy_row(const Panel& panel, const char* label, double energy, double whole, const char* meaning) {
+  constexpr double kRounding = 1e-12;
+  if (std::abs(energy) < kRounding * whole) energy = 0;
+  share_row(panel, label, format_quantity(energy, "J", 3), energy, whole);
+  tooltip(meaning);
+}
+
+/// Where the energy came from, and where it is or went: shares of all that came in.
+void energy_rows(const Panel& panel) {
+  const EnergyAccount& energy = panel.input.frame.energy;
+  const double whole = energy.turned_over();
+  heading(panel, "Energy since the start");
+  for (const EnergyEntry& entry : energy_entries())
+    energy_row(panel, entry.label.data(), energy.*entry.value, whole, entry.meaning.data());
+  energy_row(panel, "Unaccounted", energy.unaccounted(), whole, "What the entries above do not explain.");
+}
+
+void timing_rows(const Panel& panel) {
+  const StepTimings& t = panel.input.frame.report.milliseconds;
+  heading(panel, "Time of the last step");
+  time_bar(panel, "Contact", t.contact, t.step);
+  time_bar(panel, "Elasticity", t.elasticity, t.step);
+  time_bar(panel, "Shock", t.shock, t.step);
+  time_bar(panel, "Separation", t.separation, t.step);
+  time_bar(panel, "Fracture", t.fracture, t.step);
+  time_bar(panel, "Step", t.step, t.step);
+}
+
+}  // namespace
+
+void draw_statistics_panel(Panel& panel) {
+  mesh_rows(panel);
+  energy_rows(panel);
+  step_rows(panel);
+  if (panel.state.show_times) timing_rows(panel);
+}
+
+}  // namespace griffith::ui

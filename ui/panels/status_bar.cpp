@@ -1,0 +1,54 @@
+#include "ui/panels/panels.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace griffith::ui {
+namespace {
+
+constexpr int kLinesInTooltip = 12;
+
+ImU32 level_color(LogLevel level) {
+  switch (level) {
+    case LogLevel::info:
+      return palette::kTextDim;
+    case LogLevel::warning:
+      return palette::kWarning;
+    case LogLevel::error:
+      return palette::kError;
+  }
+  return palette::kText;
+}
+
+void recent_lines(const std::vector<LogLine>& log) {
+  const ImVec2 corner = ImGui::GetWindowPos();
+  ImGui::SetNextWindowPos({corner.x + ImGui::GetStyle().WindowPadding.x, corner.y}, ImGuiCond_Always, {0, 1});
+  ImGui::BeginTooltip();
+  const auto count = std::min<std::ptrdiff_t>(kLinesInTooltip, static_cast<std::ptrdiff_t>(log.size()));
+  for (auto line = log.end() - count; line != log.end(); ++line) {
+    ImGui::TextColored(as_vec4(level_color(line->level)), "%s", line->text.c_str());
+  }
+  ImGui::EndTooltip();
+}
+
+}  // namespace
+
+void draw_status_bar(Panel& panel) {
+  const std::vector<LogLine>& log = panel.state.log;
+  ImGui::PushFont(panel.input.fonts.small);
+  const std::string text = panel.input.scene_path.empty() ? "not saved" : panel.input.scene_path.string();
+  const float place = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - ImGui::CalcTextSize(text.c_str()).x;
+  if (!log.empty()) {
+    const LogLine& last = log.back();
+    const LogLevel level = panel.state.log_seen < log.size() ? last.level : LogLevel::info;
+    const float room = place - ImGui::GetCursorPosX() - ImGui::GetStyle().ItemSpacing.x;
+    ImGui::TextColored(as_vec4(level_color(level)), "%s", fitted(last.text, room).c_str());
+    tag_last_item(panel.tags, "status/message", last.text);
+    panel.tags.back().color = level_color(level);
+    if (ImGui::IsItemHovered()) recent_lines(log);
+  }
+  ImGui::SameLine(place);
+  ImGui::TextColored(as_vec4(palette::kTextDim), "%s", text.c_str());
+  ImGui::PopFont();
+}
+
+}  // namespace griffith::ui

@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "ui/panels/panels.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace griffith::ui {
+namespace {
+
+void gap(const Panel& panel, float design_pixels) { ImGui::SameLine(0, design_pixels * ui_scale(panel)); }
+
+void simulation_buttons(Panel& panel) {
+  const bool running = panel.state.running;
+  command_button(panel, CommandId::toggle_run, running ? Icon::pause : Icon::play, false, running);
+  ImGui::SameLine();
+  command_button(panel, CommandId::step, Icon::step, true);
+  ImGui::SameLine();
+  command_button(panel, CommandId::reset, Icon::reset, true);
+  gap(panel, 18);
+  command_button(panel, CommandId::fire, Icon::fire, true);
+}
+
+/// 0.1 to 100 % of real time.
+void speed_slider(Panel& panel) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextColored(as_vec4(palette::kTextDim), "Speed");
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(150 * ui_scale(panel));
+  double percent = 100 * panel.state.speed;
+  const double low = 0.1, high = 100;
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g %%%%", percent);
+  ImGui::SliderScalar("##speed", ImGuiDataType_Double, &percent, &low, &high, text,
+                      ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat | ImGuiSliderFlags_AlwaysClamp);
+  panel.state.speed = std::clamp(percent, low, high) / 100;
+  tag_last_item(panel.tags, "toolbar/speed", text);
+  tooltip("Slow motion: simulated time against real time. The time step stays; fewer steps are made a second.");
+}
+
+void clock(const Panel& panel) {
+  const EditorInput& input = panel.input;
+  char text[160];
+  std::snprintf(text, sizeof text, "%.3f s", input.frame.time);
+  ImGui::PushFont(input.fonts.bold);
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(text);
+  ImGui::PopFont();
+  tag_last_item(panel.tags, "toolbar/time", text);
+  gap(panel, 14);
+  std::snprintf(text, sizeof text, "step %lld", static_cast<long long>(input.frame.step));
+  ImGui::TextColored(as_vec4(palette::kTextDim), "%s", text);
+  tag_last_item(panel.tags, "toolbar/step", text);
+}
+
+/// Text behind the last item, where it ends before `end`.
+bool text_before(const Panel& panel, float end, ImU32 color, const char* text) {
+  gap(panel, 14);
+  const bool fits = ImGui::GetCursorPosX() + ImGui::CalcTextSize(text).x <= end;
+  if (fits) ImGui::TextColored(as_vec4(color), "%s", text);
+  return fits;
+}
+
+void pace_warning(const Panel& panel, float end) {
+  if (!panel.state.running || !panel.input.falling_behind) return;
+  char text[64];
+  std::snprintf(text, sizeof text, "can't keep up: %.2g of %.3g %%", 100 * panel.input.reached_speed,
+                100 * panel.state.speed);
+  if (!text_before(panel, end, palette::kWarning, text)) return;
+  tooltip("A step takes longer than the time it simulates. Results are not affected; the simulation only runs slower.");
+}
+
+void times(const Panel& panel, float end) {
+  if (!panel.state.show_times) return;
+  char text[64];
+  std::snprintf(text, sizeof text, "%.1f ms a step, %.0f pictures/s", panel.input.step_milliseconds,
+                panel.input.frames_per_second);
+  text_before(panel, end, palette::kTextDim, text);
+}
+
+}  // namespace
+
+void draw_toolbar(Panel& panel) {
+  simulation_buttons(panel);
+  gap(panel, 18);
+  speed_slider(panel);
+  gap(panel, 22);
+  clock(panel);
+  const float button = 1.25f * ImGui::GetFrameHeight(), spacing = ImGui::GetStyle().ItemSpacing.x;
+  const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - 5 * button - 4 * spacing;
+  pace_warning(panel, right - spacing);
+  times(panel, right - spacing);
+  ImGui::SameLine(right);
+  const std::pair<CommandId, Icon> tools[] = {{CommandId::undo, Icon::undo},
+                                              {CommandId::redo, Icon::redo},
+                                              {CommandId::frame_all, Icon::frame},
+                                              {CommandId::screenshot, Icon::camera},
+                                              {CommandId::help, Icon::help}};
+  for (const auto& [id, icon] : tools) {
+    command_button(panel, id, icon, false);
+    ImGui::SameLine();
+  }
+  ImGui::NewLine();
+}
+
+}  // namespace griffith::ui

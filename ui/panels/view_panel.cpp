@@ -1,0 +1,171 @@
+#include <algorithm>
+#include <array>
+#include <cfloat>
+#include <vector>
+
+#include "sim/scene/view_quantity.h"
+#include "ui/model/view_layers.h"
+#include "ui/panels/panels.h"
+#include "ui/widgets/field_range.h"
+#include "ui/widgets/number_slider.h"
+#include "ui/widgets/widgets.h"
+
+namespace griffith::ui {
+namespace {
+
+void quantity_row(Panel& panel) {
+  std::vector<std::string> labels;
+  std::string shown = panel.state.view.quantity;
+  for (const ViewQuantity& quantity : view_quantities()) {
+    labels.emplace_back(quantity.label);
+    if (quantity.key == panel.state.view.quantity) shown = quantity.label;
+  }
+  const int chosen = combo_row(panel, "view/quantity", "Colour by", labels, shown);
+  if (chosen < 0) return;
+  panel.state.view.quantity = view_quantities()[static_cast<std::size_t>(chosen)].key;
+  panel.state.view.range.reset();
+}
+
+void color_map_row(Panel& panel) {
+  const std::vector<std::string> names(color_map_names().begin(), color_map_names().end());
+  const int chosen = combo_row(panel, "view/color_map", "Colours", names, panel.state.view.color_map);
+  if (chosen >= 0) panel.state.view.color_map = names[static_cast<std::size_t>(chosen)];
+}
+
+/// Both ends of a locked range, in the quantity's unit.
+void range_rows(Panel& panel) {
+  Vec2& range = *panel.state.view.range;
+  Numbers numbers = range_of<ViewSettings>("range");
+  if (panel.input.legend) numbers.unit = panel.input.legend->unit;
+  constexpr std::array kTags = {"view/range_minimum", "view/range_maximum"}, kLabels = {"From", "To"};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto end = static_cast<Eigen::Index>(i);
+    row_label(panel, kLabels[i]);
+    Vec2 wanted = range;
+    const Edit edit = number_drag(panel, {.tag = kTags[i], .label = kLabels[i], .numbers = numbers}, wanted[end]);
+    if (!edit.changed) continue;
+    if (wanted[0] < wanted[1])
+      range = wanted;
+    else
+      panel.state.field_note = {kTags[i], "The range has to begin below its end: it stays as it was."};
+  }
+}
+
+void range_part(Panel& panel) {
+  bool locked = panel.state.view.range.has_value();
+  ImGui::BeginDisabled(!panel.input.legend);
+  if (checkbox(panel, "view/lock_range", "Lock colour range", locked)) {
+    issue(panel, {.id = CommandId::toggle_range_lock});
+  }
+  ImGui::EndDisabled();
+  if (panel.state.view.range) return range_rows(panel);
+  const bool always = parts_at_zero(panel.state.view);
+  bool symmetric = always || panel.state.view.symmetric;
+  ImGui::BeginDisabled(!panel.input.legend || always);
+  if (checkbox(panel, "view/symmetric", "Symmetric about 0", symmetric)) panel.state.view.symmetric = symmetric;
+  ImGui::EndDisabled();
+  if (always) tooltip("Automatic colours of what has a sign part at 0. Choose others for another range.");
+}
+
+/// A slider for a field of the view, from `low` to `high`, or over all that it takes.
+void view_row(Panel& panel, const std::string& name, const char* label, double& value, double low = 0, double high = 0,
+              bool logarithmic = false) {
+  NumberField field = {
+      .tag = "view/" + name, .label = label, .numbers = range_of<ViewSettings>(name), .logarithmic = logarithmic};
+  if (low < high) field.low = low, field.high = high;
+  number_slider(panel, field, value);
+}
+
+/// Turns the slice to an axis, or to face the eye; it stays where it cuts the middle of the bodies.
+void align_slice(Panel& panel, const Vec3& normal) {
+  const Vec3 middle = 0.5 * (panel.input.low + panel.input.high), unit = normal.normalized();
+  panel.state.view.slice = SlicePlane{unit, unit.dot(middle)};
+}
+
+void slice_rows(Panel& panel) {
+  bool cut = panel.state.view.slice.has_value();
+  if (checkbox(panel, "view/slice", "Slice", cut)) issue(panel, {.id = CommandId::toggle_slice});
+  if (!panel.state.view.slice) return;
+  row_label(panel, "Align");
+  const std::pair<const char*, Vec3> axes[] = {
+      {"X", Vec3::UnitX()}, {"Y", Vec3::UnitY()}, {"Z", Vec3::UnitZ()}, {"Eye", panel.input.towards_eye}};
+  for (const auto& [name, normal] : axes) {
+    if (normal != axes[0].second) ImGui::SameLine();
+    if (text_button(panel, ("view/slice_" + std::string(name)).c_str(), name)) align_slice(panel, normal);
+  }
+  row_label(panel, "Side");
+  if (text_button(panel, "view/slice_flip", "Flip", -FLT_MIN)) {
+    panel.state.view.slice->normal *= -1;
+    panel.state.view.slice->offset *= -1;
+  }
+  SlicePlane& slice = *panel.state.view.slice;
+  const Vec3 normal = slice.normal.normalized(), middle = 0.5 * (panel.input.low + panel.input.high);
+  const double reach = 0.5 * normal.cwiseAbs().dot(panel.input.high - panel.input.low);
+  number_slider(panel,
+                {.tag = "view/slice_offset",
+                 .label = "Offset",
+                 .numbers = range_of<SlicePlane>("offset"),
+                 .low = normal.dot(middle) - reach,
+                 .high = normal.dot(middle) + reach},
+                slice.offset);
+}
+
+void element_rows(Panel& panel) {
+  const bool open = ImGui::CollapsingHeader("Elements and slice");
+  tag_last_item(panel.tags, "view/element_rows", open ? "open" : "closed");
+  if (!open) return;
+  const std::vector<std::string> styles(element_style_names().begin(), element_style_names().end());
+  ViewSettings& view = panel.state.view;
+  const int chosen =
+      combo_row(panel, "view/elements", "Elements", styles, styles[static_cast<std::size_t>(view.elements)]);
+  if (chosen >= 0) view.elements = static_cast<ElementStyle>(chosen);
+  view_row(panel, "explode", "Explode", view.explode, 0, 5);
+  view_row(panel, "opacity", "Opacity", view.opacity);
+  slice_rows(panel);
+  view_row(panel, "edge_width", "Edge width", view.edge_width, 0, 0, true);
+}
+
+void layer_entry(Panel& panel, std::size_t index) {
+  const ViewLayerInfo& info = view_layers()[index];
+  const auto layer = static_cast<ViewLayer>(index);
+  bool shown = shows_layer(panel.state.view, layer);
+  if (checkbox(panel, ("view/layers/" + std::string(info.key)).c_str(), std::string(info.label).c_str(), shown))
+    show_layer(panel.state.view, layer, shown);
+  tooltip(info.hint);
+}
+
+void layer_rows(Panel& panel) {
+  const std::size_t count = panel.state.view.layers.size();
+  const std::string text = count == 0 ? "none" : std::to_string(count) + " shown";
+  row_label(panel, "Layers");
+  const bool open = begin_combo("##layers", text.c_str());
+  if (open) {
+    for (std::size_t i = 0; i < view_layers().size(); ++i) layer_entry(panel, i);
+    ImGui::EndCombo();
+  } else {
+    tag_last_item(panel.tags, "view/layers", text);
+  }
+  if (count == 0) return;
+  view_row(panel, "glyph_scale", "Size of signs", panel.state.view.glyph_scale, 0.1, 10, true);
+  if (!shows_layer(panel.state.view, ViewLayer::fracture_planes)) return;
+  integer_row(panel, "view/fracture_planes", "Planes of last", panel.state.view.fracture_planes,
+              range_of<ViewSettings>("fracture_planes"));
+  field_tooltip(panel, "view/fracture_planes", "Of how many cracks the plane is shown, newest first.");
+}
+
+}  // namespace
+
+void draw_view_panel(Panel& panel) {
+  heading(panel, "View");
+  quantity_row(panel);
+  color_map_row(panel);
+  range_part(panel);
+  checkbox(panel, "view/shading", "Shading", panel.state.view.shading);
+  tooltip("Without, a pixel has exactly the colour that the legend gives to its value.");
+  checkbox(panel, "view/edges", "Element edges", panel.state.view.edges);
+  checkbox(panel, "view/splinters", "Splinters and surfaces", panel.state.view.splinters);
+  layer_rows(panel);
+  element_rows(panel);
+}
+
+}  // namespace griffith::ui

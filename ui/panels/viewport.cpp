@@ -1,0 +1,104 @@
+#include <cmath>
+
+#include "ui/panels/panels.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace griffith::ui {
+namespace {
+
+constexpr float kOrbitPerHeight = 3.2f;  // radians for a drag over the picture's height
+constexpr float kZoomPerNotch = 0.88f;
+constexpr float kClickSlack = 4;  // design pixels that the mouse may move in a click
+
+Vec2 place_in_view(const EditorState& state, ImVec2 mouse) {
+  return {(mouse.x - state.viewport_minimum.x) / state.viewport_size.x,
+          (mouse.y - state.viewport_minimum.y) / state.viewport_size.y};
+}
+
+void move_camera(EditorState& state, const ImGuiIO& io) {
+  const bool middle = ImGui::IsMouseDown(ImGuiMouseButton_Middle);
+  const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
+  const float right = io.MouseDelta.x / state.viewport_size.y, down = io.MouseDelta.y / state.viewport_size.y;
+  CameraMotion& motion = state.camera_motion;
+  if (left && io.KeyCtrl) {
+    motion.slice_right += right;
+    motion.slice_up -= down;
+  } else if (middle || (left && io.KeyShift)) {
+    motion.pan_right -= right;
+    motion.pan_up += down;
+  } else if (left) {
+    motion.yaw -= kOrbitPerHeight * right;
+    motion.pitch += kOrbitPerHeight * down;
+  }
+}
+
+void mouse_input(Panel& panel) {
+  EditorState& state = panel.state;
+  const ImGuiIO& io = ImGui::GetIO();
+  const float slack = kClickSlack * ui_scale(panel);
+  const bool hovered = ImGui::IsItemHovered();
+  // The way to where the button went down is no drag, though a slow frame sees both at once.
+  if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) move_camera(state, io);
+  if (hovered && io.MouseWheel != 0) state.camera_motion.zoom *= std::pow(kZoomPerNotch, io.MouseWheel);
+  const Vec2 cursor = place_in_view(state, io.MousePos);
+  if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
+    issue(panel, {.id = CommandId::fire, .cursor = cursor});
+  }
+  const bool clicked = ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::IsItemDeactivated() &&
+                       io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < slack * slack && !io.KeyShift;
+  if (clicked) issue(panel, {.id = CommandId::pick, .cursor = cursor});
+}
+
+/// A dark rounded card to write on.
+void draw_card(ImDrawList* list, ImVec2 low, ImVec2 high, float scale) {
+  list->AddRectFilled(low, high, IM_COL32(24, 27, 32, 200), 6 * scale);
+}
+
+void draw_hints(const Panel& panel, ImVec2 corner, ImVec2 end) {
+  const Fonts& fonts = panel.input.fonts;
+  const float scale = ui_scale(panel), size = fonts.small->FontSize, margin = 14 * scale;
+  std::string text = "drag: turn      shift+drag: move      wheel: zoom      click: inspect      right click: fire";
+  if (panel.state.view.slice) text += "      ctrl+drag: move the slice";
+  const float width = fonts.small->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x + 24 * scale;
+  if (end.x - corner.x < width + 2 * margin) return;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 low = {corner.x + margin, end.y - margin - size - 12 * scale};
+  draw_card(list, low, {low.x + width, end.y - margin}, scale);
+  list->AddText(fonts.small, size, {low.x + 12 * scale, low.y + 6 * scale}, palette::kTextDim, text.c_str());
+}
+
+void draw_pause_mark(const Panel& panel, ImVec2 corner) {
+  if (panel.state.running) return;
+  const float scale = ui_scale(panel), margin = 14 * scale;
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const ImVec2 low = {corner.x + margin, corner.y + margin}, high = {low.x + 96 * scale, low.y + 30 * scale};
+  draw_card(list, low, high, scale);
+  draw_icon(list, Icon::pause, {low.x + 18 * scale, (low.y + high.y) / 2}, 14 * scale, palette::kAccent);
+  list->AddText({low.x + 34 * scale, (low.y + high.y - ImGui::GetFontSize()) / 2}, palette::kText, "Paused");
+}
+
+}  // namespace
+
+void draw_viewport(Panel& panel) {
+  EditorState& state = panel.state;
+  state.viewport_minimum = ImGui::GetCursorScreenPos();
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  state.viewport_size = {std::max(room.x, 16.0f), std::max(room.y, 16.0f)};
+  const ImVec2 end = {state.viewport_minimum.x + state.viewport_size.x,
+                      state.viewport_minimum.y + state.viewport_size.y};
+  ImGui::InvisibleButton("##view", state.viewport_size,
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
+  tag_last_item(panel.tags, "viewport");
+  mouse_input(panel);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  if (panel.input.picture) list->AddImage(panel.input.picture, state.viewport_minimum, end, {0, 1}, {1, 0});
+  draw_labels(list, panel.input.labels, panel.input.fonts, state.viewport_minimum, end, ui_scale(panel));
+  if (panel.input.legend) {
+    draw_legend(list, *panel.input.legend, panel.input.fonts, {state.viewport_minimum, end}, ui_scale(panel));
+  }
+  draw_hints(panel, state.viewport_minimum, end);
+  draw_pause_mark(panel, state.viewport_minimum);
+}
+
+}  // namespace griffith::ui

@@ -1,0 +1,273 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "sim/scene/scene_fields.h"
+#include "ui/widgets/field_widgets.h"
+#include "ui/widgets/kind_fields.h"
+
+namespace griffith::ui {
+
+/// An archive for describe() that draws a row for each field of a part of a scene and edits it, so that the panels have
+/// every field that a scene file has, with its unit, its limits and its meaning.
+class FieldRows {
+ public:
+  /// Tags begin with `tag`; fields named in `hidden` get no row.
+  FieldRows(Panel& panel, std::string tag, std::vector<std::string_view> hidden = {})
+      : panel_(panel), tag_(std::move(tag)), hidden_(std::move(hidden)) {}
+
+  /// The rows of all fields of `value`, which is edited.
+  template <class T>
+  void show(T& value) {
+    describe(*this, value);
+    if (!edit_.changed) return;
+    drop_idle_fields(value);
+    if (!problem_.empty()) return;
+    Rules rules;
+    describe(rules, value);
+    problem_ = rules.problem;
+  }
+
+  template <class T, class Values>
+  void field(std::string_view name, T& member, const Values& values, std::string_view description) {
+    if (std::ranges::find(hidden_, name) == hidden_.end()) draw(row(name, description), member, values);
+  }
+
+  template <class T, class Variant, class Values, class Projection = std::identity>
+  void alternative(std::string_view name, Variant& variant, const Values& values, std::string_view description,
+                   Projection projection = {}) {
+    T* held = std::get_if<T>(&variant);
+    if (!held) return;
+    if constexpr (std::is_same_v<Values, Parts>) {
+      draw_fields(tag_ + "/" + std::string(name), *held);
+    } else {
+      draw(row(name, description), std::invoke(projection, *held), values);
+    }
+  }
+
+  void require(bool, std::string_view, const char*, const char*) {}  // asked for at the end: see Rules
+
+  /// What was done in this frame: nothing has changed where the result would break a rule, which the panel then says.
+  Edit finish() {
+    if (edit_.changed && !problem_.empty()) panel_.state.field_note = {edited_tag_, problem_};
+    if (!problem_.empty()) edit_.changed = false;
+    return edit_;
+  }
+  /// The label of the field that was edited.
+  const std::string& edited() const { return edited_; }
+
+ private:
+  /// The archive that looks for the first rule that a value breaks.
+  struct Rules {
+    std::string problem;
+    template <class... Anything>
+    void field(Anything&&...) {}
+    template <class Fixed, class... Anything>
+    void alternative(Anything&&...) {}
+    void require(bool holds, std::string_view name, const char* what, const char* remedy) {
+      if (!holds && problem.empty()) problem = label_of(name) + " " + what + ": " + remedy + ".";
+    }
+  };
+
+  FieldRow row(std::string_view name, std::string_view description) const {
+    return {tag_ + "/" + std::string(name), label_of(name), std::string(description)};
+  }
+
+  void note(const FieldRow& row, const Edit& edit) {
+    if (edit.changed || edit.finished) edited_ = row.label, edited_tag_ = row.tag;
+    edit_.changed |= edit.changed;
+    edit_.finished |= edit.finished;
+  }
+
+  /// Rows of a value that has fields of its own, as a part of this one.
+  template <class T>
+  void draw_fields(const std::string& tag, T& value) {
+    FieldRows rows(panel_, tag, idle_fields(value));
+    rows.show(value);
+    if (problem_.empty()) problem_ = rows.problem_;
+    note({rows.edited_tag_, rows.edited_, ""}, rows.edit_);
+  }
+
+  void draw(const FieldRow& row, double& value, const Numbers& numbers) {
+    note(row, draw_field(panel_, row, numbers, value));
+  }
+  void draw(const FieldRow& row, int& value, const Numbers& numbers) {
+    note(row, draw_field(panel_, row, numbers, value));
+  }
+  void draw(const FieldRow& row, std::vector<int>& values, const Numbers& numbers) {
+    note(row, draw_field(panel_, row, numbers, values));
+  }
+  void draw(const FieldRow& row, std::vector<Vec3>& points, const Numbers& numbers) {
+    if (!begin_part(panel_, row, std::to_string(points.size()))) return;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      draw({row.tag + "/" + std::to_string(i), "Number " + std::to_string(i + 1), ""}, points[i], numbers);
+    const bool removed = text_button(panel_, (row.tag + "/remove").c_str(), ("Remove the last##" + row.tag).c_str());
+    const bool added = text_button(panel_, (row.tag + "/add").c_str(), ("Add##" + row.tag).c_str());
+    if (removed && !points.empty()) points.pop_back();
+    if (added) points.push_back(points.empty() ? Vec3(Vec3::Zero()) : Vec3(points.back()));
+    if (removed || added) note(row, {true, true});
+    end_part();
+  }
+  template <int N, int Options>
+  void draw(const FieldRow& row, Eigen::Matrix<double, N, 1, Options>& vector, const Numbers& numbers) {
+    Eigen::Matrix<double, N, 1, Options> wanted = vector;
+    Edit edit = draw_field(panel_, row, numbers, std::span<double>(wanted.data(), N));
+    const FieldRow first{row.tag + "/0", row.label, row.description};
+    if (edit.changed && numbers.nonzero && wanted.isZero(0)) {
+      panel_.state.field_note = {first.tag, "Not all components can be 0: it stays as it was."};
+      edit.changed = false;
+    }
+    if (edit.changed) vector = wanted;
+    note(first, edit);
+  }
+  void draw(const FieldRow& row, bool& value, Flag flag) { note(row, draw_field(panel_, row, flag, value)); }
+  void draw(const FieldRow& row, std::string& value, const Text& text) {
+    note(row, draw_field(panel_, row, text, value));
+  }
+  void draw(const FieldRow& row, std::filesystem::path& value, const MeshPath&) {
+    note(row, draw_field(panel_, row, panel_.history.scene().folder, value));
+  }
+  // Have panels of their own.
+  void draw(const FieldRow&, Material&, MaterialChoice) {}
+  void draw(const FieldRow&, ViewSettings&, Parts) {}
+
+  template <class Enum>
+  requires std::is_enum_v<Enum>
+  void draw(const FieldRow& row, Enum& value, const OneOf& one_of) {
+    int index = static_cast<int>(value);
+    note(row, draw_choice(panel_, row, one_of, index));
+    value = static_cast<Enum>(index);
+  }
+  template <class Enum>
+  requires std::is_enum_v<Enum>
+  void draw(const FieldRow& row, std::vector<Enum>& values, const OneOf& one_of) {
+    std::vector<int> chosen;
+    for (const Enum value : values) chosen.push_back(static_cast<int>(value));
+    note(row, draw_choices(panel_, row, one_of, chosen));
+    values.clear();
+    for (const int index : chosen) values.push_back(static_cast<Enum>(index));
+  }
+
+  void draw(const FieldRow& row, std::optional<double>& value, const Numbers& numbers) {
+    bool present = value.has_value();
+    const Edit toggled = draw_presence(panel_, row, present);
+    note(row, toggled);
+    if (toggled.changed) value = present ? std::optional(first_value(numbers)) : std::nullopt;
+    if (value) draw(FieldRow{row.tag + "/value", "", row.description}, *value, numbers);
+  }
+  template <class T>
+  void draw(const FieldRow& row, std::optional<T>& value, Parts) {
+    bool present = value.has_value();
+    const Edit toggled = draw_presence(panel_, row, present);
+    note(row, toggled);
+    if (toggled.changed) value = present ? std::optional<T>(T{}) : std::nullopt;
+    if (value) draw(FieldRow{row.tag + "/parts", row.label, row.description}, *value, Parts{});
+  }
+
+  template <class... Alternatives>
+  void draw(const FieldRow& row, std::variant<Alternatives...>& value, Parts) {
+    if (!begin_part(panel_, row, "")) return;
+    draw_kind(FieldRow{row.tag + "/kind_of", "Kind", row.description}, value);
+    draw_fields(row.tag, value);
+    end_part();
+  }
+
+  template <class T>
+  void draw(const FieldRow& row, std::vector<T>& items, Parts) {
+    if (!begin_part(panel_, row, std::to_string(items.size()))) return;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+      const std::string tag = row.tag + "/" + std::to_string(i);
+      if (!begin_part(panel_, {tag, "Number " + std::to_string(i + 1), ""}, name_of(items[i]))) continue;
+      draw_fields(tag, items[i]);
+      const bool removed = text_button(panel_, (tag + "/remove").c_str(), ("Remove##" + tag).c_str());
+      end_part();
+      if (!removed) continue;
+      items.erase(items.begin() + static_cast<std::ptrdiff_t>(i));
+      note(row, {true, true});
+      break;
+    }
+    if (text_button(panel_, (row.tag + "/add").c_str(), ("Add##" + row.tag).c_str())) {
+      items.push_back(new_item(items));
+      note(row, {true, true});
+    }
+    end_part();
+  }
+
+  template <class T>
+  void draw(const FieldRow& row, T& value, Parts) {
+    if (!begin_part(panel_, row, "")) return;
+    draw_fields(row.tag, value);
+    end_part();
+  }
+
+  /// The names of what a variant may hold, for those that need no file to begin with.
+  struct Kinds {
+    std::vector<std::string_view> names;
+    std::vector<std::function<void()>> hold;
+    int held = -1;
+
+    template <class T, class Variant, class Values, class Projection = std::identity>
+    void alternative(std::string_view name, Variant& variant, const Values&, std::string_view, Projection = {}) {
+      const bool is_held = std::holds_alternative<T>(variant);
+      if constexpr (requires(T value) { value.path; })
+        if (!is_held) return;
+      if (is_held) held = static_cast<int>(names.size());
+      names.push_back(name);
+      hold.push_back([&variant] { variant = T{}; });
+    }
+    void require(bool, std::string_view, const char*, const char*) {}
+  };
+
+  template <class Variant>
+  void draw_kind(const FieldRow& row, Variant& variant) {
+    Kinds kinds;
+    describe(kinds, variant);
+    int chosen = kinds.held;
+    const Edit edit = draw_choice(panel_, row, OneOf{kinds.names}, chosen);
+    note(row, edit);
+    if (edit.changed) kinds.hold[static_cast<std::size_t>(chosen)]();
+  }
+
+  /// What a number that was absent begins with: 1, or the middle of its orders of magnitude.
+  static double first_value(const Numbers& numbers) {
+    if (numbers.minimum <= 0) return std::clamp(1.0, numbers.minimum, numbers.maximum);
+    return std::sqrt(numbers.minimum * numbers.maximum);
+  }
+
+  template <class T>
+  static std::string name_of(const T& item) {
+    if constexpr (requires { item.name; }) return item.name;
+    return "";
+  }
+
+  /// With a name that none has; a probe is of the first body.
+  template <class T>
+  T new_item(const std::vector<T>& items) const {
+    T item{};
+    if constexpr (requires { item.body; }) {
+      if (!panel_.history.scene().bodies.empty()) item.body = panel_.history.scene().bodies.front().name;
+    }
+    if constexpr (requires { item.name; }) {
+      const std::string first = item.name;
+      for (int number = 2; std::ranges::find(items, item.name, &T::name) != items.end(); ++number)
+        item.name = first + " " + std::to_string(number);
+    }
+    return item;
+  }
+
+  Panel& panel_;
+  std::string tag_;
+  std::vector<std::string_view> hidden_;
+  std::string edited_, edited_tag_, problem_;
+  Edit edit_;
+};
+
+}  // namespace griffith::ui

@@ -1,0 +1,122 @@
+#include "ui/widgets/icons.h"
+
+#include <cmath>
+#include <initializer_list>
+
+namespace griffith::ui {
+namespace {
+
+constexpr float kPi = 3.14159265f;
+
+/// Draws in a square from -1 to 1, y downwards.
+class Pen {
+ public:
+  Pen(ImDrawList* list, ImVec2 center, float size, ImU32 color)
+      : list_(list), center_(center), half_(size / 2), color_(color) {}
+
+  ImVec2 at(float x, float y) const { return {center_.x + half_ * x, center_.y + half_ * y}; }
+  void triangle(ImVec2 a, ImVec2 b, ImVec2 c) const {
+    list_->AddTriangleFilled(at(a.x, a.y), at(b.x, b.y), at(c.x, c.y), color_);
+  }
+  void box(float x0, float y0, float x1, float y1) const {
+    list_->AddRectFilled(at(x0, y0), at(x1, y1), color_, 0.1f * half_);
+  }
+  void line(float x0, float y0, float x1, float y1) const { list_->AddLine(at(x0, y0), at(x1, y1), color_, width()); }
+  void frame(float x0, float y0, float x1, float y1) const {
+    list_->AddRect(at(x0, y0), at(x1, y1), color_, 0.2f * half_, 0, width());
+  }
+  void arc(float radius, float from, float to) const {
+    list_->PathArcTo(center_, radius * half_, from, to, 20);
+    list_->PathStroke(color_, 0, width());
+  }
+  void disc(float x, float y, float radius) const { list_->AddCircleFilled(at(x, y), radius * half_, color_, 16); }
+  void text(const char* letter) const {
+    const ImVec2 size = ImGui::CalcTextSize(letter);
+    list_->AddText({std::round(center_.x - size.x / 2), std::round(center_.y - size.y / 2)}, color_, letter);
+  }
+
+ private:
+  float width() const { return 0.22f * half_; }
+
+  ImDrawList* list_;
+  ImVec2 center_;
+  float half_;
+  ImU32 color_;
+};
+
+/// Three quarters of a circle with an arrow head; `side` -1 turns left, 1 right.
+void draw_turn(const Pen& pen, float side) {
+  if (side < 0) {
+    pen.arc(0.75f, -0.75f * kPi, 0.8f * kPi);
+  } else {
+    pen.arc(0.75f, 0.2f * kPi, 1.75f * kPi);
+  }
+  pen.triangle({side * 0.95f, -0.95f}, {side * 0.95f, -0.1f}, {side * 0.1f, -0.25f});
+}
+
+void draw_corners(const Pen& pen) {
+  for (const float x : {-0.85f, 0.85f}) {
+    for (const float y : {-0.85f, 0.85f}) {
+      pen.line(x, y, 0.4f * x, y);
+      pen.line(x, y, x, 0.4f * y);
+    }
+  }
+  pen.disc(0, 0, 0.25f);
+}
+
+void draw_bow(const Pen& pen, float side) {
+  pen.line(-side * 0.8f, 0.5f, -side * 0.8f, -0.05f);
+  pen.line(-side * 0.8f, -0.05f, side * 0.4f, -0.05f);
+  pen.triangle({side * 0.9f, -0.05f}, {side * 0.25f, -0.6f}, {side * 0.25f, 0.5f});
+}
+
+}  // namespace
+
+void draw_icon(ImDrawList* list, Icon icon, ImVec2 center, float size, ImU32 color) {
+  const Pen pen(list, center, size, color);
+  switch (icon) {
+    case Icon::none:
+      break;
+    case Icon::play:
+      pen.triangle({-0.6f, -0.85f}, {-0.6f, 0.85f}, {0.85f, 0});
+      break;
+    case Icon::pause:
+      pen.box(-0.65f, -0.8f, -0.15f, 0.8f);
+      pen.box(0.15f, -0.8f, 0.65f, 0.8f);
+      break;
+    case Icon::step:
+      pen.triangle({-0.7f, -0.8f}, {-0.7f, 0.8f}, {0.4f, 0});
+      pen.box(0.45f, -0.8f, 0.75f, 0.8f);
+      break;
+    case Icon::reset:
+      draw_turn(pen, 1);
+      break;
+    case Icon::fire:
+      pen.disc(0.35f, -0.1f, 0.45f);
+      for (const float y : {-0.4f, 0.0f, 0.4f}) pen.line(-0.9f, y - 0.1f, -0.35f + 0.2f * (y == 0), y - 0.1f);
+      break;
+    case Icon::open:
+      pen.box(-0.85f, -0.65f, -0.1f, -0.3f);
+      pen.frame(-0.85f, -0.4f, 0.85f, 0.65f);
+      break;
+    case Icon::camera:
+      pen.frame(-0.9f, -0.45f, 0.9f, 0.7f);
+      pen.box(-0.3f, -0.75f, 0.3f, -0.4f);
+      pen.disc(0, 0.12f, 0.3f);
+      break;
+    case Icon::frame:
+      draw_corners(pen);
+      break;
+    case Icon::help:
+      pen.text("?");
+      break;
+    case Icon::undo:
+      draw_bow(pen, -1);
+      break;
+    case Icon::redo:
+      draw_bow(pen, 1);
+      break;
+  }
+}
+
+}  // namespace griffith::ui

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/world/frame.h"
+#include "ui/model/editor_state.h"
+#include "ui/widgets/fonts.h"
+#include "ui/widgets/labels.h"
+#include "ui/widgets/legend.h"
+#include "ui/widgets/widget_tags.h"
+
+namespace griffith::ui {
+
+/// What the panels read, new for every drawn frame.
+struct EditorInput {
+  Frame frame;
+  Fonts fonts;
+  ImTextureID picture = nullptr;                       ///< of the scene, bottom row first
+  std::optional<Legend> legend;                        ///< of the picture
+  std::vector<PictureLabel> labels;                    ///< of the picture
+  std::span<const UtilizationSample> utilizations;     ///< past of the selected node, oldest first
+  Vec3 low = Vec3::Zero(), high = Vec3::Zero();        ///< box round the bodies [m]
+  Vec3 towards_eye = Vec3::UnitZ();                    ///< from what is looked at
+  std::span<const std::filesystem::path> scene_files;  ///< offered for opening
+  std::filesystem::path scene_path;                    ///< of the scene being edited, may be empty
+  double time_step = 0;                                ///< in force [s]
+  double step_milliseconds = 0;                        ///< of a step, smoothed
+  double frames_per_second = 0;                        ///< drawn
+  double reached_speed = 0;     ///< simulated seconds per second, smoothed; of interest while running
+  bool falling_behind = false;  ///< steps take longer than the wanted speed allows
+};
+
+/// What a panel draws with.
+struct Panel {
+  const EditorInput& input;
+  EditorState& state;
+  EditHistory& history;
+  WidgetTags& tags;
+  std::vector<Command>& commands;
+};
+
+/// Whether the command makes sense now.
+bool command_enabled(CommandId id, const Panel& panel);
+
+/// Issues the command if it is enabled.
+void issue(Panel& panel, Command command);
+
+}  // namespace griffith::ui
