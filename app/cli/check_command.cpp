@@ -10,11 +10,16 @@
 namespace griffith::app {
 namespace {
 
-void warn_of(const std::vector<InputError>& findings, const std::filesystem::path& path) {
+void warn_of(const std::vector<InputError>& findings) {
   constexpr std::size_t kMaximum = 20;
   for (std::size_t i = 0; i < std::min(findings.size(), kMaximum); ++i)
-    std::fprintf(stderr, "warning: %s\n", in_file(path, findings[i]).what());
+    std::fprintf(stderr, "warning: %s\n", findings[i].what());
   if (findings.size() > kMaximum) std::fprintf(stderr, "warning: and %zu more\n", findings.size() - kMaximum);
+}
+
+std::vector<InputError> all_in_file(const std::filesystem::path& path, std::vector<InputError> findings) {
+  for (InputError& finding : findings) finding = in_file(path, finding);
+  return findings;
 }
 
 /// All problems of the file, while its warnings are printed; where it reads well, the first one of its meshes.
@@ -24,8 +29,9 @@ std::vector<InputError> problems_of(const std::filesystem::path& path) {
   try {
     const Scene scene = read_scene(path);
     const World world = make_world(scene, path);
-    warn_of(world.findings(), path);
-    warn_of(starting_overlaps(scene, world.frame()), path);
+    warn_of(outdated_names(path));
+    warn_of(all_in_file(path, world.findings()));
+    warn_of(all_in_file(path, starting_overlaps(scene, world.frame())));
   } catch (const InputError& error) {
     problems.push_back(error);
   }

@@ -61,13 +61,13 @@ void save_pictures(const RenderOptions& options, const std::function<void()>& st
 /// The node that was asked for, while there is one of that number. Throws InputError where the last step has none.
 ui::Selection selected(const RenderOptions& options, const Frame& frame) {
   if (!options.node) return {};
-  const auto nodes = static_cast<int>(frame.positions.size());
+  const auto nodes = static_cast<int>(frame.nodes.positions.size());
   if (*options.node >= nodes && frame.step >= options.frame)
     throw InputError("--node", "there is no node " + std::to_string(*options.node),
                      "take one below " + std::to_string(nodes) + "; cracks make more");
   if (*options.node >= nodes) return {};
   const NodeId node(*options.node);
-  return ui::select(frame, frame.stars[node].front(), node);
+  return ui::select(frame, frame.nodes.stars[node].front(), node);
 }
 
 void explain(const RenderOptions& options, const Frame& frame, const Scene& scene) {

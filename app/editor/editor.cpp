@@ -39,8 +39,8 @@ void set_bounds(ui::EditorInput& input) {
 Editor::Editor(Scene scene, std::filesystem::path path)
     : history_(scene),
       file_time_(time_of_file(path)),
-      world_(make_world(scene, path)),
-      display_(embedded_display(world_.frame(), scene)) {
+      timeline_(make_world(scene, path)),
+      display_(embedded_display(world().frame(), scene)) {
   show_scene(std::move(scene), std::move(path));
 }
 
@@ -67,6 +67,7 @@ void Editor::restart() {
   built_ = history_.scene();
   seen_revision_ = -1;
   history_of_utilizations_.clear();
+  forget_stop();
   remember();
   pacer_.reset();
   step_seconds_ = 0;
@@ -76,13 +77,13 @@ void Editor::restart() {
 }
 
 void Editor::update_picture() {
-  const Frame frame = world_.frame();
+  const Frame frame = world().frame();
   range_.follow(frame, state_.view.quantity);
   picture_ = draw_scene_from_frame(frame, display_, built_, state_.view, state_.selection, range_.range());
 }
 
 void Editor::remember() {
-  const Frame frame = world_.frame();
+  const Frame frame = world().frame();
   history_of_utilizations_.record(frame);
   select(ui::follow(state_.selection, frame));
 }
@@ -105,20 +106,24 @@ void Editor::frame_for_layout() {
 }
 
 void Editor::use_view(const std::string& names) {
-  use_named_view(state_.view, names, world_.frame(), (camera_.position - camera_.target).cast<double>());
+  use_named_view(state_.view, names, world().frame(), (camera_.position - camera_.target).cast<double>());
 }
 
 void Editor::advance(double elapsed) {
   if (elapsed > 0) picture_seconds_ += kSmoothing * (elapsed - picture_seconds_);
   if (!state_.running) return;
   const int steps = pacer_.steps_due(elapsed, state_.speed, history_.scene().simulation.time_step, step_seconds_);
-  for (int i = 0; i < steps; ++i) step();
+  for (int i = 0; i < steps && state_.running; ++i) step();
 }
 
 void Editor::step() {
-  world_.step();
+  const bool watches = state_.breakpoints.any() && !passes_stop_;
+  const std::optional<World> before = watches ? std::optional(world()) : std::nullopt;
+  timeline_.advance();
+  if (before && stop_before_step(*before)) return;
+  forget_stop();
   remember();
-  const Frame frame = world_.frame();
+  const Frame frame = world().frame();
   range_.follow(frame, state_.view.quantity);
   const double seconds = frame.report.milliseconds.step / 1000;
   step_seconds_ = step_seconds_ == 0 ? seconds : step_seconds_ + kSmoothing * (seconds - step_seconds_);
@@ -129,7 +134,7 @@ void Editor::step() {
 }
 
 Editor::PictureKey Editor::picture_key() const {
-  const Frame frame = world_.frame();
+  const Frame frame = world().frame();
   const bool laid_out = state_.viewport_size.x > 0;
   return {world_count_,
           frame.step,
@@ -155,7 +160,7 @@ void Editor::draw_picture(int samples) {
 
 void Editor::draw_panels(const ui::Fonts& fonts) {
   ui::EditorInput input;
-  input.frame = world_.frame();
+  input.frame = world().frame();
   input.fonts = fonts;
   input.picture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(renderer_.color_texture()));
   input.legend = scene_legend(picture_, state_.view.range.has_value());
@@ -167,6 +172,7 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
   input.towards_eye = (camera_.position - camera_.target).cast<double>();
   input.scene_files = scene_files_;
   input.scene_path = path_;
+  input.time = time_view();
   input.time_step = history_.scene().simulation.time_step;
   input.step_milliseconds = 1000 * step_seconds_;
   input.frames_per_second = picture_seconds_ > 0 ? 1 / picture_seconds_ : 0;

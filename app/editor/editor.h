@@ -14,7 +14,7 @@
 #include "renderer/camera.h"
 #include "renderer/renderer.h"
 #include "sim/core/error.h"
-#include "sim/world/world.h"
+#include "sim/timeline/timeline.h"
 #include "ui/panels/editor_layout.h"
 
 namespace griffith::app {
@@ -57,7 +57,8 @@ class Editor {
 
   ui::EditorState& state() { return state_; }
   const ui::WidgetTags& tags() const { return tags_; }
-  Frame frame() const { return world_.frame(); }
+  Frame frame() const { return world().frame(); }
+  const Timeline& timeline() const { return timeline_; }
   std::string title() const;
   bool wants_to_quit() const { return wants_to_quit_; }
   /// True once after a screenshot was asked for.
@@ -118,6 +119,16 @@ class Editor {
   void frame_for_layout();
   void toggle_range_lock();
   void toggle_slice();
+  const World& world() const { return timeline_.world(); }
+  void carry_out_in_time(const ui::Command& command);
+  /// Goes to a recorded step. The scene's materials become those that were in force.
+  void go_to(int branch, std::int64_t step);
+  /// Whether the step that was just made from `before` is one to stop before; then it is taken back.
+  bool stop_before_step(const World& before);
+  void forget_stop();
+  /// Tells how much stronger the material would have to be for the node to stand that is about to crack.
+  void explain_holding();
+  ui::TimeView time_view() const;
   void remember();
   /// Makes the picture of the world as it is.
   void update_picture();
@@ -149,7 +160,7 @@ class Editor {
   std::filesystem::file_time_type file_time_;
   std::filesystem::file_time_type opened_time_;  ///< of the file that is being opened, before it was read
   std::vector<std::filesystem::path> scene_files_;
-  World world_;
+  Timeline timeline_;
   EmbeddedDisplay display_;  ///< of the world
   WorldLoader loader_;
   std::optional<Autosave> autosave_;
@@ -168,6 +179,8 @@ class Editor {
   UtilizationHistory history_of_utilizations_;
   std::vector<ui::UtilizationSample> utilizations_;  ///< of the selected node
   StepPacer pacer_;
+  NodeId stopped_at_;                              ///< about to crack; invalid: none
+  bool passes_stop_ = false;                       ///< the next step is made although a breakpoint is met in it
   double step_seconds_ = 0, picture_seconds_ = 0;  ///< smoothed
   bool laid_out_ = false;                          ///< the size of the picture is known
   bool wants_to_quit_ = false, screenshot_wanted_ = false;

@@ -34,6 +34,13 @@ void Editor::carry_out(const ui::Command& command) {
     case CommandId::step:
       state_.running = false;
       return step();
+    case CommandId::step_back:
+    case CommandId::go_to_start:
+    case CommandId::go_to_end:
+    case CommandId::go_to_step:
+    case CommandId::go_to_branch:
+    case CommandId::explain_holding:
+      return carry_out_in_time(command);
     case CommandId::reset:
       return follow();
     case CommandId::fire:
@@ -104,7 +111,7 @@ void Editor::show_error(const InputError& error) {
 
 double Editor::max_tets() const {
   constexpr double kMany = 4e5;
-  return std::max(kMany, 2.0 * static_cast<double>(world_.frame().tets.size()));
+  return std::max(kMany, 2.0 * static_cast<double>(world().frame().elements.tets.size()));
 }
 
 void Editor::receive_world() {
@@ -142,7 +149,7 @@ void Editor::give_up_work() {
 
 void Editor::take_world(WorldLoader::Loaded loaded) {
   if (loaded.reason == LoadReason::follow) return take_followed(std::move(loaded));
-  world_ = std::move(loaded.world);
+  timeline_ = Timeline(std::move(loaded.world));
   display_ = std::move(loaded.display);
   if (loaded.reason == LoadReason::recover) return show_recovered(std::move(loaded.scene), loaded.path);
   if (loaded.reason == LoadReason::open) {
@@ -164,29 +171,29 @@ void Editor::fire(const Vec2& cursor) {
   const render::Ray ray = render::pixel_ray(picture_camera(), static_cast<float>(cursor.x() * key.width),
                                             static_cast<float>(cursor.y() * key.height), key.width, key.height);
   const Vec3 direction = ray.direction.cast<double>(), eye = ray.origin.cast<double>();
-  const double way = surface_hit(world_.frame(), history_.scene().ground, eye, direction)
+  const double way = surface_hit(world().frame(), history_.scene().ground, eye, direction)
                          .value_or((camera_.target - camera_.position).norm());
   // It leaves from beneath the eye, far enough ahead not to cover the picture.
   const double ahead = std::min(4 * state_.shot.radius, way / 2);
   const Vec3 muzzle = eye + ahead * direction - 2 * state_.shot.radius * Vec3::UnitY();
-  world_.fire(aimed_shot(state_.shot, muzzle, eye + way * direction, history_.scene().gravity));
+  timeline_.fire(aimed_shot(state_.shot, muzzle, eye + way * direction, history_.scene().gravity));
   if (!state_.running) log(ui::LogLevel::info, "Fired. It flies when the simulation runs: Space.");
 }
 
 void Editor::select(const ui::Selection& selection) {
-  const Frame frame = world_.frame();
+  const Frame frame = world().frame();
   state_.selection = selection;
-  if (selection.valid()) state_.selected_body = frame.bodies[frame.tet_bodies[selection.tet]].scene_body;
+  if (selection.valid()) state_.selected_body = frame.bodies[frame.elements.bodies[selection.tet]].scene_body;
 }
 
 void Editor::select_node(NodeId node) {
-  const Frame frame = world_.frame();
-  if (!node.valid() || static_cast<std::size_t>(node) >= frame.positions.size()) return;
-  select(ui::select(frame, frame.stars[node].front(), node));
+  const Frame frame = world().frame();
+  if (!node.valid() || static_cast<std::size_t>(node) >= frame.nodes.positions.size()) return;
+  select(ui::select(frame, frame.nodes.stars[node].front(), node));
 }
 
 void Editor::select_most_loaded() {
-  const NodeId node = most_loaded_node(world_.frame());
+  const NodeId node = most_loaded_node(world().frame());
   if (node.valid()) return select_node(node);
   log(ui::LogLevel::warning, std::string("There is no most loaded node: ") + ui::kNothingStrained);
 }
@@ -196,14 +203,14 @@ void Editor::pick(const Vec2& cursor) {
   const std::int32_t id = renderer_.id_at(static_cast<int>(x), static_cast<int>(y));
   state_.selection = {};
   if (id < 0) return;
-  const Frame frame = world_.frame();
+  const Frame frame = world().frame();
   const render::Ray ray = render::pixel_ray(picture_camera(), x, y, drawn_.width, drawn_.height);
   const ShownMesh shown = shown_mesh(frame, state_.view, {});
   select(ui::select(frame, TetId(id), nearest_corner(shown, TetId(id), ray)));
 }
 
 void Editor::frame_all() {
-  const Eigen::AlignedBox3f bulk = bulk_bounds(shown_mesh(world_.frame(), state_.view, {}));
+  const Eigen::AlignedBox3f bulk = bulk_bounds(shown_mesh(world().frame(), state_.view, {}));
   look_at(bulk.isEmpty() ? render::bounds(picture_) : bulk);
 }
 

@@ -34,14 +34,14 @@ void Editor::go_back_to_built() {
 void Editor::take_followed(WorldLoader::Loaded loaded) {
   if (start_of(loaded.scene) != start_of(history_.scene())) return follow();  // edited since
   const bool edited = start_of(loaded.scene) != start_of(built_);
-  world_ = std::move(loaded.world);
+  timeline_ = Timeline(std::move(loaded.world));
   display_ = std::move(loaded.display);
   restart();
   if (edited) log_findings();
 }
 
 void Editor::log_findings() {
-  for (const InputError& finding : world_.findings()) log(ui::LogLevel::warning, finding.what());
+  for (const InputError& finding : world().findings()) log(ui::LogLevel::warning, finding.what());
 }
 
 void Editor::follow_edits() {
@@ -58,7 +58,7 @@ void Editor::follow_edits() {
 
 void Editor::follow_materials() {
   const std::vector<BodyDescription>& bodies = history_.scene().bodies;
-  const Frame frame = world_.frame();
+  const Frame frame = world().frame();
   if (frame.materials.size() != bodies.size()) return;  // it comes with the world that is being built
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (frame.materials[i] != bodies[i].material && !follow_material(static_cast<int>(i))) return;
@@ -68,12 +68,12 @@ void Editor::follow_materials() {
 
 bool Editor::follow_material(int scene_body) {
   try {
-    world_.set_material(scene_body, history_.scene().bodies[scene_body].material);
+    timeline_.set_material(scene_body, history_.scene().bodies[scene_body].material);
     range_.restart();
     return true;
   } catch (const InputError& error) {
     show_error(in_file(path_, error));
-    const std::span<const Material> in_force = world_.frame().materials;
+    const std::span<const Material> in_force = world().frame().materials;
     const bool found = history_.go_to(
         [&](const Scene& scene) { return std::ranges::equal(scene.bodies, in_force, {}, &BodyDescription::material); });
     if (!found) history_.undo();  // some bodies have taken what one refused

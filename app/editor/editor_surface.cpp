@@ -33,7 +33,7 @@ std::string free_name(const Scene& scene, const std::string& wanted) {
 /// Where what stands to the right of all bodies begins: their end, and some room.
 double free_place(const Frame& frame, double room) {
   double right = -room;
-  for (const Vec3& position : frame.positions) right = std::max(right, position.x());
+  for (const Vec3& position : frame.nodes.positions) right = std::max(right, position.x());
   return right + room;
 }
 
@@ -76,7 +76,7 @@ void Editor::add_surface() {
   state_.running = false;
   const double room = 0.1;
   auto make_scene = [scene = history_.scene(), shape = shape_of(state_.surface),
-                     free_x = free_place(world_.frame(), room)](const Monitor& monitor) mutable {
+                     free_x = free_place(world().frame(), room)](const Monitor& monitor) mutable {
     if (monitor.stage) monitor.stage("Reading the surface");
     BodyDescription body = standing_body(shape, scene, free_x, monitor);
     make_relative(body, scene.folder);
@@ -88,12 +88,12 @@ void Editor::add_surface() {
 
 void Editor::report_surface() {
   const int index = state_.selected_body;
-  const MeshQuality quality = mesh_quality(placed_tets(world_.frame(), index).soup);
+  const MeshQuality quality = mesh_quality(placed_tets(world().frame(), index).soup);
   ui::WorkReport report{"Added the body \"" + history_.scene().bodies[static_cast<std::size_t>(index)].name + "\"",
                         facts_of(quality),
                         {}};
   const std::string place = "#/bodies/" + std::to_string(index) + "/";
-  for (const InputError& finding : world_.findings())
+  for (const InputError& finding : world().findings())
     if (finding.where().starts_with(place)) report.warnings.push_back(finding.problem());
   log(ui::LogLevel::info, report.title + ": " + report.facts.front());
   for (const std::string& warning : report.warnings) log(ui::LogLevel::warning, warning);

@@ -10,7 +10,7 @@ namespace griffith::app {
 
 NodeId nearest_corner(const ShownMesh& shown, TetId tet, const render::Ray& ray) {
   const Vec3 origin = ray.origin.cast<double>(), direction = ray.direction.cast<double>();
-  const auto corner = [&](int i) { return shown.positions[shown.frame.tets[tet][i]]; };
+  const auto corner = [&](int i) { return shown.positions[shown.frame.elements.tets[tet][i]]; };
   std::optional<double> entry;
   for (const auto& face : kTetFaces) {
     const std::optional<double> t = triangle_hit(origin, direction, corner(face[0]), corner(face[1]), corner(face[2]));
@@ -20,7 +20,7 @@ NodeId nearest_corner(const ShownMesh& shown, TetId tet, const render::Ray& ray)
     const Vec3 arm = shown.positions[node] - origin;
     return (arm - entry.value_or(arm.dot(direction)) * direction).norm();
   };
-  return *std::ranges::min_element(shown.frame.tets[tet], {}, distance);
+  return *std::ranges::min_element(shown.frame.elements.tets[tet], {}, distance);
 }
 
 }  // namespace griffith::app

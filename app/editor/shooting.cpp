@@ -25,12 +25,12 @@ std::optional<double> surface_hit(const Frame& frame, const std::optional<Ground
   const auto keep = [&nearest](std::optional<double> t) {
     if (t && (!nearest || *t < *nearest)) nearest = t;
   };
-  for (std::size_t tet = 0; tet < frame.tets.size(); ++tet) {
+  for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet) {
     for (std::size_t face = 0; face < 4; ++face) {
-      if (frame.neighbours[tet][face].valid()) continue;
+      if (frame.elements.neighbours[tet][face].valid()) continue;
       const auto corner = [&](std::size_t i) {
-        const NodeId node = frame.tets[tet][static_cast<std::size_t>(kTetFaces[face][i])];
-        return frame.positions[static_cast<std::size_t>(node.value)];
+        const NodeId node = frame.elements.tets[tet][static_cast<std::size_t>(kTetFaces[face][i])];
+        return frame.nodes.positions[static_cast<std::size_t>(node.value)];
       };
       keep(triangle_hit(origin, direction, corner(0), corner(1), corner(2)));
     }

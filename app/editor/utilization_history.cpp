@@ -10,7 +10,7 @@ namespace {
 std::vector<NodeId> ancestors(const Frame& frame, NodeId node) {
   std::vector<NodeId> nodes = {node};
   for (std::int32_t i = node.value - 1; i >= 0; --i)
-    if (frame.rest_positions[i] == frame.rest_positions[node]) nodes.emplace_back(i);
+    if (frame.nodes.rest_positions[i] == frame.nodes.rest_positions[node]) nodes.emplace_back(i);
   return nodes;
 }
 
@@ -21,10 +21,14 @@ void UtilizationHistory::clear() {
   values_ = 0;
 }
 
+void UtilizationHistory::forget_after(double time) {
+  for (; !steps_.empty() && steps_.back().time > time; steps_.pop_back()) values_ -= steps_.back().utilizations.size();
+}
+
 void UtilizationHistory::record(const Frame& frame) {
   Step step{frame.time, {}};
-  step.utilizations.reserve(frame.separations.size());
-  for (const NodeSeparation& separation : frame.separations)
+  step.utilizations.reserve(frame.nodes.separations.size());
+  for (const NodeSeparation& separation : frame.nodes.separations)
     step.utilizations.push_back(static_cast<float>(separation.utilization));
   values_ += step.utilizations.size();
   steps_.push_back(std::move(step));
@@ -44,7 +48,7 @@ std::vector<ui::UtilizationSample> UtilizationHistory::samples(const Frame& fram
   }
   for (const CrackEvent& event : frame.crack_events) {
     const bool recorded = !steps_.empty() && event.time >= steps_.front().time;
-    if (recorded && event.rest_position == frame.rest_positions[node])
+    if (recorded && event.rest_position == frame.nodes.rest_positions[node])
       samples.push_back({event.time, static_cast<float>(event.load / event.resistance), true});
   }
   std::ranges::stable_sort(samples, {}, &ui::UtilizationSample::time);

@@ -17,17 +17,17 @@ struct ExportArrays {
 
 ExportArrays arrays_of(const Frame& frame) {
   ExportArrays arrays;
-  for (std::size_t i = 0; i < frame.positions.size(); ++i) {
-    const NodeSeparation& separation = frame.separations[i];
-    arrays.displacements.push_back(frame.positions[i] - frame.rest_positions[i]);
+  for (std::size_t i = 0; i < frame.nodes.positions.size(); ++i) {
+    const NodeSeparation& separation = frame.nodes.separations[i];
+    arrays.displacements.push_back(frame.nodes.positions[i] - frame.nodes.rest_positions[i]);
     arrays.separation_directions.push_back(separation.direction);
     arrays.separation_stresses.push_back(separation.stress);
     arrays.resistances.push_back(separation.resistance);
     arrays.utilizations.push_back(separation.utilization);
   }
-  for (std::size_t i = 0; i < frame.tets.size(); ++i) {
-    const BodyId body = frame.tet_bodies[i];
-    arrays.von_mises.push_back(von_mises_stress(frame.stresses[i]));
+  for (std::size_t i = 0; i < frame.elements.tets.size(); ++i) {
+    const BodyId body = frame.elements.bodies[i];
+    arrays.von_mises.push_back(von_mises_stress(frame.elements.stresses[i]));
     arrays.bodies.push_back(body);
     arrays.scene_bodies.push_back(frame.bodies[body].scene_body);
   }
@@ -41,23 +41,23 @@ void export_vtu(const std::filesystem::path& path, const Frame& frame) {
   const auto ids = [](const std::vector<std::int32_t>& values) { return std::span<const std::int32_t>(values); };
   VtuFields fields;
   fields.per_node = {{"displacement [m]", vectors(arrays.displacements)},
-                     {"velocity [m/s]", frame.velocities},
-                     {"reaction [N]", frame.reactions},
+                     {"velocity [m/s]", frame.nodes.velocities},
+                     {"reaction [N]", frame.nodes.reactions},
                      {"separation_stress [Pa]", doubles(arrays.separation_stresses)},
                      {"resistance [Pa or N]", doubles(arrays.resistances)},
                      {"utilization", doubles(arrays.utilizations)},
                      {"separation_direction", vectors(arrays.separation_directions)}};
-  fields.per_tet = {{"stress [Pa]", frame.stresses},
+  fields.per_tet = {{"stress [Pa]", frame.elements.stresses},
                     {"von_mises [Pa]", doubles(arrays.von_mises)},
                     {"body", ids(arrays.bodies)},
                     {"scene_body", ids(arrays.scene_bodies)}};
-  write_vtu(path, frame.positions, frame.tets, fields);
+  write_vtu(path, frame.nodes.positions, frame.elements.tets, fields);
 }
 
 void export_gmsh(const std::filesystem::path& path, const Frame& frame) {
   TetSoup soup;
-  soup.points.assign(frame.positions.begin(), frame.positions.end());
-  for (const auto& tet : frame.tets) soup.tets.push_back({tet[0], tet[1], tet[2], tet[3]});
+  soup.points.assign(frame.nodes.positions.begin(), frame.nodes.positions.end());
+  for (const auto& tet : frame.elements.tets) soup.tets.push_back({tet[0], tet[1], tet[2], tet[3]});
   write_gmsh(path, soup);
 }
 

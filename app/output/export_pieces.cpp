@@ -23,29 +23,30 @@ void add_polygon(PieceSurface& surface, const Polygon& points) {
 
 /// The body that owns the splinter of a part.
 BodyId body_of(const Frame& frame, int part) {
-  return frame.tet_bodies[frame.splinters[frame.splinter_parts[part].splinter].owner];
+  return frame.elements.bodies[frame.splinters.splinters[frame.splinters.parts[part].splinter].owner];
 }
 
 void add_splinters(PieceSurface& surface, const Frame& frame, BodyId body) {
-  for (const SplinterFace& face : frame.splinter_faces) {
+  for (const SplinterFace& face : frame.splinters.faces) {
     if (body_of(frame, face.part) != body) continue;
     if (face.beyond >= 0 && body_of(frame, face.beyond) == body) continue;
-    const TetId tet = carrier(frame.splinters, frame.splinter_parts, frame.attached_parts, face.part);
+    const TetId tet = carrier(frame.splinters.splinters, frame.splinters.parts, frame.splinters.attached, face.part);
     std::vector<Vec3> points;
-    for (const SplinterCorner& corner : frame.splinter_corners.subspan(face.first_corner, face.corners))
-      points.push_back(carried_position(corner, frame.attached_parts[face.part], frame.tets[tet], frame.positions));
+    for (const SplinterCorner& corner : frame.splinters.corners.subspan(face.first_corner, face.corners))
+      points.push_back(carried_position(corner, frame.splinters.attached[face.part], frame.elements.tets[tet],
+                                        frame.nodes.positions));
     add_polygon(surface, points);
   }
 }
 
 void add_tets(PieceSurface& surface, const Frame& frame, BodyId body, bool cracks_only) {
-  for (std::size_t tet = 0; tet < frame.tets.size(); ++tet) {
-    if (frame.tet_bodies[tet] != body) continue;
+  for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet) {
+    if (frame.elements.bodies[tet] != body) continue;
     for (int face = 0; face < 4; ++face) {
-      const bool at_first = frame.first_surface[tet] >> face & 1;
-      if (frame.neighbours[tet][face].valid() || (cracks_only && at_first)) continue;
+      const bool at_first = frame.elements.first_surface[tet] >> face & 1;
+      if (frame.elements.neighbours[tet][face].valid() || (cracks_only && at_first)) continue;
       std::array<Vec3, 3> points;
-      for (int i = 0; i < 3; ++i) points[i] = frame.positions[frame.tets[tet][kTetFaces[face][i]]];
+      for (int i = 0; i < 3; ++i) points[i] = frame.nodes.positions[frame.elements.tets[tet][kTetFaces[face][i]]];
       add_polygon(surface, points);
     }
   }
@@ -53,7 +54,7 @@ void add_tets(PieceSurface& surface, const Frame& frame, BodyId body, bool crack
 
 void add_skin(PieceSurface& surface, const Frame& frame, BodyId body, const Skin& skin) {
   for (std::size_t i = 0; i < skin.corners.size(); i += 3) {
-    if (frame.tet_bodies[skin.corners[i].part.triangle_tet] != body) continue;
+    if (frame.elements.bodies[skin.corners[i].part.triangle_tet] != body) continue;
     std::array<Vec3, 3> points;
     for (std::size_t k = 0; k < 3; ++k) {
       points[k] = skin_position(frame, skin.corners[i + k]);
@@ -66,7 +67,7 @@ void add_skin(PieceSurface& surface, const Frame& frame, BodyId body, const Skin
 }
 
 bool has_splinters(const Frame& frame, int scene_body) {
-  for (const Splinter& splinter : frame.splinters)
+  for (const Splinter& splinter : frame.splinters.splinters)
     if (splinter.scene_body == scene_body) return true;
   return false;
 }

@@ -55,7 +55,7 @@ void add_counters(Json& json, const StepReport& total) {
 
 /// Without the projectiles, so that it stays what it was [kg].
 double mass_of_bodies(const Frame& frame) {
-  return std::accumulate(frame.node_masses.begin(), frame.node_masses.end(), 0.0);
+  return std::accumulate(frame.nodes.masses.begin(), frame.nodes.masses.end(), 0.0);
 }
 
 void add_totals(Json& json, const Totals& totals) {
@@ -97,8 +97,8 @@ std::string RunStatistics::json(const Frame& frame, std::uint64_t state_hash) co
   Json json;
   json["frames"] = frame.step;
   json["dt"] = time_step_;
-  json["tets"] = frame.tets.size();
-  json["nodes"] = frame.positions.size();
+  json["tets"] = frame.elements.tets.size();
+  json["nodes"] = frame.nodes.positions.size();
   json["bodies"] = frame.bodies.size();
   json["fragments"] = frame.fragments;
   json["crack_events"] = frame.crack_events.size();
@@ -137,10 +137,10 @@ std::string RunStatistics::summary(const Frame& frame, std::uint64_t state_hash)
                 "trouble: %d cracks postponed, %d suppressed, %d unfinished equilibria, %d inverted tetrahedra, %d "
                 "values not finite\n"
                 "state hash %s\n",
-                static_cast<long long>(frame.step), 1e3 * time_step_, frame.tets.size(), frame.positions.size(),
-                frame.bodies.size(), frame.fragments, frame.crack_events.size(), times.median, times.p99, times.max,
-                t.solver_iterations, t.max_relative_residual, t.unconverged_solves, t.cracks_postponed,
-                t.cracks_suppressed, t.unfinished_equilibria, t.inverted_tets, t.non_finite_values,
+                static_cast<long long>(frame.step), 1e3 * time_step_, frame.elements.tets.size(),
+                frame.nodes.positions.size(), frame.bodies.size(), frame.fragments, frame.crack_events.size(),
+                times.median, times.p99, times.max, t.solver_iterations, t.max_relative_residual, t.unconverged_solves,
+                t.cracks_postponed, t.cracks_suppressed, t.unfinished_equilibria, t.inverted_tets, t.non_finite_values,
                 hash_text(state_hash).c_str());
   std::string lines = text;
   for (const auto& [scene_body, scaled] : scaled_) {

@@ -9,7 +9,7 @@ namespace griffith::app {
 /// The box round all nodes [m], but for those whose position is not finite; empty where there are none.
 inline Eigen::AlignedBox3d bounds_of(const Frame& frame) {
   Eigen::AlignedBox3d box;
-  for (const Vec3& position : frame.positions)
+  for (const Vec3& position : frame.nodes.positions)
     if (position.allFinite()) box.extend(position);
   return box;
 }

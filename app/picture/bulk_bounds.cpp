@@ -18,9 +18,9 @@ struct Thing {
 std::vector<Thing> pieces(const ShownMesh& shown) {
   const Frame& frame = shown.frame;
   std::vector<Thing> all(frame.bodies.size());
-  for (std::size_t tet = 0; tet < frame.tets.size(); ++tet) {
-    Box& box = all[static_cast<std::size_t>(frame.tet_bodies[tet].value)].box;
-    for (const NodeId node : frame.tets[tet])
+  for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet) {
+    Box& box = all[static_cast<std::size_t>(frame.elements.bodies[tet].value)].box;
+    for (const NodeId node : frame.elements.tets[tet])
       if (shown.positions[node].allFinite()) box.extend(shown.positions[node]);
   }
   for (std::size_t i = 0; i < all.size(); ++i) all[i].mass = frame.bodies[i].mass;

@@ -20,7 +20,7 @@ void add_outline(const ShownMesh& shown, TetId tet, const render::Rgb& color, re
   constexpr double kShrink = 0.93;
   const Vec3 middle = shown.centroid(tet);
   const auto corner = [&](int i) {
-    return (middle + kShrink * (shown.positions[shown.frame.tets[tet][i]] - middle)).cast<float>().eval();
+    return (middle + kShrink * (shown.positions[shown.frame.elements.tets[tet][i]] - middle)).cast<float>().eval();
   };
   for (int a = 0; a < 4; ++a)
     for (int b = a + 1; b < 4; ++b) picture.lines.push_back({corner(a), corner(b), color, tet.value});

@@ -34,9 +34,9 @@ class TetFilter {
   /// Whether a face without a neighbour is shown: of a body with a skin, what cracks have laid bare.
   bool shows(std::size_t tet, std::size_t face) const {
     if (!embedded_) return true;
-    const auto body = static_cast<std::size_t>(frame_.tet_bodies[tet].value);
+    const auto body = static_cast<std::size_t>(frame_.elements.bodies[tet].value);
     const auto scene_body = static_cast<std::size_t>(frame_.bodies[body].scene_body);
-    const bool is_crack = !(frame_.first_surface[tet] >> face & 1);
+    const bool is_crack = !(frame_.elements.first_surface[tet] >> face & 1);
     return !display_.splintered[scene_body] && (is_crack || !display_.skinned[scene_body]);
   }
 
@@ -48,20 +48,21 @@ class TetFilter {
 
 void color_plainly(render::DrawScene& picture, const Frame& frame, const EmbeddedDisplay& display) {
   if (!picture.embedded.mesh) return;
-  picture.embedded.piece_colors.assign(frame.splinters.size() + display.skin_parts.size(), picture.surface.color);
+  picture.embedded.piece_colors.assign(frame.splinters.splinters.size() + display.skin_parts.size(),
+                                       picture.surface.color);
 }
 
 /// Of a tet, what the quantity "body", "tet" or "splinter" tells apart.
 render::Rgb tet_color(const Frame& frame, std::int32_t tet, const ViewSettings& view) {
-  return id_color(view.quantity == "tet" ? tet : frame.tet_bodies[tet].value);
+  return id_color(view.quantity == "tet" ? tet : frame.elements.bodies[tet].value);
 }
 
 void color_by_id(render::DrawScene& picture, const Frame& frame, const EmbeddedDisplay& display,
                  const ViewSettings& view) {
   for (const std::int32_t tet : picture.surface.ids) picture.surface.colors.push_back(tet_color(frame, tet, view));
   if (!picture.embedded.mesh) return;
-  for (std::size_t i = 0; i < frame.splinters.size(); ++i) {
-    const std::int32_t owner = frame.splinters[i].owner.value;
+  for (std::size_t i = 0; i < frame.splinters.splinters.size(); ++i) {
+    const std::int32_t owner = frame.splinters.splinters[i].owner.value;
     picture.embedded.piece_colors.push_back(view.quantity == "splinter" ? id_color(static_cast<std::int32_t>(i))
                                                                         : tet_color(frame, owner, view));
   }
@@ -71,7 +72,7 @@ void color_by_id(render::DrawScene& picture, const Frame& frame, const EmbeddedD
 
 void color_by_material(render::DrawScene& picture, const Frame& frame) {
   for (std::size_t i = 0; i < picture.surface.ids.size(); ++i) {
-    const BodyId body = frame.tet_bodies[picture.surface.ids[i]];
+    const BodyId body = frame.elements.bodies[picture.surface.ids[i]];
     const Look look = picture.surface.flags[i] & render::kCrackFace ? Look::inside : Look::outside;
     const auto index = static_cast<std::size_t>(look_index(frame.bodies[body].scene_body, look));
     picture.surface.colors.push_back(picture.embedded.materials[index].color);
@@ -146,7 +147,7 @@ render::EmbeddedSurface embedded_surface(const ShownMesh& shown, const EmbeddedD
   surface.tets = ordered_tets(frame, display.orders);
   add_carriers(frame, surface.carriers);
   for (const SkinPart& part : display.skin_parts) surface.carriers.push_back(skin_carrier(frame, part).value);
-  surface.opened.assign(frame.open_walls.begin(), frame.open_walls.end());
+  surface.opened.assign(frame.splinters.open_walls.begin(), frame.splinters.open_walls.end());
   return surface;
 }
 
@@ -204,14 +205,14 @@ EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene) {
   EmbeddedDisplay display;
   display.splintered.resize(scene.bodies.size(), 0);
   display.skinned.resize(scene.bodies.size(), 0);
-  for (const Splinter& splinter : frame.splinters)
+  for (const Splinter& splinter : frame.splinters.splinters)
     display.splintered[static_cast<std::size_t>(splinter.scene_body)] = 1;
   auto mesh = std::make_shared<render::EmbeddedMesh>();
   add_splinters(frame, *mesh);
   for (const Skin& skin : make_skins(frame, scene)) {
     const auto parts = static_cast<int>(display.skin_parts.size());
-    add_skin(frame, skin, static_cast<int>(frame.splinter_parts.size()) + parts,
-             static_cast<int>(frame.splinters.size()) + parts, *mesh);
+    add_skin(frame, skin, static_cast<int>(frame.splinters.parts.size()) + parts,
+             static_cast<int>(frame.splinters.splinters.size()) + parts, *mesh);
     for (const SkinCorner& corner : skin.corners) display.skin_parts.push_back(corner.part);
     display.skinned[static_cast<std::size_t>(skin.scene_body)] = 1;
   }

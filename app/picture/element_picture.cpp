@@ -25,7 +25,7 @@ Vec3 place_of(const EdgePlace& place, const std::array<Vec3, 4>& corners) {
 
 std::array<Vec3, 4> shown_corners(const ShownMesh& shown, TetId tet, double shrink) {
   std::array<Vec3, 4> corners;
-  for (std::size_t i = 0; i < 4; ++i) corners[i] = shown.positions[shown.frame.tets[tet][i]];
+  for (std::size_t i = 0; i < 4; ++i) corners[i] = shown.positions[shown.frame.elements.tets[tet][i]];
   if (shrink == 1) return corners;
   const Vec3 middle = shown.centroid(tet);
   for (Vec3& corner : corners) corner = middle + shrink * (corner - middle);
@@ -70,8 +70,8 @@ void add_section(std::vector<EdgePlace> places, TetId tet, const std::array<Vec3
 
 std::uint8_t flags_of(const PictureTriangle& triangle, const Frame& frame, TetId selected) {
   std::uint8_t flags = triangle.edges;
-  const bool outer = triangle.face < 0 || frame.neighbours[triangle.tet][triangle.face].valid() ||
-                     (frame.first_surface[triangle.tet] >> triangle.face & 1);
+  const bool outer = triangle.face < 0 || frame.elements.neighbours[triangle.tet][triangle.face].valid() ||
+                     (frame.elements.first_surface[triangle.tet] >> triangle.face & 1);
   if (!outer) flags |= render::kCrackFace;
   if (triangle.tet == selected) flags |= render::kSelected;
   return flags;
@@ -91,12 +91,12 @@ struct TetEdge {
 
 std::vector<TetEdge> sorted_edges(const ShownMesh& shown) {
   std::vector<TetEdge> edges;
-  edges.reserve(6 * shown.frame.tets.size());
-  for (std::size_t i = 0; i < shown.frame.tets.size(); ++i) {
+  edges.reserve(6 * shown.frame.elements.tets.size());
+  for (std::size_t i = 0; i < shown.frame.elements.tets.size(); ++i) {
     const TetId tet(static_cast<std::int64_t>(i));
     if (!shown.visible(shown.centroid(tet))) continue;
     for (const auto& [p, q] : kTetEdges) {
-      const NodeId a = shown.frame.tets[tet][p], b = shown.frame.tets[tet][q];
+      const NodeId a = shown.frame.elements.tets[tet][p], b = shown.frame.elements.tets[tet][q];
       edges.push_back({std::min(a, b), std::max(a, b), tet});
     }
   }
@@ -108,17 +108,17 @@ std::vector<TetEdge> sorted_edges(const ShownMesh& shown) {
 
 std::vector<PictureTriangle> surface_triangles(const Frame& frame, const FaceFilter& shows) {
   std::vector<PictureTriangle> triangles;
-  for (std::size_t tet = 0; tet < frame.tets.size(); ++tet)
+  for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet)
     for (std::size_t face = 0; face < 4; ++face)
-      if (!frame.neighbours[tet][face].valid() && shows(tet, face))
+      if (!frame.elements.neighbours[tet][face].valid() && shows(tet, face))
         triangles.push_back(face_triangle(TetId(static_cast<std::int64_t>(tet)), face));
   return triangles;
 }
 
 std::vector<PictureTriangle> element_triangles(const ShownMesh& shown) {
   std::vector<PictureTriangle> triangles;
-  triangles.reserve(4 * shown.frame.tets.size());
-  for (std::size_t i = 0; i < shown.frame.tets.size(); ++i) {
+  triangles.reserve(4 * shown.frame.elements.tets.size());
+  for (std::size_t i = 0; i < shown.frame.elements.tets.size(); ++i) {
     const TetId tet(static_cast<std::int64_t>(i));
     if (!shown.visible(shown.centroid(tet))) continue;
     for (std::size_t face = 0; face < 4; ++face) triangles.push_back(face_triangle(tet, face));
@@ -130,7 +130,7 @@ std::vector<PictureTriangle> cap_triangles(const ShownMesh& shown) {
   std::vector<PictureTriangle> triangles;
   if (!shown.view.slice) return triangles;
   const Vec3 normal = shown.view.slice->normal.normalized();
-  for (std::size_t i = 0; i < shown.frame.tets.size(); ++i) {
+  for (std::size_t i = 0; i < shown.frame.elements.tets.size(); ++i) {
     const TetId tet(static_cast<std::int64_t>(i));
     const std::array<Vec3, 4> corners = shown_corners(shown, tet, 1);
     std::array<double, 4> heights;
@@ -161,7 +161,7 @@ void add_scalars(const std::vector<PictureTriangle>& triangles, const Frame& fra
     const PictureTriangle& triangle = triangles[i];
     if (values.place == ValuePlace::node) {
       for (const EdgePlace& place : triangle.corners)
-        surface.scalars.push_back(node_scalar(place, frame.tets[triangle.tet], values.values));
+        surface.scalars.push_back(node_scalar(place, frame.elements.tets[triangle.tet], values.values));
     } else if (values.place == ValuePlace::tet) {
       surface.scalars.push_back(values.values[triangle.tet]);
     } else {

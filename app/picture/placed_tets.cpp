@@ -7,13 +7,13 @@ namespace griffith::app {
 PlacedTets placed_tets(const Frame& frame, int scene_body) {
   PlacedTets placed;
   std::map<NodeId, int> points;
-  for (TetId tet(0); tet < std::ssize(frame.tets); ++tet.value) {
-    if (frame.bodies[frame.tet_bodies[tet]].scene_body != scene_body) continue;
+  for (TetId tet(0); tet < std::ssize(frame.elements.tets); ++tet.value) {
+    if (frame.bodies[frame.elements.bodies[tet]].scene_body != scene_body) continue;
     std::array<int, 4>& corners = placed.soup.tets.emplace_back();
     for (int i = 0; i < 4; ++i) {
-      const NodeId node = frame.tets[tet][i];
+      const NodeId node = frame.elements.tets[tet][i];
       const auto [found, is_new] = points.try_emplace(node, static_cast<int>(placed.soup.points.size()));
-      if (is_new) placed.soup.points.push_back(frame.rest_positions[node]);
+      if (is_new) placed.soup.points.push_back(frame.nodes.rest_positions[node]);
       corners[i] = found->second;
     }
     placed.tets.push_back(tet);

@@ -20,36 +20,41 @@ struct Quantity {
   Value value;
 };
 
-double crack_age(const Frame& frame, std::size_t face) { return frame.time - frame.face_opened[face / 4][face % 4]; }
+double crack_age(const Frame& frame, std::size_t face) {
+  return frame.time - frame.elements.opened[face / 4][face % 4];
+}
 
 constexpr std::array<Quantity, 13> kQuantities = {{
     {"utilization", ValuePlace::node,
-     [](const Frame& frame, std::size_t i) { return frame.separations[i].utilization; }},
+     [](const Frame& frame, std::size_t i) { return frame.nodes.separations[i].utilization; }},
     {"von_mises", ValuePlace::tet,
-     [](const Frame& frame, std::size_t i) { return von_mises_stress(frame.stresses[i]); }},
+     [](const Frame& frame, std::size_t i) { return von_mises_stress(frame.elements.stresses[i]); }},
     {"max_principal_stress", ValuePlace::tet,
-     [](const Frame& frame, std::size_t i) { return principal_stresses(frame.stresses[i])[0]; }},
+     [](const Frame& frame, std::size_t i) { return principal_stresses(frame.elements.stresses[i])[0]; }},
     {"mid_principal_stress", ValuePlace::tet,
-     [](const Frame& frame, std::size_t i) { return principal_stresses(frame.stresses[i])[1]; }},
+     [](const Frame& frame, std::size_t i) { return principal_stresses(frame.elements.stresses[i])[1]; }},
     {"min_principal_stress", ValuePlace::tet,
-     [](const Frame& frame, std::size_t i) { return principal_stresses(frame.stresses[i])[2]; }},
-    {"pressure", ValuePlace::tet, [](const Frame& frame, std::size_t i) { return -frame.stresses[i].trace() / 3; }},
+     [](const Frame& frame, std::size_t i) { return principal_stresses(frame.elements.stresses[i])[2]; }},
+    {"pressure", ValuePlace::tet,
+     [](const Frame& frame, std::size_t i) { return -frame.elements.stresses[i].trace() / 3; }},
     {"separation_stress", ValuePlace::node,
-     [](const Frame& frame, std::size_t i) { return frame.separations[i].stress; }},
+     [](const Frame& frame, std::size_t i) { return frame.nodes.separations[i].stress; }},
     {"separation_eigenvalue", ValuePlace::node,
-     [](const Frame& frame, std::size_t i) { return frame.separations[i].eigenvalue; }},
+     [](const Frame& frame, std::size_t i) { return frame.nodes.separations[i].eigenvalue; }},
     {"strain_energy", ValuePlace::tet,
-     [](const Frame& frame, std::size_t i) { return frame.states[i].energy_density; }},
+     [](const Frame& frame, std::size_t i) { return frame.elements.states[i].energy_density; }},
     {"displacement", ValuePlace::node,
-     [](const Frame& frame, std::size_t i) { return (frame.positions[i] - frame.rest_positions[i]).norm(); }},
-    {"speed", ValuePlace::node, [](const Frame& frame, std::size_t i) { return frame.velocities[i].norm(); }},
+     [](const Frame& frame, std::size_t i) {
+       return (frame.nodes.positions[i] - frame.nodes.rest_positions[i]).norm();
+     }},
+    {"speed", ValuePlace::node, [](const Frame& frame, std::size_t i) { return frame.nodes.velocities[i].norm(); }},
     {"element_quality", ValuePlace::tet, element_quality},
     {"crack_age", ValuePlace::face, crack_age},
 }};
 
 std::size_t value_count(const Frame& frame, ValuePlace place) {
-  if (place == ValuePlace::node) return frame.positions.size();
-  return (place == ValuePlace::face ? 4 : 1) * frame.tets.size();
+  if (place == ValuePlace::node) return frame.nodes.positions.size();
+  return (place == ValuePlace::face ? 4 : 1) * frame.elements.tets.size();
 }
 
 /// Differences below it are noise.
@@ -71,7 +76,7 @@ double min_width(const Frame& frame, std::string_view key) {
 double element_quality(const Frame& frame, std::size_t tet) {
   std::array<Vec3, 4> corners;
   for (std::size_t i = 0; i < 4; ++i)
-    corners[i] = frame.rest_positions[static_cast<std::size_t>(frame.tets[tet][i].value)];
+    corners[i] = frame.nodes.rest_positions[static_cast<std::size_t>(frame.elements.tets[tet][i].value)];
   return 1 / aspect_ratio(corners);
 }
 

@@ -30,8 +30,10 @@ std::vector<Vec3> exploded_offsets(const Frame& frame, double explode) {
 
 double mean_element_size(const Frame& frame) {
   double volume = 0;
-  for (const RestElement& rest : frame.rest_elements) volume += rest.volume;
-  return frame.rest_elements.empty() ? 1 : std::cbrt(6 * volume / static_cast<double>(frame.rest_elements.size()));
+  for (const RestElement& rest : frame.elements.rest_elements) volume += rest.volume;
+  return frame.elements.rest_elements.empty()
+             ? 1
+             : std::cbrt(6 * volume / static_cast<double>(frame.elements.rest_elements.size()));
 }
 
 }  // namespace
@@ -42,13 +44,13 @@ bool ShownMesh::visible(const Vec3& place) const {
 
 Vec3 ShownMesh::centroid(TetId tet) const {
   Vec3 sum = Vec3::Zero();
-  for (NodeId corner : frame.tets[tet]) sum += positions[corner];
+  for (NodeId corner : frame.elements.tets[tet]) sum += positions[corner];
   return sum / 4;
 }
 
 ShownMesh shown_mesh(const Frame& frame, const ViewSettings& view, const ui::Selection& selection) {
   ShownMesh shown{frame, view, exploded_offsets(frame, view.explode), {}, 1, selection.node};
-  shown.positions.assign(frame.positions.begin(), frame.positions.end());
+  shown.positions.assign(frame.nodes.positions.begin(), frame.nodes.positions.end());
   if (view.explode != 0) {
     for (std::size_t i = 0; i < shown.positions.size(); ++i)
       shown.positions[i] += shown.offsets[shown.body_of(NodeId(static_cast<std::int64_t>(i)))];

@@ -23,7 +23,7 @@ struct ShownMesh {
 
   /// Whether a place is on the side of the slice plane that is drawn.
   bool visible(const Vec3& place) const;
-  BodyId body_of(NodeId node) const { return frame.tet_bodies[frame.stars[node].front()]; }
+  BodyId body_of(NodeId node) const { return frame.elements.bodies[frame.nodes.stars[node].front()]; }
   Vec3 centroid(TetId tet) const;
 };
 

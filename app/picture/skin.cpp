@@ -43,14 +43,14 @@ Skin make_skin(const Frame& frame, const Scene& scene, int scene_body) {
 }  // namespace
 
 TetId skin_carrier(const Frame& frame, const SkinPart& part) {
-  return frame.tet_bodies[part.tet] == frame.tet_bodies[part.triangle_tet] ? part.tet : part.triangle_tet;
+  return frame.elements.bodies[part.tet] == frame.elements.bodies[part.triangle_tet] ? part.tet : part.triangle_tet;
 }
 
 Vec3 skin_position(const Frame& frame, const SkinCorner& corner) {
   const TetId tet = skin_carrier(frame, corner.part);
   const std::array<double, 4>& weights = tet == corner.part.tet ? corner.weights : corner.triangle_weights;
   Vec3 position = Vec3::Zero();
-  for (int i = 0; i < 4; ++i) position += weights[i] * frame.positions[frame.tets[tet][i]];
+  for (int i = 0; i < 4; ++i) position += weights[i] * frame.nodes.positions[frame.elements.tets[tet][i]];
   return position;
 }
 

@@ -13,7 +13,9 @@ Weights single(const std::array<double, 4>& weights) {
 /// A normal as the renderer carries it: its products with the edges from the first point of its tet.
 render::CarriedNormal carried_normal(const Frame& frame, const Vec3& normal, TetId tet,
                                      const std::array<int, 4>& order) {
-  const auto place = [&](int i) -> const Vec3& { return frame.rest_positions[frame.tets[tet][order[i]]]; };
+  const auto place = [&](int i) -> const Vec3& {
+    return frame.nodes.rest_positions[frame.elements.tets[tet][order[i]]];
+  };
   Vec3 products;
   for (int i = 0; i < 3; ++i) products[i] = normal.dot(place(i + 1) - place(0));
   return render::CarriedNormal(products.cast<float>());

@@ -11,11 +11,11 @@ namespace griffith::app {
 namespace {
 
 render::EmbeddedStyle style_of(const Frame& frame, const SplinterFace& face, const std::array<int, 4>& order) {
-  const SplinterId splinter = frame.splinter_parts[static_cast<std::size_t>(face.part)].splinter;
+  const SplinterId splinter = frame.splinters.parts[static_cast<std::size_t>(face.part)].splinter;
   const bool inner = face.beyond >= 0;
   const Look look = face.matter == SplinterMatter::mortar ? Look::mortar : inner ? Look::inside : Look::outside;
   render::EmbeddedStyle style;
-  style.material = look_index(frame.splinters[static_cast<std::size_t>(splinter.value)].scene_body, look);
+  style.material = look_index(frame.splinters.splinters[static_cast<std::size_t>(splinter.value)].scene_body, look);
   if (!inner) style.tet_face = static_cast<int>(std::find(order.begin(), order.end(), face.tet_face) - order.begin());
   style.inner = inner;
   return style;
@@ -25,17 +25,17 @@ render::EmbeddedStyle style_of(const Frame& frame, const SplinterFace& face, con
 
 void add_splinters(const Frame& frame, render::EmbeddedMesh& mesh) {
   const std::vector<std::array<int, 4>> orders = summation_orders(frame);
-  mesh.corners.reserve(frame.splinter_corners.size());
-  for (const SplinterFace& face : frame.splinter_faces) {
-    const SplinterPart& part = frame.splinter_parts[static_cast<std::size_t>(face.part)];
-    const TetId owner = frame.splinters[static_cast<std::size_t>(part.splinter.value)].owner;
+  mesh.corners.reserve(frame.splinters.corners.size());
+  for (const SplinterFace& face : frame.splinters.faces) {
+    const SplinterPart& part = frame.splinters.parts[static_cast<std::size_t>(face.part)];
+    const TetId owner = frame.splinters.splinters[static_cast<std::size_t>(part.splinter.value)].owner;
     const std::array<int, 4>& order = orders[static_cast<std::size_t>(part.tet.value)];
     const std::array<int, 4>& owner_order = orders[static_cast<std::size_t>(owner.value)];
     const std::int32_t style = style_of(frame, face, order).packed();
     if (face.beyond < 0) mesh.outer.push_back(static_cast<std::int32_t>(mesh.polygons.size()));
     mesh.polygons.push_back({face.first_corner, face.corners});
     for (int i = face.first_corner; i < face.first_corner + face.corners; ++i) {
-      const SplinterCorner& corner = frame.splinter_corners[static_cast<std::size_t>(i)];
+      const SplinterCorner& corner = frame.splinters.corners[static_cast<std::size_t>(i)];
       mesh.corners.push_back({corner.rest, ordered(corner.weights, order), ordered(corner.owner_weights, owner_order),
                               part.tet.value, face.part, part.splinter.value, style});
     }
@@ -43,8 +43,8 @@ void add_splinters(const Frame& frame, render::EmbeddedMesh& mesh) {
 }
 
 void add_carriers(const Frame& frame, std::vector<std::int32_t>& carriers) {
-  for (int part = 0; part < static_cast<int>(frame.splinter_parts.size()); ++part)
-    carriers.push_back(carrier(frame.splinters, frame.splinter_parts, frame.attached_parts, part).value);
+  for (int part = 0; part < static_cast<int>(frame.splinters.parts.size()); ++part)
+    carriers.push_back(carrier(frame.splinters.splinters, frame.splinters.parts, frame.splinters.attached, part).value);
 }
 
 }  // namespace griffith::app

@@ -27,9 +27,9 @@ struct StressField {
 StressField stress_field(const ShownMesh& shown) {
   StressField field;
   std::vector<double> sizes;
-  for (std::size_t i = 0; i < shown.frame.tets.size(); ++i) {
+  for (std::size_t i = 0; i < shown.frame.elements.tets.size(); ++i) {
     const TetId tet(static_cast<std::int64_t>(i));
-    const Mat3& stress = shown.frame.stresses[i];
+    const Mat3& stress = shown.frame.elements.stresses[i];
     const Vec3 center = shown.centroid(tet);
     if (stress.isZero(0) || !stress.allFinite() || !shown.visible(center)) continue;
     field.tets.push_back({tet, center, principal_values(stress)});
@@ -48,11 +48,11 @@ render::Rgb utilization_color(double utilization) {
 }
 
 std::vector<std::uint8_t> surface_nodes(const Frame& frame) {
-  std::vector<std::uint8_t> on_surface(frame.positions.size(), 0);
-  for (std::size_t tet = 0; tet < frame.tets.size(); ++tet)
+  std::vector<std::uint8_t> on_surface(frame.nodes.positions.size(), 0);
+  for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet)
     for (std::size_t face = 0; face < 4; ++face)
-      if (!frame.neighbours[tet][face].valid())
-        for (const int corner : kTetFaces[face]) on_surface[frame.tets[tet][corner]] = 1;
+      if (!frame.elements.neighbours[tet][face].valid())
+        for (const int corner : kTetFaces[face]) on_surface[frame.elements.tets[tet][corner]] = 1;
   return on_surface;
 }
 
@@ -89,12 +89,12 @@ void add_stress_ellipsoids(const ShownMesh& shown, render::DrawScene& picture) {
 void add_separation_axes(const ShownMesh& shown, render::DrawScene& picture) {
   const Frame& frame = shown.frame;
   std::vector<double> sizes;
-  for (const NodeSeparation& separation : frame.separations)
+  for (const NodeSeparation& separation : frame.nodes.separations)
     if (!separation.tensor.isZero(0)) sizes.push_back(separation.tensor.norm());
   const double typical = quantile(std::move(sizes), kTypical),
                reach = 0.5 * shown.element_size * shown.view.glyph_scale;
-  for (std::size_t i = 0; i < frame.separations.size(); ++i) {
-    const NodeSeparation& separation = frame.separations[i];
+  for (std::size_t i = 0; i < frame.nodes.separations.size(); ++i) {
+    const NodeSeparation& separation = frame.nodes.separations[i];
     const Vec3& place = shown.positions[i];
     if (separation.tensor.isZero(0) || !separation.tensor.allFinite() || !shown.visible(place)) continue;
     const PrincipalValues principal = principal_values(separation.tensor);
@@ -117,13 +117,13 @@ void add_velocities(const ShownMesh& shown, render::DrawScene& picture) {
   const std::vector<std::uint8_t> on_surface = surface_nodes(frame);
   std::vector<double> speeds;
   for (std::size_t i = 0; i < on_surface.size(); ++i)
-    if (on_surface[i]) speeds.push_back(frame.velocities[i].norm());
+    if (on_surface[i]) speeds.push_back(frame.nodes.velocities[i].norm());
   const double typical = quantile(std::move(speeds), kTypical);
   if (!(typical > 0)) return;
   const double reach = 1.2 * shown.element_size * shown.view.glyph_scale;
   for (std::size_t i = 0; i < on_surface.size(); ++i) {
     if (!on_surface[i] || !shown.visible(shown.positions[i])) continue;
-    const Vec3& velocity = frame.velocities[i];
+    const Vec3& velocity = frame.nodes.velocities[i];
     const double length = std::min(velocity.norm() / typical, 2.0) * reach;
     if (length < 0.02 * reach) continue;
     add_arrow(picture.glyphs.arrows, shown.positions[i], length * velocity.normalized(), 0.05 * reach,

@@ -32,7 +32,7 @@ Vec3 contact_offset(const ShownMesh& shown, const ContactView& contact) {
 }
 
 void add_support(const ShownMesh& shown, std::size_t node, render::DrawScene& picture) {
-  const NodeConstraint& constraint = shown.frame.constraints[node];
+  const NodeConstraint& constraint = shown.frame.nodes.constraints[node];
   const Vec3& place = shown.positions[node];
   const double size = 0.1 * shown.element_size * shown.view.glyph_scale;
   if (constraint.is_held()) {
@@ -52,7 +52,7 @@ void add_support(const ShownMesh& shown, std::size_t node, render::DrawScene& pi
 Vec3 place_of(const PlacedProbe& probe, const ShownMesh& shown) {
   Vec3 sum = Vec3::Zero();
   for (const ProbedNode& node : probe.nodes)
-    sum += node.weight * shown.positions[node_at(shown.frame.tets, node.corner)];
+    sum += node.weight * shown.positions[node_at(shown.frame.elements.tets, node.corner)];
   return sum;
 }
 
@@ -104,12 +104,13 @@ void add_collision_shapes(const ShownMesh& shown, render::DrawScene& picture) {
 
 void add_supports(const ShownMesh& shown, render::DrawScene& picture) {
   for (std::size_t i = 0; i < shown.positions.size(); ++i)
-    if (!shown.frame.constraints[i].is_free() && shown.visible(shown.positions[i])) add_support(shown, i, picture);
-  add_node_arrows(shown, shown.frame.reactions, sign_color::kSupport, true, picture);
+    if (!shown.frame.nodes.constraints[i].is_free() && shown.visible(shown.positions[i]))
+      add_support(shown, i, picture);
+  add_node_arrows(shown, shown.frame.nodes.reactions, sign_color::kSupport, true, picture);
 }
 
 void add_loads(const ShownMesh& shown, render::DrawScene& picture) {
-  add_node_arrows(shown, shown.frame.load_forces, sign_color::kLoad, true, picture);
+  add_node_arrows(shown, shown.frame.nodes.load_forces, sign_color::kLoad, true, picture);
 }
 
 void add_probes(const ShownMesh& shown, render::DrawScene& picture) {
@@ -120,7 +121,7 @@ void add_probes(const ShownMesh& shown, render::DrawScene& picture) {
     picture.glyphs.balls.push_back(ball(place, size, sign_color::kProbe));
     for (const ProbedNode& node : probe.nodes)
       picture.points.push_back(
-          {shown.positions[node_at(shown.frame.tets, node.corner)].cast<float>(), 7, sign_color::kProbe});
+          {shown.positions[node_at(shown.frame.elements.tets, node.corner)].cast<float>(), 7, sign_color::kProbe});
     picture.labels.push_back({(place + 1.3 * size * Vec3::UnitY()).cast<float>(), probe.probe.name, 0.8f});
   }
 }

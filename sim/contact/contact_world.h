@@ -207,6 +207,9 @@ class ContactWorld {
   /// How long there are none of these, 0..`maximum`, to within `tolerance` [s].
   double time_before_impact(double maximum, double minimum_speed, double tolerance) const;
 
+  /// Of what a copy does not share, about [bytes].
+  std::size_t memory() const;
+
   /// Deepest overlap in contacts(), beyond what fresh cracks are allowed [m], >= 0.
   double max_penetration() const;
 

@@ -3,6 +3,7 @@
 #include <compare>
 #include <cstdint>
 #include <functional>
+#include <type_traits>
 
 namespace griffith {
 
@@ -20,6 +21,12 @@ struct Id {
   constexpr bool operator==(const Id&) const = default;
   constexpr auto operator<=>(const Id&) const = default;
 };
+
+/// Ids of different kinds are never compared.
+template <class A, class B>
+requires(!std::is_same_v<A, B>) bool operator==(Id<A>, Id<B>) = delete;
+template <class A, class B>
+requires(!std::is_same_v<A, B>) std::strong_ordering operator<=>(Id<A>, Id<B>) = delete;
 
 using NodeId = Id<struct NodeTag>;
 using TetId = Id<struct TetTag>;

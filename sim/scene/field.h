@@ -28,9 +28,15 @@ struct Text {
   int minimum_length = 0;
 };
 
-/// One of some names; for an enumeration `names[i]` belongs to the value i.
+/// A name that older files have, and what is written today.
+struct RenamedValue {
+  std::string_view old_name, name;
+};
+
+/// One of some names; for an enumeration `names[i]` belongs to the value i. Older names are read too, and noticed.
 struct OneOf {
   std::vector<std::string_view> names;
+  std::vector<RenamedValue> renamed = {};
 };
 
 /// true or false.

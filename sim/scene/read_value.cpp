@@ -115,9 +115,17 @@ void read(const Place& place, std::string& value, const Text& text) {
   value = place.json.get<std::string>();
 }
 
-int read_name(const Place& place, std::span<const std::string_view> names) {
+int read_name(const Place& place, std::span<const std::string_view> names, std::span<const RenamedValue> renamed) {
   if (!place.json.is_string()) return place.reject("one of " + quoted_list(names)), -1;
-  const auto found = std::ranges::find(names, std::string_view(place.json.get_ref<const std::string&>()));
+  std::string_view name = place.json.get_ref<const std::string&>();
+  const auto old = std::ranges::find(renamed, name, &RenamedValue::old_name);
+  if (old != renamed.end()) {
+    name = old->name;
+    place.document.outdated.emplace_back(json_place(place.document.file, place.pointer),
+                                         "is called \"" + std::string(name) + "\" today, not " + place.json.dump(),
+                                         "write \"" + std::string(name) + "\"; saving the scene does");
+  }
+  const auto found = std::ranges::find(names, name);
   if (found != names.end()) return static_cast<int>(found - names.begin());
   place.report("is the unknown name " + place.json.dump(), suggestion(place.json.get_ref<const std::string&>(), names));
   return -1;
@@ -134,7 +142,7 @@ std::optional<std::vector<int>> read_names(const Place& place, std::span<const s
 }
 
 void read(const Place& place, std::string& value, const OneOf& one_of) {
-  if (const int index = read_name(place, one_of.names); index >= 0) value = one_of.names[index];
+  if (const int index = read_name(place, one_of.names, one_of.renamed); index >= 0) value = one_of.names[index];
 }
 
 void read(const Place& place, std::filesystem::path& value, MeshPath kind) {

@@ -26,6 +26,7 @@ struct Document {
   bool look_for_meshes = true;
   std::map<std::string, Material, std::less<>> materials;  ///< the scene's own, by name
   std::vector<InputError> problems;
+  std::vector<InputError> outdated;  ///< names that are read, but are others today
 };
 
 /// A value of the document and where it stands.
@@ -54,7 +55,7 @@ void read(const Place& place, std::string& value, const OneOf& one_of);
 void read(const Place& place, std::filesystem::path& value, MeshPath);
 
 /// The index in `names` of the name that stands here, or -1, reported.
-int read_name(const Place& place, std::span<const std::string_view> names);
+int read_name(const Place& place, std::span<const std::string_view> names, std::span<const RenamedValue> renamed = {});
 
 /// The indices in `names` of the array of names that stands here; nothing where one is unknown, reported.
 std::optional<std::vector<int>> read_names(const Place& place, std::span<const std::string_view> names);
@@ -62,7 +63,7 @@ std::optional<std::vector<int>> read_names(const Place& place, std::span<const s
 template <class Enum>
 requires std::is_enum_v<Enum>
 void read(const Place& place, Enum& value, const OneOf& one_of) {
-  if (const int index = read_name(place, one_of.names); index >= 0) value = static_cast<Enum>(index);
+  if (const int index = read_name(place, one_of.names, one_of.renamed); index >= 0) value = static_cast<Enum>(index);
 }
 
 /// A list of names, each of them once or more.

@@ -313,6 +313,7 @@ void describe(Archive& archive, ViewSettings& view) {
   range.ascending = true;
   OneOf quantities;
   for (const ViewQuantity& quantity : view_quantities()) quantities.names.push_back(quantity.key);
+  quantities.renamed = {{"margin", "utilization"}};
   OneOf layers;
   for (const ViewLayerInfo& layer : view_layers()) layers.names.push_back(layer.key);
   const auto maps = color_map_names(), styles = element_style_names();

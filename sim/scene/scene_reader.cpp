@@ -261,6 +261,14 @@ std::vector<InputError> check_scene(const std::filesystem::path& path) try {
   return {unreadable};
 }
 
+std::vector<InputError> outdated_names(const std::filesystem::path& path) try {
+  Document document = document_of_file(path);
+  read_document(document, read_file(path, kMaxBytes));
+  return document.outdated;
+} catch (const InputError&) {
+  return {};
+}
+
 std::vector<InputError> check_scene_text(std::string_view text, const std::string& where) {
   Document document;
   document.file = where;

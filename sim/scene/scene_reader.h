@@ -24,6 +24,10 @@ Scene scene_from_json(std::string_view text, const std::string& where = "scene",
 /// Every problem of a scene file, in the order of the document's parts; empty when read_scene() would succeed.
 std::vector<InputError> check_scene(const std::filesystem::path& path);
 
+/// What a scene file says in words that are read but are others today, and how to write it; nothing where it cannot be
+/// read.
+std::vector<InputError> outdated_names(const std::filesystem::path& path);
+
 /// Every problem of a scene's text, but without a look for its mesh files.
 std::vector<InputError> check_scene_text(std::string_view text, const std::string& where);
 

@@ -105,6 +105,15 @@ ElasticSystem::ElasticSystem(const TetMesh& mesh, std::span<const TetId> tets,
   preconditioner_.emplace(rows_.matrix, aggregate_size(rows_.matrix.rows()));
 }
 
+std::size_t ElasticSystem::memory() const {
+  const auto rows_memory = [](const ElementRows& rows) {
+    return rows.matrix.blocks.size() * (sizeof(Mat3) + sizeof(int)) +
+           rows.tets.size() * sizeof(ElementRows::TetAtNode) + rows.nodes.size() * 4 * sizeof(int);
+  };
+  const std::size_t preconditioners = (fixed_preconditioner_ ? 2 : 1) * preconditioner_->memory();
+  return sizeof(*this) + rows_memory(rows_) + rows_memory(support_rows_) + preconditioners;
+}
+
 void ElasticSystem::patch(const TetMesh& mesh, std::span<const NodeId> body_nodes,
                           std::span<const NodeConstraint> constraints, std::span<int> row_of_node) {
   const std::vector<NodeId> unknown = number_rows(body_nodes, constraints, row_of_node);

@@ -104,6 +104,8 @@ class ElasticSystem {
     return preconditioner_->deforming_compliance(points, gather(positions), gather_masses(masses));
   }
   const BlockSparseMatrix& matrix() const { return rows_.matrix; }
+  /// About [bytes].
+  std::size_t memory() const;
 
  private:
   struct SlidingRow {

@@ -39,6 +39,12 @@ RigidModePreconditioner::RigidModePreconditioner(const BlockSparseMatrix& matrix
   build_coarse_pattern(matrix);
 }
 
+std::size_t RigidModePreconditioner::memory() const {
+  return aggregates_.size() * (2 * sizeof(int) + sizeof(Vec3) + sizeof(Mat3)) + coarse_slots_.size() * sizeof(int) +
+         static_cast<std::size_t>(coarse_.nonZeros()) * (2 * sizeof(double) + sizeof(int)) +
+         static_cast<std::size_t>(lower_.nonZeros()) * (sizeof(float) + sizeof(int));
+}
+
 void RigidModePreconditioner::patch(const BlockSparseMatrix& matrix, const std::vector<int>& previous_rows,
                                     int aggregate_size) {
   std::vector<int> aggregates(matrix.rows());

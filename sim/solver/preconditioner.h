@@ -60,6 +60,8 @@ class RigidModePreconditioner {
                                        const Eigen::VectorXd& masses) const;
   /// How often update() found the coarse matrix changed enough to factor it anew.
   int factorization_count() const { return factorizations_; }
+  /// About [bytes].
+  std::size_t memory() const;
   int aggregate_count() const { return static_cast<int>(members_.size()); }
 
  private:

@@ -90,43 +90,56 @@ struct Totals {
 
 /// What a step hands out: spans over the world's arrays, valid until the next step, and no behaviour.
 struct Frame {
+  /// Per node of the mesh.
+  struct Nodes {
+    std::span<const Vec3> rest_positions, positions;  ///< [m]
+    std::span<const Vec3> velocities;                 ///< [m/s]
+    std::span<const double> masses;                   ///< [kg]
+    std::span<const std::uint8_t> has_support;        ///< 1 where a support acts on it
+    std::span<const NodeConstraint> constraints;      ///< what supports leave free
+    std::span<const Vec3> load_forces;                ///< what loads do to it now [N]; empty without loads
+    std::span<const std::uint8_t> at_crack_front;     ///< 1 where cut faces end
+    std::span<const NodeSeparation> separations;
+    std::span<const Vec3> reactions;            ///< what supports did to it in the last step [N]
+    std::span<const std::vector<TetId>> stars;  ///< its tets, ascending
+  };
+  /// Per tet of the mesh.
+  struct Elements {
+    std::span<const std::array<NodeId, 4>> tets;       ///< corners; face i opposite corner i (kTetFaces)
+    std::span<const std::array<TetId, 4>> neighbours;  ///< behind face i; invalid on the surface
+    std::span<const BodyId> bodies;
+    std::span<const std::uint8_t> first_surface;    ///< bit i: face i was on the surface at the start
+    std::span<const std::array<double, 4>> opened;  ///< when a crack opened face i [s], else not a number
+    std::span<const RestElement> rest_elements;
+    std::span<const ElementState> states;
+    std::span<const Mat3> stresses;  ///< Cauchy stress, world frame [Pa]
+  };
+  /// What is seen instead of tets, where bodies have them.
+  struct Splinters {
+    std::span<const Splinter> splinters;
+    std::span<const SplinterPart> parts;      ///< by splinter
+    std::span<const SplinterFace> faces;      ///< by part
+    std::span<const SplinterCorner> corners;  ///< by face
+    std::span<const std::uint8_t> attached;   ///< per part: 1 carried by its own tet, 0 by the owner
+    std::span<const int> open_walls;          ///< faces between splinters that cracks have opened
+  };
+
   std::int64_t step = 0;
-  double time = 0;                                      ///< [s]
-  std::span<const Vec3> rest_positions, positions;      ///< per node [m]
-  std::span<const Vec3> velocities;                     ///< per node [m/s]
-  std::span<const double> node_masses;                  ///< per node [kg]
-  std::span<const std::uint8_t> node_supported;         ///< per node: 1 where a support acts on it
-  std::span<const NodeConstraint> constraints;          ///< per node: what supports leave free
-  std::span<const Vec3> load_forces;                    ///< per node: what loads do to it now [N]; empty without loads
-  std::span<const std::uint8_t> at_crack_front;         ///< per node: 1 where cut faces end
-  std::span<const NodeSeparation> separations;          ///< per node
-  std::span<const Vec3> reactions;                      ///< per node: what supports did to it in the last step [N]
-  std::span<const std::array<NodeId, 4>> tets;          ///< per tet: corners; face i opposite corner i (kTetFaces)
-  std::span<const std::array<TetId, 4>> neighbours;     ///< per tet: behind face i; invalid on the surface
-  std::span<const BodyId> tet_bodies;                   ///< per tet
-  std::span<const std::uint8_t> first_surface;          ///< per tet: bit i: face i was on the surface at the start
-  std::span<const std::array<double, 4>> face_opened;   ///< per tet: when a crack opened face i [s], else not a number
-  std::span<const std::vector<TetId>> stars;            ///< per node: its tets, ascending
-  std::span<const RestElement> rest_elements;           ///< per tet
-  std::span<const ElementState> states;                 ///< per tet
-  std::span<const Mat3> stresses;                       ///< per tet: Cauchy stress, world frame [Pa]
+  double time = 0;  ///< [s]
+  Nodes nodes;
+  Elements elements;
+  Splinters splinters;
+  std::span<const BodyView> bodies;                     ///< one per BodyId; bodies are never removed
+  int fragments = 0;                                    ///< connected pieces beyond the scene's own bodies
   std::span<const Material> materials;                  ///< per scene body, as in force now
   std::span<const std::optional<Weakness>> weaknesses;  ///< per scene body: unit direction in the placed rest space
-  std::span<const BodyView> bodies;                     ///< one per BodyId; bodies are never removed
-  std::span<const Splinter> splinters;                  ///< what is seen instead of tets, where bodies have them
-  std::span<const SplinterPart> splinter_parts;         ///< by splinter
-  std::span<const SplinterFace> splinter_faces;         ///< by part
-  std::span<const SplinterCorner> splinter_corners;     ///< by face
-  std::span<const std::uint8_t> attached_parts;         ///< per part: 1 carried by its own tet, 0 by the owner
-  std::span<const int> open_walls;                      ///< faces between splinters that cracks have opened
   std::span<const ProjectileView> projectiles;
   std::span<const ContactView> contacts;     ///< of the last step, those that carried an impulse
-  std::span<const PlacedProbe> probes;       ///< the scene's, to be read with probe_values()
   std::span<const CrackEvent> crack_events;  ///< all so far, oldest first
-  int fragments = 0;                         ///< connected pieces beyond the scene's own bodies
+  std::span<const PlacedProbe> probes;       ///< the scene's, to be read with probe_values()
   Totals totals;
   EnergyAccount energy, energy_of_step;  ///< since the start, and what the last step changed in it
-  StepReport report;
+  StepReport report;                     ///< counters
 };
 
 }  // namespace griffith

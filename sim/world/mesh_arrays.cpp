@@ -9,14 +9,25 @@ void append_entry(std::vector<T>& array, std::size_t original) {
   array.push_back(T(array[original]));  // the entry moves while the array grows
 }
 
+/// Of one entry of all arrays [bytes].
+template <class Arrays>
+std::size_t entry_size() {
+  std::size_t size = 0;
+  Arrays::each_array(Arrays(), [&](const auto&, const auto& fresh) { size += sizeof(fresh); });
+  return size;
+}
+
 }  // namespace
 
+std::size_t NodeArrays::memory() const { return positions.size() * entry_size<NodeArrays>(); }
+std::size_t ElementArrays::memory() const { return states.size() * entry_size<ElementArrays>(); }
+
 void NodeArrays::resize(std::size_t count) {
-  each_array([&](auto& array, const auto& fresh) { array.resize(count, fresh); });
+  each_array(*this, [&](auto& array, const auto& fresh) { array.resize(count, fresh); });
 }
 
 void NodeArrays::append_copy(NodeId original) {
-  each_array([&](auto& array, const auto&) { append_entry(array, original); });
+  each_array(*this, [&](auto& array, const auto&) { append_entry(array, original); });
   at_crack_front.back() = 0;
   rows.back() = -1;
   separations.back() = {};
@@ -30,11 +41,11 @@ void NodeArrays::append_between(const EdgeNode& node) {
 }
 
 void ElementArrays::resize(std::size_t count) {
-  each_array([&](auto& array, const auto& fresh) { array.resize(count, fresh); });
+  each_array(*this, [&](auto& array, const auto& fresh) { array.resize(count, fresh); });
 }
 
 void ElementArrays::append_copy(TetId original) {
-  each_array([&](auto& array, const auto&) { append_entry(array, original); });
+  each_array(*this, [&](auto& array, const auto&) { append_entry(array, original); });
 }
 
 }  // namespace griffith

@@ -32,16 +32,18 @@ struct NodeArrays {
   void append_copy(NodeId original);
   /// The node on an edge that was bisected.
   void append_between(const EdgeNode& node);
+  /// Of the arrays [bytes].
+  std::size_t memory() const;
 
- private:
-  /// Calls use(array, what a new node has there) for every array.
-  template <class Use>
-  void each_array(Use use) {
+  /// Calls use(all.array, what a new node has there) for every array of `all`.
+  template <class Arrays, class Use>
+  static void each_array(Arrays&& all, Use use) {
     const Vec3 zero = Vec3::Zero();
-    use(positions, zero), use(velocities, zero), use(masses, 0.0), use(constraints, NodeConstraint());
-    use(has_support, std::uint8_t{0}), use(at_crack_front, std::uint8_t{0}), use(strength_factors, 1.0), use(rows, -1);
-    use(separations, NodeSeparation()), use(reactions, zero), use(similarity_starts, zero);
-    use(pushed_at, -std::numeric_limits<double>::infinity());
+    use(all.positions, zero), use(all.velocities, zero), use(all.masses, 0.0), use(all.constraints, NodeConstraint());
+    use(all.has_support, std::uint8_t{0}), use(all.at_crack_front, std::uint8_t{0}), use(all.strength_factors, 1.0),
+        use(all.rows, -1);
+    use(all.separations, NodeSeparation()), use(all.reactions, zero), use(all.similarity_starts, zero);
+    use(all.pushed_at, -std::numeric_limits<double>::infinity());
   }
 };
 
@@ -64,14 +66,17 @@ struct ElementArrays {
   void resize(std::size_t count);
   /// A tet that starts as another one is.
   void append_copy(TetId original);
+  /// Of the arrays [bytes].
+  std::size_t memory() const;
 
- private:
-  template <class Use>
-  void each_array(Use use) {
+  template <class Arrays, class Use>
+  static void each_array(Arrays&& all, Use use) {
     const Mat3 zero = Mat3::Zero();
-    use(rest_elements, RestElement{Corners::Zero(), 0}), use(states, ElementState()), use(plastic_strains, zero);
-    use(similarity_strains, zero), use(stresses, zero), use(bodies, BodyId()), use(first_surface, std::uint8_t{0});
-    use(opened, OpenedFaces{kNeverOpened, kNeverOpened, kNeverOpened, kNeverOpened});
+    use(all.rest_elements, RestElement{Corners::Zero(), 0}), use(all.states, ElementState()),
+        use(all.plastic_strains, zero);
+    use(all.similarity_strains, zero), use(all.stresses, zero), use(all.bodies, BodyId()),
+        use(all.first_surface, std::uint8_t{0});
+    use(all.opened, OpenedFaces{kNeverOpened, kNeverOpened, kNeverOpened, kNeverOpened});
   }
 };
 

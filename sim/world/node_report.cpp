@@ -15,8 +15,8 @@ ElementContribution element_fraction(const Frame& frame, const SeparationInput& 
   ElementContribution element;
   element.tet = tet;
   Vec3 middle = Vec3::Zero();
-  for (NodeId corner : frame.tets[tet]) middle += frame.positions[corner] / 4;
-  element.above = normal.dot(middle - frame.positions[report.node]) > 0;
+  for (NodeId corner : frame.elements.tets[tet]) middle += frame.nodes.positions[corner] / 4;
+  element.above = normal.dot(middle - frame.nodes.positions[report.node]) > 0;
   element.force = split_force(input, tet, report.node);
   element.fraction =
       report.by_tension
@@ -37,7 +37,8 @@ double balance_of(const NodeReport& report) {
 
 /// Fills in what the frame's stresses do to the node.
 void strain(const Frame& frame, NodeReport& report) {
-  const SeparationInput input{frame.tets, frame.stars, frame.rest_elements, frame.states, frame.constraints};
+  const SeparationInput input{frame.elements.tets, frame.nodes.stars, frame.elements.rest_elements,
+                              frame.elements.states, frame.nodes.constraints};
   const int scene_body = frame.bodies[report.body].scene_body;
   const std::optional<Weakness>& weakness = frame.weaknesses[scene_body];
   const Mat3 tensor = separation_tensor(input, report.node);
@@ -48,8 +49,9 @@ void strain(const Frame& frame, NodeReport& report) {
   const bool by_stress = frame.materials[scene_body].criterion == FractureCriterion::strength;
   report.by_tension = by_stress && report.plane.by_tension;
   report.load = by_stress ? report.plane.stress : report.plane.eigenvalue;
-  for (TetId tet : frame.stars[report.node]) report.elements.push_back(element_fraction(frame, input, tet, report));
-  if (!report.by_tension && frame.constraints[report.node].is_free()) report.balance = balance_of(report);
+  for (TetId tet : frame.nodes.stars[report.node])
+    report.elements.push_back(element_fraction(frame, input, tet, report));
+  if (!report.by_tension && frame.nodes.constraints[report.node].is_free()) report.balance = balance_of(report);
   std::ranges::stable_sort(report.elements, std::greater(), &ElementContribution::fraction);
 }
 
@@ -58,21 +60,22 @@ void strain(const Frame& frame, NodeReport& report) {
 NodeReport node_report(const Frame& frame, NodeId node) {
   NodeReport report;
   report.node = node;
-  report.body = frame.tet_bodies[frame.stars[node].front()];
-  report.separation = frame.separations[node];
-  report.at_crack_front = frame.at_crack_front[node] != 0;
-  report.supported = frame.node_supported[node] != 0;
+  report.body = frame.elements.bodies[frame.nodes.stars[node].front()];
+  report.separation = frame.nodes.separations[node];
+  report.at_crack_front = frame.nodes.at_crack_front[node] != 0;
+  report.supported = frame.nodes.has_support[node] != 0;
   if (!frame.bodies[report.body].rigid) strain(frame, report);
   for (std::size_t i = 0; i < frame.crack_events.size(); ++i)
-    if (frame.crack_events[i].rest_position == frame.rest_positions[node]) report.events.push_back(static_cast<int>(i));
+    if (frame.crack_events[i].rest_position == frame.nodes.rest_positions[node])
+      report.events.push_back(static_cast<int>(i));
   return report;
 }
 
 NodeId most_loaded_node(const Frame& frame) {
   NodeId best;
-  for (std::size_t i = 0; i < frame.separations.size(); ++i) {
-    if (frame.bodies[frame.tet_bodies[frame.stars[i].front()]].rigid) continue;
-    if (!best.valid() || frame.separations[i].utilization > frame.separations[best].utilization)
+  for (std::size_t i = 0; i < frame.nodes.separations.size(); ++i) {
+    if (frame.bodies[frame.elements.bodies[frame.nodes.stars[i].front()]].rigid) continue;
+    if (!best.valid() || frame.nodes.separations[i].utilization > frame.nodes.separations[best].utilization)
       best = NodeId(static_cast<std::int64_t>(i));
   }
   return best;

@@ -83,34 +83,34 @@ Frame World::frame() const {
   Frame frame;
   frame.step = world.step;
   frame.time = world.time;
-  frame.rest_positions = world.mesh.rest_positions;
-  frame.positions = world.nodes.positions;
-  frame.velocities = world.nodes.velocities;
-  frame.node_masses = world.nodes.masses;
-  frame.node_supported = world.nodes.has_support;
-  frame.constraints = world.nodes.constraints;
-  frame.load_forces = world.load_forces;
-  frame.at_crack_front = world.nodes.at_crack_front;
-  frame.separations = world.nodes.separations;
-  frame.reactions = world.nodes.reactions;
-  frame.tets = world.mesh.tets;
-  frame.neighbours = world.mesh.neighbours;
-  frame.tet_bodies = world.elements.bodies;
-  frame.first_surface = world.elements.first_surface;
-  frame.face_opened = world.elements.opened;
-  frame.stars = world.mesh.stars;
-  frame.rest_elements = world.elements.rest_elements;
-  frame.states = world.elements.states;
-  frame.stresses = world.elements.stresses;
+  frame.nodes.rest_positions = world.mesh.rest_positions;
+  frame.nodes.positions = world.nodes.positions;
+  frame.nodes.velocities = world.nodes.velocities;
+  frame.nodes.masses = world.nodes.masses;
+  frame.nodes.has_support = world.nodes.has_support;
+  frame.nodes.constraints = world.nodes.constraints;
+  frame.nodes.load_forces = world.load_forces;
+  frame.nodes.at_crack_front = world.nodes.at_crack_front;
+  frame.nodes.separations = world.nodes.separations;
+  frame.nodes.reactions = world.nodes.reactions;
+  frame.elements.tets = world.mesh.tets;
+  frame.elements.neighbours = world.mesh.neighbours;
+  frame.elements.bodies = world.elements.bodies;
+  frame.elements.first_surface = world.elements.first_surface;
+  frame.elements.opened = world.elements.opened;
+  frame.nodes.stars = world.mesh.stars;
+  frame.elements.rest_elements = world.elements.rest_elements;
+  frame.elements.states = world.elements.states;
+  frame.elements.stresses = world.elements.stresses;
   frame.materials = world.materials;
   frame.weaknesses = world.model->weaknesses;
   frame.bodies = world.body_views;
-  frame.splinters = world.model->splinters.splinters;
-  frame.splinter_parts = world.model->splinters.parts;
-  frame.splinter_faces = world.model->splinters.faces;
-  frame.splinter_corners = world.model->splinters.corners;
-  frame.attached_parts = world.splinter_state.attached;
-  frame.open_walls = world.splinter_state.open_walls;
+  frame.splinters.splinters = world.model->splinters.splinters;
+  frame.splinters.parts = world.model->splinters.parts;
+  frame.splinters.faces = world.model->splinters.faces;
+  frame.splinters.corners = world.model->splinters.corners;
+  frame.splinters.attached = world.splinter_state.attached;
+  frame.splinters.open_walls = world.splinter_state.open_walls;
   frame.projectiles = world.projectile_views;
   frame.contacts = world.contact_views;
   frame.probes = world.probes;
@@ -144,6 +144,23 @@ void World::set_material(int scene_body, const Material& material) {
   judge_anew(world, scene_body);
   book_edit(world, before);
   publish(world);
+}
+
+std::size_t World::memory() const {
+  const WorldState& world = impl_->state;
+  const std::size_t nodes = world.mesh.rest_positions.size(), tets = world.mesh.tets.size();
+  std::size_t size = sizeof(WorldState) + world.nodes.memory() + world.elements.memory() + world.contact_world.memory();
+  size += nodes * (sizeof(Vec3) + sizeof(std::vector<TetId>)) + tets * 12 * sizeof(TetId);  // the mesh and its stars
+  for (const Body& body : world.bodies) {
+    size += sizeof(Body) + body.tets.size() * sizeof(TetId) + body.surface.size() * sizeof(SurfaceFace) +
+            body.nodes.size() * (sizeof(NodeId) + sizeof(Vec3));
+    for (const ConvexPart& part : body.collision_parts) size += part.size() * sizeof(Vec3);
+    if (body.system) size += body.system->memory() - sizeof(ElasticSystem);
+  }
+  for (const CrackEvent& event : world.crack_events)
+    size += sizeof(CrackEvent) + event.elements.size() * sizeof(CrackElement);
+  size += world.splinter_state.open.size() + world.splinter_state.attached.size();
+  return size;
 }
 
 std::uint64_t World::state_hash() const {

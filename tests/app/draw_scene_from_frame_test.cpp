@@ -30,7 +30,7 @@ TEST(DrawSceneFromFrame, ArraysFitTogether) {
     EXPECT_EQ(surface.flags.size(), triangles);
     EXPECT_EQ(surface.scalars.size() + surface.colors.size(),
               std::string(quantity) == "speed" ? 3 * triangles : triangles);
-    for (const std::int32_t id : surface.ids) EXPECT_LT(static_cast<std::size_t>(id), frame.tets.size());
+    for (const std::int32_t id : surface.ids) EXPECT_LT(static_cast<std::size_t>(id), frame.elements.tets.size());
   }
 }
 
@@ -42,14 +42,14 @@ TEST(DrawSceneFromFrame, OnlyFacesThatWereInsideAreCracks) {
     EXPECT_FALSE(flags & render::kCrackFace);
   }
   // The same frame with one inner face cut open.
-  std::vector<std::array<TetId, 4>> neighbours(start.neighbours.begin(), start.neighbours.end());
+  std::vector<std::array<TetId, 4>> neighbours(start.elements.neighbours.begin(), start.elements.neighbours.end());
   std::size_t tet = 0, face = 0;
   while (!neighbours[tet][face].valid()) {
     if (++face == 4) face = 0, ++tet;
   }
   neighbours[tet][face] = {};
   Frame cut = start;
-  cut.neighbours = neighbours;
+  cut.elements.neighbours = neighbours;
   const render::Surface surface = draw_scene_from_frame(cut, display, small_wall(), {}, {}).surface;
   int cracks = 0;
   for (std::size_t i = 0; i < surface.flags.size(); ++i) {
@@ -67,7 +67,7 @@ TEST(DrawSceneFromFrame, SelectionAndLockedRangeAreTakenOver) {
   view.range = Vec2(-1, 5);
   view.color_map = "coolwarm";
   const TetId selected(0);
-  const ui::Selection selection = ui::select(frame, selected, frame.tets[0][0]);
+  const ui::Selection selection = ui::select(frame, selected, frame.elements.tets[0][0]);
   const render::Surface surface =
       draw_scene_from_frame(frame, embedded_display(frame, small_wall()), small_wall(), view, selection).surface;
   EXPECT_EQ(surface.scalar_style.minimum, -1);

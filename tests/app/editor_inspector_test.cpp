@@ -44,7 +44,7 @@ TEST_F(EditorTest, KeysSliceTheBodiesAndSelectTheMostLoadedNode) {
   for (int i = 0; i < 6; ++i) click("command/simulation.step");
   press('M');
   ASSERT_TRUE(editor_.state().selection.valid());
-  const auto& separations = editor_.frame().separations;
+  const auto& separations = editor_.frame().nodes.separations;
   for (const NodeSeparation& separation : separations)
     EXPECT_LE(separation.utilization,
               separations[static_cast<std::size_t>(editor_.state().selection.node)].utilization);
@@ -98,15 +98,16 @@ TEST_F(EditorTest, RigidPiecesAreSaidToKeepTheStressThatThePictureShows) {
   EXPECT_THAT(value("status/message"), ::testing::Not(::testing::HasSubstr("without stress")));
   click("viewport");
   ASSERT_TRUE(editor_.state().selection.valid());
-  const double stress = von_mises_stress(editor_.frame().stresses[editor_.state().selection.tet]);
+  const double stress = von_mises_stress(editor_.frame().elements.stresses[editor_.state().selection.tet]);
   ASSERT_GT(stress, 0);
   EXPECT_EQ(value("value/Von Mises stress"), ui::format_quantity(stress, "Pa"));
 }
 
 /// The first free node that a load pulls at, of those with one element or with more; invalid where there is none.
 NodeId pulled_node(const Frame& frame, bool of_one_element) {
-  for (NodeId node(0); node < static_cast<std::int64_t>(frame.stars.size()); ++node.value) {
-    const bool wanted = (frame.stars[node].size() == 1) == of_one_element && frame.constraints[node].is_free();
+  for (NodeId node(0); node < static_cast<std::int64_t>(frame.nodes.stars.size()); ++node.value) {
+    const bool wanted =
+        (frame.nodes.stars[node].size() == 1) == of_one_element && frame.nodes.constraints[node].is_free();
     if (wanted && node_report(frame, node).load > 0) return node;
   }
   return NodeId();

@@ -73,7 +73,7 @@ TEST_F(EditorTest, TheFirstPictureOfASceneThatTookLongIsItsOwn) {
 }
 
 TEST_F(EditorTest, AMeshThatWouldBeHugeAsksFirst) {
-  const std::size_t tets = editor_.frame().tets.size();
+  const std::size_t tets = editor_.frame().elements.tets.size();
   const std::string before = editor_.title();
   Scene scene = small_wall();
   BoxShape box;
@@ -85,18 +85,18 @@ TEST_F(EditorTest, AMeshThatWouldBeHugeAsksFirst) {
   EXPECT_THAT(value("large_mesh/text"), ::testing::HasSubstr("about 3,800,000 tetrahedra"));
   click("large_mesh/cancel");
   EXPECT_EQ(editor_.title(), before);
-  EXPECT_EQ(editor_.frame().tets.size(), tets);
+  EXPECT_EQ(editor_.frame().elements.tets.size(), tets);
   EXPECT_FALSE(editor_.state().large_mesh);
 }
 
 TEST_F(EditorTest, AnEditThatWouldMakeAHugeMeshCanBeTakenBack) {
-  const std::size_t tets = editor_.frame().tets.size();
+  const std::size_t tets = editor_.frame().elements.tets.size();
   click("body");
   click("body/shape");
   click("body/shape/kind_of");
   click("body/shape/kind_of/sphere");
   wait_for_work();
-  const std::size_t of_sphere = editor_.frame().tets.size();
+  const std::size_t of_sphere = editor_.frame().elements.tets.size();
   EXPECT_NE(of_sphere, tets);
   click("body/shape/sphere/element_size", 1);
   for (const char letter : std::string("9 mm")) ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(letter));
@@ -106,12 +106,12 @@ TEST_F(EditorTest, AnEditThatWouldMakeAHugeMeshCanBeTakenBack) {
   wait_for_work();
   EXPECT_NE(value("large_mesh/text"), "no widget large_mesh/text");
   click("large_mesh/cancel");
-  EXPECT_EQ(editor_.frame().tets.size(), of_sphere);
+  EXPECT_EQ(editor_.frame().elements.tets.size(), of_sphere);
   EXPECT_EQ(value("body/shape/sphere/element_size"), "200 mm");
 }
 
 TEST_F(EditorTest, AnEditedShapeStartsTheSimulationAgainAndTheEditCanBeUndone) {
-  const std::size_t tets = editor_.frame().tets.size();
+  const std::size_t tets = editor_.frame().elements.tets.size();
   editor_.step();
   EXPECT_EQ(editor_.frame().step, 1);
   click("body");
@@ -122,10 +122,10 @@ TEST_F(EditorTest, AnEditedShapeStartsTheSimulationAgainAndTheEditCanBeUndone) {
   click("body/shape/kind_of");
   click("body/shape/kind_of/sphere");
   wait_for_work();
-  EXPECT_NE(editor_.frame().tets.size(), tets);
+  EXPECT_NE(editor_.frame().elements.tets.size(), tets);
   click("command/edit.undo");
   wait_for_work();
-  EXPECT_EQ(editor_.frame().tets.size(), tets);
+  EXPECT_EQ(editor_.frame().elements.tets.size(), tets);
   EXPECT_FALSE(editor_.state().error);
 }
 
@@ -227,7 +227,7 @@ TEST_F(EditorTest, UndoThatTakesLongCanBeCancelledAndLeavesWhatWas) {
   ASSERT_FALSE(editor_.state().error) << editor_.state().error->where << ": " << editor_.state().error->problem;
   click("report/close");
   ASSERT_EQ(value("bodies/1"), "ball");
-  const std::size_t tets = editor_.frame().tets.size();
+  const std::size_t tets = editor_.frame().elements.tets.size();
   test_file("grown.off", tet_surface("1.2"));  // 1,728 times the elements
   click("command/edit.undo");
   insist();
@@ -236,7 +236,7 @@ TEST_F(EditorTest, UndoThatTakesLongCanBeCancelledAndLeavesWhatWas) {
   draw(2);
   EXPECT_TRUE(editor_.state().work.empty());
   EXPECT_EQ(value("bodies/1"), "ball");
-  EXPECT_EQ(editor_.frame().tets.size(), tets);
+  EXPECT_EQ(editor_.frame().elements.tets.size(), tets);
   EXPECT_FALSE(editor_.state().error);
 }
 

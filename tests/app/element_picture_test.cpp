@@ -76,7 +76,8 @@ TEST(ElementPicture, CapValuesAreInterpolatedBetweenNodes) {
   QuantityValues values;
   values.place = ValuePlace::node;
   const Vec3 gradient(0.3, -2, 0.7);
-  for (const Vec3& position : frame.positions) values.values.push_back(static_cast<float>(gradient.dot(position)));
+  for (const Vec3& position : frame.nodes.positions)
+    values.values.push_back(static_cast<float>(gradient.dot(position)));
   render::Surface surface = surface_of(caps, shown, 1, {});
   add_scalars(caps, frame, values, surface);
   ASSERT_EQ(surface.scalars.size(), surface.positions.size());
@@ -90,7 +91,7 @@ TEST(ElementPicture, ShrunkenElementsKeepTheirShapeAndShareOfTheVolume) {
   const ViewSettings view;
   const ShownMesh shown = shown_mesh(frame, view, {});
   const std::vector<PictureTriangle> triangles = element_triangles(shown);
-  EXPECT_EQ(triangles.size(), 4 * frame.tets.size());
+  EXPECT_EQ(triangles.size(), 4 * frame.elements.tets.size());
   for (const double shrink : {1.0, 0.75, 0.2})
     EXPECT_NEAR(enclosed_volume(surface_of(triangles, shown, shrink, {})), 2 * std::pow(shrink, 3), 1e-4);
 }
@@ -99,7 +100,7 @@ TEST(ElementPicture, WireframeHasEveryEdgeOnce) {
   World world(small_wall());
   const Frame frame = world.frame();
   std::set<std::pair<int, int>> edges;
-  for (const auto& tet : frame.tets)
+  for (const auto& tet : frame.elements.tets)
     for (int a = 0; a < 4; ++a)
       for (int b = a + 1; b < 4; ++b) edges.insert(std::minmax(tet[a].value, tet[b].value));
   const ViewSettings view;
@@ -118,10 +119,10 @@ TEST(ElementPicture, ExplodedPiecesMoveApartAndKeepTheirShape) {
   ViewSettings view;
   view.explode = 1.5;
   const ShownMesh shown = shown_mesh(frame, view, {});
-  for (std::size_t tet = 0; tet < frame.tets.size(); ++tet) {
-    const Vec3 offset = shown.offsets[frame.tet_bodies[tet]];
-    for (NodeId node : frame.tets[tet])
-      EXPECT_LT((shown.positions[node] - frame.positions[node] - offset).norm(), 1e-12);
+  for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet) {
+    const Vec3 offset = shown.offsets[frame.elements.bodies[tet]];
+    for (NodeId node : frame.elements.tets[tet])
+      EXPECT_LT((shown.positions[node] - frame.nodes.positions[node] - offset).norm(), 1e-12);
   }
   for (const BodyView& a : frame.bodies)
     for (const BodyView& b : frame.bodies) {

@@ -29,11 +29,11 @@ TEST_P(ExportFrame, TheMeshReadsBackAsItIs) {
   ASSERT_GT(frame.bodies.size(), 1u);
   export_frame(output(GetParam()), frame);
   const TetSoup soup = read_mesh(output(GetParam()));
-  ASSERT_EQ(soup.points.size(), frame.positions.size());
-  for (std::size_t i = 0; i < soup.points.size(); ++i) EXPECT_EQ(soup.points[i], frame.positions[i]);
-  ASSERT_EQ(soup.tets.size(), frame.tets.size());
+  ASSERT_EQ(soup.points.size(), frame.nodes.positions.size());
+  for (std::size_t i = 0; i < soup.points.size(); ++i) EXPECT_EQ(soup.points[i], frame.nodes.positions[i]);
+  ASSERT_EQ(soup.tets.size(), frame.elements.tets.size());
   for (std::size_t i = 0; i < soup.tets.size(); ++i)
-    for (int k = 0; k < 4; ++k) EXPECT_EQ(soup.tets[i][k], frame.tets[i][k]);
+    for (int k = 0; k < 4; ++k) EXPECT_EQ(soup.tets[i][k], frame.elements.tets[i][k]);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ExportFrame, ::testing::Values("frame.vtu", "frame.msh"));

@@ -111,7 +111,8 @@ TEST(IncludeRules, LowerFoldersOfTheSimulationKnowNoHigherOnes) {
                                {"sim/splinters", "^sim/(core|geometry|mesh|meshing|splinters)$"},
                                {"sim/shock", "^sim/(core|geometry|mesh|elasticity|solver|contact|shock)$"},
                                {"sim/scene", "^sim/(core|mesh|meshing|elasticity|solver|fracture|splinters|scene)$"},
-                               {"sim/world", "^sim/.*$"},
+                               {"sim/timeline", "^sim/(timeline|world)$"},
+                               {"sim/world", "^sim/(?!timeline).*$"},
                                {"sim/world/setup", "^sim/(?!world/shock|shock).*$"},
                                {"sim/world/conditions", "^sim/(?!world/shock|shock).*$"},
                                {"sim/world/bodies", "^sim/(?!world/(shock|setup|conditions)|shock).*$"},
@@ -138,7 +139,8 @@ TEST(IncludeRules, LowerFoldersOfTheProgramKnowNoHigherOnes) {
 
 /// Two types of one name in one namespace break the rule of one definition, and no linker tells.
 TEST(IncludeRules, NoTypeHasTheNameOfAnother) {
-  static const std::regex kNamespace("^namespace ([\\w:]+) \\{"), kType("^(?:struct|class) (\\w+)[^;]*\\{");
+  static const std::regex kNamespace("^namespace ([\\w:]+) \\{"),
+      kType("^(?:struct|class) (\\w+)( final)?( : .*)? \\{");
   std::map<std::string, std::string> file_of_type;
   for (const char* folder : {"sim", "renderer", "ui", "app"})
     for (const auto& entry : fs::recursive_directory_iterator(fs::path(GRIFFITH_SOURCE_DIR) / folder)) {

@@ -32,8 +32,8 @@ TEST(Quantities, EveryQuantityOfTheMenuHasValuesAndARange) {
   for (const ViewQuantity& quantity : view_quantities()) {
     if (quantity.unit.empty()) continue;
     const QuantityValues values = quantity_values(frame, quantity.key);
-    const std::size_t tets = frame.tets.size();
-    EXPECT_EQ(values.values.size(), values.place == ValuePlace::node   ? frame.positions.size()
+    const std::size_t tets = frame.elements.tets.size();
+    EXPECT_EQ(values.values.size(), values.place == ValuePlace::node   ? frame.nodes.positions.size()
                                     : values.place == ValuePlace::face ? 4 * tets
                                                                        : tets)
         << quantity.key;
@@ -88,8 +88,8 @@ TEST(Quantities, ElementQualityIsOneForARegularTetAndFallsWithItsHeight) {
   const std::vector<std::array<NodeId, 4>> tets = {{NodeId(0), NodeId(1), NodeId(2), NodeId(3)}};
   std::vector<Vec3> points = {Vec3(1, 1, 1), Vec3(-1, 1, -1), Vec3(1, -1, -1), Vec3(-1, -1, 1)};
   Frame frame;
-  frame.tets = tets;
-  frame.rest_positions = points;
+  frame.elements.tets = tets;
+  frame.nodes.rest_positions = points;
   EXPECT_NEAR(element_quality(frame, 0), 1, 1e-12);
   const Vec3 base = (points[1] + points[2] + points[3]) / 3, tip = points[0];
   double last = 1;

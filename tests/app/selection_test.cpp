@@ -26,8 +26,8 @@ Scene weak_wall(bool remeshing) {
 
 std::vector<ui::Selection> all_corners(const Frame& frame) {
   std::vector<ui::Selection> selections;
-  for (std::size_t i = 0; i < frame.tets.size(); ++i)
-    for (NodeId node : frame.tets[i])
+  for (std::size_t i = 0; i < frame.elements.tets.size(); ++i)
+    for (NodeId node : frame.elements.tets[i])
       selections.push_back(ui::select(frame, TetId(static_cast<std::int64_t>(i)), node));
   return selections;
 }
@@ -47,8 +47,8 @@ TEST(Selection, SurvivesSplitsAndStaysWithItsPieceOfMaterial) {
     for (std::size_t i = 0; i < selections.size(); ++i) {
       const ui::Selection& selection = selections[i];
       ASSERT_TRUE(selection.valid());
-      EXPECT_EQ(frame.rest_positions[selection.node], before[i].rest_position);
-      const auto& corners = frame.tets[selection.tet];
+      EXPECT_EQ(frame.nodes.rest_positions[selection.node], before[i].rest_position);
+      const auto& corners = frame.elements.tets[selection.tet];
       EXPECT_NE(std::ranges::find(corners, selection.node), corners.end());
       EXPECT_TRUE(remeshing || selection.tet == before[i].tet);
       copies += selection.node != before[i].node;
@@ -81,11 +81,12 @@ TEST(UtilizationHistory, HasThePastOfEveryNodeAndOfWhatCopiesWerePartOf) {
     history.record(frame);
     utilizations.emplace_back();
     times.push_back(frame.time);
-    for (const NodeSeparation& separation : frame.separations) utilizations.back().push_back(separation.utilization);
+    for (const NodeSeparation& separation : frame.nodes.separations)
+      utilizations.back().push_back(separation.utilization);
   }
   const Frame frame = world.frame();
-  ASSERT_GT(frame.positions.size(), utilizations.front().size());
-  for (std::size_t node = 0; node < frame.positions.size(); ++node) {
+  ASSERT_GT(frame.nodes.positions.size(), utilizations.front().size());
+  for (std::size_t node = 0; node < frame.nodes.positions.size(); ++node) {
     const NodeId id(static_cast<std::int64_t>(node));
     std::size_t steps = 0, breaks = 0;
     for (const ui::UtilizationSample& sample : history.samples(frame, id)) {
@@ -106,7 +107,7 @@ TEST(UtilizationHistory, ForgetsTheOldestStepsWhenItIsFull) {
   Scene scene = small_wall();
   scene.simulation.fracture = false;  // cracks would make nodes
   World world(scene);
-  const std::size_t nodes = world.frame().positions.size();
+  const std::size_t nodes = world.frame().nodes.positions.size();
   UtilizationHistory history(5 * nodes);
   for (int step = 0; step < 4; ++step) {
     world.step();
@@ -127,18 +128,18 @@ TEST(NearestCorner, IsTheOneThatTheRayEntersNearest) {
   std::mt19937 random(9);
   std::uniform_real_distribution<double> unit(0, 1);
   for (int trial = 0; trial < 500; ++trial) {
-    const TetId tet(static_cast<std::int64_t>(random() % frame.tets.size()));
+    const TetId tet(static_cast<std::int64_t>(random() % frame.elements.tets.size()));
     const std::size_t wanted = random() % 4;
     // Onto a face near one of its corners, from outside.
     const std::size_t opposite = (wanted + 1 + random() % 3) % 4;
     Vec3 place = Vec3::Zero(), middle = Vec3::Zero();
     for (std::size_t i = 0; i < 4; ++i) {
-      middle += frame.positions[frame.tets[tet][i]] / 4;
-      if (i != opposite) place += (i == wanted ? 0.8 : 0.1) * frame.positions[frame.tets[tet][i]];
+      middle += frame.nodes.positions[frame.elements.tets[tet][i]] / 4;
+      if (i != opposite) place += (i == wanted ? 0.8 : 0.1) * frame.nodes.positions[frame.elements.tets[tet][i]];
     }
     const Vec3 way = (middle - place).normalized();
     const render::Ray ray{(place - 3 * way).cast<float>(), way.cast<float>()};
-    EXPECT_EQ(nearest_corner(shown, tet, ray), frame.tets[tet][wanted]);
+    EXPECT_EQ(nearest_corner(shown, tet, ray), frame.elements.tets[tet][wanted]);
   }
 }
 
@@ -147,7 +148,7 @@ TEST(Verdict, SaysWhetherAndWhyANodeBroke) {
   for (int step = 0; step < 20; ++step) world.step();
   const Frame frame = world.frame();
   using Kind = ui::Verdict::Kind;
-  for (std::size_t i = 0; i < frame.positions.size(); ++i) {
+  for (std::size_t i = 0; i < frame.nodes.positions.size(); ++i) {
     const NodeReport report = node_report(frame, NodeId(static_cast<std::int64_t>(i)));
     const ui::Verdict verdict = ui::verdict_on(report, frame, true);
     EXPECT_FALSE(verdict.text.empty());
@@ -196,7 +197,8 @@ TEST(Verdict, KnowsThatTheSceneKeepsItWhole) {
   World world(scene);
   do {
     world.step();
-  } while (world.frame().separations[most_loaded_node(world.frame())].utilization <= 1 && world.frame().step < 60);
+  } while (world.frame().nodes.separations[most_loaded_node(world.frame())].utilization <= 1 &&
+           world.frame().step < 60);
   const Frame frame = world.frame();
   const NodeReport report = node_report(frame, most_loaded_node(frame));
   ASSERT_GT(report.separation.utilization, 1);

@@ -95,11 +95,11 @@ TEST_F(SplinterPicture, BodiesWithoutSplintersShowTheirTets) {
   const Frame frame = world.frame();
   const render::DrawScene drawn = draw_scene_from_frame(frame, embedded_display(frame, scene), scene, {}, {});
   EXPECT_FALSE(drawn.surface.ids.empty());
-  for (const std::int32_t tet : drawn.surface.ids) EXPECT_EQ(frame.tet_bodies[tet], BodyId(1));
+  for (const std::int32_t tet : drawn.surface.ids) EXPECT_EQ(frame.elements.bodies[tet], BodyId(1));
   EXPECT_EQ(drawn.surface.scalars.size(), drawn.surface.ids.size());
   ASSERT_TRUE(drawn.embedded.mesh);
   for (const render::EmbeddedCorner& corner : drawn.embedded.mesh->corners)
-    EXPECT_EQ(frame.tet_bodies[corner.tet], BodyId(0));
+    EXPECT_EQ(frame.elements.bodies[corner.tet], BodyId(0));
 }
 
 /// A body filled from the surface of a cube.
@@ -139,7 +139,7 @@ TEST(SkinPicture, TheSurfaceStandsWhereItsTetsAreAndNoTriangleSpansTwoBodies) {
   const Frame frame = world.frame();
   ASSERT_GT(frame.fragments, 0);
   for (const SkinPart& part : display.skin_parts)
-    EXPECT_EQ(frame.tet_bodies[skin_carrier(frame, part)], frame.tet_bodies[part.triangle_tet]);
+    EXPECT_EQ(frame.elements.bodies[skin_carrier(frame, part)], frame.elements.bodies[part.triangle_tet]);
   EXPECT_FALSE(drawn().surface.ids.empty());  // cracks are laid bare
 }
 

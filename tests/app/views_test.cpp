@@ -175,7 +175,8 @@ TEST_F(ViewsTest, SymmetricRangeReachesAsFarBelowZero) {
   const auto drawn = draw_scene_from_frame(frame, embedded_display(frame, scene_), scene_, view, {});
   const render::ScalarStyle& style = drawn.surface.scalar_style;
   EXPECT_EQ(style.minimum, -style.maximum);
-  EXPECT_EQ(std::accumulate(style.histogram.begin(), style.histogram.end(), 0), static_cast<int>(frame.tets.size()));
+  EXPECT_EQ(std::accumulate(style.histogram.begin(), style.histogram.end(), 0),
+            static_cast<int>(frame.elements.tets.size()));
   EXPECT_FALSE(style.has_nan);
 }
 

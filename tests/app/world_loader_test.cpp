@@ -59,7 +59,7 @@ TEST(WorldLoader, AMeshLargerThanWantedIsMadeWhenAskedForAgain) {
   }
   loader.start_again();
   ASSERT_TRUE(loader.wait(60));
-  EXPECT_EQ(loader.take()->world.frame().tets.size(), 40u);
+  EXPECT_EQ(loader.take()->world.frame().elements.tets.size(), 40u);
 }
 
 TEST(WorldLoader, ASurfaceThatCannotBeReadIsToldWithItsBody) {

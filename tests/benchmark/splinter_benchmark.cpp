@@ -72,20 +72,20 @@ class HalvedCube {
 
   Frame frame() const {
     Frame frame;
-    frame.rest_positions = frame.positions = mesh_.rest_positions;
-    frame.tets = mesh_.tets;
-    frame.neighbours = mesh_.neighbours;
-    frame.tet_bodies = tet_bodies_;
+    frame.nodes.rest_positions = frame.nodes.positions = mesh_.rest_positions;
+    frame.elements.tets = mesh_.tets;
+    frame.elements.neighbours = mesh_.neighbours;
+    frame.elements.bodies = tet_bodies_;
     frame.bodies = bodies_;
-    frame.stresses = stresses_;
+    frame.elements.stresses = stresses_;
     frame.materials = materials_;
-    frame.first_surface = first_surface_;
-    frame.splinters = set_.splinters;
-    frame.splinter_parts = set_.parts;
-    frame.splinter_faces = set_.faces;
-    frame.splinter_corners = set_.corners;
-    frame.attached_parts = state_.attached;
-    frame.open_walls = state_.open_walls;
+    frame.elements.first_surface = first_surface_;
+    frame.splinters.splinters = set_.splinters;
+    frame.splinters.parts = set_.parts;
+    frame.splinters.faces = set_.faces;
+    frame.splinters.corners = set_.corners;
+    frame.splinters.attached = state_.attached;
+    frame.splinters.open_walls = state_.open_walls;
     return frame;
   }
   const Scene& scene() const { return scene_; }
@@ -103,10 +103,10 @@ class HalvedCube {
 };
 
 void count(benchmark::State& state, const Frame& frame) {
-  state.counters["splinters"] = static_cast<double>(frame.splinters.size());
-  state.counters["parts"] = static_cast<double>(frame.splinter_parts.size());
-  state.counters["faces"] = static_cast<double>(frame.splinter_faces.size());
-  state.counters["open"] = static_cast<double>(frame.open_walls.size());
+  state.counters["splinters"] = static_cast<double>(frame.splinters.splinters.size());
+  state.counters["parts"] = static_cast<double>(frame.splinters.parts.size());
+  state.counters["faces"] = static_cast<double>(frame.splinters.faces.size());
+  state.counters["open"] = static_cast<double>(frame.splinters.open_walls.size());
 }
 
 void hand_to_renderer(benchmark::State& state) {

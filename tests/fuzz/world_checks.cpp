@@ -20,15 +20,15 @@ std::string text(const char* format, Numbers... numbers) {
 }
 
 double mass_of_bodies(const Frame& frame) {
-  return std::accumulate(frame.node_masses.begin(), frame.node_masses.end(), 0.0);
+  return std::accumulate(frame.nodes.masses.begin(), frame.nodes.masses.end(), 0.0);
 }
 
 double energy_of(const Frame& frame) { return frame.totals.kinetic_energy + frame.totals.elastic_energy; }
 
 double potential_energy(const Frame& frame, const Vec3& gravity) {
   double energy = 0;
-  for (std::size_t i = 0; i < frame.positions.size(); ++i)
-    energy -= frame.node_masses[i] * gravity.dot(frame.positions[i]);
+  for (std::size_t i = 0; i < frame.nodes.positions.size(); ++i)
+    energy -= frame.nodes.masses[i] * gravity.dot(frame.nodes.positions[i]);
   for (const ProjectileView& projectile : frame.projectiles)
     energy -= projectile.mass * gravity.dot(projectile.position);
   return energy;
@@ -38,10 +38,11 @@ double potential_energy(const Frame& frame, const Vec3& gravity) {
 double rounding_of(const Frame& frame) {
   constexpr double kRounding = 1e-13;
   double energy = 0;
-  for (std::size_t i = 0; i < frame.tets.size(); ++i) {
-    const double volume = frame.rest_elements[i].volume;
-    const double strain = kRounding * (1 + frame.positions[frame.tets[i][0]].norm() / std::cbrt(volume));
-    energy += frame.materials[frame.bodies[frame.tet_bodies[i]].scene_body].young_modulus * volume * strain * strain;
+  for (std::size_t i = 0; i < frame.elements.tets.size(); ++i) {
+    const double volume = frame.elements.rest_elements[i].volume;
+    const double strain = kRounding * (1 + frame.nodes.positions[frame.elements.tets[i][0]].norm() / std::cbrt(volume));
+    energy +=
+        frame.materials[frame.bodies[frame.elements.bodies[i]].scene_body].young_modulus * volume * strain * strain;
   }
   return energy;
 }
@@ -76,8 +77,8 @@ class Watch {
 
  private:
   void check_values(const Frame& frame) const {
-    for (const Vec3& position : frame.positions) promise(position.allFinite(), "a position is not finite");
-    for (const Vec3& velocity : frame.velocities) promise(velocity.allFinite(), "a velocity is not finite");
+    for (const Vec3& position : frame.nodes.positions) promise(position.allFinite(), "a position is not finite");
+    for (const Vec3& velocity : frame.nodes.velocities) promise(velocity.allFinite(), "a velocity is not finite");
     promise(frame.report.non_finite_values == 0, "bodies were frozen: values were not finite");
     const double mass = mass_of_bodies(frame);
     promise(std::abs(mass - mass_) <= 1e-9 * mass_, text("mass changed from %g to %g kg", mass_, mass));
@@ -141,10 +142,10 @@ class Watch {
 };
 
 void check_mesh(const Frame& frame) {
-  const TetMesh mesh = {{frame.rest_positions.begin(), frame.rest_positions.end()},
-                        {frame.tets.begin(), frame.tets.end()},
-                        {frame.neighbours.begin(), frame.neighbours.end()},
-                        {frame.stars.begin(), frame.stars.end()}};
+  const TetMesh mesh = {{frame.nodes.rest_positions.begin(), frame.nodes.rest_positions.end()},
+                        {frame.elements.tets.begin(), frame.elements.tets.end()},
+                        {frame.elements.neighbours.begin(), frame.elements.neighbours.end()},
+                        {frame.nodes.stars.begin(), frame.nodes.stars.end()}};
   const std::vector<std::string> faults = check_invariants(mesh);
   promise(faults.empty(), "the mesh is unsound: " + (faults.empty() ? "" : faults.front()));
 }
@@ -156,7 +157,7 @@ void run_world(const Scene& scene, int max_steps, bool has_slivers) {
   World world(scene);
   check_mesh(world.frame());
   Watch watch(scene, world.frame(), has_slivers);
-  const int tets = 1 + static_cast<int>(world.frame().tets.size());
+  const int tets = 1 + static_cast<int>(world.frame().elements.tets.size());
   for (int steps = std::clamp(kWork / tets, 2, max_steps); steps > 0; --steps) {
     world.step();
     watch.check(world.frame());

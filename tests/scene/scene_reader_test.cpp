@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -42,6 +43,17 @@ TEST(SceneReader, ReportsWhatIsNoJsonByLineAndColumn) {
                    {"[1, 2]", "doc", "expected an object"},
                    {"7", "doc", "is 7"},
                    {"null", "doc", "expected an object"}});
+}
+
+TEST(SceneReader, ReadsNamesOfOlderFilesAndTellsThoseOfToday) {
+  const auto path = std::filesystem::path(::testing::TempDir()) / "older.json";
+  std::ofstream(path) << R"({"version": 1, "name": "older", "view": {"quantity": "margin"}})";
+  EXPECT_EQ(read_scene(path).view.quantity, "utilization");
+  EXPECT_TRUE(check_scene(path).empty());
+  const std::vector<InputError> outdated = outdated_names(path);
+  ASSERT_EQ(outdated.size(), 1u);
+  EXPECT_THAT(outdated[0].where(), HasSubstr("older.json#/view/quantity"));
+  EXPECT_THAT(outdated[0].what(), HasSubstr("\"utilization\""));
 }
 
 TEST(SceneReader, ReportsAVersionThatItCannotRead) {

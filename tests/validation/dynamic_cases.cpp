@@ -288,9 +288,10 @@ std::vector<Row> free_fall(Extent) {
         const Frame frame = world.frame();
         const double t = i * h;
         const Vec3 path = t * body.velocity + t * (t + h) / 2 * scene.gravity;
-        for (std::size_t node = 0; node < frame.positions.size(); ++node)
-          error = std::max(error, (frame.positions[node] - frame.rest_positions[node] - path).norm() / path.norm());
-        for (const Mat3& stress : frame.stresses) strain = std::max(strain, stress.norm() / young_modulus);
+        for (std::size_t node = 0; node < frame.nodes.positions.size(); ++node)
+          error = std::max(
+              error, (frame.nodes.positions[node] - frame.nodes.rest_positions[node] - path).norm() / path.norm());
+        for (const Mat3& stress : frame.elements.stresses) strain = std::max(strain, stress.norm() / young_modulus);
       }
     }
     rows.push_back(at_most(mesh_label(pattern, 4), "path, worst node, step and E", 1e-12, error));

@@ -124,8 +124,8 @@ TEST(Breakdown, AMaterialBeyondAllNumbersLosesItsBodyAlone) {
         frozen += world.frame().report.non_finite_values;
       }
       const Frame frame = world.frame();
-      for (const Vec3& position : frame.positions) EXPECT_TRUE(position.allFinite());
-      for (const Vec3& velocity : frame.velocities) EXPECT_TRUE(velocity.allFinite());
+      for (const Vec3& position : frame.nodes.positions) EXPECT_TRUE(position.allFinite());
+      for (const Vec3& velocity : frame.nodes.velocities) EXPECT_TRUE(velocity.allFinite());
       EXPECT_TRUE(std::isfinite(frame.totals.elastic_energy) && std::isfinite(frame.totals.kinetic_energy));
       EXPECT_FALSE(frame.bodies[1].rigid);
       EXPECT_EQ(frame.bodies[0].rigid, frozen > 0);

@@ -54,11 +54,11 @@ Scene pulled_bar(BoxPattern pattern, int cells, const Vec3& degrees) {
 /// The unit normal of the plane that fits best through the crack's faces, in rest space.
 Vec3 crack_normal(const Frame& frame, double half_length) {
   std::vector<Vec3> points;
-  for (std::size_t tet = 0; tet < frame.tets.size(); ++tet)
+  for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet)
     for (int face = 0; face < 4; ++face) {
-      if (frame.neighbours[tet][face].valid()) continue;
+      if (frame.elements.neighbours[tet][face].valid()) continue;
       Vec3 middle = Vec3::Zero();
-      for (int corner : kTetFaces[face]) middle += frame.rest_positions[frame.tets[tet][corner]] / 3;
+      for (int corner : kTetFaces[face]) middle += frame.nodes.rest_positions[frame.elements.tets[tet][corner]] / 3;
       // Surfaces of the bar lie at its border.
       if (middle.tail<2>().cwiseAbs().maxCoeff() < 0.49 && std::abs(middle.x()) < 0.99 * half_length)
         points.push_back(middle);
@@ -87,10 +87,10 @@ TEST_P(BarInTension, BreaksAtNearlyTheSameLoadWhenItIsRemeshed) {
     const double along_faces = breaking_fraction(scene, ramp, has_parted);
     scene.bodies[0].remeshing = true;
     int tets = 0;
-    const double remeshed = breaking_fraction(scene, ramp, has_parted,
-                                              [&](const Frame& frame) { tets = static_cast<int>(frame.tets.size()); });
+    const double remeshed = breaking_fraction(
+        scene, ramp, has_parted, [&](const Frame& frame) { tets = static_cast<int>(frame.elements.tets.size()); });
     EXPECT_NEAR(remeshed / along_faces, 1, 0.1) << "turned by " << degrees.transpose();
-    EXPECT_GT(tets, static_cast<int>(World(scene).frame().tets.size())) << "tets were cut";
+    EXPECT_GT(tets, static_cast<int>(World(scene).frame().elements.tets.size())) << "tets were cut";
   }
 }
 

@@ -28,8 +28,8 @@ TEST(Editing, ASofterMaterialSagsMore) {
   const auto sag = [](const World& world) {
     double lowest = 0;
     const Frame frame = world.frame();
-    for (std::size_t i = 0; i < frame.positions.size(); ++i)
-      lowest = std::min(lowest, frame.positions[i].y() - frame.rest_positions[i].y());
+    for (std::size_t i = 0; i < frame.nodes.positions.size(); ++i)
+      lowest = std::min(lowest, frame.nodes.positions[i].y() - frame.nodes.rest_positions[i].y());
     return -lowest;
   };
   EXPECT_GT(sag(edited), 50 * sag(stiff));
@@ -70,9 +70,9 @@ TEST(Editing, UtilizationsFollowTheMaterialAtOnce) {
   const World made_so(scene);
   edited.set_material(0, brick(0.5));
   const Frame frame = edited.frame(), expected = made_so.frame();
-  for (std::size_t i = 0; i < frame.separations.size(); ++i) {
-    EXPECT_EQ(frame.separations[i].resistance, expected.separations[i].resistance);
-    EXPECT_NEAR(frame.separations[i].utilization, expected.separations[i].utilization, 1e-6);
+  for (std::size_t i = 0; i < frame.nodes.separations.size(); ++i) {
+    EXPECT_EQ(frame.nodes.separations[i].resistance, expected.nodes.separations[i].resistance);
+    EXPECT_NEAR(frame.nodes.separations[i].utilization, expected.nodes.separations[i].utilization, 1e-6);
   }
 }
 

@@ -152,10 +152,12 @@ TEST(EnergyAccount, CountsOneSideOfEachCrackAtItsToughness) {
   for (int i = 0; i < 20; ++i) world.step();
   const Frame frame = world.frame();
   double area = 0;
-  for (std::size_t tet = 0; tet < frame.tets.size(); ++tet)
+  for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet)
     for (int face = 0; face < 4; ++face) {
-      if (std::isnan(frame.face_opened[tet][face])) continue;
-      const auto corner = [&](int i) { return frame.rest_positions[frame.tets[tet][kTetFaces[face][i]]]; };
+      if (std::isnan(frame.elements.opened[tet][face])) continue;
+      const auto corner = [&](int i) {
+        return frame.nodes.rest_positions[frame.elements.tets[tet][kTetFaces[face][i]]];
+      };
       area += 0.25 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();
     }
   const Material& material = scene.bodies[0].material;

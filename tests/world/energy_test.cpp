@@ -16,8 +16,8 @@ using testing::struck_block;
 /// Kinetic, elastic and potential energy of all that moves [J].
 double mechanical_energy(const Scene& scene, const Frame& frame) {
   double energy = frame.totals.kinetic_energy + frame.totals.elastic_energy;
-  for (std::size_t i = 0; i < frame.positions.size(); ++i)
-    energy -= frame.node_masses[i] * scene.gravity.dot(frame.positions[i]);
+  for (std::size_t i = 0; i < frame.nodes.positions.size(); ++i)
+    energy -= frame.nodes.masses[i] * scene.gravity.dot(frame.nodes.positions[i]);
   for (const ProjectileView& projectile : frame.projectiles)
     energy -= projectile.mass * scene.gravity.dot(projectile.position);
   return energy;

@@ -40,7 +40,7 @@ Scene laid(const LaidSlab& slab, double time_step) {
 /// The largest size of a principal stress [Pa].
 double largest_stress(const Frame& frame) {
   double largest = 0;
-  for (const Mat3& stress : frame.stresses)
+  for (const Mat3& stress : frame.elements.stresses)
     largest = std::max(
         largest,
         Eigen::SelfAdjointEigenSolver<Mat3>(stress, Eigen::EigenvaluesOnly).eigenvalues().cwiseAbs().maxCoeff());
@@ -55,7 +55,7 @@ TEST_P(Slab, LaidOnTheGroundCarriesItsWeightAloneAndSleeps) {
     double deepest = 0, stress = 0;
     while (world.frame().time < 3 && world.frame().report.sleeping_bodies == 0) {
       world.step();
-      for (const Vec3& position : world.frame().positions) deepest = std::max(deepest, -position.y());
+      for (const Vec3& position : world.frame().nodes.positions) deepest = std::max(deepest, -position.y());
       if (!world.frame().bodies[0].rigid) stress = std::max(stress, largest_stress(world.frame()));
     }
     const auto where = [&] { return ::testing::Message() << "time step " << time_step; };
@@ -106,7 +106,7 @@ struct Bars {
 
   bool at_face(const Frame& frame, const std::array<NodeId, 4>& tet) const {
     return std::ranges::any_of(
-        tet, [&](NodeId node) { return std::abs(std::abs(frame.rest_positions[node].x()) - kGap / 2) < 1e-9; });
+        tet, [&](NodeId node) { return std::abs(std::abs(frame.nodes.rest_positions[node].x()) - kGap / 2) < 1e-9; });
   }
 };
 
@@ -132,10 +132,10 @@ TEST_P(BarImpact, PressesTheFacesEvenlyAndExchangesMomentum) {
     const Frame frame = world.frame();
     double mean = 0, worst = 0;
     int count = 0;
-    for (std::size_t tet = 0; tet < frame.tets.size(); ++tet) {
-      if (!bars.at_face(frame, frame.tets[tet])) continue;
-      mean += frame.stresses[tet](0, 0);
-      worst = std::max(worst, frame.stresses[tet](0, 0));
+    for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet) {
+      if (!bars.at_face(frame, frame.elements.tets[tet])) continue;
+      mean += frame.elements.stresses[tet](0, 0);
+      worst = std::max(worst, frame.elements.stresses[tet](0, 0));
       ++count;
     }
     mean /= count;

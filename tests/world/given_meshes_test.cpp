@@ -34,7 +34,7 @@ TEST(GivenMeshes, AreWhatTheSameShapeIs) {
   for (Vec3& point : in_quarters.points) point *= 4;
   for (std::array<int, 4>& tet : in_quarters.tets) std::swap(tet[0], tet[1]);  // prepare() turns them round
   const World scaled(drop(MeshFileShape{"a box", 0.25}), {{"a box", in_quarters}});
-  EXPECT_THAT(scaled.frame().rest_positions, ::testing::SizeIs(box.points.size()));
+  EXPECT_THAT(scaled.frame().nodes.rest_positions, ::testing::SizeIs(box.points.size()));
   EXPECT_NEAR(scaled.frame().totals.mass, kSize.prod() * Material().density, 1e-9);
 }
 

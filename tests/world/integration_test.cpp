@@ -35,9 +35,9 @@ double tip_deflection(const World& world) {
   const Frame frame = world.frame();
   double sum = 0;
   int count = 0;
-  for (std::size_t i = 0; i < frame.positions.size(); ++i)
-    if (frame.rest_positions[i].x() > 1.99) {
-      sum += frame.positions[i].y() - frame.rest_positions[i].y();
+  for (std::size_t i = 0; i < frame.nodes.positions.size(); ++i)
+    if (frame.nodes.rest_positions[i].x() > 1.99) {
+      sum += frame.nodes.positions[i].y() - frame.nodes.rest_positions[i].y();
       ++count;
     }
   return sum / count;
@@ -45,7 +45,7 @@ double tip_deflection(const World& world) {
 
 Vec3 total_reaction(const World& world) {
   Vec3 sum = Vec3::Zero();
-  for (const Vec3& reaction : world.frame().reactions) sum += reaction;
+  for (const Vec3& reaction : world.frame().nodes.reactions) sum += reaction;
   return sum;
 }
 
@@ -94,7 +94,7 @@ TEST(StaticAnalysis, APressureIsInBalanceInItsFirstStep) {
   EXPECT_EQ(world.frame().report.unconverged_solves, 0);
   const Vec3 weight = world.frame().totals.mass * scene.gravity;
   Vec3 load = Vec3::Zero();
-  for (const Vec3& force : world.frame().load_forces) load += force;
+  for (const Vec3& force : world.frame().nodes.load_forces) load += force;
   EXPECT_LT((total_reaction(world) + weight + load).norm(), 1e-8 * load.norm());
   for (int step = 0; step < 5; ++step) world.step();
   EXPECT_NEAR(tip_deflection(world), first, 1e-8 * std::abs(first));
@@ -215,7 +215,7 @@ TEST(ExplicitIntegration, StaysStableWhileAStepCutsElements) {
   whole.step();
   world.step();
   const Frame frame = world.frame();
-  EXPECT_GT(frame.tets.size(), whole.frame().tets.size());
+  EXPECT_GT(frame.elements.tets.size(), whole.frame().elements.tets.size());
   EXPECT_GT(frame.report.substeps, whole.frame().report.substeps);
   EXPECT_EQ(frame.report.non_finite_values, 0);
   EXPECT_LT(frame.totals.kinetic_energy + frame.totals.elastic_energy, 1.1 * energy);

@@ -53,21 +53,21 @@ TEST(ManyBodies, EachIsAsItIsAlone) {
     single.bodies = {scene.bodies[i]};
     const World alone(single);
     const Frame one = alone.frame(), frame = all.frame();
-    for (std::size_t n = 0; n < one.positions.size(); ++n, ++node) {
-      EXPECT_EQ(frame.positions[node], one.positions[n]);
-      EXPECT_EQ(frame.velocities[node], one.velocities[n]);
-      EXPECT_EQ(frame.node_masses[node], one.node_masses[n]);
-      EXPECT_EQ(frame.node_supported[node], one.node_supported[n]);
-      EXPECT_EQ(frame.at_crack_front[node], one.at_crack_front[n]);
+    for (std::size_t n = 0; n < one.nodes.positions.size(); ++n, ++node) {
+      EXPECT_EQ(frame.nodes.positions[node], one.nodes.positions[n]);
+      EXPECT_EQ(frame.nodes.velocities[node], one.nodes.velocities[n]);
+      EXPECT_EQ(frame.nodes.masses[node], one.nodes.masses[n]);
+      EXPECT_EQ(frame.nodes.has_support[node], one.nodes.has_support[n]);
+      EXPECT_EQ(frame.nodes.at_crack_front[node], one.nodes.at_crack_front[n]);
     }
-    for (std::size_t t = 0; t < one.tets.size(); ++t, ++tet) {
-      EXPECT_EQ(frame.tet_bodies[tet], BodyId(static_cast<int>(i)));
-      EXPECT_EQ(frame.first_surface[tet], one.first_surface[t]);
-      EXPECT_EQ(frame.stresses[tet], one.stresses[t]);
+    for (std::size_t t = 0; t < one.elements.tets.size(); ++t, ++tet) {
+      EXPECT_EQ(frame.elements.bodies[tet], BodyId(static_cast<int>(i)));
+      EXPECT_EQ(frame.elements.first_surface[tet], one.elements.first_surface[t]);
+      EXPECT_EQ(frame.elements.stresses[tet], one.elements.stresses[t]);
     }
   }
-  EXPECT_EQ(node, all.frame().positions.size());
-  EXPECT_EQ(tet, all.frame().tets.size());
+  EXPECT_EQ(node, all.frame().nodes.positions.size());
+  EXPECT_EQ(tet, all.frame().elements.tets.size());
 }
 
 TEST(ManyBodies, TurnedCollisionPartsOfAShapeAreThoseOfTheTurnedBody) {

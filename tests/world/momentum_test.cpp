@@ -24,8 +24,8 @@ TEST(Momentum, FreeFallOfABodyIsExact) {
   const Frame frame = world.frame();
   const double h = scene.simulation.time_step, t = steps * h;
   const Vec3 fallen = scene.bodies[0].velocity * t + 0.5 * scene.gravity * t * (t + h);
-  for (std::size_t i = 0; i < frame.positions.size(); ++i)
-    EXPECT_LT((frame.positions[i] - frame.rest_positions[i] - fallen).norm(), 1e-9);
+  for (std::size_t i = 0; i < frame.nodes.positions.size(); ++i)
+    EXPECT_LT((frame.nodes.positions[i] - frame.nodes.rest_positions[i] - fallen).norm(), 1e-9);
   EXPECT_EQ(frame.crack_events.size(), 0u);
 }
 
@@ -60,9 +60,9 @@ TEST(Momentum, PiecesOfOneMeshSpinAboutTheirCommonCentre) {
   const Frame frame = world.frame();
   ASSERT_EQ(frame.bodies.size(), 2u);
   const Vec3 center = (8 * Vec3::Zero() + 1 * Vec3(3, 1, 0)) / 9;
-  for (std::size_t i = 0; i < frame.positions.size(); ++i) {
-    const Vec3 expected = Vec3(1, 0, 0) + Vec3(0.3, 2, -1).cross(frame.positions[i] - center);
-    EXPECT_LT((frame.velocities[i] - expected).norm(), 1e-12);
+  for (std::size_t i = 0; i < frame.nodes.positions.size(); ++i) {
+    const Vec3 expected = Vec3(1, 0, 0) + Vec3(0.3, 2, -1).cross(frame.nodes.positions[i] - center);
+    EXPECT_LT((frame.nodes.velocities[i] - expected).norm(), 1e-12);
   }
 }
 

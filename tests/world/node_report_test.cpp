@@ -17,7 +17,7 @@ TEST(NodeReport, WhatItShowsIsOfOneMomentAndAddsUp) {
   for (int step = 0; step < 30; ++step) {
     world.step();
     const Frame frame = world.frame();
-    for (std::size_t i = 0; i < frame.positions.size(); ++i) {
+    for (std::size_t i = 0; i < frame.nodes.positions.size(); ++i) {
       const NodeReport report = node_report(frame, NodeId(static_cast<std::int64_t>(i)));
       EXPECT_EQ(report.strained, !frame.bodies[report.body].rigid);
       if (!report.strained) continue;
@@ -27,7 +27,7 @@ TEST(NodeReport, WhatItShowsIsOfOneMomentAndAddsUp) {
         scale += std::abs(element.fraction) + element.force.tensile.norm() + element.force.compressive.norm();
       }
       EXPECT_NEAR(sum, report.sum(), 1e-9 * scale) << "node " << i << ", step " << step;
-      EXPECT_EQ(report.elements.size(), frame.stars[i].size());
+      EXPECT_EQ(report.elements.size(), frame.nodes.stars[i].size());
       EXPECT_EQ(report.load, report.plane.stress);
       if (report.by_tension) {
         EXPECT_EQ(report.load, report.sum());
@@ -36,7 +36,7 @@ TEST(NodeReport, WhatItShowsIsOfOneMomentAndAddsUp) {
         EXPECT_NEAR(report.principal.values[2], report.sum(), 1e-8 * scale) << "no direction is weaker";
       }
       by_tension_alone += report.load > 1 && report.principal.values[2] < 1e-9 * report.load;
-      after_cracks += report.load > 1 && frame.separations[i].tensor.isZero(0);
+      after_cracks += report.load > 1 && frame.nodes.separations[i].tensor.isZero(0);
     }
   }
   EXPECT_GT(by_tension_alone, 10) << "a star of one element has no tensor";
@@ -60,7 +60,7 @@ TEST(NodeReport, ElementsAreRankedByTheirShare) {
   World world(struck_block(brick(50)));
   for (int step = 0; step < 8; ++step) world.step();
   const Frame frame = world.frame();
-  for (std::size_t i = 0; i < frame.positions.size(); ++i) {
+  for (std::size_t i = 0; i < frame.nodes.positions.size(); ++i) {
     const NodeReport report = node_report(frame, NodeId(static_cast<std::int64_t>(i)));
     std::set<TetId> seen;
     for (std::size_t k = 0; k < report.elements.size(); ++k) {
@@ -78,8 +78,8 @@ TEST(NodeReport, AllCopiesOfABrokenNodeKnowWhereItBroke) {
   ASSERT_GT(frame.crack_events.size(), 5u);
   for (std::size_t k = 0; k < frame.crack_events.size(); ++k) {
     int knowing = 0;
-    for (std::size_t i = 0; i < frame.positions.size(); ++i) {
-      if (frame.rest_positions[i] != frame.crack_events[k].rest_position) continue;
+    for (std::size_t i = 0; i < frame.nodes.positions.size(); ++i) {
+      if (frame.nodes.rest_positions[i] != frame.crack_events[k].rest_position) continue;
       const std::vector<int> events = node_report(frame, NodeId(static_cast<std::int64_t>(i))).events;
       EXPECT_NE(std::ranges::find(events, static_cast<int>(k)), events.end());
       ++knowing;
@@ -94,8 +94,8 @@ TEST(NodeReport, MostLoadedNodeHasTheLargestUtilizationOfWhatIsElastic) {
   const Frame frame = world.frame();
   const NodeId node = most_loaded_node(frame);
   ASSERT_TRUE(node.valid());
-  for (const NodeSeparation& separation : frame.separations)
-    EXPECT_LE(separation.utilization, frame.separations[node].utilization);
+  for (const NodeSeparation& separation : frame.nodes.separations)
+    EXPECT_LE(separation.utilization, frame.nodes.separations[node].utilization);
   EXPECT_FALSE(most_loaded_node(Frame{}).valid());
 }
 
@@ -107,10 +107,11 @@ TEST(PublishedFrame, CrackFacesAndNoOthersHaveTheTimeTheyWereOpened) {
     for (int step = 0; step < 30; ++step) world.step();
     const Frame frame = world.frame();
     int opened = 0;
-    for (std::size_t tet = 0; tet < frame.tets.size(); ++tet) {
+    for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet) {
       for (int face = 0; face < 4; ++face) {
-        const bool crack = !frame.neighbours[tet][face].valid() && !(frame.first_surface[tet] >> face & 1);
-        const double time = frame.face_opened[tet][face];
+        const bool crack =
+            !frame.elements.neighbours[tet][face].valid() && !(frame.elements.first_surface[tet] >> face & 1);
+        const double time = frame.elements.opened[tet][face];
         EXPECT_EQ(crack, !std::isnan(time)) << "tet " << tet << ", face " << face;
         EXPECT_TRUE(!crack || (time > 0 && time <= frame.time));
         opened += crack;
@@ -156,7 +157,7 @@ TEST(PublishedFrame, LoadForcesAddUpToTheLoad) {
   world.step();
   const Frame frame = world.frame();
   Vec3 sum = Vec3::Zero();
-  for (const Vec3& force : frame.load_forces) sum += force;
+  for (const Vec3& force : frame.nodes.load_forces) sum += force;
   EXPECT_LT((sum - load.force).norm(), 1e-9);
 }
 

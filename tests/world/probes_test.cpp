@@ -40,14 +40,14 @@ Scene probed_block(const std::vector<Probe>& probes) {
 /// A frame of the world's arrays as they are now.
 Frame frame_of(const WorldState& world) {
   Frame frame;
-  frame.rest_positions = world.mesh.rest_positions;
-  frame.positions = world.nodes.positions;
-  frame.velocities = world.nodes.velocities;
-  frame.separations = world.nodes.separations;
-  frame.reactions = world.nodes.reactions;
-  frame.tets = world.mesh.tets;
-  frame.rest_elements = world.elements.rest_elements;
-  frame.stresses = world.elements.stresses;
+  frame.nodes.rest_positions = world.mesh.rest_positions;
+  frame.nodes.positions = world.nodes.positions;
+  frame.nodes.velocities = world.nodes.velocities;
+  frame.nodes.separations = world.nodes.separations;
+  frame.nodes.reactions = world.nodes.reactions;
+  frame.elements.tets = world.mesh.tets;
+  frame.elements.rest_elements = world.elements.rest_elements;
+  frame.elements.stresses = world.elements.stresses;
   return frame;
 }
 

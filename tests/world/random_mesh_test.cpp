@@ -45,7 +45,7 @@ TEST(TouchingPieces, AreBodiesOfTheirOwn) {
     mesh.scene.ground.reset();
     World world(mesh.scene);
     ASSERT_EQ(world.frame().bodies.size(), 2u);
-    EXPECT_EQ(world.frame().positions.size(), 16u) << "each has eight nodes of its own";
+    EXPECT_EQ(world.frame().nodes.positions.size(), 16u) << "each has eight nodes of its own";
     EXPECT_NEAR(world.frame().totals.mass, 2 * mesh.body().material.density, 1e-9);
     EXPECT_TRUE(std::ranges::any_of(world.findings(), [](const InputError& finding) {
       return finding.problem().find("joined parts that share no face there; parted, the first at (0, 0,") !=
@@ -66,9 +66,9 @@ TEST(TouchingPieces, AreHeldWhereAListNamesTheNodeThatTheyHadInCommon) {
   const World world(mesh.scene);
   std::set<BodyId> held;
   const Frame frame = world.frame();
-  for (std::size_t tet = 0; tet < frame.tets.size(); ++tet)
-    for (NodeId node : frame.tets[tet])
-      if (frame.node_supported[node]) held.insert(frame.tet_bodies[tet]);
+  for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet)
+    for (NodeId node : frame.elements.tets[tet])
+      if (frame.nodes.has_support[node]) held.insert(frame.elements.bodies[tet]);
   EXPECT_EQ(held.size(), 2u);
 }
 
@@ -105,9 +105,9 @@ Scene random_setting(Scene scene, RandomValues& random) {
 }
 
 void expect_finite(const Frame& frame) {
-  for (const Vec3& position : frame.positions) ASSERT_TRUE(position.allFinite());
-  for (const Vec3& velocity : frame.velocities) ASSERT_TRUE(velocity.allFinite());
-  for (const Mat3& stress : frame.stresses) ASSERT_TRUE(stress.allFinite());
+  for (const Vec3& position : frame.nodes.positions) ASSERT_TRUE(position.allFinite());
+  for (const Vec3& velocity : frame.nodes.velocities) ASSERT_TRUE(velocity.allFinite());
+  for (const Mat3& stress : frame.elements.stresses) ASSERT_TRUE(stress.allFinite());
   EXPECT_TRUE(std::isfinite(frame.totals.kinetic_energy) && std::isfinite(frame.totals.elastic_energy));
 }
 

@@ -24,8 +24,8 @@ Scene remeshed(Scene scene) {
 
 double volume(const Frame& frame) {
   double sum = 0;
-  for (const auto& [a, b, c, d] : frame.tets) {
-    const auto& x = frame.rest_positions;
+  for (const auto& [a, b, c, d] : frame.elements.tets) {
+    const auto& x = frame.nodes.rest_positions;
     sum += signed_volume(x[a], x[b], x[c], x[d]);
   }
   return sum;
@@ -33,8 +33,8 @@ double volume(const Frame& frame) {
 
 double worst_quality(const Frame& frame) {
   double worst = 1;
-  for (const auto& [a, b, c, d] : frame.tets) {
-    const auto& x = frame.rest_positions;
+  for (const auto& [a, b, c, d] : frame.elements.tets) {
+    const auto& x = frame.nodes.rest_positions;
     worst = std::min(worst, tet_quality(x[a], x[b], x[c], x[d]));
   }
   return worst;
@@ -42,7 +42,7 @@ double worst_quality(const Frame& frame) {
 
 TEST(Remeshing, MomentumIsKeptThroughAnImpactThatCutsABlock) {
   World world(remeshed(struck_block(brick(0.1))));
-  const std::size_t tets = world.frame().tets.size();
+  const std::size_t tets = world.frame().elements.tets.size();
   const double initial_volume = volume(world.frame());
   world.step();  // the sphere is launched
   const Totals before = world.frame().totals;
@@ -57,7 +57,7 @@ TEST(Remeshing, MomentumIsKeptThroughAnImpactThatCutsABlock) {
     ASSERT_EQ(world.frame().report.non_finite_values, 0);
   }
   EXPECT_GT(world.frame().bodies.size(), 1u) << "it did break";
-  EXPECT_GT(world.frame().tets.size(), tets) << "tets were cut";
+  EXPECT_GT(world.frame().elements.tets.size(), tets) << "tets were cut";
   EXPECT_NEAR(volume(world.frame()), initial_volume, 1e-9 * initial_volume);
   EXPECT_GE(worst_quality(world.frame()), 0.1);
 }
@@ -81,10 +81,10 @@ TEST(Remeshing, ASpinningBodyKeepsItsMomenta) {
   scene.bodies[0].velocity = Vec3(1, 2, 3);
   scene.bodies[0].angular_velocity = Vec3(1, 2, 60);  // more than it bears
   World world(scene);
-  const std::size_t tets = world.frame().tets.size();
+  const std::size_t tets = world.frame().elements.tets.size();
   const Totals before = world.frame().totals;
-  for (int step = 0; step < 20 && world.frame().tets.size() == tets; ++step) world.step();
-  ASSERT_GT(world.frame().tets.size(), tets);
+  for (int step = 0; step < 20 && world.frame().elements.tets.size() == tets; ++step) world.step();
+  ASSERT_GT(world.frame().elements.tets.size(), tets);
   const Totals after = world.frame().totals;
   // Elements' forces are in single precision.
   EXPECT_LT((after.momentum - before.momentum).norm(), 1e-8 * before.momentum.norm());
@@ -115,14 +115,15 @@ TEST(Remeshing, SupportsHoldTheMiddleOfAnEdgeWhereTheyHoldBothEnds) {
   int on_cut_edges = 0;  // not every crack cuts one
   for (const double width : {0.25, 0.3, 0.35, 0.4}) {
     World world(plate_pulled_apart(width));
-    const std::size_t nodes = world.frame().positions.size();
+    const std::size_t nodes = world.frame().nodes.positions.size();
     for (int step = 0; step < 60; ++step) world.step();
     const Frame frame = world.frame();
     EXPECT_GT(frame.fragments, 0);
-    for (std::size_t node = 0; node < frame.positions.size(); ++node) {
-      if (frame.rest_positions[node].y() > -0.5 + 1e-9 || !frame.node_supported[node]) continue;
-      on_cut_edges += std::ranges::count(frame.rest_positions.first(nodes), frame.rest_positions[node]) == 0;
-      EXPECT_NEAR(frame.positions[node].y(), -0.5, 1e-8) << "node " << node;
+    for (std::size_t node = 0; node < frame.nodes.positions.size(); ++node) {
+      if (frame.nodes.rest_positions[node].y() > -0.5 + 1e-9 || !frame.nodes.has_support[node]) continue;
+      on_cut_edges +=
+          std::ranges::count(frame.nodes.rest_positions.first(nodes), frame.nodes.rest_positions[node]) == 0;
+      EXPECT_NEAR(frame.nodes.positions[node].y(), -0.5, 1e-8) << "node " << node;
     }
   }
   EXPECT_GT(on_cut_edges, 0);
@@ -209,11 +210,11 @@ TEST(Remeshing, LoadsStayOnTheirMaterial) {
   bar.loads = {traction, pull, push};
   scene.bodies = {bar};
   World world(scene);
-  const std::size_t tets = world.frame().tets.size();
+  const std::size_t tets = world.frame().elements.tets.size();
   const double half_mass = world.frame().totals.mass / 2;
   const int steps = 30;
   for (int step = 0; step < steps; ++step) world.step();
-  EXPECT_GT(world.frame().tets.size(), tets);
+  EXPECT_GT(world.frame().elements.tets.size(), tets);
   EXPECT_GT(world.frame().fragments, 0);
   const double time = steps * scene.simulation.time_step;
   const Vec3 impulse = time * (area * traction.traction + pull.force + half_mass * push.acceleration);

@@ -34,11 +34,11 @@ Scene stack_of_blocks(int count) {
 
 /// Steps on; the largest distance that a node has moved.
 double creep(World& world, int steps) {
-  const std::vector<Vec3> before(world.frame().positions.begin(), world.frame().positions.end());
+  const std::vector<Vec3> before(world.frame().nodes.positions.begin(), world.frame().nodes.positions.end());
   for (int step = 0; step < steps; ++step) world.step();
   double moved = 0;
   for (std::size_t i = 0; i < before.size(); ++i)
-    moved = std::max(moved, (before[i] - world.frame().positions[i]).norm());
+    moved = std::max(moved, (before[i] - world.frame().nodes.positions[i]).norm());
   return moved;
 }
 

@@ -61,7 +61,7 @@ class RandomScenes {
 };
 
 double mass_of_bodies(const Frame& frame) {
-  return std::accumulate(frame.node_masses.begin(), frame.node_masses.end(), 0.0);
+  return std::accumulate(frame.nodes.masses.begin(), frame.nodes.masses.end(), 0.0);
 }
 
 TEST(Soak, AnySceneStaysFiniteAndKeepsItsMassAndEnergy) {
@@ -79,7 +79,7 @@ TEST(Soak, AnySceneStaysFiniteAndKeepsItsMassAndEnergy) {
     for (int step = 0; step < 30; ++step) {
       world.step();
       const Frame frame = world.frame();
-      for (const Vec3& position : frame.positions) ASSERT_TRUE(position.allFinite()) << trial;
+      for (const Vec3& position : frame.nodes.positions) ASSERT_TRUE(position.allFinite()) << trial;
       ASSERT_EQ(frame.report.non_finite_values, 0) << trial;
       ASSERT_NEAR(mass_of_bodies(frame), mass, 1e-9 * mass) << trial;
       ASSERT_LE(frame.totals.kinetic_energy + frame.totals.elastic_energy, bound) << trial << " step " << step;

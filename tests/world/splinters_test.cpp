@@ -33,8 +33,8 @@ TEST(WorldSplinters, DoNotInfluenceTheSimulation) {
 TEST(WorldSplinters, AnUnbrokenRunOpensNoWall) {
   World world(bricks(1e6));
   for (int i = 0; i < 20; ++i) world.step();
-  EXPECT_TRUE(world.frame().open_walls.empty());
-  EXPECT_FALSE(world.frame().splinters.empty());
+  EXPECT_TRUE(world.frame().splinters.open_walls.empty());
+  EXPECT_FALSE(world.frame().splinters.splinters.empty());
 }
 
 /// After every step each splinter is in one body, that of its owner, and what carries it belongs to that body.
@@ -43,22 +43,22 @@ TEST(WorldSplinters, BelongToTheBodyOfTheirOwner) {
   for (int i = 0; i < 40; ++i) {
     world.step();
     const Frame frame = world.frame();
-    std::vector<bool> open(frame.splinter_faces.size(), false);
-    for (const int face : frame.open_walls) open[face] = true;
+    std::vector<bool> open(frame.splinters.faces.size(), false);
+    for (const int face : frame.splinters.open_walls) open[face] = true;
     const auto body = [&](int part) {
-      return frame.tet_bodies[frame.splinters[frame.splinter_parts[part].splinter].owner];
+      return frame.elements.bodies[frame.splinters.splinters[frame.splinters.parts[part].splinter].owner];
     };
-    for (std::size_t p = 0; p < frame.splinter_parts.size(); ++p)
-      if (frame.attached_parts[p]) {
-        EXPECT_EQ(frame.tet_bodies[frame.splinter_parts[p].tet], body(static_cast<int>(p)));
+    for (std::size_t p = 0; p < frame.splinters.parts.size(); ++p)
+      if (frame.splinters.attached[p]) {
+        EXPECT_EQ(frame.elements.bodies[frame.splinters.parts[p].tet], body(static_cast<int>(p)));
       }
-    for (std::size_t f = 0; f < frame.splinter_faces.size(); ++f) {
-      const SplinterFace& face = frame.splinter_faces[f];
+    for (std::size_t f = 0; f < frame.splinters.faces.size(); ++f) {
+      const SplinterFace& face = frame.splinters.faces[f];
       EXPECT_TRUE(open[f] || face.beyond < 0 || body(face.part) == body(face.beyond));
     }
   }
   EXPECT_GT(world.frame().fragments, 5);
-  EXPECT_FALSE(world.frame().open_walls.empty());
+  EXPECT_FALSE(world.frame().splinters.open_walls.empty());
 }
 
 TEST(WorldSplinters, AreTheSameForAnyNumberOfThreads) {
@@ -68,7 +68,7 @@ TEST(WorldSplinters, AreTheSameForAnyNumberOfThreads) {
     World world(bricks(0.02));
     for (int i = 0; i < 20; ++i) world.step();
     const Frame frame = world.frame();
-    opened.emplace_back(frame.open_walls.begin(), frame.open_walls.end());
+    opened.emplace_back(frame.splinters.open_walls.begin(), frame.splinters.open_walls.end());
   }
   EXPECT_EQ(opened[0], opened[1]);
 }

@@ -35,9 +35,9 @@ TEST(Supports, AFixedNodeStandsStill) {
   for (int i = 0; i < 5; ++i) world.step();
   const Frame frame = world.frame();
   int held = 0;
-  for (std::size_t i = 0; i < frame.positions.size(); ++i) {
-    if (!frame.node_supported[i]) continue;
-    EXPECT_TRUE(frame.positions[i] == frame.rest_positions[i] && frame.velocities[i].isZero(0));
+  for (std::size_t i = 0; i < frame.nodes.positions.size(); ++i) {
+    if (!frame.nodes.has_support[i]) continue;
+    EXPECT_TRUE(frame.nodes.positions[i] == frame.nodes.rest_positions[i] && frame.nodes.velocities[i].isZero(0));
     ++held;
   }
   EXPECT_EQ(held, 9);
@@ -49,9 +49,9 @@ TEST(Supports, ASlidingBlockKeepsItsPlaneAndItsMomentumAlongIt) {
   World world(supported_block({sliding}));
   for (int i = 0; i < 20; ++i) world.step();
   const Frame frame = world.frame();
-  for (std::size_t i = 0; i < frame.positions.size(); ++i) {
-    if (!frame.node_supported[i]) continue;
-    EXPECT_NEAR(frame.positions[i].y(), -0.5, 1e-12);
+  for (std::size_t i = 0; i < frame.nodes.positions.size(); ++i) {
+    if (!frame.nodes.has_support[i]) continue;
+    EXPECT_NEAR(frame.nodes.positions[i].y(), -0.5, 1e-12);
   }
   const Vec3 drift = frame.bodies[0].center_of_mass - Vec3::Zero();
   EXPECT_NEAR(drift.x(), 0.01 * frame.time, 1e-5 * frame.time);
@@ -67,9 +67,9 @@ TEST(Supports, APrescribedOneGetsExactlyToWhereItStops) {
     world.step();
     const Frame frame = world.frame();
     const Vec3 way = std::min(frame.time, 0.03) * prescribed.velocity;
-    for (std::size_t node = 0; node < frame.positions.size(); ++node) {
-      if (!frame.node_supported[node]) continue;
-      EXPECT_LT((frame.positions[node] - frame.rest_positions[node] - way).norm(), 1e-14);
+    for (std::size_t node = 0; node < frame.nodes.positions.size(); ++node) {
+      if (!frame.nodes.has_support[node]) continue;
+      EXPECT_LT((frame.nodes.positions[node] - frame.nodes.rest_positions[node] - way).norm(), 1e-14);
     }
   }
 }
@@ -83,7 +83,7 @@ std::vector<SimulationSettings> all_integrators() {
 
 Vec3 sum_of_reactions(const Frame& frame) {
   Vec3 sum = Vec3::Zero();
-  for (const Vec3& reaction : frame.reactions) sum += reaction;
+  for (const Vec3& reaction : frame.nodes.reactions) sum += reaction;
   return sum;
 }
 
@@ -104,7 +104,8 @@ TEST(Supports, ABodyHeldWhollyStandsAndItsSupportsCarryIt) {
       world.fire(shot);
       for (int i = 0; i < 30; ++i) world.step();
       const Frame frame = world.frame();
-      for (std::size_t i = 0; i < frame.positions.size(); ++i) EXPECT_EQ(frame.positions[i], frame.rest_positions[i]);
+      for (std::size_t i = 0; i < frame.nodes.positions.size(); ++i)
+        EXPECT_EQ(frame.nodes.positions[i], frame.nodes.rest_positions[i]);
     }
 }
 
@@ -118,10 +119,10 @@ TEST(Supports, OneThatIsTornOffCarriesNothing) {
     scene.bodies[0].material.tensile_strength = 1e3;  // its weight loads it with 19 kPa
     World world(scene);
     world.step();
-    for (int i = 0; i < 60 && std::ranges::count(world.frame().node_supported, 1) > 0; ++i) world.step();
-    ASSERT_EQ(std::ranges::count(world.frame().node_supported, 1), 0);
+    for (int i = 0; i < 60 && std::ranges::count(world.frame().nodes.has_support, 1) > 0; ++i) world.step();
+    ASSERT_EQ(std::ranges::count(world.frame().nodes.has_support, 1), 0);
     world.step();
-    for (const Vec3& reaction : world.frame().reactions) EXPECT_TRUE(reaction.isZero(0));
+    for (const Vec3& reaction : world.frame().nodes.reactions) EXPECT_TRUE(reaction.isZero(0));
   }
 }
 
@@ -132,9 +133,9 @@ TEST(Supports, OverlappingOnesHoldTogether) {
   World world(supported_block({across, along}));
   for (int i = 0; i < 20; ++i) world.step();
   const Frame frame = world.frame();
-  for (std::size_t i = 0; i < frame.positions.size(); ++i) {
-    const Vec3 moved = frame.positions[i] - frame.rest_positions[i];
-    const Vec3& rest = frame.rest_positions[i];
+  for (std::size_t i = 0; i < frame.nodes.positions.size(); ++i) {
+    const Vec3 moved = frame.nodes.positions[i] - frame.nodes.rest_positions[i];
+    const Vec3& rest = frame.nodes.rest_positions[i];
     EXPECT_LT(std::abs(moved.y()), rest.y() == -0.5 ? 1e-12 : 1);
     EXPECT_LT(std::abs(moved.x()), rest.x() == -0.5 ? 1e-12 : 1);
     EXPECT_NEAR(moved.z(), -0.03 * frame.time, 1e-4 * frame.time);
@@ -164,7 +165,7 @@ TEST(Supports, NodesStayInTheirPlaneWhateverStrikesTheBody) {
   shot.position = Vec3(0.1, 0.2, 2);
   scene.projectiles = {shot};
   World world(scene);
-  const auto start = world.frame().positions;
+  const auto start = world.frame().nodes.positions;
   const std::vector<Vec3> first(start.begin(), start.end());
   bool struck = false;
   for (int step = 0; step < 60; ++step) {
@@ -173,9 +174,9 @@ TEST(Supports, NodesStayInTheirPlaneWhateverStrikesTheBody) {
   }
   ASSERT_TRUE(struck);
   const Frame frame = world.frame();
-  for (std::size_t i = 0; i < frame.positions.size(); ++i) {
-    const Mat3 blocked = Mat3::Identity() - frame.constraints[NodeId(static_cast<std::int64_t>(i))].allowed;
-    EXPECT_LT((blocked * (frame.positions[i] - first[i])).norm(), 1e-12);
+  for (std::size_t i = 0; i < frame.nodes.positions.size(); ++i) {
+    const Mat3 blocked = Mat3::Identity() - frame.nodes.constraints[NodeId(static_cast<std::int64_t>(i))].allowed;
+    EXPECT_LT((blocked * (frame.nodes.positions[i] - first[i])).norm(), 1e-12);
   }
 }
 

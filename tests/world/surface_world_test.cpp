@@ -53,7 +53,7 @@ struct SurfaceWorld : ::testing::Test {
   static void expect_to_break(const Scene& scene) {
     World world(scene);
     const auto mass_of = [](const Frame& frame) {
-      return std::accumulate(frame.node_masses.begin(), frame.node_masses.end(), 0.0);
+      return std::accumulate(frame.nodes.masses.begin(), frame.nodes.masses.end(), 0.0);
     };
     const double mass = mass_of(world.frame());
     EXPECT_GT(mass, 0);

@@ -20,18 +20,18 @@ Scene wall_scene(const std::string& name, double strength) {
 }
 
 bool finite(const Frame& frame) {
-  for (const Vec3& position : frame.positions)
+  for (const Vec3& position : frame.nodes.positions)
     if (!position.allFinite()) return false;
-  for (const Vec3& velocity : frame.velocities)
+  for (const Vec3& velocity : frame.nodes.velocities)
     if (!velocity.allFinite()) return false;
-  for (const Mat3& stress : frame.stresses)
+  for (const Mat3& stress : frame.elements.stresses)
     if (!stress.allFinite()) return false;
   return true;
 }
 
 double body_mass(const Frame& frame) {
   double mass = 0;
-  for (double m : frame.node_masses) mass += m;
+  for (double m : frame.nodes.masses) mass += m;
   return mass;
 }
 
@@ -67,8 +67,8 @@ TEST_P(PaperWall, StandsUndisturbedUnderItsOwnWeight) {
   const Frame frame = world.frame();
   EXPECT_EQ(frame.bodies.size(), 1u);
   EXPECT_EQ(frame.crack_events.size(), 0u);
-  for (std::size_t i = 0; i < frame.positions.size(); ++i)
-    EXPECT_LT((frame.positions[i] - frame.rest_positions[i]).norm(), 1e-3);
+  for (std::size_t i = 0; i < frame.nodes.positions.size(); ++i)
+    EXPECT_LT((frame.nodes.positions[i] - frame.nodes.rest_positions[i]).norm(), 1e-3);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, PaperWall, ::testing::Values("wall_small", "wall_medium", "wall_large"));

@@ -124,8 +124,9 @@ double arriving_fraction(Integrator integrator, double traction, double time_ste
   while (world.frame().time < (kThin + 0.5 + 0.4) / speed) world.step();
   const Frame& frame = world.frame();
   double momentum = 0;
-  for (std::size_t node = 0; node < frame.positions.size(); ++node)
-    if (frame.rest_positions[node].x() < -1e-6) momentum += frame.node_masses[node] * frame.velocities[node].x();
+  for (std::size_t node = 0; node < frame.nodes.positions.size(); ++node)
+    if (frame.nodes.rest_positions[node].x() < -1e-6)
+      momentum += frame.nodes.masses[node] * frame.nodes.velocities[node].x();
   const double put_in = traction * 4 * kSize * kSize * duration;
   return momentum / (put_in * 2 * 4 / (1 + 4));
 }

@@ -8,9 +8,25 @@
 namespace griffith::ui {
 namespace {
 
-constexpr std::array<CommandInfo, 24> kRegistry = {{
+constexpr std::array<CommandInfo, 30> kRegistry = {{
     {CommandId::toggle_run, "simulation.run", "Run", "Run or pause", {key::kSpace}, "Space"},
     {CommandId::step, "simulation.step", "Step", "Pause and advance by one time step", {'N'}, "N"},
+    {CommandId::step_back,
+     "time.back",
+     "Step back",
+     "Go back by one time step; what was recorded comes again, to the bit",
+     {key::kLeft},
+     "Left"},
+    {CommandId::go_to_start, "time.start", "Go to start", "Go back to the start of the recorded past", {}, ""},
+    {CommandId::go_to_end, "time.end", "Go to end", "Go to the newest step of the branch", {}, ""},
+    {CommandId::go_to_step, "time.step", "Go to step", "Go to a step of the recorded past", {}, ""},
+    {CommandId::go_to_branch, "time.branch", "Go to branch", "Go to the end of another branch", {}, ""},
+    {CommandId::explain_holding,
+     "time.holding",
+     "What would have held it?",
+     "How much stronger the material would have to be for this node to stand: by making the step again and again",
+     {},
+     ""},
     {CommandId::reset, "simulation.reset", "Reset", "Start again from the scene as it is now edited", {'R'}, "R"},
     {CommandId::fire,
      "simulation.fire",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string_view>
@@ -13,6 +14,12 @@ namespace griffith::ui {
 enum class CommandId {
   toggle_run,
   step,
+  step_back,
+  go_to_start,
+  go_to_end,
+  go_to_step,
+  go_to_branch,
+  explain_holding,
   reset,
   fire,
   pick,
@@ -41,6 +48,8 @@ enum class CommandId {
 struct Command {
   CommandId id;
   std::filesystem::path path = {};  ///< open: the scene; save: where, or empty for its own file; save_dialog: proposed
+  std::int64_t step = 0;            ///< go_to_step, go_to_branch
+  int branch = 0;                   ///< go_to_branch
   Vec2 cursor = Vec2(0.5, 0.5);     ///< fire, pick: place in the view, from its top left corner, 0..1
   bool discard_edits = false;       ///< open, quit: even where edits are not saved
   bool replace = false;             ///< save: even where that loses what another has written
@@ -48,7 +57,8 @@ struct Command {
 
 /// Key codes in GLFW's numbering; letters and digits are their ASCII codes.
 namespace key {
-inline constexpr int kNone = 0, kSpace = 32, kEscape = 256, kHome = 268, kF1 = 290, kF12 = 301;
+inline constexpr int kNone = 0, kSpace = 32, kEscape = 256, kRight = 262, kLeft = 263, kHome = 268, kF1 = 290,
+                     kF12 = 301;
 inline constexpr int kLeftShift = 340, kLeftControl = 341, kLeftAlt = 342, kLeftSuper = 343;
 inline constexpr int kRightShift = 344, kRightControl = 345, kRightAlt = 346, kRightSuper = 347;
 inline constexpr int kFirstModifier = kLeftShift, kLastModifier = kRightSuper;

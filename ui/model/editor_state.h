@@ -13,6 +13,7 @@
 #include "ui/model/commands.h"
 #include "ui/model/edit_history.h"
 #include "ui/model/selection.h"
+#include "ui/model/time_view.h"
 
 namespace griffith::ui {
 
@@ -84,6 +85,9 @@ struct LogLine {
 /// What the editor itself remembers: nothing of it is part of the scene, nothing of it influences results of a step.
 struct EditorState {
   bool running = false;
+  Breakpoints breakpoints;
+  std::string stopped;       ///< why the simulation stopped by itself, at this step; empty: it did not
+  bool can_explain = false;  ///< at a node that is about to crack
   double speed = 1;          ///< simulated seconds per second, 0.001..1
   ViewSettings view;         ///< as shown now; starts with the scene's
   ProjectileBurst shot;      ///< what the projectile tool fires; position and direction come from the cursor

@@ -18,16 +18,16 @@ void choose(Panel& panel, const BodyRow& row) {
   panel.state.selection = {};
   if (!row.piece.valid()) return;
   const Frame& frame = panel.input.frame;
-  const auto tet = std::ranges::find(frame.tet_bodies, row.piece);
-  if (tet == frame.tet_bodies.end()) return;
-  const TetId first(tet - frame.tet_bodies.begin());
-  panel.state.selection = select(frame, first, frame.tets[first][0]);
+  const auto tet = std::ranges::find(frame.elements.bodies, row.piece);
+  if (tet == frame.elements.bodies.end()) return;
+  const TetId first(tet - frame.elements.bodies.begin());
+  panel.state.selection = select(frame, first, frame.elements.tets[first][0]);
 }
 
 bool is_chosen(const Panel& panel, const BodyRow& row) {
   if (!row.piece.valid()) return panel.state.selected_body == row.scene_body;
   const Selection& selection = panel.state.selection;
-  return selection.valid() && panel.input.frame.tet_bodies[selection.tet] == row.piece;
+  return selection.valid() && panel.input.frame.elements.bodies[selection.tet] == row.piece;
 }
 
 ImU32 state_color(const BodyRow& row) {

@@ -20,9 +20,9 @@ constexpr ImGuiWindowFlags kBar = kFixed | ImGuiWindowFlags_NoResize | ImGuiWind
 /// Where the fixed windows lie.
 struct Layout {
   ImVec2 corner, end;  ///< of everything below the menu
-  float toolbar_height, status_height;
+  float toolbar_height, time_height, status_height;
   float top() const { return corner.y + toolbar_height; }
-  float bottom() const { return end.y - status_height; }
+  float bottom() const { return end.y - status_height - time_height; }
 };
 
 Layout lay_out() {
@@ -31,6 +31,7 @@ Layout lay_out() {
   return {viewport->WorkPos,
           {viewport->WorkPos.x + viewport->WorkSize.x, viewport->WorkPos.y + viewport->WorkSize.y},
           ImGui::GetFrameHeight() + 2 * style.WindowPadding.y,
+          ImGui::GetFrameHeight() + style.WindowPadding.y,
           ImGui::GetTextLineHeight() + style.WindowPadding.y};
 }
 
@@ -80,7 +81,11 @@ void draw_bars(Panel& panel, const Layout& layout) {
   draw_toolbar(panel);
   ImGui::End();
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {ImGui::GetStyle().WindowPadding.x, 4 * ui_scale(panel)});
-  begin_fixed("##status", {layout.corner.x, layout.bottom()}, layout.end, kBar, palette::kWindow);
+  const float status = layout.end.y - layout.status_height;
+  begin_fixed("##timebar", {layout.corner.x, layout.bottom()}, {layout.end.x, status}, kBar, palette::kWindow);
+  draw_time_bar(panel);
+  ImGui::End();
+  begin_fixed("##status", {layout.corner.x, status}, layout.end, kBar, palette::kWindow);
   draw_status_bar(panel);
   ImGui::End();
   ImGui::PopStyleVar();

@@ -122,8 +122,8 @@ void event_rows(const Panel& panel, const NodeReport& report) {
 
 void element_rows(const Panel& panel, TetId tet) {
   const Frame& frame = panel.input.frame;
-  const Mat3& stress = frame.stresses[tet];
-  const BodyView& body = frame.bodies[frame.tet_bodies[tet]];
+  const Mat3& stress = frame.elements.stresses[tet];
+  const BodyView& body = frame.bodies[frame.elements.bodies[tet]];
   value_row(panel, "Element", std::to_string(tet.value), palette::kText);
   value_row(panel, "Von Mises stress", format_quantity(von_mises_stress(stress), "Pa"), palette::kText);
   value_row(panel, "Principal stresses", triple(principal_stresses(stress), "Pa"), palette::kText);
@@ -139,7 +139,7 @@ void draw_inspector_panel(Panel& panel) {
   heading(panel, "Why did it break?");
   const Frame& frame = panel.input.frame;
   const Selection& selection = panel.state.selection;
-  if (!selection.valid() || static_cast<std::size_t>(selection.node) >= frame.positions.size()) {
+  if (!selection.valid() || static_cast<std::size_t>(selection.node) >= frame.nodes.positions.size()) {
     const bool strained = std::ranges::any_of(frame.bodies, [](const BodyView& body) { return !body.rigid; });
     hint(panel, "Click a node in the view, or press M for the most loaded one.");
     if (!strained && !frame.bodies.empty()) hint(panel, std::string("Now ") + kNothingStrained);

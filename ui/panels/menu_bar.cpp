@@ -71,6 +71,10 @@ void draw_menu_bar(Panel& panel) {
     for (const CommandId id : {CommandId::toggle_run, CommandId::step, CommandId::reset, CommandId::fire}) {
       command_item(panel, id, id == CommandId::toggle_run && panel.state.running);
     }
+    ImGui::Separator();
+    for (const CommandId id :
+         {CommandId::step_back, CommandId::go_to_start, CommandId::go_to_end, CommandId::explain_holding})
+      command_item(panel, id);
     ImGui::EndMenu();
   }
   if (menu(panel, "View")) {

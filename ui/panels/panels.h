@@ -29,6 +29,8 @@ void draw_inspector_panel(Panel& panel);
 void draw_statistics_panel(Panel& panel);
 /// The picture with camera and projectile control, legend and hints.
 void draw_viewport(Panel& panel);
+/// The recorded past, to go back to; where the simulation is to stop by itself.
+void draw_time_bar(Panel& panel);
 /// The last message.
 void draw_status_bar(Panel& panel);
 

@@ -27,8 +27,8 @@ void trouble_row(const Panel& panel, const char* label, int value, ImU32 color, 
 void mesh_rows(const Panel& panel) {
   const Frame& frame = panel.input.frame;
   heading(panel, "Simulation");
-  count_row(panel, "Tetrahedra", frame.tets.size());
-  count_row(panel, "Nodes", frame.positions.size());
+  count_row(panel, "Tetrahedra", frame.elements.tets.size());
+  count_row(panel, "Nodes", frame.nodes.positions.size());
   count_row(panel, "Pieces", frame.bodies.size());
   count_row(panel, "Fragments", static_cast<std::size_t>(std::max(frame.fragments, 0)));
   count_row(panel, "Crack events", frame.crack_events.size());

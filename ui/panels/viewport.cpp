@@ -78,6 +78,25 @@ void draw_pause_mark(const Panel& panel, ImVec2 corner) {
   list->AddText({low.x + 34 * scale, (low.y + high.y - ImGui::GetFontSize()) / 2}, palette::kText, "Paused");
 }
 
+/// Why the simulation stopped by itself, and what may be asked then.
+void draw_stop_card(Panel& panel, ImVec2 corner) {
+  const std::string& reason = panel.state.stopped;
+  if (reason.empty()) return;
+  const float scale = ui_scale(panel), margin = 14 * scale, padding = 12 * scale;
+  const float width = ImGui::CalcTextSize(reason.c_str()).x + 2 * padding;
+  const float height =
+      (panel.state.can_explain ? ImGui::GetFrameHeight() + 8 * scale : 0) + ImGui::GetFontSize() + padding;
+  const ImVec2 low = {corner.x + margin, corner.y + margin + 38 * scale};
+  draw_card(ImGui::GetWindowDrawList(), low, {low.x + std::max(width, 230 * scale), low.y + height}, scale);
+  ImGui::SetCursorScreenPos({low.x + padding, low.y + padding / 2});
+  ImGui::TextColored(as_vec4(palette::kWarning), "%s", reason.c_str());
+  tag_last_item(panel.tags, "time/stopped", reason);
+  if (!panel.state.can_explain) return;
+  ImGui::SetCursorScreenPos({low.x + padding, low.y + padding / 2 + ImGui::GetFontSize() + 6 * scale});
+  const CommandInfo& info = command_info(CommandId::explain_holding);
+  if (text_button(panel, "time/holding", info.label.data(), 206 * scale)) issue(panel, {.id = info.id});
+}
+
 }  // namespace
 
 void draw_viewport(Panel& panel) {
@@ -90,6 +109,7 @@ void draw_viewport(Panel& panel) {
   ImGui::InvisibleButton("##view", state.viewport_size,
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
   tag_last_item(panel.tags, "viewport");
+  ImGui::SetItemAllowOverlap();  // the card of a stop has a button
   mouse_input(panel);
   ImDrawList* list = ImGui::GetWindowDrawList();
   if (panel.input.picture) list->AddImage(panel.input.picture, state.viewport_minimum, end, {0, 1}, {1, 0});
@@ -99,6 +119,7 @@ void draw_viewport(Panel& panel) {
   }
   draw_hints(panel, state.viewport_minimum, end);
   draw_pause_mark(panel, state.viewport_minimum);
+  draw_stop_card(panel, state.viewport_minimum);
 }
 
 }  // namespace griffith::ui

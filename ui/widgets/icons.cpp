@@ -88,6 +88,18 @@ void draw_icon(ImDrawList* list, Icon icon, ImVec2 center, float size, ImU32 col
       pen.triangle({-0.7f, -0.8f}, {-0.7f, 0.8f}, {0.4f, 0});
       pen.box(0.45f, -0.8f, 0.75f, 0.8f);
       break;
+    case Icon::step_back:
+      pen.triangle({0.7f, -0.8f}, {0.7f, 0.8f}, {-0.4f, 0});
+      pen.box(-0.75f, -0.8f, -0.45f, 0.8f);
+      break;
+    case Icon::to_start:
+      for (const float x : {-0.1f, 0.75f}) pen.triangle({x, -0.7f}, {x, 0.7f}, {x - 0.75f, 0});
+      pen.line(-0.9f, -0.7f, -0.9f, 0.7f);
+      break;
+    case Icon::to_end:
+      for (const float x : {-0.75f, 0.1f}) pen.triangle({x, -0.7f}, {x, 0.7f}, {x + 0.75f, 0});
+      pen.line(0.9f, -0.7f, 0.9f, 0.7f);
+      break;
     case Icon::reset:
       draw_turn(pen, 1);
       break;

@@ -4,7 +4,23 @@
 
 namespace griffith::ui {
 
-enum class Icon { none, play, pause, step, reset, fire, open, camera, frame, help, undo, redo };
+enum class Icon {
+  none,
+  play,
+  pause,
+  step,
+  step_back,
+  to_start,
+  to_end,
+  reset,
+  fire,
+  open,
+  camera,
+  frame,
+  help,
+  undo,
+  redo
+};
 
 /// Draws an icon into a square of `size` pixels around `center`.
 void draw_icon(ImDrawList* list, Icon icon, ImVec2 center, float size, ImU32 color);

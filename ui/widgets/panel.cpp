@@ -10,6 +10,13 @@ bool command_enabled(CommandId id, const Panel& panel) {
       return panel.history.can_undo();
     case CommandId::redo:
       return panel.history.can_redo();
+    case CommandId::step_back:
+    case CommandId::go_to_start:
+      return panel.input.frame.step > panel.input.time.first_step;
+    case CommandId::go_to_end:
+      return panel.input.frame.step < panel.input.time.last_step;
+    case CommandId::explain_holding:
+      return panel.state.can_explain;
     case CommandId::recover:
     case CommandId::discard_copy:
     case CommandId::leave_copy:

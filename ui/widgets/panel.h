@@ -28,6 +28,7 @@ struct EditorInput {
   Vec3 towards_eye = Vec3::UnitZ();                    ///< from what is looked at
   std::span<const std::filesystem::path> scene_files;  ///< offered for opening
   std::filesystem::path scene_path;                    ///< of the scene being edited, may be empty
+  TimeView time;                                       ///< the recorded past
   double time_step = 0;                                ///< in force [s]
   double step_milliseconds = 0;                        ///< of a step, smoothed
   double frames_per_second = 0;                        ///< drawn

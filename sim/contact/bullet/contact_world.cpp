@@ -323,6 +323,12 @@ std::vector<ContactWorld::Encounter> ContactWorld::expected_impacts(double dt, d
 double ContactWorld::time_before_impact(double maximum, double minimum_speed, double tolerance) const {
   return impl_->time_before_impact(maximum, minimum_speed, tolerance);
 }
+std::size_t ContactWorld::memory() const {
+  constexpr std::size_t kOfBullet = 1200;  // an object of its own, its proxy and what finds them
+  return impl_->objects.size() * (sizeof(Object) + kOfBullet) +
+         impl_->dispatcher.pair_count() * (sizeof(PairMemory) + sizeof(HullHullAlgorithm)) +
+         impl_->contacts.size() * (sizeof(Contact) + sizeof(ContactConstraint));
+}
 double ContactWorld::max_penetration() const {
   double deepest = 0;
   for (const Contact& contact : impl_->contacts)

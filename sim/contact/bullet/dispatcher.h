@@ -28,6 +28,8 @@ class Dispatcher final : public btCollisionDispatcher {
   void restore(PairMemories memories, const std::function<const btCollisionObject*(int)>& object);
   /// Drops what stands here for which this holds.
   void forget_if(const std::function<bool(const PairKey&)>& gone);
+  /// How many pairs of parts are near each other.
+  std::size_t pair_count() const { return algorithms_.size() + remembered_.size(); }
   /// All manifolds that have points.
   std::vector<btPersistentManifold*> touching();
 

@@ -107,19 +107,19 @@ Mat3 stress_at(const ProbedNode& probed, NodeId node, const Frame& frame) {
   Mat3 sum = Mat3::Zero();
   double volume = 0;
   for (const TetCorner& corner : probed.star) {
-    if (node_at(frame.tets, corner) != node) continue;
-    const double part = frame.rest_elements[corner.tet].volume;
-    sum += part * frame.stresses[corner.tet];
+    if (node_at(frame.elements.tets, corner) != node) continue;
+    const double part = frame.elements.rest_elements[corner.tet].volume;
+    sum += part * frame.elements.stresses[corner.tet];
     volume += part;
   }
   return sum / volume;
 }
 
 void add_node(const ProbedNode& probed, const Frame& frame, Sample& sample) {
-  const NodeId node = node_at(frame.tets, probed.corner);
-  const NodeSeparation& separation = frame.separations[node];
-  sample.displacement += probed.weight * (frame.positions[node] - frame.rest_positions[node]);
-  sample.velocity += probed.weight * frame.velocities[node];
+  const NodeId node = node_at(frame.elements.tets, probed.corner);
+  const NodeSeparation& separation = frame.nodes.separations[node];
+  sample.displacement += probed.weight * (frame.nodes.positions[node] - frame.nodes.rest_positions[node]);
+  sample.velocity += probed.weight * frame.nodes.velocities[node];
   sample.stress += probed.weight * stress_at(probed, node, frame);
   sample.utilization += probed.weight * separation.utilization;
   sample.separation_stress += probed.weight * separation.stress;
@@ -129,9 +129,9 @@ void add_node(const ProbedNode& probed, const Frame& frame, Sample& sample) {
 Vec3 total_reaction(const PlacedProbe& placed, const Frame& frame) {
   std::set<NodeId> nodes;
   for (const ProbedNode& probed : placed.nodes)
-    for (const TetCorner& corner : probed.star) nodes.insert(node_at(frame.tets, corner));
+    for (const TetCorner& corner : probed.star) nodes.insert(node_at(frame.elements.tets, corner));
   Vec3 sum = Vec3::Zero();
-  for (NodeId node : nodes) sum += frame.reactions[node];
+  for (NodeId node : nodes) sum += frame.nodes.reactions[node];
   return sum;
 }
 

@@ -24,9 +24,9 @@ using Boxes = std::vector<Eigen::AlignedBox3d>;
 /// Round the scene bodies.
 Boxes boxes_round(const Scene& scene, const Frame& frame) {
   Boxes boxes(scene.bodies.size());
-  for (std::size_t tet = 0; tet < frame.tets.size(); ++tet)
-    for (const NodeId corner : frame.tets[tet])
-      boxes[frame.bodies[frame.tet_bodies[tet]].scene_body].extend(frame.rest_positions[corner]);
+  for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet)
+    for (const NodeId corner : frame.elements.tets[tet])
+      boxes[frame.bodies[frame.elements.bodies[tet]].scene_body].extend(frame.nodes.rest_positions[corner]);
   return boxes;
 }
 

@@ -1,0 +1,69 @@
+#include "app/editor/breakpoints.h"
+
+#include <cmath>
+
+#include "sim/world/node_report.h"
+#include "ui/model/units.h"
+
+namespace griffith::app {
+namespace {
+
+using ui::Breakpoints;
+
+std::string node_text(NodeId node) { return "Node " + std::to_string(node.value); }
+
+bool concerns(const CrackEvent& event, const Breakpoints& breakpoints, const Frame& after, int scene_body,
+              const ui::Selection& selection) {
+  switch (breakpoints.crack) {
+    case Breakpoints::Where::nowhere:
+      return false;
+    case Breakpoints::Where::anywhere:
+      return true;
+    case Breakpoints::Where::body:
+      return after.bodies[event.body].scene_body == scene_body;
+    case Breakpoints::Where::node:
+      return selection.valid() && event.rest_position == selection.rest_position;
+  }
+  return false;
+}
+
+std::optional<Stop> next_crack(const Breakpoints& breakpoints, const Frame& before, const Frame& after, int scene_body,
+                               const ui::Selection& selection) {
+  for (std::size_t i = before.crack_events.size(); i < after.crack_events.size(); ++i)
+    if (concerns(after.crack_events[i], breakpoints, after, scene_body, selection)) {
+      // A node that an earlier crack of this step made is not there before it.
+      const NodeId node = after.crack_events[i].node;
+      const bool known = static_cast<std::size_t>(node.value) < before.nodes.positions.size();
+      return Stop{node_text(node) + " cracks in the next step.", known ? node : NodeId()};
+    }
+  return {};
+}
+
+std::optional<Stop> passed_limit(const Breakpoints& breakpoints, const Frame& before, const Frame& after) {
+  if (breakpoints.on_utilization && after.report.peak_utilization > breakpoints.utilization &&
+      before.report.peak_utilization <= breakpoints.utilization)
+    return Stop{"The utilization of a node reaches " + ui::format_quantity(after.report.peak_utilization, "", 3) +
+                    " in the next step.",
+                most_loaded_node(before)};
+  if (breakpoints.on_pieces && after.fragments >= breakpoints.pieces && before.fragments < breakpoints.pieces)
+    return Stop{"There are " + std::to_string(after.fragments) + " pieces after the next step.", {}};
+  const double turned_over = after.energy_of_step.turned_over();
+  const double unaccounted = std::abs(after.energy_of_step.unaccounted());
+  if (breakpoints.on_energy && unaccounted > breakpoints.energy * turned_over && unaccounted > 0)
+    return Stop{"The next step leaves " + ui::format_quantity(100 * unaccounted / turned_over, "", 3) +
+                    " % of the energy that it turns over unaccounted for.",
+                {}};
+  if (breakpoints.on_failure && (after.report.unconverged_solves > 0 || after.report.non_finite_values > 0))
+    return Stop{"In the next step a solve does not converge, or values break down.", {}};
+  return {};
+}
+
+}  // namespace
+
+std::optional<Stop> met_breakpoint(const ui::Breakpoints& breakpoints, const Frame& before, const Frame& after,
+                                   int scene_body, const ui::Selection& selection) {
+  if (auto stop = next_crack(breakpoints, before, after, scene_body, selection)) return stop;
+  return passed_limit(breakpoints, before, after);
+}
+
+}  // namespace griffith::app

@@ -1,0 +1,102 @@
+#include <cstdio>
+
+#include "app/editor/breakpoints.h"
+#include "app/editor/editor.h"
+#include "app/editor/holding.h"
+#include "ui/model/units.h"
+
+namespace griffith::app {
+using ui::CommandId;
+
+void Editor::carry_out_in_time(const ui::Command& command) {
+  if (command.id == CommandId::explain_holding) return explain_holding();
+  state_.running = false;
+  switch (command.id) {
+    case CommandId::step_back:
+      return go_to(timeline_.branch(), timeline_.step() - 1);
+    case CommandId::go_to_start:
+      return go_to(timeline_.branch(), timeline_.first_step());
+    case CommandId::go_to_end:
+      return go_to(timeline_.branch(), timeline_.last_step());
+    case CommandId::go_to_branch:
+      return go_to(command.branch, command.step);
+    default:
+      return go_to(timeline_.branch(), command.step);
+  }
+}
+
+void Editor::go_to(int branch, std::int64_t step) {
+  history_.finish();
+  timeline_.go_to(branch, step);
+  forget_stop();
+  const Frame now = frame();
+  if (now.materials.size() == history_.scene().bodies.size()) {
+    for (std::size_t i = 0; i < now.materials.size(); ++i) {
+      if (history_.scene().bodies[i].material == now.materials[i]) continue;
+      history_.change("Go to another time", [&](Scene& scene) { scene.bodies[i].material = now.materials[i]; });
+    }
+    history_.finish();
+  }
+  history_of_utilizations_.forget_after(now.time);
+  pacer_.reset();
+  range_.restart();
+  remember();
+}
+
+bool Editor::stop_before_step(const World& before) {
+  const std::optional<Stop> stop =
+      met_breakpoint(state_.breakpoints, before.frame(), frame(), state_.selected_body, state_.selection);
+  if (!stop) return false;
+  go_to(timeline_.branch(), timeline_.step() - 1);
+  state_.running = false;
+  state_.stopped = stop->reason;
+  passes_stop_ = true;
+  stopped_at_ = stop->node;
+  state_.can_explain = state_.breakpoints.crack != ui::Breakpoints::Where::nowhere && stop->node.valid();
+  if (stop->node.valid()) select_node(stop->node);
+  log(ui::LogLevel::warning, stop->reason);
+  return true;
+}
+
+void Editor::forget_stop() {
+  state_.stopped.clear();
+  state_.can_explain = passes_stop_ = false;
+  stopped_at_ = {};
+}
+
+void Editor::explain_holding() {
+  const Frame now = frame();
+  if (!stopped_at_.valid()) return;
+  const int scene_body = now.bodies[now.elements.bodies[now.nodes.stars[stopped_at_].front()]].scene_body;
+  const HoldingFactor factor = strength_that_holds(world(), scene_body, stopped_at_);
+  const Material& material = now.materials[scene_body];
+  const std::string node = "Node " + std::to_string(stopped_at_.value);
+  ui::WorkReport report;
+  report.title = factor.found ? node + " stands the next step if the material is " +
+                                    ui::format_quantity(factor.holds, "", 3) + " times as strong:"
+                              : node + " cracks however strong the material is.";
+  if (factor.found) {
+    report.facts = {"tensile strength " + ui::format_quantity(factor.holds * material.tensile_strength, "Pa", 3) +
+                        ", now " + ui::format_quantity(material.tensile_strength, "Pa", 3),
+                    "fracture toughness " +
+                        ui::format_quantity(factor.holds * material.fracture_toughness, "Pa·√m", 3) + ", now " +
+                        ui::format_quantity(material.fracture_toughness, "Pa·√m", 3),
+                    "At " + ui::format_quantity(factor.breaks, "", 4) + " times its strength it still cracks."};
+  }
+  report.facts.push_back("The step was made " + std::to_string(factor.runs) + " times to find out.");
+  state_.report = std::move(report);
+}
+
+ui::TimeView Editor::time_view() const {
+  ui::TimeView view;
+  view.first_step = timeline_.first_step();
+  view.last_step = timeline_.last_step();
+  view.time_step = built_.simulation.time_step;
+  view.branch = timeline_.branch();
+  for (const Branch& branch : timeline_.branches())
+    view.branches.push_back({branch.parent, branch.first_step, branch.last_step});
+  for (const StepMark& mark : timeline_.marks()) view.ticks.push_back({mark.step, mark.cracks, mark.alarm});
+  return view;
+}
+
+}  // namespace griffith::app

@@ -1,0 +1,144 @@
+#include "sim/timeline/timeline.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace griffith {
+
+void apply(World& world, const WorldInput& input) {
+  if (const auto* burst = std::get_if<ProjectileBurst>(&input.action)) return world.fire(*burst);
+  const MaterialChange& change = std::get<MaterialChange>(input.action);
+  world.set_material(change.scene_body, change.material);
+}
+
+Timeline::Timeline(World world, std::size_t memory) : world_(std::move(world)), memory_(memory) {
+  step_ = world_.frame().step;
+  branches_.push_back({-1, step_, step_, {}, {}});
+  copies_.emplace_back();
+  keep_copy();
+}
+
+std::vector<StepMark> Timeline::marks() const {
+  std::vector<StepMark> all;
+  std::int64_t end = last_step();
+  for (int branch = branch_; branch >= 0; branch = branches_[branch].parent) {
+    const std::vector<StepMark>& marks = branches_[branch].marks;
+    for (auto mark = marks.rbegin(); mark != marks.rend(); ++mark)
+      if (mark->step <= end) all.push_back(*mark);
+    end = branches_[branch].first_step;
+  }
+  std::ranges::reverse(all);
+  return all;
+}
+
+void Timeline::advance() {
+  redo_inputs();
+  make_step();
+}
+
+void Timeline::fire(const ProjectileBurst& burst) { do_input({step_, burst}); }
+void Timeline::set_material(int scene_body, const Material& material) {
+  do_input({step_, MaterialChange{scene_body, material}});
+}
+
+/// To the world first: what it refuses is no input.
+void Timeline::do_input(WorldInput input) {
+  apply(world_, input);
+  enter_line();
+  if (step_ < last_step() || inputs_done_ < branches_[line_].inputs.size()) begin_branch();
+  branches_[branch_].inputs.push_back(std::move(input));
+  ++inputs_done_;
+}
+
+/// With what was done at this step already.
+void Timeline::begin_branch() {
+  Branch next{line_, step_, step_, {}, {}};
+  const std::vector<WorldInput>& inputs = branches_[line_].inputs;
+  for (std::size_t i = 0; i < inputs_done_; ++i)
+    if (inputs[i].step == step_) next.inputs.push_back(inputs[i]);
+  inputs_done_ = next.inputs.size();
+  line_ = branch_ = static_cast<int>(branches_.size());
+  branches_.push_back(std::move(next));
+  copies_.emplace_back();
+}
+
+/// The branch, or the ancestor of it, to which the next step belongs.
+void Timeline::enter_line() {
+  int line = branch_;
+  while (step_ < branches_[line].first_step) line = branches_[line].parent;
+  if (line == line_) return;
+  line_ = line;
+  inputs_done_ = 0;
+}
+
+/// Those before the next step that are not done yet.
+void Timeline::redo_inputs() {
+  enter_line();
+  const std::vector<WorldInput>& inputs = branches_[line_].inputs;
+  for (; inputs_done_ < inputs.size() && inputs[inputs_done_].step <= step_; ++inputs_done_)
+    apply(world_, inputs[inputs_done_]);
+}
+
+void Timeline::make_step() {
+  const std::size_t cracks_before = world_.frame().crack_events.size();
+  world_.step();
+  ++step_;
+  if (step_ <= last_step()) return;
+  branches_[branch_].last_step = step_;
+  mark_step(cracks_before);
+  if ((step_ - first_step()) % interval_ == 0) keep_copy();
+}
+
+void Timeline::mark_step(std::size_t cracks_before) {
+  const Frame frame = world_.frame();
+  const StepReport& report = frame.report;
+  const StepMark mark{step_, frame.time, static_cast<int>(frame.crack_events.size() - cracks_before),
+                      report.unconverged_solves > 0 || report.non_finite_values > 0};
+  if (mark.cracks > 0 || mark.alarm) branches_[branch_].marks.push_back(mark);
+}
+
+void Timeline::keep_copy() {
+  Copy copy{std::make_shared<const World>(world_), world_.memory()};
+  used_ += copy.size;
+  copies_[branch_].insert_or_assign(step_, std::move(copy));
+  while (used_ > memory_ && interval_ < kMaxInterval) thin_out();
+}
+
+/// The start is always kept.
+void Timeline::thin_out() {
+  interval_ *= 2;
+  const auto goes = [&](const auto& entry) {
+    if ((entry.first - first_step()) % interval_ == 0) return false;
+    used_ -= entry.second.size;
+    return true;
+  };
+  for (auto& copies : copies_) std::erase_if(copies, goes);
+}
+
+void Timeline::go_to(int branch, std::int64_t step) {
+  step = std::clamp(step, first_step(), branches_[branch].last_step);
+  if (branch != branch_ || step < step_ || nearest_copy(branch, step).first > step_) {
+    const auto [at, line] = nearest_copy(branch, step);
+    world_ = *copies_[line].at(at).world;
+    step_ = at;
+    branch_ = branch;
+    line_ = -1;  // found anew, with all inputs before this step done
+    enter_line();
+    inputs_done_ = static_cast<std::size_t>(
+        std::ranges::lower_bound(branches_[line_].inputs, at, {}, &WorldInput::step) - branches_[line_].inputs.begin());
+  }
+  while (step_ < step) advance();
+  if (step_ == last_step()) redo_inputs();  // the present is as it was left
+}
+
+/// The step of the newest copy on the way to a step of a branch, and the branch that has it.
+std::pair<std::int64_t, int> Timeline::nearest_copy(int branch, std::int64_t step) const {
+  for (int line = branch; line >= 0; line = branches_[line].parent) {
+    const auto after = copies_[line].upper_bound(step);
+    if (after != copies_[line].begin()) return {std::prev(after)->first, line};
+    step = std::min(step, branches_[line].first_step);
+  }
+  return {first_step(), 0};
+}
+
+}  // namespace griffith

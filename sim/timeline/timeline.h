@@ -1,0 +1,106 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <span>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "sim/world/world.h"
+
+namespace griffith {
+
+/// A material that a scene body had from then on.
+struct MaterialChange {
+  int scene_body = 0;
+  Material material;
+};
+
+/// What was done to a world from outside, before the step after `step`.
+struct WorldInput {
+  std::int64_t step = 0;
+  std::variant<ProjectileBurst, MaterialChange> action;
+};
+
+/// Does to a world what was done. Throws as World::fire() and World::set_material() do.
+void apply(World& world, const WorldInput& input);
+
+/// What happened in a step, for a mark on the bar of time.
+struct StepMark {
+  std::int64_t step = 0;
+  double time = 0;  ///< [s], at its end
+  int cracks = 0;
+  bool alarm = false;  ///< a solve without convergence, or values that broke down
+};
+
+/// A line of steps. All but the first begin at a step of another, where something else was done.
+struct Branch {
+  int parent = -1;
+  std::int64_t first_step = 0, last_step = 0;
+  std::vector<WorldInput> inputs;  ///< since first_step, in their order
+  std::vector<StepMark> marks;     ///< of steps after first_step in which anything happened
+};
+
+/// A world with its past. Every step of it can be gone back to, to the bit: from the nearest copy of the world on, the
+/// steps and inputs after it are done again. Copies are kept at equal intervals, which double where they would take
+/// more memory than allowed. Going on from the past repeats what was; doing something else there begins a branch.
+class Timeline {
+ public:
+  /// The past starts with `world`, as it is. `memory`: for copies of the world, about [bytes].
+  explicit Timeline(World world, std::size_t memory = std::size_t{768} << 20);
+
+  const World& world() const { return world_; }
+  /// Branches by their numbers; 0 is the first.
+  std::span<const Branch> branches() const { return branches_; }
+  int branch() const { return branch_; }
+  std::int64_t step() const { return step_; }
+  /// Of the branch, its parents' included.
+  std::int64_t first_step() const { return branches_.front().first_step; }
+  std::int64_t last_step() const { return branches_[branch_].last_step; }
+  /// What happened on the way to the end of the branch, its parents' part included, by step.
+  std::vector<StepMark> marks() const;
+
+  /// Makes a step: the one that was made before, where there is one.
+  void advance();
+  /// As World has them; a branch begins where steps or inputs after this one are known.
+  void fire(const ProjectileBurst& burst);
+  void set_material(int scene_body, const Material& material);
+  /// Goes to a step of a branch, between first_step() and the branch's last. Others are clamped.
+  void go_to(int branch, std::int64_t step);
+  void go_to(std::int64_t step) { go_to(branch_, step); }
+
+  /// How many steps are between copies of the world.
+  std::int64_t interval() const { return interval_; }
+  /// Bytes that copies take, about.
+  std::size_t memory_used() const { return used_; }
+
+ private:
+  struct Copy {
+    std::shared_ptr<const World> world;
+    std::size_t size = 0;
+  };
+  static constexpr std::int64_t kMaxInterval = 4096;
+
+  void do_input(WorldInput input);
+  void begin_branch();
+  void enter_line();
+  void redo_inputs();
+  void make_step();
+  void mark_step(std::size_t cracks_before);
+  void keep_copy();
+  void thin_out();
+  std::pair<std::int64_t, int> nearest_copy(int branch, std::int64_t step) const;
+
+  World world_;
+  std::size_t memory_, used_ = 0;
+  std::int64_t interval_ = 8;
+  std::vector<Branch> branches_;
+  std::vector<std::map<std::int64_t, Copy>> copies_;  ///< per branch, by step: before its inputs of that step
+  int branch_ = 0, line_ = 0;  ///< the second: it, or the ancestor to which the next step belongs
+  std::int64_t step_ = 0;
+  std::size_t inputs_done_ = 0;  ///< of the line
+};
+
+}  // namespace griffith

@@ -1,0 +1,170 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "app/editor/breakpoints.h"
+#include "app/editor/holding.h"
+#include "editor_fixture.h"
+
+namespace griffith::app {
+namespace {
+
+using ::testing::HasSubstr;
+using ui::Breakpoints;
+using ui::CommandId;
+
+class TimeTest : public EditorTest {
+ protected:
+  void run(int steps) {
+    for (int i = 0; i < steps; ++i) editor_.step();
+    draw();
+  }
+  /// Fires at the middle of the view with a shot that breaks the wall.
+  void fire() {
+    editor_.state().shot.speed = 60;
+    editor_.execute({.id = CommandId::fire});
+  }
+  void run_until_stopped() {
+    editor_.state().running = true;
+    for (int i = 0; i < 200 && editor_.state().running; ++i) editor_.advance(0.02);
+    draw();
+  }
+  std::int64_t step() const { return editor_.frame().step; }
+  std::size_t cracks() const { return editor_.frame().crack_events.size(); }
+};
+
+TEST_F(TimeTest, StepsBackAndForthAndAgain) {
+  run(6);
+  const std::uint64_t hash = editor_.timeline().world().state_hash();
+  click("command/time.back");
+  click("command/time.back");
+  EXPECT_EQ(step(), 4);
+  click("command/simulation.step");
+  click("command/simulation.step");
+  EXPECT_EQ(step(), 6);
+  EXPECT_EQ(editor_.timeline().world().state_hash(), hash);
+  click("command/time.start");
+  EXPECT_EQ(value("toolbar/step"), "step 0");
+  click("command/time.end");
+  EXPECT_EQ(editor_.timeline().world().state_hash(), hash);
+}
+
+TEST_F(TimeTest, AClickOnTheBarGoesThere) {
+  run(20);
+  const ui::WidgetTag* bar = ui::find_tag(editor_.tags(), "time/bar");
+  ASSERT_TRUE(bar);
+  click("time/bar");
+  EXPECT_EQ(step(), 10);
+  EXPECT_EQ(value("time/bar"), "10 of 20");
+}
+
+TEST_F(TimeTest, AShotInThePastBeginsABranchThatTheListGoesTo) {
+  run(10);
+  EXPECT_FALSE(ui::find_tag(editor_.tags(), "time/branch"));
+  const std::size_t shots = editor_.frame().projectiles.size();
+  click("command/time.back");
+  fire();
+  run(5);
+  ASSERT_TRUE(ui::find_tag(editor_.tags(), "time/branch"));
+  EXPECT_EQ(editor_.frame().projectiles.size(), shots + 1);
+  click("time/branch");
+  click("time/branch/0");
+  EXPECT_EQ(step(), 10);
+  EXPECT_EQ(editor_.frame().projectiles.size(), shots);
+}
+
+TEST_F(TimeTest, TheMaterialGoesBackToo) {
+  run(4);
+  click("material/yields");
+  run(4);
+  EXPECT_TRUE(editor_.frame().materials[0].yield_strength);
+  click("command/time.start");
+  EXPECT_FALSE(editor_.frame().materials[0].yield_strength);
+  EXPECT_EQ(value("material/yields"), "off");
+  draw();
+  EXPECT_EQ(editor_.timeline().branches().size(), 1u) << "looking back does nothing to the world";
+  click("command/time.end");
+  EXPECT_TRUE(editor_.frame().materials[0].yield_strength);
+  EXPECT_EQ(editor_.timeline().branches().size(), 1u);
+}
+
+TEST_F(TimeTest, StopsBeforeACrackWithTheNodeStillWhole) {
+  click("time/breakpoints");
+  click("time/break/any crack");
+  press_key(ui::key::kEscape);
+  fire();
+  run_until_stopped();
+  ASSERT_FALSE(editor_.state().running);
+  EXPECT_THAT(value("time/stopped"), HasSubstr("cracks in the next step"));
+  EXPECT_EQ(cracks(), 0u);
+  const std::int64_t stopped_at = step();
+  const NodeId node = editor_.state().selection.node;
+  ASSERT_TRUE(node.valid()) << "the node that is about to crack is explained";
+  editor_.step();
+  EXPECT_EQ(step(), stopped_at + 1) << "the next step passes the breakpoint";
+  ASSERT_GT(cracks(), 0u);
+  EXPECT_EQ(editor_.frame().crack_events[0].node, node);
+}
+
+TEST_F(TimeTest, WhatWouldHaveHeldItHoldsIt) {
+  editor_.state().breakpoints.crack = Breakpoints::Where::anywhere;
+  fire();
+  run_until_stopped();
+  ASSERT_TRUE(editor_.state().can_explain);
+  const NodeId node = editor_.state().selection.node;
+  const HoldingFactor factor = strength_that_holds(editor_.timeline().world(), 0, node);
+  ASSERT_TRUE(factor.found);
+  EXPECT_GT(factor.holds, 1);
+  EXPECT_LE(factor.holds, 1.011 * factor.breaks);
+  const auto cracks_at_node = [&](double strength) {
+    World world = editor_.timeline().world();
+    const Vec3 place = world.frame().nodes.rest_positions[node];
+    Material material = world.frame().materials[0];
+    material.tensile_strength *= strength;
+    material.fracture_toughness *= strength;
+    material.separation_toughness *= strength;
+    world.set_material(0, material);
+    world.step();
+    return std::ranges::any_of(world.frame().crack_events,
+                               [&](const CrackEvent& event) { return event.rest_position == place; });
+  };
+  EXPECT_FALSE(cracks_at_node(factor.holds));
+  EXPECT_TRUE(cracks_at_node(factor.breaks));
+  click("time/holding");
+  draw();
+  EXPECT_THAT(value("report/title"), HasSubstr("stands the next step"));
+  EXPECT_EQ(step(), editor_.timeline().last_step() - 1) << "trying changes nothing";
+}
+
+TEST_F(TimeTest, StopsBeforeThePiecesAndTheUtilizationAreThere) {
+  editor_.state().breakpoints.on_pieces = true;
+  editor_.state().breakpoints.pieces = 2;
+  fire();
+  run_until_stopped();
+  EXPECT_THAT(value("time/stopped"), HasSubstr("pieces after the next step"));
+  EXPECT_LT(editor_.frame().fragments, 2);
+  editor_.step();
+  EXPECT_GE(editor_.frame().fragments, 2);
+  editor_.execute({.id = CommandId::go_to_start});
+  editor_.state().breakpoints = {};
+  editor_.state().breakpoints.on_utilization = true;
+  editor_.state().breakpoints.utilization = 0.2;
+  run_until_stopped();
+  EXPECT_THAT(value("time/stopped"), HasSubstr("utilization"));
+  EXPECT_LE(editor_.frame().report.peak_utilization, 0.2);
+}
+
+TEST(HoldingFactor, IsFoundToWithinAHundredth) {
+  for (const double border : {1.003, 1.7, 2.0, 100.0, 1000.0}) {
+    const HoldingFactor factor = holding_factor([&](double tried) { return tried >= border; });
+    ASSERT_TRUE(factor.found) << border;
+    EXPECT_GE(factor.holds, border);
+    EXPECT_LT(factor.breaks, border);
+    EXPECT_LE(factor.holds / factor.breaks, 1.01);
+  }
+  EXPECT_FALSE(holding_factor([](double) { return false; }).found);
+}
+
+}  // namespace
+}  // namespace griffith::app

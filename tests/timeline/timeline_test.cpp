@@ -1,0 +1,164 @@
+#include "sim/timeline/timeline.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+
+#include "tests/world/scenes.h"
+
+namespace griffith {
+namespace {
+
+/// A wall that shots break into pieces that fall, roll and sleep.
+Scene scene() {
+  Scene scene = testing::shot_wall(Vec3(2, 2, 0.25), 0.5, testing::brick(0.05));
+  scene.simulation.time_step = 1.0 / 60;
+  return scene;
+}
+
+ProjectileBurst shot(double height) {
+  ProjectileBurst burst;
+  burst.position = Vec3(0.1, height, 2);
+  burst.speed = 20;
+  return burst;
+}
+
+Material weaker(const World& world) {
+  Material material = world.frame().materials[0];
+  material.tensile_strength *= 0.5;
+  return material;
+}
+
+TEST(Timeline, EveryStepComesAgainToTheBit) {
+  Timeline timeline{World(scene())};
+  std::vector<std::uint64_t> hashes = {timeline.world().state_hash()};
+  for (int step = 0; step < 60; ++step) {
+    if (step == 11 || step == 40) timeline.fire(shot(1.2));
+    if (step == 30) timeline.set_material(0, weaker(timeline.world()));
+    timeline.advance();
+    hashes.push_back(timeline.world().state_hash());
+  }
+  EXPECT_GT(timeline.world().frame().crack_events.size(), 0u);
+  std::mt19937 random(7);
+  for (int i = 0; i < 25; ++i) {
+    const int step = std::uniform_int_distribution(0, 60)(random);
+    timeline.go_to(step);
+    EXPECT_EQ(timeline.step(), step);
+    EXPECT_EQ(timeline.world().frame().step, step);
+    EXPECT_EQ(timeline.world().state_hash(), hashes[static_cast<std::size_t>(step)]) << "at step " << step;
+  }
+  EXPECT_EQ(timeline.branches().size(), 1u) << "looking back changes nothing";
+  EXPECT_EQ(timeline.last_step(), 60);
+}
+
+TEST(Timeline, GoingOnFromThePastRepeatsIt) {
+  Timeline timeline{World(scene())};
+  timeline.advance();
+  timeline.fire(shot(1));
+  for (int i = 0; i < 30; ++i) timeline.advance();
+  const std::uint64_t end = timeline.world().state_hash();
+  timeline.go_to(0);
+  for (int i = 0; i < 31; ++i) timeline.advance();
+  EXPECT_EQ(timeline.world().state_hash(), end);
+  EXPECT_EQ(timeline.branches().size(), 1u);
+}
+
+TEST(Timeline, AnotherActionInThePastBeginsABranch) {
+  Timeline timeline{World(scene())};
+  timeline.fire(shot(1));
+  for (int i = 0; i < 30; ++i) timeline.advance();
+  const std::uint64_t first_end = timeline.world().state_hash();
+  timeline.go_to(12);
+  const std::uint64_t fork = timeline.world().state_hash();
+  timeline.fire(shot(1.6));
+  ASSERT_EQ(timeline.branches().size(), 2u);
+  EXPECT_EQ(timeline.branch(), 1);
+  EXPECT_EQ(timeline.branches()[1].parent, 0);
+  EXPECT_EQ(timeline.branches()[1].first_step, 12);
+  EXPECT_EQ(timeline.last_step(), 12);
+  for (int i = 0; i < 20; ++i) timeline.advance();
+  const std::uint64_t second_end = timeline.world().state_hash();
+  EXPECT_NE(timeline.world().frame().projectiles.size(), 1u);
+  timeline.go_to(12);
+  EXPECT_EQ(timeline.world().state_hash(), fork);
+  timeline.go_to(5);  // the parent's part
+  timeline.go_to(timeline.last_step());
+  EXPECT_EQ(timeline.world().state_hash(), second_end);
+  timeline.go_to(0, 30);
+  EXPECT_EQ(timeline.world().state_hash(), first_end);
+  timeline.go_to(1, 32);
+  EXPECT_EQ(timeline.world().state_hash(), second_end);
+}
+
+TEST(Timeline, ABranchBeforeAnotherActionOfTheSameStepLeavesThatOut) {
+  Timeline timeline{World(scene())};
+  for (int i = 0; i < 4; ++i) timeline.advance();
+  timeline.fire(shot(1));
+  for (int i = 0; i < 10; ++i) timeline.advance();
+  timeline.go_to(4);
+  timeline.fire(shot(1.5));
+  for (int i = 0; i < 10; ++i) timeline.advance();
+  World expected(scene());
+  for (int i = 0; i < 4; ++i) expected.step();
+  expected.fire(shot(1.5));
+  for (int i = 0; i < 10; ++i) expected.step();
+  EXPECT_EQ(timeline.world().state_hash(), expected.state_hash());
+}
+
+TEST(Timeline, WhatWasDoneLastIsThereWhenItIsCameBackTo) {
+  Timeline timeline{World(scene())};
+  for (int i = 0; i < 9; ++i) timeline.advance();
+  timeline.set_material(0, weaker(timeline.world()));
+  const Material material = timeline.world().frame().materials[0];
+  timeline.go_to(2);
+  EXPECT_NE(timeline.world().frame().materials[0], material);
+  timeline.go_to(9);
+  EXPECT_EQ(timeline.world().frame().materials[0], material);
+  EXPECT_EQ(timeline.branches().size(), 1u);
+}
+
+TEST(Timeline, MarksSayWhereItCracked) {
+  Timeline timeline{World(scene())};
+  timeline.fire(shot(1));
+  for (int i = 0; i < 30; ++i) timeline.advance();
+  std::map<std::int64_t, int> cracks;
+  for (const CrackEvent& event : timeline.world().frame().crack_events) ++cracks[event.step];
+  int marked = 0;
+  for (const StepMark& mark : timeline.marks()) marked += mark.cracks;
+  EXPECT_EQ(marked, static_cast<int>(timeline.world().frame().crack_events.size()));
+  EXPECT_GT(marked, 0);
+}
+
+TEST(Timeline, CopiesKeepToTheMemoryAllowed) {
+  const World world(scene());
+  const std::size_t one = world.memory();
+  EXPECT_GT(one, 10'000u);
+  Timeline timeline(world, 6 * one);
+  timeline.fire(shot(1));
+  std::vector<std::uint64_t> hashes = {timeline.world().state_hash()};
+  for (int i = 0; i < 100; ++i) {
+    timeline.advance();
+    hashes.push_back(timeline.world().state_hash());
+    EXPECT_LE(timeline.memory_used(), 6 * one);
+  }
+  EXPECT_GT(timeline.interval(), 8);
+  for (const int step : {77, 3, 100, 50}) {
+    timeline.go_to(step);
+    EXPECT_EQ(timeline.world().state_hash(), hashes[static_cast<std::size_t>(step)]);
+  }
+}
+
+TEST(Timeline, WhatIsRefusedIsNoPartOfThePast) {
+  Scene explicitly = scene();
+  explicitly.simulation.integrator = Integrator::symplectic_euler;
+  Timeline timeline{World(explicitly)};
+  Material stiff = timeline.world().frame().materials[0];
+  stiff.young_modulus = 1e13;
+  stiff.density = 1e-3;
+  EXPECT_THROW(timeline.set_material(0, stiff), InputError);
+  EXPECT_TRUE(timeline.branches()[0].inputs.empty());
+}
+
+}  // namespace
+}  // namespace griffith

@@ -1,0 +1,188 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "ui/model/units.h"
+#include "ui/panels/panels.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace griffith::ui {
+namespace {
+
+constexpr std::array<const char*, 4> kCrackPlaces = {"no crack", "any crack", "a crack of the selected body",
+                                                     "a crack at the selected node"};
+
+std::string step_text(const Panel& panel, std::int64_t step) {
+  const double time = static_cast<double>(step) * panel.input.time.time_step;
+  return "step " + std::to_string(step) + ", " + format_quantity(time, "s", 4);
+}
+
+/// What happened in the steps that the cursor points at.
+std::string ticks_text(const TimeView& time, std::int64_t first, std::int64_t last) {
+  int cracks = 0;
+  bool alarm = false;
+  for (const TimeTick& tick : time.ticks)
+    if (tick.step >= first && tick.step <= last) cracks += tick.cracks, alarm |= tick.alarm;
+  std::string text;
+  if (cracks > 0) text += ": " + std::to_string(cracks) + (cracks == 1 ? " crack" : " cracks");
+  if (alarm) text += text.empty() ? ": trouble in the numbers" : ", trouble in the numbers";
+  return text;
+}
+
+/// Where steps are on the bar.
+struct Scale {
+  ImVec2 low, high;
+  std::int64_t first, steps;
+
+  float x(std::int64_t step) const {
+    return low.x + (high.x - low.x) * static_cast<float>(step - first) / static_cast<float>(steps);
+  }
+  std::int64_t step_at(float place) const {
+    const float fraction = std::clamp((place - low.x) / (high.x - low.x), 0.0f, 1.0f);
+    return first + std::llround(static_cast<double>(fraction) * static_cast<double>(steps));
+  }
+};
+
+/// Ticks of cracks grow with their number, as its logarithm; those of alarms hang from above.
+void draw_ticks(const Panel& panel, const Scale& bar) {
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  const float scale = ui_scale(panel), height = bar.high.y - bar.low.y;
+  for (const TimeTick& tick : panel.input.time.ticks) {
+    const float x = bar.x(tick.step);
+    const float length = height * std::min(1.0f, 0.35f + 0.15f * std::log2(1.0f + static_cast<float>(tick.cracks)));
+    if (tick.cracks > 0)
+      list->AddLine({x, bar.high.y - length}, {x, bar.high.y}, palette::kError, std::max(1.0f, 1.5f * scale));
+    if (tick.alarm) list->AddLine({x, bar.low.y}, {x, bar.low.y + 0.3f * height}, palette::kWarning, 2 * scale);
+  }
+}
+
+/// The past of the branch: a click or a drag goes there.
+void draw_bar(Panel& panel, float width) {
+  const TimeView& time = panel.input.time;
+  const float scale = ui_scale(panel), height = ImGui::GetFrameHeight();
+  ImGui::InvisibleButton("##time", {width, height});
+  const std::int64_t now = panel.input.frame.step;
+  tag_last_item(panel.tags, "time/bar", std::to_string(now) + " of " + std::to_string(time.last_step));
+  const Scale bar{ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), time.first_step,
+                  std::max<std::int64_t>(1, time.last_step - time.first_step)};
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(bar.low, bar.high, palette::kField, 3 * scale);
+  if (time.branch > 0) {
+    const float start = bar.x(time.branches[time.branch].first_step);
+    list->AddRectFilled({start, bar.high.y - 3 * scale}, bar.high, palette::kAccent);
+  }
+  draw_ticks(panel, bar);
+  list->AddLine({bar.x(now), bar.low.y}, {bar.x(now), bar.high.y}, palette::kText, 2 * scale);
+  const std::int64_t pointed = bar.step_at(ImGui::GetIO().MousePos.x);
+  if (ImGui::IsItemActive() && pointed != now) issue(panel, {.id = CommandId::go_to_step, .step = pointed});
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
+    const std::int64_t reach =
+        std::max<std::int64_t>(0, std::llround(3 * scale / (bar.high.x - bar.low.x) * bar.steps));
+    ImGui::SetTooltip("%s%s", step_text(panel, pointed).c_str(),
+                      ticks_text(time, pointed - reach, pointed + reach).c_str());
+  }
+}
+
+/// "branch 1, from step 40 of branch 0".
+std::string branch_text(const TimeView& time, int branch) {
+  const TimeView::BranchView& view = time.branches[branch];
+  std::string text = "branch " + std::to_string(branch);
+  if (view.parent >= 0)
+    text += ", from step " + std::to_string(view.first_step) + " of branch " + std::to_string(view.parent);
+  return text + ", to step " + std::to_string(view.last_step);
+}
+
+/// How many ancestors a branch has.
+int depth_of(const TimeView& time, int branch) {
+  int depth = 0;
+  for (; time.branches[branch].parent >= 0; branch = time.branches[branch].parent) ++depth;
+  return depth;
+}
+
+void branch_list(Panel& panel) {
+  const TimeView& time = panel.input.time;
+  ImGui::SetNextItemWidth(110 * ui_scale(panel));
+  const std::string shown = "branch " + std::to_string(time.branch);
+  const bool open = begin_combo("##branch", shown.c_str());
+  if (open) {
+    for (int i = 0; i < static_cast<int>(time.branches.size()); ++i) {
+      const std::string text = std::string(3 * static_cast<std::size_t>(depth_of(time, i)), ' ') + branch_text(time, i);
+      if (ImGui::Selectable(text.c_str(), i == time.branch))
+        issue(panel, {.id = CommandId::go_to_branch, .step = time.branches[i].last_step, .branch = i});
+      tag_last_item(panel.tags, "time/branch/" + std::to_string(i), text);
+    }
+    ImGui::EndCombo();
+  }
+  tag_last_item(panel.tags, "time/branch", shown);
+  if (!open) tooltip("What was done otherwise in the past goes on beside what was.");
+}
+
+/// A number that belongs to a check box.
+template <class T>
+void limit_field(Panel& panel, const char* tag, const char* format, T& value, T low, T high) {
+  ImGui::SameLine();
+  ImGui::SetNextItemWidth(90 * ui_scale(panel));
+  const ImGuiDataType type = std::is_same_v<T, int> ? ImGuiDataType_S32 : ImGuiDataType_Double;
+  ImGui::InputScalar((std::string("##") + tag).c_str(), type, &value, nullptr, nullptr, format);
+  value = std::clamp(value, low, high);
+  tag_last_item(panel.tags, tag, std::to_string(value));
+}
+
+void breakpoint_fields(Panel& panel) {
+  Breakpoints& points = panel.state.breakpoints;
+  ImGui::TextUnformatted("Stop before the step in which there is");
+  for (std::size_t i = 0; i < kCrackPlaces.size(); ++i) {
+    if (ImGui::RadioButton(kCrackPlaces[i], points.crack == static_cast<Breakpoints::Where>(i)))
+      points.crack = static_cast<Breakpoints::Where>(i);
+    tag_last_item(panel.tags, std::string("time/break/") + kCrackPlaces[i], kCrackPlaces[i]);
+  }
+  ImGui::Separator();
+  checkbox(panel, "time/break/on_utilization", "a utilization over", points.on_utilization);
+  limit_field(panel, "time/break/utilization", "%.3g", points.utilization, 0.0, 100.0);
+  checkbox(panel, "time/break/on_pieces", "a number of pieces from", points.on_pieces);
+  limit_field(panel, "time/break/pieces", "%d", points.pieces, 1, 1'000'000);
+  checkbox(panel, "time/break/on_energy", "energy unaccounted for, over", points.on_energy);
+  limit_field(panel, "time/break/energy", "%.3g", points.energy, 0.0, 1.0);
+  tooltip("Of the energy that the step turns over.");
+  checkbox(panel, "time/break/on_failure", "a solve that fails, or values that break down", points.on_failure);
+}
+
+void breakpoint_button(Panel& panel) {
+  const bool armed = panel.state.breakpoints.any();
+  if (armed) ImGui::PushStyleColor(ImGuiCol_Text, palette::kWarning);
+  if (ImGui::Button("Stop before…")) ImGui::OpenPopup("##breakpoints");
+  if (armed) ImGui::PopStyleColor();
+  tag_last_item(panel.tags, "time/breakpoints", armed ? "armed" : "none");
+  tooltip("Where the simulation is to stop by itself: before a crack, not after it.");
+  if (!ImGui::BeginPopup("##breakpoints")) return;
+  close_on_escape();
+  breakpoint_fields(panel);
+  ImGui::EndPopup();
+}
+
+}  // namespace
+
+void draw_time_bar(Panel& panel) {
+  command_button(panel, CommandId::go_to_start, Icon::to_start, false);
+  ImGui::SameLine();
+  command_button(panel, CommandId::step_back, Icon::step_back, false);
+  ImGui::SameLine();
+  const TimeView& time = panel.input.time;
+  const float scale = ui_scale(panel), spacing = ImGui::GetStyle().ItemSpacing.x;
+  const float branches = time.branches.size() > 1 ? 110 * scale + spacing : 0;
+  const float stop = ImGui::CalcTextSize("Stop before…").x + 2 * ImGui::GetStyle().FramePadding.x + spacing;
+  const float end = 1.25f * ImGui::GetFrameHeight() + spacing;
+  draw_bar(panel, std::max(40 * scale, ImGui::GetContentRegionAvail().x - branches - stop - end));
+  ImGui::SameLine();
+  command_button(panel, CommandId::go_to_end, Icon::to_end, false);
+  ImGui::SameLine();
+  if (branches > 0) {
+    branch_list(panel);
+    ImGui::SameLine();
+  }
+  breakpoint_button(panel);
+}
+
+}  // namespace griffith::ui
