@@ -29,7 +29,7 @@ namespace {
 constexpr float kLargestFont = 6;
 constexpr int kFramesToLayOut = 3;  // the panels know their sizes only after being drawn
 
-/// From what is looked at to the eye, before there is a picture.
+/// Direction from what is looked at to the eye, before there is a picture.
 Vec3 towards_eye(const Scene& scene, const std::string& camera) {
   for (const Camera& known : scene.cameras)
     if (camera.empty() || known.name == camera) return known.position - known.target;

@@ -50,10 +50,10 @@ class Autosave {
 
   /// Finds the newest copy that nobody holds, of the scene in `file` (absolute, or empty), and holds it.
   bool find(const std::filesystem::path& file);
-  /// The same among those of all scenes that the user's folder for states knows.
+  /// Looks among those of all scenes that the user's folder for states knows.
   bool find_any(const std::filesystem::path& file);
   bool has_found() const { return found_.has_value(); }
-  /// Of the copy that was found: "wall.json, 22 November 05:13".
+  /// Name of the copy that was found: "wall.json, 22 November 05:13".
   std::string found_text() const;
   /// What it holds. Throws InputError when it cannot be read.
   LeftEdits found_edits() const;

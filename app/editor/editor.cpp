@@ -26,7 +26,7 @@ ProjectileBurst first_shot(const Scene& scene) {
   return shot;
 }
 
-/// Of what is elastic, whatever the picture shows of it.
+/// Sets the box round what is elastic, whatever the picture shows of it.
 void set_bounds(ui::EditorInput& input) {
   const Eigen::AlignedBox3d box = bounds_of(input.frame);
   if (box.isEmpty()) return;

@@ -93,6 +93,10 @@ class Editor {
   /// After work that led to no world: what is shown goes on.
   void give_up_work();
   void take_world(WorldLoader::Loaded loaded);
+  void carry_out_on_bodies(const ui::Command& command);
+  void new_scene();
+  void add_body(const std::string& label, BodyDescription body);
+  void delete_body();
   void add_surface();
   void report_surface();
   void show_error(const InputError& error);

@@ -14,7 +14,8 @@ namespace griffith::app {
 using ui::CommandId;
 
 void Editor::execute(const ui::Command& command) {
-  const bool leaves = command.id == CommandId::open || command.id == CommandId::quit;
+  const bool leaves =
+      command.id == CommandId::new_scene || command.id == CommandId::open || command.id == CommandId::quit;
   if (leaves && history_.modified() && !command.discard_edits) {
     state_.unsaved = command;
     return;
@@ -72,6 +73,17 @@ void Editor::carry_out(const ui::Command& command) {
 
 void Editor::carry_out_with_files(const ui::Command& command) {
   switch (command.id) {
+    case CommandId::add_box:
+    case CommandId::add_plate:
+    case CommandId::add_pane:
+    case CommandId::add_cylinder:
+    case CommandId::add_sphere:
+    case CommandId::add_beam:
+    case CommandId::duplicate_body:
+    case CommandId::delete_body:
+      return carry_out_on_bodies(command);
+    case CommandId::new_scene:
+      return new_scene();
     case CommandId::open_dialog:
       state_.show_open = true;
       return;

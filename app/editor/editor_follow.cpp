@@ -33,11 +33,12 @@ void Editor::go_back_to_built() {
 
 void Editor::take_followed(WorldLoader::Loaded loaded) {
   if (start_of(loaded.scene) != start_of(history_.scene())) return follow();  // edited since
-  const bool edited = start_of(loaded.scene) != start_of(built_);
+  const bool edited = start_of(loaded.scene) != start_of(built_), was_empty = built_.bodies.empty();
   timeline_ = Timeline(std::move(loaded.world));
   display_ = std::move(loaded.display);
   restart();
   if (edited) log_findings();
+  if (was_empty) frame_all();
 }
 
 void Editor::log_findings() {

@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "app/editor/editor.h"
+#include "app/editor/new_body.h"
 #include "app/picture/placed_tets.h"
 #include "app/shared/scene_world.h"
 #include "sim/meshing/mesh_quality.h"
@@ -19,22 +20,6 @@ SurfaceShape shape_of(const ui::SurfaceRequest& request) {
   shape.meshing.method = request.method;
   if (!request.automatic_size) shape.meshing.element_size = request.element_size;
   return shape;
-}
-
-std::string free_name(const Scene& scene, const std::string& wanted) {
-  const auto taken = [&](const std::string& name) {
-    return std::ranges::find(scene.bodies, name, &BodyDescription::name) != scene.bodies.end();
-  };
-  std::string name = wanted;
-  for (int number = 2; taken(name); ++number) name = wanted + " " + std::to_string(number);
-  return name;
-}
-
-/// Where what stands to the right of all bodies begins: their end, and some room.
-double free_place(const Frame& frame, double room) {
-  double right = -room;
-  for (const Vec3& position : frame.nodes.positions) right = std::max(right, position.x());
-  return right + room;
 }
 
 /// A body on the ground, beside the others.

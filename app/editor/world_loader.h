@@ -41,7 +41,7 @@ class WorldLoader {
   /// Starts to build the world of a scene from the file `path`; what was being built before is given up. Where about
   /// more than `max_tets` tetrahedra would be made, take() throws LargeMesh before any is.
   void start(LoadReason reason, Scene scene, std::filesystem::path path, double max_tets);
-  /// The same for a scene that takes work itself.
+  /// Starts with a scene that takes work itself.
   using MakeScene = std::function<Scene(const Monitor&)>;
   void start(LoadReason reason, MakeScene make_scene, std::filesystem::path path, double max_tets);
   /// Starts what was started last again, however large it is.

@@ -13,7 +13,7 @@ void append_field(std::string& csv, double value) {
   if (std::isfinite(value)) append_number(csv, value);
 }
 
-/// In quotation marks where it would not be one field without them.
+/// Puts quotation marks where it would not be one field without them.
 std::string field_text(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";

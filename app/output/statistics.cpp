@@ -53,7 +53,7 @@ void add_counters(Json& json, const StepReport& total) {
     std::visit([&](auto value) { json[counter.key] = total.*value; }, counter.value);
 }
 
-/// Without the projectiles, so that it stays what it was [kg].
+/// Mass without the projectiles, so that it stays what it was [kg].
 double mass_of_bodies(const Frame& frame) {
   return std::accumulate(frame.nodes.masses.begin(), frame.nodes.masses.end(), 0.0);
 }

@@ -27,7 +27,7 @@ class RunStatistics {
   /// reason.
   std::string json(const Frame& frame, std::uint64_t state_hash) const;
 
-  /// The same for a person, a few lines.
+  /// Says it for a person, in a few lines.
   std::string summary(const Frame& frame, std::uint64_t state_hash) const;
 
  private:

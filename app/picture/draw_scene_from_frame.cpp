@@ -52,7 +52,7 @@ void color_plainly(render::DrawScene& picture, const Frame& frame, const Embedde
                                        picture.surface.color);
 }
 
-/// Of a tet, what the quantity "body", "tet" or "splinter" tells apart.
+/// Colour of what the quantity "body", "tet" or "splinter" tells apart.
 render::Rgb tet_color(const Frame& frame, std::int32_t tet, const ViewSettings& view) {
   return id_color(view.quantity == "tet" ? tet : frame.elements.bodies[tet].value);
 }

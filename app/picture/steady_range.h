@@ -20,7 +20,7 @@ class SteadyRange {
   /// The next frame is of another world.
   void restart() { quantity_.clear(); }
 
-  /// Of the quantity that was followed last; nothing where that is no scalar.
+  /// Range of the quantity that was followed last; nothing where that is no scalar.
   const std::optional<Vec2>& range() const { return range_; }
 
  private:

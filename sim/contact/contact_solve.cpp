@@ -44,7 +44,7 @@ double smaller_radius(const Object& a, const Object& b) {
   return b.kind == Kind::ground ? a.shape.radius : std::min(a.shape.radius, b.shape.radius);
 }
 
-/// Of a free object, if it moved so as it lies [J].
+/// Kinetic energy of a free object, if it moved so as it lies [J].
 double kinetic_energy(const Object& object, const Vec3& velocity, const Vec3& spin) {
   const Vec3 own_spin = object.state.pose.rotation.conjugate() * spin;
   return 0.5 *

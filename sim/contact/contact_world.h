@@ -99,7 +99,8 @@ class ContactWorld {
   ProxyId add_ground(double height, const SurfaceProperties& surface);
   /// A rigid sphere that the contact world itself moves. Radius [m] > 0, mass [kg] > 0.
   ProxyId add_sphere(double radius, double mass, const RigidState& state, const SurfaceProperties& surface);
-  /// The same for a convex body: its corners in its own frame (origin at the centre of mass), not all in a plane.
+  /// Adds a convex body that the contact world itself moves: its corners in its own frame (origin at the centre of
+  /// mass), not all in a plane.
   ProxyId add_convex(const ConvexPart& corners, const RigidMass& mass, const RigidState& state,
                      const SurfaceProperties& surface);
   /// The proxy of an elastic body: at least one part. When held, its mass is not used.
@@ -207,7 +208,7 @@ class ContactWorld {
   /// How long there are none of these, 0..`maximum`, to within `tolerance` [s].
   double time_before_impact(double maximum, double minimum_speed, double tolerance) const;
 
-  /// Of what a copy does not share, about [bytes].
+  /// Size of what a copy does not share, about [bytes].
   std::size_t memory() const;
 
   /// Deepest overlap in contacts(), beyond what fresh cracks are allowed [m], >= 0.

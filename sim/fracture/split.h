@@ -35,7 +35,7 @@ struct SplitResult {
 SplitResult split_node(TetMesh& mesh, std::span<const Vec3> positions, NodeId node, const Vec3& normal,
                        int min_fragment_tets = 1);
 
-/// The same between any two sides of the node, as tets_above() gives them.
+/// Splits between any two sides of the node, as tets_above() gives them.
 SplitResult split_node(TetMesh& mesh, NodeId node, std::span<const std::uint8_t> above, int min_fragment_tets = 1);
 
 }  // namespace griffith

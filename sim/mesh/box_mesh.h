@@ -11,7 +11,7 @@ namespace griffith {
 /// InputError when a length is not positive and finite, or when the box would take more than kMaxCells cells.
 TetSoup make_box(const Vec3& size, const Vec3& element_size, BoxPattern pattern);
 
-/// The same box before it is cut. Cell (i, j, k) has the index i + cells_x·(j + cells_y·k), nodes likewise.
+/// Makes the box before it is cut. Cell (i, j, k) has the index i + cells_x·(j + cells_y·k), nodes likewise.
 HexMesh make_box_hexes(const Vec3& size, const std::array<int, 3>& cells);
 
 /// The number of cells of length about `element_size` that fill `length`, at least 1. Throws InputError, naming `what`,

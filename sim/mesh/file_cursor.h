@@ -44,7 +44,7 @@ class FileCursor {
   /// that lasts to the end of the line.
   explicit FileCursor(const std::filesystem::path& path, std::string_view separators = "", char comment = 0);
 
-  /// Of the numbers that follow; words are text always.
+  /// Encoding of the numbers that follow; words are text always.
   Encoding encoding = Encoding::text;
 
   /// Whether only blanks and comments remain.

@@ -15,7 +15,7 @@ void append_number(std::string& text, T value) {
   text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
 }
 
-/// The same, then `end`.
+/// Appends the number, then `end`.
 template <class T>
 void append_number(std::string& text, T value, char end) {
   append_number(text, value);

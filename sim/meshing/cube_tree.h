@@ -29,7 +29,7 @@ class CubeTree {
   bool surroundings_reach(const Index3& origin, int width, int level) const;
   bool contains(const Index3& cell) const;
   std::size_t index(const Index3& cell) const;
-  /// Of the cube that a lattice cube is in; 0 outside of the lattice.
+  /// Level of the cube that a lattice cube is in; 0 outside of the lattice.
   int level(const Index3& cell) const;
   void visit_face(const Index3& origin, int axis, int side, const Visit& visit) const;
   std::vector<int> outline(const Index3& middle, int axis, int level) const;

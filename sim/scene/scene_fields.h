@@ -22,7 +22,7 @@ namespace griffith {
 /// The format that this program reads and writes.
 inline constexpr int kSceneVersion = 1;
 
-/// Of all bursts of a scene together.
+/// Limit of all bursts of a scene together.
 inline constexpr std::int64_t kMaxProjectiles = 10'000;
 
 inline constexpr Numbers kPlace = between(-1e6, 1e6, "m");

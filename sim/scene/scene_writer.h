@@ -12,7 +12,7 @@ namespace griffith {
 /// InputError when a text is not UTF-8.
 std::string scene_to_json(const Scene& scene);
 
-/// The same scene with paths that lead from another folder, absolute, to the same files.
+/// Returns the scene with paths that lead from another folder, absolute, to the same files.
 Scene with_paths_from(Scene scene, const std::filesystem::path& folder);
 
 /// Writes the scene file, beside its target first and then renamed, so that an interruption loses nothing. Relative

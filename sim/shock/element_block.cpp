@@ -145,7 +145,7 @@ void write_forces(const ElementBlock& block, const Matrix p, Lanes stress, Quad*
     scatter(f[corner][0], f[corner][1], f[corner][2], stress, forces + corner + 1, 4);
 }
 
-/// Of the stress of strain a over strain b, but for the volume: λ tr(a) tr(b) + 2μ a : b.
+/// Work of the stress of strain a over strain b, but for the volume: λ tr(a) tr(b) + 2μ a : b.
 Lanes work_density(const BlockLaw& law, const Symmetric a, const Symmetric b) {
   const Lanes trace = (a[0] + a[1] + a[2]) * (b[0] + b[1] + b[2]);
   const Lanes normal = a[0] * b[0] + a[1] * b[1] + a[2] * b[2], shear = a[3] * b[3] + a[4] * b[4] + a[5] * b[5];

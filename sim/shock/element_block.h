@@ -40,7 +40,7 @@ struct ViscousWork {
 void force_elements(const BlockLaw& law, ElementBlock& block, const WideQuad* displacements, Quad* forces,
                     ViscousWork& work, float viscosity);
 
-/// Of the last call, σ_j : ½ (ε_j − ε_{j−1}): as far as it moved the block until then [J].
+/// Work of the last call, σ_j : ½ (ε_j − ε_{j−1}): as far as it moved the block until then [J].
 Lanes work_of_last(const BlockLaw& law, const ElementBlock& block, const ViscousWork& work);
 
 /// Lets the rotations and strains of a block follow displacements however large, without forces. What is less stiff

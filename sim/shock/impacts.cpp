@@ -118,8 +118,8 @@ void Impacts::list_near_obstacle(const Solid& solid, const Obstacle& obstacle, C
     list_near_part(solid, obstacle, part, candidates);
 }
 
-/// Of the nodes of the sides near an obstacle those that are near one of its parts, and that part's samples near the
-/// sides.
+/// Lists, of the nodes of the sides near an obstacle, those that are near one of its parts, and that part's samples
+/// near the sides.
 void Impacts::list_near_part(const Solid& solid, const Obstacle& obstacle, int part, Candidates& candidates) const {
   const ConvexSolid& convex = obstacle.solids[part];
   for (const int node : near_nodes_)
@@ -170,7 +170,7 @@ void Impacts::list_candidates(const Solid& solid, double displacement) {
   listed_until_ = travelled_ + margin_;
 }
 
-/// Of things that are so far apart [m].
+/// Records that things are so far apart [m].
 void Impacts::record_gap(Watched& watched, double gap) const {
   if (gap > 0) watched.clear_until = travelled_ + gap;
 }

@@ -125,7 +125,7 @@ class Impacts {
   bool is_clear(const Watched& watched) const { return travelled_ < watched.clear_until; }
   void record_gap(Watched& watched, double gap) const;
   void list_candidates(const Solid& solid, double displacement);
-  /// Of all nodes and obstacles [m/s].
+  /// Highest speed of all nodes and obstacles [m/s].
   double fastest_of(const Solid& solid) const;
   void list_near_obstacle(const Solid& solid, const Obstacle& obstacle, Candidates& candidates);
   void list_near_part(const Solid& solid, const Obstacle& obstacle, int part, Candidates& candidates) const;

@@ -130,12 +130,12 @@ class Solid {
   double viscous_work() const;
   /// From now on, forces are elastic alone.
   void stop_viscosity();
-  /// Of the change of velocities by half a kick of the present forces [J].
+  /// Energy of the change of velocities by half a kick of the present forces [J].
   double half_kick_energy() const;
-  /// Of a node by external forces; by all present forces, where it is free to go [m/s²].
+  /// Acceleration of a node by external forces; by all present forces, where it is free to go [m/s²].
   Vec3 external_acceleration(int node) const { return vector(accelerations_[node].value); }
   Vec3 acceleration(int node) const;
-  /// Of any node, as advance() left it [m/s].
+  /// Highest speed of any node, as advance() left it [m/s].
   double fastest() const { return fastest_; }
 
  private:

@@ -77,7 +77,7 @@ void project_row(BlockSparseMatrix& a, int row, const Mat3& allowed) {
   diagonal += scale * (Mat3::Identity() - allowed);
 }
 
-/// The same for a body that turns about a pivot.
+/// Solves for a body that turns about a pivot.
 SolveReport solve_swinging(const BlockSparseMatrix& a, const RigidModePreconditioner& preconditioner,
                            const ImplicitStep& step, const Pivot& pivot, const NodeVectors& positions,
                            const Eigen::VectorXd& masses, const NodeVectors& b, bool turning, NodeVectors& x) {

@@ -60,7 +60,7 @@ class ElasticSystem {
   void assemble(const ImplicitStep& step, const ElasticLaw& law, std::span<const RestElement> rest_elements,
                 std::span<const ElementState> states, std::span<const Vec3> positions, std::span<const double> masses);
 
-  /// The same for any combination of mass and stiffness, for solve_projected().
+  /// Assembles any combination of mass and stiffness, for solve_projected().
   void assemble(const MatrixFactors& factors, const ElasticLaw& law, std::span<const RestElement> rest_elements,
                 std::span<const ElementState> states, std::span<const Vec3> positions, std::span<const double> masses);
 
@@ -76,7 +76,7 @@ class ElasticSystem {
   /// guess. `given_up`: as in conjugate_gradient().
   SolveReport solve_projected(std::span<const NodeConstraint> constraints, double relative_residual, int max_iterations,
                               NodeVectors b, NodeVectors& x, const std::function<bool()>& given_up = {}) const;
-  /// The same by a factorisation; false when it breaks down, and `x` is left alone.
+  /// Solves it by a factorisation; false when that breaks down, and `x` is left alone.
   bool solve_directly(std::span<const NodeConstraint> constraints, NodeVectors b, NodeVectors& x) const;
   /// The values of nodes() out of values per node of the mesh, one column a row.
   NodeVectors gather(std::span<const Vec3> values) const;
@@ -98,7 +98,7 @@ class ElasticSystem {
   /// About J A⁻¹ Jᵀ for these points: by the preconditioner, which is close for what is smooth and within a small
   /// factor for what is not. Weights hold what sliding leaves free; after assemble().
   PointCompliance compliance(std::span<const WeightedRows> points) const { return preconditioner_->compliance(points); }
-  /// The same of a free body's deformation alone: its rigid motion follows from its momentum, exactly.
+  /// Compliance of a free body's deformation alone: its rigid motion follows from its momentum, exactly.
   PointCompliance deforming_compliance(std::span<const WeightedRows> points, std::span<const Vec3> positions,
                                        std::span<const double> masses) const {
     return preconditioner_->deforming_compliance(points, gather(positions), gather_masses(masses));

@@ -54,7 +54,7 @@ class RigidModePreconditioner {
   void apply(const NodeVectors& r, NodeVectors& z) const;
   /// J P Jᵀ, P what apply() applies, J one row of 3×3 blocks a point [1/kg].
   PointCompliance compliance(std::span<const WeightedRows> points) const;
-  /// The same for a body that nothing holds, without its rigid motion, which its momentum alone determines: the coarse
+  /// Compliance of a body that nothing holds, without its rigid motion, which its momentum alone determines: the coarse
   /// part is J Π R (Rᵀ A R)⁻¹ Rᵀ Πᵀ Jᵀ, Π the projector along the rigid motions. One column or entry a node.
   PointCompliance deforming_compliance(std::span<const WeightedRows> points, const NodeVectors& positions,
                                        const Eigen::VectorXd& masses) const;

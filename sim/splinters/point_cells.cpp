@@ -15,7 +15,7 @@ double farthest_distance(const Eigen::AlignedBox3d& box, const Vec3& point) {
   return (point - box.min()).cwiseAbs().cwiseMax((point - box.max()).cwiseAbs()).norm();
 }
 
-/// Within this distance of any place in the box lies one of the points, so those farther from all of the box have no
+/// Distance of any place in the box within which lies one of the points, so those farther from all of the box have no
 /// part in it.
 double reach(const std::vector<Vec3>& points, const Eigen::AlignedBox3d& box) {
   double minimum = std::numeric_limits<double>::infinity();

@@ -41,7 +41,7 @@ void Timeline::set_material(int scene_body, const Material& material) {
   do_input({step_, MaterialChange{scene_body, material}});
 }
 
-/// To the world first: what it refuses is no input.
+/// Does it to the world first: what that refuses is no input.
 void Timeline::do_input(WorldInput input) {
   apply(world_, input);
   enter_line();
@@ -50,7 +50,7 @@ void Timeline::do_input(WorldInput input) {
   ++inputs_done_;
 }
 
-/// With what was done at this step already.
+/// Begins a branch, with what was done at this step already.
 void Timeline::begin_branch() {
   Branch next{line_, step_, step_, {}, {}};
   const std::vector<WorldInput>& inputs = branches_[line_].inputs;
@@ -62,7 +62,7 @@ void Timeline::begin_branch() {
   copies_.emplace_back();
 }
 
-/// The branch, or the ancestor of it, to which the next step belongs.
+/// Finds the branch, or the ancestor of it, to which the next step belongs.
 void Timeline::enter_line() {
   int line = branch_;
   while (step_ < branches_[line].first_step) line = branches_[line].parent;
@@ -71,7 +71,7 @@ void Timeline::enter_line() {
   inputs_done_ = 0;
 }
 
-/// Those before the next step that are not done yet.
+/// Does what was done before the next step and is not done yet.
 void Timeline::redo_inputs() {
   enter_line();
   const std::vector<WorldInput>& inputs = branches_[line_].inputs;
@@ -104,7 +104,7 @@ void Timeline::keep_copy() {
   while (used_ > memory_ && interval_ < kMaxInterval) thin_out();
 }
 
-/// The start is always kept.
+/// Drops every other copy; the start is always kept.
 void Timeline::thin_out() {
   interval_ *= 2;
   const auto goes = [&](const auto& entry) {

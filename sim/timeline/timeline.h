@@ -56,7 +56,7 @@ class Timeline {
   std::span<const Branch> branches() const { return branches_; }
   int branch() const { return branch_; }
   std::int64_t step() const { return step_; }
-  /// Of the branch, its parents' included.
+  /// Bounds of the branch, its parents' part included.
   std::int64_t first_step() const { return branches_.front().first_step; }
   std::int64_t last_step() const { return branches_[branch_].last_step; }
   /// What happened on the way to the end of the branch, its parents' part included, by step.

@@ -9,7 +9,7 @@ void append_entry(std::vector<T>& array, std::size_t original) {
   array.push_back(T(array[original]));  // the entry moves while the array grows
 }
 
-/// Of one entry of all arrays [bytes].
+/// Size of one entry of all arrays [bytes].
 template <class Arrays>
 std::size_t entry_size() {
   std::size_t size = 0;

@@ -26,13 +26,13 @@ struct NodeArrays {
   std::vector<Vec3> similarity_starts;  ///< of bodies in shock with f < 1: displacement from rest at its start [m]
   std::vector<double> pushed_at;        ///< when something pushed it hard in a shock last [s]; −∞: never
 
-  /// As many nodes; new ones are at the origin, at rest and without mass.
+  /// Makes room for as many nodes; new ones are at the origin, at rest and without mass.
   void resize(std::size_t count);
   /// A node that starts as another one is: where it is held, at the crack front or in a system is for others to say.
   void append_copy(NodeId original);
   /// The node on an edge that was bisected.
   void append_between(const EdgeNode& node);
-  /// Of the arrays [bytes].
+  /// Size of the arrays [bytes].
   std::size_t memory() const;
 
   /// Calls use(all.array, what a new node has there) for every array of `all`.
@@ -62,11 +62,11 @@ struct ElementArrays {
   std::vector<std::uint8_t> first_surface;  ///< bit i: face i was on the surface before anything broke
   std::vector<OpenedFaces> opened;
 
-  /// As many tets; new ones have no stress and belong to no body.
+  /// Makes room for as many tets; new ones have no stress and belong to no body.
   void resize(std::size_t count);
   /// A tet that starts as another one is.
   void append_copy(TetId original);
-  /// Of the arrays [bytes].
+  /// Size of the arrays [bytes].
   std::size_t memory() const;
 
   template <class Arrays, class Use>

@@ -131,8 +131,8 @@ void step_by_stretches(WorldState& world, double time_step) {
   update_sleep(world, time_step);
 }
 
-/// Without inertia: from one equilibrium to the next, as loads and supports move on. Each crack changes the balance, so
-/// it is found again until nothing more cracks or the budget ends.
+/// Goes, without inertia, from one equilibrium to the next, as loads and supports move on. Each crack changes the
+/// balance, so it is found again until nothing more cracks or the budget ends.
 void step_statically(WorldState& world, double time_step) {
   const int budget = world.model->scene.simulation.impact_substeps;
   double displacement_time = time_step;

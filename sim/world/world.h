@@ -18,7 +18,7 @@ class World {
   /// Builds meshes and set-up. Throws InputError when a mesh or a value of the scene is unusable, Cancelled when the
   /// monitor, which is told of work that may last, says so.
   explicit World(const Scene& scene, const Monitor& monitor = {});
-  /// The same with meshes from memory in place of those files.
+  /// Builds it with meshes from memory in place of those files.
   World(const Scene& scene, const GivenMeshes& meshes, const Monitor& monitor = {});
   ~World();
   /// Copies a world as it is between two steps: both go on alike, to the bit. So a copy is a snapshot to come back to,

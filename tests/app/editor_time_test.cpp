@@ -91,7 +91,7 @@ TEST_F(TimeTest, TheMaterialGoesBackToo) {
 
 TEST_F(TimeTest, StopsBeforeACrackWithTheNodeStillWhole) {
   click("time/breakpoints");
-  click("time/break/any crack");
+  click("time/break/any");
   press_key(ui::key::kEscape);
   fire();
   run_until_stopped();

@@ -131,7 +131,7 @@ TEST_F(EditorTest, AnEditedShapeStartsTheSimulationAgainAndTheEditCanBeUndone) {
 
 TEST_F(EditorTest, ABodyIsFilledFromASurfaceAndTheEditCanBeUndone) {
   const std::string file = test_file("ball.off", tet_surface("1")).string();
-  click("menu/File");
+  click("menu/Add");
   click("menu/file.add_surface");
   draw(4);
   enter(editor_.state().surface, file, 0.2);

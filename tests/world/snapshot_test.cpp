@@ -84,6 +84,29 @@ TEST_P(Snapshot, ACopyOfTheWorldGoesOnAsTheWorldDid) {
   }
 }
 
+/// Contacts among sleepers, which nobody looks at, are part of a copy: it shows when they wake.
+TEST(SleepingSnapshot, WakesAsTheWorldDoes) {
+  for (const char* name : {"block_stack", "wall_small"}) {
+    const Scene scene = read_scene(std::string(GRIFFITH_SOURCE_DIR) + "/scenes/" + name + ".json");
+    World world(scene);
+    while (world.frame().report.sleeping_bodies < 3 && world.frame().step < 600) world.step();
+    ASSERT_GE(world.frame().report.sleeping_bodies, 3) << name;
+    World copy = world;
+    const World copy_of_copy = copy;
+    const int step = static_cast<int>(world.frame().step);
+    ProjectileBurst burst;
+    burst.position = scene.bodies[0].position + Vec3(0.05, 0, 2);
+    burst.speed = 12;
+    world.fire(burst), copy.fire(burst);
+    const std::vector<Shown> first = shown_until(world, scene, step, step + 40);
+    EXPECT_EQ(shown_until(copy, scene, step, step + 40), first) << name;
+    EXPECT_GT(world.frame().contacts.size(), 0u) << name;
+    copy = copy_of_copy;
+    copy.fire(burst);
+    EXPECT_EQ(shown_until(copy, scene, step, step + 40), first) << name;
+  }
+}
+
 std::string name_of(const ::testing::TestParamInfo<std::string>& info) {
   const std::filesystem::path path(info.param);
   return path.parent_path().stem().string() + "_" + path.stem().string();

@@ -23,8 +23,17 @@ enum class CommandId {
   reset,
   fire,
   pick,
+  new_scene,
   open_dialog,
   open,
+  add_box,
+  add_plate,
+  add_pane,
+  add_cylinder,
+  add_sphere,
+  add_beam,
+  duplicate_body,
+  delete_body,
   add_surface_dialog,
   add_surface,
   save,
@@ -51,14 +60,14 @@ struct Command {
   std::int64_t step = 0;            ///< go_to_step, go_to_branch
   int branch = 0;                   ///< go_to_branch
   Vec2 cursor = Vec2(0.5, 0.5);     ///< fire, pick: place in the view, from its top left corner, 0..1
-  bool discard_edits = false;       ///< open, quit: even where edits are not saved
+  bool discard_edits = false;       ///< new_scene, open, quit: even where edits are not saved
   bool replace = false;             ///< save: even where that loses what another has written
 };
 
 /// Key codes in GLFW's numbering; letters and digits are their ASCII codes.
 namespace key {
-inline constexpr int kNone = 0, kSpace = 32, kEscape = 256, kRight = 262, kLeft = 263, kHome = 268, kF1 = 290,
-                     kF12 = 301;
+inline constexpr int kNone = 0, kSpace = 32, kEscape = 256, kRight = 262, kDelete = 261, kLeft = 263, kHome = 268,
+                     kF1 = 290, kF12 = 301;
 inline constexpr int kLeftShift = 340, kLeftControl = 341, kLeftAlt = 342, kLeftSuper = 343;
 inline constexpr int kRightShift = 344, kRightControl = 345, kRightAlt = 346, kRightSuper = 347;
 inline constexpr int kFirstModifier = kLeftShift, kLastModifier = kRightSuper;

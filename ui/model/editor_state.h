@@ -52,7 +52,7 @@ struct SaveTarget {
   std::array<char, 512> name = {};
   std::vector<std::string> there;  ///< names of scenes in the folder
 };
-/// With the file's folder and name.
+/// Proposes the file's folder and name.
 SaveTarget save_target(const std::filesystem::path& file);
 /// The file; ends in .json, whether that was typed or not.
 std::filesystem::path file_of(const SaveTarget& target);

@@ -134,7 +134,9 @@ void draw_bodies_panel(Panel& panel) {
   const Scene& scene = panel.history.scene();
   const Frame& frame = panel.input.frame;
   if (scene.bodies.empty())
-    return hint(panel, "The scene has no bodies. Open one with File > Open, or drop a scene file here.");
+    return hint(panel,
+                "The scene has no bodies. The menu Add makes one; File > Open opens a scene, and so does dropping its "
+                "file here.");
   filter_row(panel);
   const bool pieces = panel.state.list_pieces;
   std::vector<BodyRow> rows = pieces ? piece_rows(scene, frame) : body_rows(scene, frame);

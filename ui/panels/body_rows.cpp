@@ -17,7 +17,7 @@ bool holds(std::string_view text, std::string_view part) {
   return !std::ranges::search(text, part, same).empty() || part.empty();
 }
 
-/// Of names: numbers in them count as numbers, so that "brick 2" comes before "brick 10".
+/// Compares names: numbers in them count as numbers, so that "brick 2" comes before "brick 10".
 bool comes_before(std::string_view a, std::string_view b) {
   const auto is_digit = [](unsigned char letter) { return std::isdigit(letter) != 0; };
   while (!a.empty() && !b.empty()) {

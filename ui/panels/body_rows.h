@@ -19,7 +19,7 @@ struct BodyRow {
   double mass = 0;  ///< [kg]
 
   int pieces() const { return elastic + rigid + asleep; }
-  /// Of its liveliest piece.
+  /// State of its liveliest piece.
   std::string_view state() const { return elastic > 0 ? "elastic" : rigid > 0 ? "rigid" : asleep > 0 ? "asleep" : ""; }
 };
 

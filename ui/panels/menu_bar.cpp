@@ -34,12 +34,12 @@ bool menu(Panel& panel, const char* label) {
 
 void file_menu(Panel& panel) {
   if (!menu(panel, "File")) return;
+  command_item(panel, CommandId::new_scene);
   command_item(panel, CommandId::open_dialog);
   if (ImGui::BeginMenu("Scenes", !panel.input.scene_files.empty())) {
     scene_items(panel);
     ImGui::EndMenu();
   }
-  command_item(panel, CommandId::add_surface_dialog);
   command_item(panel, CommandId::save);
   command_item(panel, CommandId::save_dialog);
   ImGui::Separator();
@@ -65,6 +65,17 @@ void draw_menu_bar(Panel& panel) {
   if (menu(panel, "Edit")) {
     command_item(panel, CommandId::undo);
     command_item(panel, CommandId::redo);
+    ImGui::Separator();
+    command_item(panel, CommandId::duplicate_body);
+    command_item(panel, CommandId::delete_body);
+    ImGui::EndMenu();
+  }
+  if (menu(panel, "Add")) {
+    for (const CommandId id : {CommandId::add_box, CommandId::add_plate, CommandId::add_pane, CommandId::add_cylinder,
+                               CommandId::add_sphere, CommandId::add_beam})
+      command_item(panel, id);
+    ImGui::Separator();
+    command_item(panel, CommandId::add_surface_dialog);
     ImGui::EndMenu();
   }
   if (menu(panel, "Simulation")) {

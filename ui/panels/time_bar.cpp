@@ -11,8 +11,7 @@
 namespace griffith::ui {
 namespace {
 
-constexpr std::array<const char*, 4> kCrackPlaces = {"no crack", "any crack", "a crack of the selected body",
-                                                     "a crack at the selected node"};
+constexpr std::array<const char*, 4> kCrackPlaces = {"none", "any", "of the selected body", "at the selected node"};
 
 std::string step_text(const Panel& panel, std::int64_t step) {
   const double time = static_cast<double>(step) * panel.input.time.time_step;
@@ -132,21 +131,22 @@ void limit_field(Panel& panel, const char* tag, const char* format, T& value, T 
 
 void breakpoint_fields(Panel& panel) {
   Breakpoints& points = panel.state.breakpoints;
-  ImGui::TextUnformatted("Stop before the step in which there is");
+  ImGui::TextUnformatted("Stop before a crack:");
   for (std::size_t i = 0; i < kCrackPlaces.size(); ++i) {
     if (ImGui::RadioButton(kCrackPlaces[i], points.crack == static_cast<Breakpoints::Where>(i)))
       points.crack = static_cast<Breakpoints::Where>(i);
     tag_last_item(panel.tags, std::string("time/break/") + kCrackPlaces[i], kCrackPlaces[i]);
   }
   ImGui::Separator();
-  checkbox(panel, "time/break/on_utilization", "a utilization over", points.on_utilization);
+  ImGui::TextUnformatted("Stop before a step in which");
+  checkbox(panel, "time/break/on_utilization", "a utilization passes", points.on_utilization);
   limit_field(panel, "time/break/utilization", "%.3g", points.utilization, 0.0, 100.0);
-  checkbox(panel, "time/break/on_pieces", "a number of pieces from", points.on_pieces);
+  checkbox(panel, "time/break/on_pieces", "the pieces come to be", points.on_pieces);
   limit_field(panel, "time/break/pieces", "%d", points.pieces, 1, 1'000'000);
-  checkbox(panel, "time/break/on_energy", "energy unaccounted for, over", points.on_energy);
+  checkbox(panel, "time/break/on_energy", "more energy is unaccounted for than", points.on_energy);
   limit_field(panel, "time/break/energy", "%.3g", points.energy, 0.0, 1.0);
   tooltip("Of the energy that the step turns over.");
-  checkbox(panel, "time/break/on_failure", "a solve that fails, or values that break down", points.on_failure);
+  checkbox(panel, "time/break/on_failure", "a solve fails, or values break down", points.on_failure);
 }
 
 void breakpoint_button(Panel& panel) {
@@ -156,6 +156,8 @@ void breakpoint_button(Panel& panel) {
   if (armed) ImGui::PopStyleColor();
   tag_last_item(panel.tags, "time/breakpoints", armed ? "armed" : "none");
   tooltip("Where the simulation is to stop by itself: before a crack, not after it.");
+  const ImVec2 corner(ImGui::GetItemRectMax().x, ImGui::GetItemRectMin().y - 4 * ui_scale(panel));
+  ImGui::SetNextWindowPos(corner, ImGuiCond_Appearing, {1, 1});
   if (!ImGui::BeginPopup("##breakpoints")) return;
   close_on_escape();
   breakpoint_fields(panel);

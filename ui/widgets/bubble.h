@@ -20,9 +20,9 @@ class BubblePlace {
 
   /// Most that the text may be wide.
   float text_width() const { return text_width_; }
-  /// Of the whole bubble, for a text of that size.
+  /// Box of the whole bubble, for a text of that size.
   Box box(ImVec2 text_size) const;
-  /// Between the bubble's border and its text.
+  /// Distance between the bubble's border and its text.
   float padding() const { return em_ / 2; }
 
  private:

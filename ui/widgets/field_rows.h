@@ -248,7 +248,7 @@ class FieldRows {
     return "";
   }
 
-  /// With a name that none has; a probe is of the first body.
+  /// Makes an item with a name that none has; a probe is of the first body.
   template <class T>
   T new_item(const std::vector<T>& items) const {
     T item{};

@@ -87,7 +87,7 @@ void draw_ticks(ImDrawList* list, const Legend& legend, const Fonts& fonts, ImVe
 
 std::string written_title(const Legend& legend) { return legend_title(legend) + (legend.locked ? "  locked" : ""); }
 
-/// Of the histogram.
+/// Width of the histogram.
 float bars_width(const Legend& legend, float scale) { return legend.histogram.empty() ? 0 : 44 * scale; }
 
 }  // namespace

@@ -109,7 +109,7 @@ Edit dragged_slider(Panel& panel, const NumberField& field, const std::string& i
   return take_dragged(panel, field, wanted, value);
 }
 
-/// With as many digits as there is room for.
+/// Text of the number with as many digits as there is room for.
 std::string shown_number(const NumberField& field, double value) {
   if (!field.prefix) return format_quantity(value, unit_symbol(field.numbers));
   const float room = ImGui::CalcItemWidth() - 2 * ImGui::GetStyle().FramePadding.x;

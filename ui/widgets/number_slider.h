@@ -24,7 +24,7 @@ struct NumberField {
 /// leaves a note.
 Edit number_slider(Panel& panel, const NumberField& field, double& value);
 
-/// The same without label, and without an end in sight: dragging changes the value by a share of itself.
+/// Draws it without label, and without an end in sight: dragging changes the value by a fraction of itself.
 Edit number_drag(Panel& panel, const NumberField& field, double& value);
 
 }  // namespace griffith::ui

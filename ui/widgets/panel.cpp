@@ -17,6 +17,9 @@ bool command_enabled(CommandId id, const Panel& panel) {
       return panel.input.frame.step < panel.input.time.last_step;
     case CommandId::explain_holding:
       return panel.state.can_explain;
+    case CommandId::duplicate_body:
+    case CommandId::delete_body:
+      return !panel.history.scene().bodies.empty();
     case CommandId::recover:
     case CommandId::discard_copy:
     case CommandId::leave_copy:

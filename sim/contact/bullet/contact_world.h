@@ -63,7 +63,7 @@ struct Object {
 
   bool is_free() const { return body && mobility == Mobility::free; }
   bool moves() const { return is_free() && !asleep; }
-  /// Of its fastest point [m/s].
+  /// Speed of its fastest point [m/s].
   double speed() const { return state.velocity.norm() + state.angular_velocity.norm() * shape.radius; }
   /// Whether impulses change its velocities in the present solve.
   bool responds() const { return elastic || moves(); }

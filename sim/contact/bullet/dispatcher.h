@@ -22,7 +22,7 @@ class Dispatcher final : public btCollisionDispatcher {
   void dispatchAllCollisionPairs(btOverlappingPairCache* pairs, const btDispatcherInfo& info,
                                  btDispatcher* dispatcher) override;
 
-  /// Of all algorithms, and of those that are yet to be made.
+  /// Memories of all algorithms, and of those that are yet to be made.
   PairMemories memories() const;
   /// Takes the memories of another world. `object`: this world's, of an index.
   void restore(PairMemories memories, const std::function<const btCollisionObject*(int)>& object);

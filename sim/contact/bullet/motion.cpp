@@ -172,7 +172,7 @@ void ContactWorld::Impl::turn_free(Object& object, double dt) {
   }
 }
 
-/// With anything but the ground, out of which contacts lead whatever the depth [m].
+/// Deepest overlap with anything but the ground, out of which contacts lead whatever the depth [m].
 double ContactWorld::Impl::deepest_overlap(const Object& object) const {
   double deepest = 0;
   const Vec3& center = object.state.pose.translation;

@@ -44,7 +44,7 @@ class SphereHullAlgorithm final : public ManifoldAlgorithm {
   btConvexConvexAlgorithm bullet_;
 };
 
-/// The same for a sphere and the ground.
+/// Bullet's own algorithm for a sphere and the ground, on a manifold that can be read.
 class SphereGroundAlgorithm final : public ManifoldAlgorithm {
  public:
   SphereGroundAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* first,

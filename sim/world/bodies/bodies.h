@@ -11,8 +11,8 @@ namespace griffith {
 void clear_stress(WorldState& world, const Body& body);
 /// Gives the tets of bodies that may have come apart to one body for each connected piece.
 void split_bodies(WorldState& world, std::span<const BodyId> opened);
-/// The same for pieces that are known: one goes on as the body itself, each other becomes a new body, of which nothing
-/// but the tets is known yet.
+/// Gives each piece that is known a body: one goes on as the body itself, each other becomes a new body, of which
+/// nothing but the tets is known yet.
 void assign_pieces(WorldState& world, BodyId id, std::vector<std::vector<TetId>> pieces);
 /// Rebuilds what follows from the tets of a body with a proxy: all that rebuild_shape() does, collision parts and
 /// proxy.

@@ -29,7 +29,7 @@ void make_loaded_bodies_elastic(WorldState& world, double before, double time);
 /// itself, a traction to itself times the undeformed area; a uniform pressure on a closed surface has no resultant. A
 /// face's load goes in equal parts to its corners, which keeps its torque too.
 void add_load_forces(const WorldState& world, double time, std::vector<Vec3>& forces);
-/// The same of the loads that do not depend on the positions: all but pressures.
+/// Adds the forces of loads that do not depend on the positions: all but pressures.
 void add_dead_forces(const WorldState& world, double time, std::vector<Vec3>& forces);
 
 /// A face on which a pressure acts [Pa].

@@ -29,7 +29,7 @@ bool reassign_supports(WorldState& world, std::span<const NodeCopy> copies);
 /// Sets the constraints of all held nodes for a step of `dt` from `time` [s]. Prescribed supports that stop within the
 /// step move slower, so that they get exactly as far as they should. Which directions are blocked never changes.
 void update_supports(WorldState& world, double time, double dt);
-/// The same for the step under way, after supports lost or gained nodes.
+/// Sets the constraints for the step under way, after supports lost or gained nodes.
 void hold_again(WorldState& world);
 
 }  // namespace griffith

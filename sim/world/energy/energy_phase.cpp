@@ -116,7 +116,7 @@ struct ElasticWorks {
   double stored = 0;  ///< what elastic energy has grown by [J]
 };
 
-/// Of a tet over ways of its corners, but for what is stored.
+/// Works of a tet over displacements of its corners, but for what is stored.
 ElasticWorks works_of_tet(const ElasticLaw& law, const RestElement& rest, const Mat3& frame, const Mat3& stress,
                           const Corners& displacements) {
   const Mat3 gradient = deformation_gradient(rest, displacements), turned = frame.transpose() * gradient;

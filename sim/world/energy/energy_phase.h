@@ -7,7 +7,7 @@
 /// at the mean of its velocities before and after, which is exact; of a force on an elastic body over its displacement.
 namespace griffith {
 
-/// Of a body, as its elements were seen last [J].
+/// Elastic energy of a body, as its elements were seen last [J].
 double elastic_energy(const WorldState& world, const Body& body);
 /// Kinetic and elastic energy of a body, as it is: of a rigid one by its motion [J].
 double energy_of(const WorldState& world, const Body& body);
@@ -47,10 +47,10 @@ BodySnapshot snapshot(const WorldState& world, const Body& body);
 /// predict_velocities(); `shortened`: it was moved less than its velocities say, and all that lacks was cut.
 EnergyAccount spent_in_move(const WorldState& world, const Body& body, const BodySnapshot& before,
                             const std::vector<Vec3>& external, double dt, bool shortened);
-/// The same for a static equilibrium, a step without inertia. Prescribed supports went on for `displacement_time` [s].
+/// What a static equilibrium took, a step without inertia. Prescribed supports went on for `displacement_time` [s].
 EnergyAccount spent_in_equilibrium(const WorldState& world, const Body& body, const BodySnapshot& before,
                                    double displacement_time);
-/// The same for a rigid body that has moved on from `before`.
+/// What a substep took from a rigid body that has moved on from `before`.
 EnergyAccount spent_in_rigid_move(const WorldState& world, const Body& body, const RigidMotion& before, double dt);
 /// Work of yielding, since `before` [J].
 double plastic_work(const WorldState& world, const Body& body, const BodySnapshot& before);
@@ -61,9 +61,9 @@ void book_crack(WorldState& world, TetId tet, int face);
 /// What obstacles of microsteps are in the world, to tell what is lost when they are taken back to it.
 class ObstacleAccount {
  public:
-  /// With the velocities that they have when the microsteps begin.
+  /// Takes the velocities that they have when the microsteps begin.
   ObstacleAccount(const WorldState& world, std::span<const shock::Obstacle> obstacles);
-  /// Once they are back in the world.
+  /// Books what was lost, once they are back in the world.
   void book(WorldState& world, std::span<const shock::Obstacle> obstacles) const;
 
  private:

@@ -11,7 +11,7 @@ void update_elements(WorldState& world, const Body& body);
 void update_elements(WorldState& world);
 /// Assembles the systems of elastic bodies for a substep of `dt` [s].
 void assemble_systems(WorldState& world, double dt);
-/// The same for one body, which was rigid until now.
+/// Assembles the system of one body, which was rigid until now.
 void assemble_system(WorldState& world, Body& body, double dt);
 /// The velocities after a substep of `dt` under `external` and elastic forces [N] as if nothing touched; the nodes of
 /// rigid bodies keep theirs until they move.

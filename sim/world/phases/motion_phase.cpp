@@ -74,7 +74,7 @@ Vec3 mean_spin(const WorldState& world, const Body& body, const Pivot& pivot, co
   return spin - 0.5 * gained;
 }
 
-/// The same for a supported body that turns about a pivot; its angular momentum about it is kept.
+/// Moves a supported body that turns about a pivot; its angular momentum about it is kept.
 void move_swinging(WorldState& world, const Body& body, const Pivot& pivot, const std::vector<Vec3>& external,
                    double dt) {
   const Turning before = turning_of(world, body, pivot);
@@ -118,7 +118,7 @@ Vec3 way_of(const WorldState& world, const Body& body, double dt) {
          world.contact_world.state(body.proxy).pose.translation;
 }
 
-/// The same for a body that does not deform: its motion leads, its nodes follow.
+/// Moves a body that does not deform: its motion leads, its nodes follow.
 void move_rigid(WorldState& world, Body& body, double dt) {
   if (body.supported()) return;  // frozen: its supports hold it
   RigidMotion& motion = body.motion;

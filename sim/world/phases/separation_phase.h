@@ -8,7 +8,7 @@ namespace griffith {
 /// Separation tensors, and the utilization of every node against the material's resistance. `averaged`: the stress is
 /// the mean of this evaluation and the last, so that the noise of a stiff body in motion does not crack it.
 void evaluate_separation(WorldState& world, bool averaged);
-/// The same for one body, of its stress as it is now.
+/// Evaluates one body, under its stress as it is now.
 void evaluate_separation(WorldState& world, const Body& body);
 /// Edge length of the cells round a node: that of a cube of six of its tets [m].
 double element_size_at(const WorldState& world, NodeId node);

@@ -41,7 +41,7 @@ std::array<int, 2> common_corners(const TetBisection& halves) {
   return common;
 }
 
-/// The same nodes, wherever their corners are now.
+/// Keeps the nodes, wherever their corners are now.
 void follow_nodes(Places& places, const TetBisection& halves) {
   if (places.erase({halves.tet, halves.moved}) > 0) places.insert({halves.child, halves.moved});
 }

@@ -75,7 +75,7 @@ void append_elements(WorldState& world, TetId first) {
   }
 }
 
-/// Of a scene body that turns about `center`: one of its pieces.
+/// Sets in motion one of the pieces of a scene body that turns about `center`.
 void set_initial_motion(WorldState& world, Body& body, const BodyDescription& description, const Vec3& center) {
   for (NodeId node : body.nodes) {
     const Vec3 arm = world.nodes.positions[node] - center;
@@ -138,7 +138,7 @@ std::vector<ConvexPart> first_collision_parts(const WorldState& world, const Bod
   return parts;
 }
 
-/// Of all pieces together.
+/// Centre of mass of all pieces together.
 Vec3 center_of_mass(std::span<const Body> pieces) {
   Vec3 moment = Vec3::Zero();
   double mass = 0;

@@ -28,7 +28,7 @@ struct ShapeMesh {
 class ShapeMeshes {
  public:
   ShapeMeshes() = default;
-  /// With meshes that need no file; they must live as long as this.
+  /// Knows meshes that need no file; they must live as long as this.
   explicit ShapeMeshes(const GivenMeshes& given) : given_(&given) {}
 
   /// The mesh of the body's shape; it stays where it is. Throws InputError, which names the body and the file, for one

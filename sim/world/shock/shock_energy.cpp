@@ -32,7 +32,7 @@ double ShockRun::relieved_energy(bool at_start) const {
   return relieved;
 }
 
-/// Of loads, and of what scaling leaves out of external forces.
+/// Adds the works of loads, and of what scaling leaves out of external forces.
 void ShockRun::add_external_works(EnergyAccount& spent) const {
   const bool scaled = std::ranges::any_of(bodies_, [&](BodyId id) { return world_.bodies[id].shock->similarity < 1; });
   if (!scaled && world_.loads.empty()) return;
@@ -45,15 +45,15 @@ void ShockRun::add_external_works(EnergyAccount& spent) const {
   }
 }
 
-/// With the forces of the first microstep.
+/// Begins with the forces of the first microstep.
 void ShockRun::begin_account() {
   first_.time_integration = solid_.half_kick_energy();
   first_.hand_over = relieved_energy(true);
 }
 
-/// With the forces at the end. Those of each microstep work over half of the ways before and after it, which adds up to
-/// what elastic energy falls by: what is left are the half kicks at both ends, by as much as which the energy differs
-/// from that which the microsteps keep.
+/// Ends with the forces at the end. Those of each microstep work over half of the displacements before and after it,
+/// which adds up to what elastic energy falls by: what is left are the half kicks at both ends, by as much as which the
+/// energy differs from that which the microsteps keep.
 void ShockRun::book_account() {
   EnergyAccount spent;
   spent.time_integration = first_.time_integration - solid_.half_kick_energy();

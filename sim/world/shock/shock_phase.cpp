@@ -155,7 +155,7 @@ void place_obstacle(WorldState& world, const shock::Obstacle& obstacle) {
 
 namespace {
 
-/// Of the body's elements under the full stiffness, slivers relieved [rad/s].
+/// Highest frequency of the body's elements under the full stiffness, slivers relieved [rad/s].
 double highest_frequency(const WorldState& world, const Body& body) {
   const Material& material = world.material_of(body);
   std::vector<RestElement> rest_elements;

@@ -12,7 +12,7 @@ namespace griffith {
 /// against the full strength.
 ElasticLaw law_in_shock(const WorldState& world, const Body& body);
 
-/// Of bodies in shock: lessens f where what is to be followed of their shocks would exceed the budget, `left` [s]
+/// Lessens f of bodies in shock where what is to be followed of their shocks would exceed the budget, `left` [s]
 /// before the end of the step.
 void choose_similarity(WorldState& world, double left);
 

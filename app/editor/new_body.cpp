@@ -1,0 +1,96 @@
+#include "app/editor/new_body.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "sim/scene/body_pose.h"
+#include "sim/world/setup/shapes.h"
+
+namespace griffith::app {
+namespace {
+
+using ui::CommandId;
+
+struct Kind {
+  const char* name;
+  const char* material;
+  Shape shape;
+  Vec3 rotation_degrees = Vec3::Zero();
+};
+
+Kind kind_of(CommandId command) {
+  switch (command) {
+    case CommandId::add_box:
+      return {"box", "concrete", BoxShape{Vec3(0.5, 0.5, 0.5), Vec3::Constant(0.125), BoxPattern::five_tet}};
+    case CommandId::add_plate:
+      return {"plate", "soda_lime_glass", BoxShape{Vec3(0.8, 0.02, 0.8), Vec3(0.08, 0.01, 0.08), BoxPattern::five_tet}};
+    case CommandId::add_pane:
+      return {"pane", "soda_lime_glass", BoxShape{Vec3(0.8, 0.8, 0.02), Vec3(0.08, 0.08, 0.01), BoxPattern::five_tet}};
+    case CommandId::add_cylinder:
+      return {"cylinder", "concrete", CylinderShape{0.1, 0.6, Vec2(0.05, 0.06), BoxPattern::five_tet}, Vec3(90, 0, 0)};
+    case CommandId::add_sphere:
+      return {"sphere", "concrete", SphereShape{0.2, 0.08, BoxPattern::five_tet}};
+    case CommandId::add_beam:
+      return {"beam", "concrete",
+              NotchedBeamShape{Vec3(1.2, 0.2, 0.2), 0.05, Vec3::Constant(0.05), BoxPattern::five_tet}};
+    default:
+      assert(false && "adds no body");
+      return {"box", "concrete", BoxShape{}};
+  }
+}
+
+/// The box round a body where it is placed [m].
+Eigen::AlignedBox3d placed_bounds(const BodyDescription& body, const Scene& scene) {
+  const Pose pose = pose_of(body);
+  Eigen::AlignedBox3d box;
+  for (const Vec3& point : make_soup(body.shape, scene.folder).points) box.extend(pose.to_world(point));
+  return box;
+}
+
+}  // namespace
+
+std::string free_name(const Scene& scene, const std::string& wanted) {
+  const auto taken = [&](const std::string& name) {
+    return std::ranges::find(scene.bodies, name, &BodyDescription::name) != scene.bodies.end();
+  };
+  std::string name = wanted;
+  for (int number = 2; taken(name); ++number) name = wanted + " " + std::to_string(number);
+  return name;
+}
+
+double free_place(const Frame& frame, double room) {
+  double right = -room;
+  for (const Vec3& position : frame.nodes.positions) right = std::max(right, position.x());
+  return right + room;
+}
+
+BodyDescription new_body(CommandId command, const Scene& scene, const Frame& frame) {
+  constexpr double kRoom = 0.1;
+  const Kind kind = kind_of(command);
+  BodyDescription body;
+  body.name = free_name(scene, kind.name);
+  body.shape = kind.shape;
+  body.rotation_degrees = kind.rotation_degrees;
+  if (const std::optional<Material> material = find_material_preset(kind.material)) body.material = *material;
+  const Eigen::AlignedBox3d box = placed_bounds(body, scene);
+  const double ground = scene.ground ? scene.ground->height : 0;
+  const double left = scene.bodies.empty() ? -box.center().x() : free_place(frame, kRoom) - box.min().x();
+  body.position = Vec3(left, ground - box.min().y(), -box.center().z());
+  return body;
+}
+
+BodyDescription copy_of_body(const Scene& scene, int index, const Frame& frame) {
+  BodyDescription body = scene.bodies[static_cast<std::size_t>(index)];
+  body.name = free_name(scene, body.name);
+  const Eigen::AlignedBox3d box = placed_bounds(body, scene);
+  body.position.x() += free_place(frame, 0.2 * box.sizes().x()) - box.min().x();
+  return body;
+}
+
+void remove_body(Scene& scene, int index) {
+  const std::string name = scene.bodies[static_cast<std::size_t>(index)].name;
+  scene.bodies.erase(scene.bodies.begin() + index);
+  std::erase_if(scene.probes, [&](const Probe& probe) { return probe.body == name; });
+}
+
+}  // namespace griffith::app

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "sim/scene/scene.h"
+#include "sim/world/frame.h"
+#include "ui/model/commands.h"
+
+namespace griffith::app {
+
+/// The wanted name, with a number behind it where a body of the scene has it.
+std::string free_name(const Scene& scene, const std::string& wanted);
+
+/// Where what stands to the right of all bodies begins [m]: their end, and some room.
+double free_place(const Frame& frame, double room);
+
+/// A body of the kind that one of the commands add_box, add_plate, … adds: some decimetres large, of a material that it
+/// is often made of, on the ground beside all others.
+BodyDescription new_body(ui::CommandId command, const Scene& scene, const Frame& frame);
+
+/// A copy of a body of the scene beside all others, by another name.
+BodyDescription copy_of_body(const Scene& scene, int index, const Frame& frame);
+
+/// Takes a body out of a scene, and the probes that look at it.
+void remove_body(Scene& scene, int index);
+
+}  // namespace griffith::app

@@ -1,0 +1,132 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "app/editor/new_body.h"
+#include "editor_fixture.h"
+#include "sim/scene/scene_reader.h"
+
+namespace griffith::app {
+namespace {
+
+using ui::CommandId;
+
+constexpr CommandId kAdded[] = {CommandId::add_box,      CommandId::add_plate,  CommandId::add_pane,
+                                CommandId::add_cylinder, CommandId::add_sphere, CommandId::add_beam};
+
+class BodiesTest : public EditorTest {
+ protected:
+  void begin() {
+    editor_.execute({.id = CommandId::new_scene, .discard_edits = true});
+    settle();
+  }
+  void add(CommandId id) {
+    editor_.execute({.id = id});
+    settle();
+  }
+  void settle() {
+    draw(2);
+    wait_for_work();
+  }
+  std::size_t bodies() const { return editor_.frame().bodies.size(); }
+  std::string file(const char* name) const { return (test_folder() / name).string(); }
+  std::string text_of(const std::string& path) const {
+    std::ifstream stream(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+};
+
+TEST_F(BodiesTest, ANewSceneIsEmptyAndAsksBeforeItLosesEdits) {
+  choose_material("concrete");
+  press_key('N', true);
+  EXPECT_TRUE(editor_.state().unsaved) << "edits that are not saved";
+  EXPECT_EQ(bodies(), 1u);
+  editor_.state().unsaved.reset();
+  begin();
+  EXPECT_EQ(bodies(), 0u);
+  editor_.step();
+  EXPECT_EQ(editor_.frame().step, 1) << "nothing is simulated, too";
+}
+
+TEST_F(BodiesTest, BodiesAreAddedBesideEachOtherOnTheGround) {
+  begin();
+  double right = -1e9;
+  for (const CommandId id : kAdded) {
+    const std::size_t first = editor_.frame().nodes.positions.size();
+    add(id);
+    const auto positions = editor_.frame().nodes.positions.subspan(first);
+    ASSERT_GT(positions.size(), 0u) << ui::command_info(id).name;
+    double low = 1e9, left = 1e9, end = -1e9;
+    for (const Vec3& position : positions) {
+      low = std::min(low, position.y());
+      left = std::min(left, position.x());
+      end = std::max(end, position.x());
+    }
+    EXPECT_NEAR(low, 0, 1e-6) << ui::command_info(id).name << " stands on the ground";
+    EXPECT_GT(left, right) << ui::command_info(id).name << " touches none";
+    right = end;
+  }
+  EXPECT_EQ(bodies(), 6u);
+  for (int i = 0; i < 30; ++i) editor_.step();
+  EXPECT_EQ(editor_.frame().crack_events.size(), 0u) << "what stands there stays whole";
+  EXPECT_EQ(editor_.frame().bodies.size(), 6u);
+}
+
+TEST_F(BodiesTest, ACopyHasANameOfItsOwnAndDeletingTakesItOut) {
+  begin();
+  add(CommandId::add_box);
+  press_key('D', true);
+  settle();
+  EXPECT_EQ(bodies(), 2u);
+  EXPECT_EQ(value("bodies/1"), "box 2");
+  press_key(ui::key::kDelete);
+  settle();
+  EXPECT_EQ(bodies(), 1u);
+  press_key('Z', true);
+  settle();
+  EXPECT_EQ(bodies(), 2u) << "undone";
+  press_key(ui::key::kDelete);
+  press_key(ui::key::kDelete);
+  settle();
+  EXPECT_EQ(bodies(), 0u);
+  EXPECT_FALSE(ui::find_tag(editor_.tags(), "bodies/0"));
+}
+
+TEST_F(BodiesTest, ASceneMadeFromNothingIsSavedAndReadToTheSameBytes) {
+  std::filesystem::create_directories(test_folder());
+  begin();
+  for (const CommandId id : kAdded) add(id);
+  editor_.execute({.id = CommandId::save, .path = file("a.json"), .replace = true});
+  ASSERT_TRUE(check_scene(file("a.json")).empty());
+  editor_.open(file("a.json"));
+  settle();
+  ASSERT_EQ(bodies(), 6u);
+  editor_.execute({.id = CommandId::save, .path = file("b.json"), .replace = true});
+  EXPECT_EQ(text_of(file("a.json")), text_of(file("b.json")));
+  // Back and forth through the history changes nothing either.
+  for (int i = 0; i < 3; ++i) editor_.execute({.id = CommandId::duplicate_body});
+  settle();
+  for (int i = 0; i < 3; ++i) editor_.execute({.id = CommandId::undo});
+  settle();
+  editor_.execute({.id = CommandId::save, .path = file("b.json"), .replace = true});
+  EXPECT_EQ(text_of(file("a.json")), text_of(file("b.json")));
+  std::filesystem::remove_all(test_folder());
+}
+
+TEST(RemoveBody, TakesItsProbesAlong) {
+  Scene scene = small_wall();
+  scene.bodies.push_back(scene.bodies[0]);
+  scene.bodies[1].name = "other";
+  Probe probe;
+  probe.body = "other";
+  scene.probes = {probe};
+  probe.body = scene.bodies[0].name;
+  scene.probes.push_back(probe);
+  remove_body(scene, 1);
+  ASSERT_EQ(scene.probes.size(), 1u);
+  EXPECT_EQ(scene.probes[0].body, scene.bodies[0].name);
+}
+
+}  // namespace
+}  // namespace griffith::app
