@@ -79,15 +79,15 @@ void draw_pause_mark(const Panel& panel, ImVec2 corner) {
 }
 
 /// Why the simulation stopped by itself, and what may be asked then.
-void draw_stop_card(Panel& panel, ImVec2 corner) {
+void draw_stop_card(Panel& panel, ImVec2 corner, ImVec2 end) {
   const std::string& reason = panel.state.stopped;
   if (reason.empty()) return;
   const float scale = ui_scale(panel), margin = 14 * scale, padding = 12 * scale;
-  const float width = ImGui::CalcTextSize(reason.c_str()).x + 2 * padding;
+  const float width = std::max(ImGui::CalcTextSize(reason.c_str()).x + 2 * padding, 230 * scale);
   const float height =
       (panel.state.can_explain ? ImGui::GetFrameHeight() + 8 * scale : 0) + ImGui::GetFontSize() + padding;
-  const ImVec2 low = {corner.x + margin, corner.y + margin + 38 * scale};
-  draw_card(ImGui::GetWindowDrawList(), low, {low.x + std::max(width, 230 * scale), low.y + height}, scale);
+  const ImVec2 low = {std::max(corner.x, (corner.x + end.x - width) / 2), corner.y + margin};  // between other cards
+  draw_card(ImGui::GetWindowDrawList(), low, {low.x + width, low.y + height}, scale);
   ImGui::SetCursorScreenPos({low.x + padding, low.y + padding / 2});
   ImGui::TextColored(as_vec4(palette::kWarning), "%s", reason.c_str());
   tag_last_item(panel.tags, "time/stopped", reason);
@@ -119,7 +119,7 @@ void draw_viewport(Panel& panel) {
   }
   draw_hints(panel, state.viewport_minimum, end);
   draw_pause_mark(panel, state.viewport_minimum);
-  draw_stop_card(panel, state.viewport_minimum);
+  draw_stop_card(panel, state.viewport_minimum, end);
 }
 
 }  // namespace griffith::ui

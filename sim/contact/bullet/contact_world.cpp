@@ -37,8 +37,9 @@ bool is_retired(const btBroadphaseProxy* proxy) {
 }
 
 /// Bullet takes the memory for its algorithms from a pool of pieces of one size.
-btDefaultCollisionConstructionInfo with_room_for_ours() {
+btDefaultCollisionConstructionInfo with_room_for(int pairs) {
   btDefaultCollisionConstructionInfo info;
+  info.m_defaultMaxPersistentManifoldPoolSize = info.m_defaultMaxCollisionAlgorithmPoolSize = pairs;
   info.m_customCollisionAlgorithmMaxElementSize = static_cast<int>(
       std::max({sizeof(HullHullAlgorithm), sizeof(SphereHullAlgorithm), sizeof(SphereGroundAlgorithm)}));
   return info;
@@ -81,8 +82,8 @@ void CollisionWorld::updateAabbs() {
 
 }  // namespace contact
 
-ContactWorld::Impl::Impl(const Vec3& world_gravity)
-    : configuration(with_room_for_ours()),
+ContactWorld::Impl::Impl(const Vec3& world_gravity, int pairs_expected)
+    : configuration(with_room_for(pairs_expected)),
       dispatcher(&configuration),
       broadphase(&pairs),
       world(&dispatcher, &broadphase, &configuration) {
@@ -100,7 +101,9 @@ ContactWorld::Impl::Impl(const Vec3& world_gravity)
   dispatcher.registerCollisionCreateFunc(STATIC_PLANE_PROXYTYPE, SPHERE_SHAPE_PROXYTYPE, &ground_sphere);
 }
 
-ContactWorld::Impl::Impl(const Impl& other) : Impl(other.gravity) {
+/// Most copies are kept and not used: they have little room for more.
+ContactWorld::Impl::Impl(const Impl& other)
+    : Impl(other.gravity, std::clamp(static_cast<int>(other.dispatcher.pair_count()), 64, 4096)) {
   ContactState::operator=(other);
   enter_all(other);
   dispatcher.restore(other.dispatcher.memories(), [&](int index) { return objects[index].body.get(); });
@@ -325,8 +328,11 @@ double ContactWorld::time_before_impact(double maximum, double minimum_speed, do
 }
 std::size_t ContactWorld::memory() const {
   constexpr std::size_t kOfBullet = 1200;  // an object of its own, its proxy and what finds them
-  return impl_->objects.size() * (sizeof(Object) + kOfBullet) +
-         impl_->dispatcher.pair_count() * (sizeof(PairMemory) + sizeof(HullHullAlgorithm)) +
+  const std::size_t pairs = impl_->dispatcher.pair_count();
+  const std::size_t in_pools =
+      std::max<std::size_t>(pairs, 64) * (sizeof(btPersistentManifold) + sizeof(HullHullAlgorithm));
+  return impl_->objects.size() * (sizeof(Object) + kOfBullet) + in_pools +
+         pairs * (sizeof(PairMemory) + sizeof(PairKey) + 40) +
          impl_->contacts.size() * (sizeof(Contact) + sizeof(ContactConstraint));
 }
 double ContactWorld::max_penetration() const {

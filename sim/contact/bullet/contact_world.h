@@ -134,7 +134,8 @@ class CollisionWorld final : public btCollisionWorld {
 namespace griffith {
 
 struct ContactWorld::Impl : contact::ContactState {
-  explicit Impl(const Vec3& world_gravity);
+  /// `pairs`: how many there will be about; more of them cost more.
+  explicit Impl(const Vec3& world_gravity, int pairs = 4096);
   Impl(const Impl& other);
   ~Impl();
 

@@ -72,9 +72,10 @@ PairMemories Dispatcher::memories() const {
 void Dispatcher::restore(PairMemories memories, const std::function<const btCollisionObject*(int)>& object) {
   remembered_ = std::move(memories);
   for (auto& [key, memory] : remembered_) {
-    btPersistentManifold& manifold = memory.manifold;
-    if (manifold.getNumContacts() > 0)
-      manifold.setBodies(object(manifold.getBody0()->getUserIndex()), object(manifold.getBody1()->getUserIndex()));
+    if (!memory.manifold) continue;
+    memory.manifold = std::make_shared<btPersistentManifold>(*memory.manifold);  // the other world has its own
+    memory.manifold->setBodies(object(memory.manifold->getBody0()->getUserIndex()),
+                               object(memory.manifold->getBody1()->getUserIndex()));
   }
 }
 
@@ -88,7 +89,8 @@ std::vector<btPersistentManifold*> Dispatcher::touching() {
     if (manifold->getNumContacts() > 0) touching.push_back(manifold);
   };
   for (int i = 0; i < getNumManifolds(); ++i) add(getManifoldByIndexInternal(i));
-  for (auto& [key, memory] : remembered_) add(&memory.manifold);
+  for (auto& [key, memory] : remembered_)
+    if (memory.manifold) add(memory.manifold.get());
   return touching;
 }
 

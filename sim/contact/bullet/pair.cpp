@@ -22,16 +22,17 @@ Dispatcher& PairAlgorithm::dispatcher() const { return *static_cast<Dispatcher*>
 
 PairMemory PairAlgorithm::memory() const {
   PairMemory memory;
-  if (manifold_) memory.manifold = *manifold_;
+  if (manifold_ && manifold_->getNumContacts() > 0)
+    memory.manifold = std::make_shared<btPersistentManifold>(*manifold_);
   return memory;
 }
 
 std::optional<PairMemory> PairAlgorithm::take_memory() {
   std::optional<PairMemory> memory = dispatcher().take_memory(key_);
-  if (!memory || memory->manifold.getNumContacts() == 0) return memory;
+  if (!memory || !memory->manifold) return memory;
   make_manifold();
-  for (int i = 0; i < memory->manifold.getNumContacts(); ++i)
-    manifold_->addManifoldPoint(memory->manifold.getContactPoint(i));
+  for (int i = 0; i < memory->manifold->getNumContacts(); ++i)
+    manifold_->addManifoldPoint(memory->manifold->getContactPoint(i));
   // Compounds refresh all that their parts have before they look at the first.
   if (key_.first_part >= 0 || key_.second_part >= 0)
     manifold_->refreshContactPoints(manifold_->getBody0()->getWorldTransform(),

@@ -7,6 +7,7 @@
 
 #include <compare>
 #include <map>
+#include <memory>
 #include <optional>
 
 #include "sim/core/linear_algebra.h"
@@ -26,7 +27,7 @@ struct PairKey {
 
 /// What an algorithm remembers of two parts from one detection to the next.
 struct PairMemory {
-  btPersistentManifold manifold;  ///< without points where they do not touch
+  std::shared_ptr<btPersistentManifold> manifold;  ///< null where they do not touch
   // Of two hulls, as in HullHullAlgorithm:
   Vec3 parting_direction = Vec3::Zero();
   btTransform seen_from_b = btTransform::getIdentity();
