@@ -58,11 +58,11 @@ ColorTable interpolated(const Anchors& anchors) {
 
 std::string_view color_map_name(ColorMap map) {
   switch (map) {
-    case ColorMap::kViridis:
+    case ColorMap::viridis:
       return "viridis";
-    case ColorMap::kCoolwarm:
+    case ColorMap::coolwarm:
       return "coolwarm";
-    case ColorMap::kCividis:
+    case ColorMap::cividis:
       return "cividis";
   }
   assert(false);

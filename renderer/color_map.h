@@ -10,9 +10,9 @@
 namespace griffith::render {
 
 /// viridis and cividis for magnitudes (luminance grows with the value), coolwarm for signed values (range symmetric).
-enum class ColorMap { kViridis, kCoolwarm, kCividis };
+enum class ColorMap { viridis, coolwarm, cividis };
 
-inline constexpr std::array<ColorMap, 3> kColorMaps = {ColorMap::kViridis, ColorMap::kCoolwarm, ColorMap::kCividis};
+inline constexpr std::array<ColorMap, 3> kColorMaps = {ColorMap::viridis, ColorMap::coolwarm, ColorMap::cividis};
 
 /// "viridis", "coolwarm" or "cividis".
 std::string_view color_map_name(ColorMap map);

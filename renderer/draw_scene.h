@@ -29,7 +29,7 @@ enum TriangleFlag : std::uint8_t {
 
 /// How Surface::scalars become colours, and what the legend says about them.
 struct ScalarStyle {
-  ColorMap color_map = ColorMap::kViridis;
+  ColorMap color_map = ColorMap::viridis;
   float minimum = 0, maximum = 1;   ///< values of the map's two ends; minimum < maximum
   std::string quantity, unit;       ///< for the legend, e.g. "largest principal stress", "Pa"
   std::vector<int> histogram = {};  ///< for the legend: how many values in each of equal parts of the range

@@ -52,9 +52,9 @@ std::string fragment_source(Output output) {
 }  // namespace
 
 EmbeddedPass::EmbeddedPass()
-    : program_("embedded surface", shaders::embedded_vert, fragment_source(Output::kOpaque).c_str()),
+    : program_("embedded surface", shaders::embedded_vert, fragment_source(Output::opaque).c_str()),
       transparent_program_("transparent embedded surface", shaders::embedded_vert,
-                           fragment_source(Output::kTransparent).c_str()),
+                           fragment_source(Output::transparent).c_str()),
       shadow_program_("embedded shadow", shaders::embedded_vert, shaders::depth_frag) {
   glBindVertexArray(vertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, corners_.id());
@@ -123,7 +123,7 @@ void EmbeddedPass::draw_shadow() const {
 void EmbeddedPass::draw(const EmbeddedSurface& surface, const ScalarStyle& style, const ColorTables& color_tables,
                         const RenderOptions& options, float opacity, Output output, DrawnPart part) const {
   if (!mesh_) return;
-  const ShaderProgram& program = output == Output::kOpaque ? program_ : transparent_program_;
+  const ShaderProgram& program = output == Output::opaque ? program_ : transparent_program_;
   program.use();
   program.set("scalar_kind", scalar_kind(surface));
   program.set("scalar_range", style.minimum, style.maximum);

@@ -43,16 +43,16 @@ void GlyphPass::Batch::upload(const std::vector<Glyph>& glyphs) {
 }
 
 void GlyphPass::Batch::draw(Output output) const {
-  const Instances& instances = output == Output::kOpaque ? opaque_ : transparent_;
+  const Instances& instances = output == Output::opaque ? opaque_ : transparent_;
   if (instances.glyphs.empty()) return;
   glBindVertexArray(instances.vertices.id());
   glDrawArraysInstanced(GL_TRIANGLES, 0, corner_count_, static_cast<GLsizei>(instances.glyphs.size()));
 }
 
 GlyphPass::GlyphPass()
-    : program_("glyph", shaders::glyph_vert, with_output(shaders::glyph_frag, Output::kOpaque).c_str()),
+    : program_("glyph", shaders::glyph_vert, with_output(shaders::glyph_frag, Output::opaque).c_str()),
       transparent_program_("transparent glyph", shaders::glyph_vert,
-                           with_output(shaders::glyph_frag, Output::kTransparent).c_str()),
+                           with_output(shaders::glyph_frag, Output::transparent).c_str()),
       arrows_(arrow_shape()),
       balls_(ball_shape()),
       discs_(disc_shape()),
@@ -66,7 +66,7 @@ void GlyphPass::upload(const Glyphs& glyphs) {
 }
 
 void GlyphPass::draw(Output output) const {
-  (output == Output::kOpaque ? program_ : transparent_program_).use();
+  (output == Output::opaque ? program_ : transparent_program_).use();
   for (const Batch* batch : {&arrows_, &balls_, &discs_, &boxes_}) batch->draw(output);
 }
 

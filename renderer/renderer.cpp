@@ -150,9 +150,9 @@ void Renderer::Passes::draw_picture(const DrawScene& scene, const Camera& camera
   shadow_map.bind();
   background.draw(scene.background);
   glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);  // the picture is opaque; alpha only blends
-  draw_surfaces(scene, options, Output::kOpaque, see_through ? DrawnPart::kSelected : DrawnPart::kAll);
+  draw_surfaces(scene, options, Output::opaque, see_through ? DrawnPart::selected : DrawnPart::all);
   spheres.draw();
-  glyphs.draw(Output::kOpaque);
+  glyphs.draw(Output::opaque);
   if (scene.ground) {
     const bool from_below = camera.position.y() < scene.ground->height;
     ground.draw(*scene.ground, grid_level(height_at_target(camera)), focus.center, ground_radius(focus), from_below);
@@ -170,14 +170,14 @@ void Renderer::Passes::draw_transparent(const DrawScene& scene, const RenderOpti
   const bool see_through = scene.surface.opacity < 1;
   if (!blend) blend = std::make_unique<BlendTarget>(target);
   blend->begin();
-  if (see_through) draw_surfaces(scene, options, Output::kTransparent, DrawnPart::kUnselected);
-  glyphs.draw(Output::kTransparent);
+  if (see_through) draw_surfaces(scene, options, Output::transparent, DrawnPart::unselected);
+  glyphs.draw(Output::transparent);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
   if (see_through) {  // what is seen through can be picked all the same
     target.bind();
     glColorMaski(0, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    draw_surfaces(scene, options, Output::kOpaque, DrawnPart::kUnselected);
+    draw_surfaces(scene, options, Output::opaque, DrawnPart::unselected);
     glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   }
   target.resolve();

@@ -37,7 +37,7 @@ void attach_stage(GLuint program, GLenum stage, const std::string& name, const c
 }  // namespace
 
 std::string with_output(const std::string& fragment_source, Output output) {
-  const char* prefix = output == Output::kTransparent ? "#define TRANSPARENT\n" : "";
+  const char* prefix = output == Output::transparent ? "#define TRANSPARENT\n" : "";
   return prefix + std::string(shaders::output_glsl) + fragment_source;
 }
 

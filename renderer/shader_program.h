@@ -24,11 +24,11 @@ enum TextureUnit : int {
 };
 
 /// Where a fragment shader that calls emit() of shaders/output.glsl writes: into a Target or into a BlendTarget.
-enum class Output { kOpaque, kTransparent };
+enum class Output { opaque, transparent };
 std::string with_output(const std::string& fragment_source, Output output);
 
 /// Which part of a surface is drawn.
-enum class DrawnPart : int { kAll, kSelected, kUnselected };
+enum class DrawnPart : int { all, selected, unselected };
 
 /// A vertex and a fragment shader, each preceded by shaders/common.glsl, linked. Throws RenderError with `name`, the
 /// stage and the driver's log if one is rejected.

@@ -30,8 +30,8 @@ std::string fragment_source(Output output) {
 }  // namespace
 
 SurfacePass::SurfacePass()
-    : program_("surface", shaders::surface_vert, fragment_source(Output::kOpaque).c_str()),
-      transparent_program_("transparent surface", shaders::surface_vert, fragment_source(Output::kTransparent).c_str()),
+    : program_("surface", shaders::surface_vert, fragment_source(Output::opaque).c_str()),
+      transparent_program_("transparent surface", shaders::surface_vert, fragment_source(Output::transparent).c_str()),
       shadow_program_("surface shadow", shaders::surface_vert, shaders::depth_frag) {
   glBindVertexArray(vertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, positions_.id());
@@ -57,7 +57,7 @@ void SurfacePass::draw_shadow() const {
 void SurfacePass::draw(const Surface& surface, const ColorTables& color_tables, const RenderOptions& options,
                        Output output, DrawnPart part) const {
   const ScalarStyle& style = surface.scalar_style;
-  const ShaderProgram& program = output == Output::kOpaque ? program_ : transparent_program_;
+  const ShaderProgram& program = output == Output::opaque ? program_ : transparent_program_;
   program.use();
   program.set("scalars_per_triangle", scalars_per_triangle(surface));
   program.set("scalar_range", style.minimum, style.maximum);

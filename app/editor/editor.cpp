@@ -50,6 +50,7 @@ void Editor::show_scene(Scene scene, std::filesystem::path path, const Scene* ed
   state_.shot = first_shot(edited ? *edited : scene);
   state_.selected_body = 0;
   state_.selection = {};
+  state_.last_shot.reset();
   history_ = ui::EditHistory(std::move(scene));
   if (edited) {
     history_.change("Recover edits", [&](Scene& recovered) { recovered = *edited; });

@@ -95,6 +95,8 @@ class Editor {
   void take_world(WorldLoader::Loaded loaded);
   void carry_out_on_bodies(const ui::Command& command);
   void new_scene();
+  /// Makes the shot that was fired last a part of the scene.
+  void keep_shot();
   void add_body(const std::string& label, BodyDescription body);
   void delete_body();
   void add_surface();

@@ -41,4 +41,13 @@ void Editor::delete_body() {
   state_.selection = {};
 }
 
+void Editor::keep_shot() {
+  if (!state_.last_shot) return;
+  state_.running = false;
+  history_.finish();
+  history_.change("Add shot", [&](Scene& scene) { scene.projectiles.push_back(*state_.last_shot); });
+  history_.finish();
+  state_.last_shot.reset();
+}
+
 }  // namespace griffith::app

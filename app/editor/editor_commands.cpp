@@ -46,6 +46,8 @@ void Editor::carry_out(const ui::Command& command) {
       return follow();
     case CommandId::fire:
       return fire(command.cursor);
+    case CommandId::keep_shot:
+      return keep_shot();
     case CommandId::pick:
       return pick(command.cursor);
     case CommandId::undo:
@@ -188,7 +190,10 @@ void Editor::fire(const Vec2& cursor) {
   // It leaves from beneath the eye, far enough ahead not to cover the picture.
   const double ahead = std::min(4 * state_.shot.radius, way / 2);
   const Vec3 muzzle = eye + ahead * direction - 2 * state_.shot.radius * Vec3::UnitY();
-  timeline_.fire(aimed_shot(state_.shot, muzzle, eye + way * direction, history_.scene().gravity));
+  ProjectileBurst shot = aimed_shot(state_.shot, muzzle, eye + way * direction, history_.scene().gravity);
+  timeline_.fire(shot);
+  shot.start = world().frame().time;
+  state_.last_shot = shot;
   if (!state_.running) log(ui::LogLevel::info, "Fired. It flies when the simulation runs: Space.");
 }
 

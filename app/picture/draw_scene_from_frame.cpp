@@ -86,8 +86,8 @@ render::ScalarStyle scalar_style(const ViewSettings& view, const QuantityValues&
   Vec2 range = view.range.value_or(automatic);
   if ((view.symmetric || parted) && !view.range) range = symmetric_range(range);
   render::ScalarStyle style;
-  style.color_map = render::find_color_map(view.color_map)
-                        .value_or(parted ? render::ColorMap::kCoolwarm : render::ColorMap::kViridis);
+  style.color_map =
+      render::find_color_map(view.color_map).value_or(parted ? render::ColorMap::coolwarm : render::ColorMap::viridis);
   style.minimum = static_cast<float>(range[0]);
   style.maximum = static_cast<float>(range[1]);
   style.histogram = histogram(values, range, kBins);

@@ -43,7 +43,7 @@ const render::Rgb& sign_of(double stress) { return stress > 0 ? sign_color::kTen
 
 /// The top eigenvector's colour: pale far from breaking, red at the limit.
 render::Rgb utilization_color(double utilization) {
-  return render::color_map_color(render::ColorMap::kCoolwarm,
+  return render::color_map_color(render::ColorMap::coolwarm,
                                  static_cast<float>(0.5 + 0.5 * std::clamp(utilization, 0.0, 1.0)));
 }
 

@@ -72,7 +72,7 @@ TEST(DrawSceneFromFrame, SelectionAndLockedRangeAreTakenOver) {
       draw_scene_from_frame(frame, embedded_display(frame, small_wall()), small_wall(), view, selection).surface;
   EXPECT_EQ(surface.scalar_style.minimum, -1);
   EXPECT_EQ(surface.scalar_style.maximum, 5);
-  EXPECT_EQ(surface.scalar_style.color_map, render::ColorMap::kCoolwarm);
+  EXPECT_EQ(surface.scalar_style.color_map, render::ColorMap::coolwarm);
   for (std::size_t i = 0; i < surface.flags.size(); ++i) {
     EXPECT_EQ((surface.flags[i] & render::kSelected) != 0, surface.ids[i] == selected.value);
   }
@@ -89,22 +89,22 @@ TEST(DrawSceneFromFrame, ColoursOfWhatHasASignPartAtZeroUnlessOthersAreChosen) {
   for (const char* quantity : {"pressure", "max_principal_stress", "mid_principal_stress", "min_principal_stress"}) {
     ViewSettings view;
     view.quantity = quantity;
-    EXPECT_EQ(style_of(view).color_map, render::ColorMap::kCoolwarm) << quantity;
+    EXPECT_EQ(style_of(view).color_map, render::ColorMap::coolwarm) << quantity;
     EXPECT_EQ(style_of(view).minimum, -style_of(view).maximum) << quantity;
     const double reach = style_of(view).maximum;
     view.range = Vec2(-reach, reach);  // locked as it is
-    EXPECT_EQ(style_of(view).color_map, render::ColorMap::kCoolwarm) << quantity;
+    EXPECT_EQ(style_of(view).color_map, render::ColorMap::coolwarm) << quantity;
     view.range = Vec2(0, 3e6);
-    EXPECT_EQ(style_of(view).color_map, render::ColorMap::kViridis) << quantity;
+    EXPECT_EQ(style_of(view).color_map, render::ColorMap::viridis) << quantity;
     view.range.reset();
     view.color_map = "cividis";
-    EXPECT_EQ(style_of(view).color_map, render::ColorMap::kCividis) << quantity;
+    EXPECT_EQ(style_of(view).color_map, render::ColorMap::cividis) << quantity;
     EXPECT_NE(style_of(view).minimum, -style_of(view).maximum) << quantity;
   }
   for (const char* quantity : {"von_mises", "utilization", "speed"}) {
     ViewSettings view;
     view.quantity = quantity;
-    EXPECT_EQ(style_of(view).color_map, render::ColorMap::kViridis) << quantity;
+    EXPECT_EQ(style_of(view).color_map, render::ColorMap::viridis) << quantity;
     EXPECT_EQ(style_of(view).minimum, 0) << quantity;
   }
 }

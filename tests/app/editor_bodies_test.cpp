@@ -114,6 +114,29 @@ TEST_F(BodiesTest, ASceneMadeFromNothingIsSavedAndReadToTheSameBytes) {
   std::filesystem::remove_all(test_folder());
 }
 
+TEST_F(BodiesTest, AShotCanBecomePartOfTheSceneAndHitsAgain) {
+  editor_.step();
+  editor_.step();
+  const std::size_t shots = editor_.frame().projectiles.size();
+  click("projectile/preset");
+  click("projectile/preset/steel ball");
+  EXPECT_EQ(editor_.state().shot.mass, 0.263);
+  editor_.execute({.id = CommandId::fire});
+  editor_.step();
+  ASSERT_EQ(editor_.frame().projectiles.size(), shots + 1);
+  const Vec3 place = editor_.frame().projectiles.back().position;
+  draw();
+  click("projectile/keep");
+  settle();
+  EXPECT_EQ(editor_.frame().step, 0) << "the scene starts again";
+  for (int i = 0; i < 3; ++i) editor_.step();
+  ASSERT_EQ(editor_.frame().projectiles.size(), shots + 1);
+  double nearest = 1e9;
+  for (const ProjectileView& projectile : editor_.frame().projectiles)
+    nearest = std::min(nearest, (projectile.position - place).norm());
+  EXPECT_LT(nearest, 1e-6) << "as it flew before";
+}
+
 TEST(RemoveBody, TakesItsProbesAlong) {
   Scene scene = small_wall();
   scene.bodies.push_back(scene.bodies[0]);

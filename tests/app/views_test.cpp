@@ -197,7 +197,7 @@ TEST_F(ViewsTest, UnlitPixelsHaveTheLegendsColourOfTheirElementsValue) {
       const std::int32_t tet = renderer_->id_at(x, y);
       if (tet < 0) continue;
       const float t = (values.values[static_cast<std::size_t>(tet)] - 1e3f) / (9e4f - 1e3f);
-      const render::Rgb color = render::color_map_color(render::ColorMap::kViridis, t);
+      const render::Rgb color = render::color_map_color(render::ColorMap::viridis, t);
       const auto seen = image.pixel(x, y);
       EXPECT_EQ(seen[0], std::lround(255 * color.r));
       EXPECT_EQ(seen[1], std::lround(255 * color.g));

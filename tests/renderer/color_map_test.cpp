@@ -19,7 +19,7 @@ float luminance(ColorMap map, int entry) {
 }
 
 TEST(ColorMap, LuminanceOfSequentialMapsGrows) {
-  for (const ColorMap map : {ColorMap::kViridis, ColorMap::kCividis}) {
+  for (const ColorMap map : {ColorMap::viridis, ColorMap::cividis}) {
     for (int entry = 1; entry < kColorTableSize; ++entry) {
       // Rounding to bytes may cost one step of the weakest channel.
       EXPECT_GT(luminance(map, entry), luminance(map, entry - 1) - 1e-3f) << color_map_name(map) << " " << entry;
@@ -31,14 +31,14 @@ TEST(ColorMap, LuminanceOfSequentialMapsGrows) {
 }
 
 TEST(ColorMap, CoolwarmIsDarkBlueAndDarkRedAroundALightGrey) {
-  const Rgb low = color_map_color(ColorMap::kCoolwarm, 0), middle = color_map_color(ColorMap::kCoolwarm, 0.5f),
-            high = color_map_color(ColorMap::kCoolwarm, 1);
+  const Rgb low = color_map_color(ColorMap::coolwarm, 0), middle = color_map_color(ColorMap::coolwarm, 0.5f),
+            high = color_map_color(ColorMap::coolwarm, 1);
   EXPECT_GT(low.b, low.r + 0.4f);
   EXPECT_GT(high.r, high.b + 0.4f);
   EXPECT_NEAR(middle.r, middle.b, 0.02f);
   for (int entry = 1; entry <= 120; ++entry) {
-    EXPECT_GT(luminance(ColorMap::kCoolwarm, entry), luminance(ColorMap::kCoolwarm, entry - 1) - 2e-3f);
-    EXPECT_GT(luminance(ColorMap::kCoolwarm, 255 - entry), luminance(ColorMap::kCoolwarm, 256 - entry) - 2e-3f);
+    EXPECT_GT(luminance(ColorMap::coolwarm, entry), luminance(ColorMap::coolwarm, entry - 1) - 2e-3f);
+    EXPECT_GT(luminance(ColorMap::coolwarm, 255 - entry), luminance(ColorMap::coolwarm, 256 - entry) - 2e-3f);
   }
 }
 

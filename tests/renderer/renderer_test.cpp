@@ -118,7 +118,7 @@ TEST_F(RendererTest, InterpolatedUnlitScalarsStayWithinTheLegend) {
   const Image image = picture(scene, how);
   std::set<Pixel> legend;
   for (int entry = 0; entry < kColorTableSize; ++entry) {
-    legend.insert(bytes(color_map_color(ColorMap::kViridis, (static_cast<float>(entry) + 0.5f) / kColorTableSize)));
+    legend.insert(bytes(color_map_color(ColorMap::viridis, (static_cast<float>(entry) + 0.5f) / kColorTableSize)));
   }
   std::set<Pixel> seen;
   for (int y = 0; y < kHeight; ++y) {

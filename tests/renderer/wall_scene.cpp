@@ -79,7 +79,7 @@ DrawScene scalar_wall_scene() {
     const float distance = (place - Vector3f(0.2f, 1.7f, 0)).norm();
     scene.surface.scalars.push_back(std::exp(-1.5f * (distance - 0.4f)));
   }
-  scene.surface.scalar_style = {ColorMap::kViridis, 0, 1, "largest principal stress", "Pa"};
+  scene.surface.scalar_style = {ColorMap::viridis, 0, 1, "largest principal stress", "Pa"};
   return scene;
 }
 

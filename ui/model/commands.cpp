@@ -8,7 +8,7 @@
 namespace griffith::ui {
 namespace {
 
-constexpr std::array<CommandInfo, 39> kRegistry = {{
+constexpr std::array<CommandInfo, 40> kRegistry = {{
     {CommandId::toggle_run, "simulation.run", "Run", "Run or pause", {key::kSpace}, "Space"},
     {CommandId::step, "simulation.step", "Step", "Pause and advance by one time step", {'N'}, "N"},
     {CommandId::step_back,
@@ -34,6 +34,12 @@ constexpr std::array<CommandInfo, 39> kRegistry = {{
      "Fire the projectile at the cursor; right click in the view",
      {'F'},
      "F"},
+    {CommandId::keep_shot,
+     "simulation.keep_shot",
+     "Add last shot to scene",
+     "Make the shot that was fired last a part of the scene, which starts again",
+     {},
+     ""},
     {CommandId::pick, "view.pick", "Pick", "Inspect the element under the cursor; left click in the view", {}, ""},
     {CommandId::frame_all,
      "view.frame_all",

@@ -22,6 +22,7 @@ enum class CommandId {
   explain_holding,
   reset,
   fire,
+  keep_shot,
   pick,
   new_scene,
   open_dialog,

@@ -91,11 +91,12 @@ struct EditorState {
   double speed = 1;          ///< simulated seconds per second, 0.001..1
   ViewSettings view;         ///< as shown now; starts with the scene's
   ProjectileBurst shot;      ///< what the projectile tool fires; position and direction come from the cursor
-  int selected_body = 0;     ///< index into Scene::bodies
-  bool list_pieces = false;  ///< the list of bodies holds each piece by itself
-  std::array<char, 64> body_filter = {};  ///< what the listed ones have in their name or state
-  FieldNote field_note;                   ///< of the last edit, until the next click
-  Selection selection;                    ///< picked in the view; follows the material when a body breaks
+  std::optional<ProjectileBurst> last_shot;  ///< as it was fired, and when; until it is part of the scene
+  int selected_body = 0;                     ///< index into Scene::bodies
+  bool list_pieces = false;                  ///< the list of bodies holds each piece by itself
+  std::array<char, 64> body_filter = {};     ///< what the listed ones have in their name or state
+  FieldNote field_note;                      ///< of the last edit, until the next click
+  Selection selection;                       ///< picked in the view; follows the material when a body breaks
   CameraMotion camera_motion;
   ImVec2 viewport_minimum = {0, 0}, viewport_size = {0, 0};  ///< of the picture, as drawn last [pixels]
   float left_width = 0, right_width = 0;                     ///< of the side panels [pixels]; 0: not laid out yet

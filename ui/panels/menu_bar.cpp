@@ -79,7 +79,8 @@ void draw_menu_bar(Panel& panel) {
     ImGui::EndMenu();
   }
   if (menu(panel, "Simulation")) {
-    for (const CommandId id : {CommandId::toggle_run, CommandId::step, CommandId::reset, CommandId::fire}) {
+    for (const CommandId id :
+         {CommandId::toggle_run, CommandId::step, CommandId::reset, CommandId::fire, CommandId::keep_shot}) {
       command_item(panel, id, id == CommandId::toggle_run && panel.state.running);
     }
     ImGui::Separator();

@@ -80,11 +80,43 @@ void mass_rows(Panel& panel, ProjectileBurst& shot) {
   shot.density = by_density ? std::optional(kDensityOfSteel) : std::nullopt;
 }
 
+/// Something to fire, to start from.
+struct ShotPreset {
+  const char* name;
+  double radius, mass, speed;
+  std::optional<Vec3> box = std::nullopt;
+};
+
+const std::array<ShotPreset, 6>& shot_presets() {
+  static const std::array<ShotPreset, 6> kPresets = {{{"steel ball", 0.02, 0.263, 20},
+                                                      {"marble", 0.008, 0.0054, 10},
+                                                      {"bullet", 0.0045, 0.008, 400},
+                                                      {"brick", 0.1, 3.5, 10, Vec3(0.24, 0.071, 0.115)},
+                                                      {"cannonball", 0.055, 5.4, 150},
+                                                      {"wrecking ball", 0.5, 4000, 8}}};
+  return kPresets;
+}
+
+void preset_row(Panel& panel, ProjectileBurst& shot) {
+  std::vector<std::string> names;
+  for (const ShotPreset& preset : shot_presets()) names.emplace_back(preset.name);
+  const int chosen = combo_row(panel, "projectile/preset", "Shot", names, "choose…");
+  if (chosen < 0) return;
+  const ShotPreset& preset = shot_presets()[static_cast<std::size_t>(chosen)];
+  shot.radius = preset.radius;
+  shot.mass = preset.mass;
+  shot.speed = preset.speed;
+  shot.density.reset();
+  shot.shape.reset();
+  if (preset.box) shot.shape = BoxProjectile{*preset.box};
+}
+
 }  // namespace
 
 void draw_projectile_panel(Panel& panel) {
   heading(panel, "Projectile");
   ProjectileBurst& shot = panel.state.shot;
+  preset_row(panel, shot);
   shape_rows(panel, shot);
   number_row<ProjectileBurst>(panel, "projectile/speed", "Speed", "speed", 0.1, 1000, shot.speed);
   mass_rows(panel, shot);
@@ -94,6 +126,10 @@ void draw_projectile_panel(Panel& panel) {
     number_row<ProjectileBurst>(panel, "projectile/interval", "Interval", "interval", 1e-2, 5, shot.interval);
   }
   hint(panel, "Right-click in the view, or press F, to fire at the cursor.");
+  if (!panel.state.last_shot) return;
+  const CommandInfo& keep = command_info(CommandId::keep_shot);
+  if (text_button(panel, "projectile/keep", keep.label.data())) issue(panel, {.id = keep.id});
+  tooltip(keep.hint);
 }
 
 }  // namespace griffith::ui

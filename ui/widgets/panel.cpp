@@ -17,6 +17,8 @@ bool command_enabled(CommandId id, const Panel& panel) {
       return panel.input.frame.step < panel.input.time.last_step;
     case CommandId::explain_holding:
       return panel.state.can_explain;
+    case CommandId::keep_shot:
+      return panel.state.last_shot.has_value();
     case CommandId::duplicate_body:
     case CommandId::delete_body:
       return !panel.history.scene().bodies.empty();
