@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "sim/world/node_report.h"
 #include "ui/model/units.h"
 
 namespace griffith::app {
@@ -44,7 +43,7 @@ std::optional<Stop> passed_limit(const Breakpoints& breakpoints, const Frame& be
       before.report.peak_utilization <= breakpoints.utilization)
     return Stop{"The utilization of a node reaches " + ui::format_quantity(after.report.peak_utilization, "", 3) +
                     " in the next step.",
-                most_loaded_node(before)};
+                {}};
   if (breakpoints.on_pieces && after.fragments >= breakpoints.pieces && before.fragments < breakpoints.pieces)
     return Stop{"There are " + std::to_string(after.fragments) + " pieces after the next step.", {}};
   const double turned_over = after.energy_of_step.turned_over();

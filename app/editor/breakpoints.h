@@ -12,7 +12,7 @@ namespace griffith::app {
 /// Why the simulation stopped before a step.
 struct Stop {
   std::string reason;  ///< "Node 12 cracks in the next step."
-  NodeId node;         ///< that cracks or is loaded most; may be invalid
+  NodeId node;         ///< that cracks; invalid where none does that is there already
 };
 
 /// Whether a step from `before` to `after` met a breakpoint. `scene_body`, `selection`: those chosen in the editor.

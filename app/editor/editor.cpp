@@ -119,10 +119,11 @@ void Editor::advance(double elapsed) {
 
 void Editor::step() {
   const bool watches = state_.breakpoints.any() && !passes_stop_;
-  const std::optional<World> before = watches ? std::optional(world()) : std::nullopt;
-  timeline_.advance();
-  if (before && stop_before_step(*before)) return;
+  std::optional<World> before;
+  timeline_.advance(watches ? &before : nullptr);
+  if (before && stop_before_step(std::move(*before))) return;
   forget_stop();
+  adopt_materials();  // of a past that is gone through again
   remember();
   const Frame frame = world().frame();
   range_.follow(frame, state_.view.quantity);
@@ -140,6 +141,7 @@ Editor::PictureKey Editor::picture_key() const {
   return {world_count_,
           frame.step,
           history_.revision(),
+          arrivals_,
           frame.projectiles.size(),
           laid_out ? static_cast<int>(std::lround(state_.viewport_size.x)) : kFirstWidth,
           laid_out ? static_cast<int>(std::lround(state_.viewport_size.y)) : kFirstHeight,
@@ -187,7 +189,7 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
 void Editor::place_legend(ui::Legend& legend, const ui::Fonts& fonts) {
   legend.corner = legend_corner_;
   PictureKey key = picture_key();
-  key.step = key.revision = 0;
+  key.step = key.revision = key.arrivals = 0;
   key.projectiles = 0;
   key.selected = {};
   if (key != legend_placed_) {

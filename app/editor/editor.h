@@ -130,7 +130,10 @@ class Editor {
   /// Goes to a recorded step. The scene's materials become those that were in force.
   void go_to(int branch, std::int64_t step);
   /// Whether the step that was just made from `before` is one to stop before; then it is taken back.
-  bool stop_before_step(const World& before);
+  bool stop_before_step(World before);
+  void arrive();
+  /// Makes the materials that are in force those of the scene, without an entry in its history.
+  void adopt_materials();
   void forget_stop();
   /// Tells how much stronger the material would have to be for the node to stand that is about to crack.
   void explain_holding();
@@ -148,7 +151,7 @@ class Editor {
 
   /// What the picture depends on: an equal one need not be drawn again.
   struct PictureKey {
-    std::int64_t world = -1, step = -1, revision = -1;
+    std::int64_t world = -1, step = -1, revision = -1, arrivals = 0;
     std::size_t projectiles = 0;
     int width = 0, height = 0;
     ViewSettings view;
@@ -186,6 +189,7 @@ class Editor {
   std::vector<ui::UtilizationSample> utilizations_;  ///< of the selected node
   StepPacer pacer_;
   NodeId stopped_at_;                              ///< about to crack; invalid: none
+  std::int64_t arrivals_ = 0;                      ///< how often another time was gone to
   bool passes_stop_ = false;                       ///< the next step is made although a breakpoint is met in it
   double step_seconds_ = 0, picture_seconds_ = 0;  ///< smoothed
   bool laid_out_ = false;                          ///< the size of the picture is known

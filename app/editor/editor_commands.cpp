@@ -192,6 +192,7 @@ void Editor::fire(const Vec2& cursor) {
   const Vec3 muzzle = eye + ahead * direction - 2 * state_.shot.radius * Vec3::UnitY();
   ProjectileBurst shot = aimed_shot(state_.shot, muzzle, eye + way * direction, history_.scene().gravity);
   timeline_.fire(shot);
+  forget_stop();
   shot.start = world().frame().time;
   state_.last_shot = shot;
   if (!state_.running) log(ui::LogLevel::info, "Fired. It flies when the simulation runs: Space.");
@@ -221,6 +222,7 @@ void Editor::pick(const Vec2& cursor) {
   state_.selection = {};
   if (id < 0) return;
   const Frame frame = world().frame();
+  if (static_cast<std::size_t>(id) >= frame.elements.tets.size()) return;
   const render::Ray ray = render::pixel_ray(picture_camera(), x, y, drawn_.width, drawn_.height);
   const ShownMesh shown = shown_mesh(frame, state_.view, {});
   select(ui::select(frame, TetId(id), nearest_corner(shown, TetId(id), ray)));

@@ -71,6 +71,7 @@ bool Editor::follow_material(int scene_body) {
   try {
     timeline_.set_material(scene_body, history_.scene().bodies[scene_body].material);
     range_.restart();
+    forget_stop();
     return true;
   } catch (const InputError& error) {
     show_error(in_file(path_, error));

@@ -61,7 +61,7 @@ void Editor::add_surface() {
   state_.running = false;
   const double room = 0.1;
   auto make_scene = [scene = history_.scene(), shape = shape_of(state_.surface),
-                     free_x = free_place(world().frame(), room)](const Monitor& monitor) mutable {
+                     free_x = free_place(history_.scene(), world().frame(), room)](const Monitor& monitor) mutable {
     if (monitor.stage) monitor.stage("Reading the surface");
     BodyDescription body = standing_body(shape, scene, free_x, monitor);
     make_relative(body, scene.folder);

@@ -1,4 +1,5 @@
-#include <cstdio>
+#include <algorithm>
+#include <utility>
 
 #include "app/editor/breakpoints.h"
 #include "app/editor/editor.h"
@@ -9,6 +10,7 @@ namespace griffith::app {
 using ui::CommandId;
 
 void Editor::carry_out_in_time(const ui::Command& command) {
+  follow_edits();  // what was typed last belongs to the time that is left
   if (command.id == CommandId::explain_holding) return explain_holding();
   state_.running = false;
   switch (command.id) {
@@ -27,32 +29,45 @@ void Editor::carry_out_in_time(const ui::Command& command) {
 
 void Editor::go_to(int branch, std::int64_t step) {
   history_.finish();
+  if (branch != timeline_.branch()) history_of_utilizations_.clear();
   timeline_.go_to(branch, step);
+  arrive();
+}
+
+/// At a time that is not the one after the last.
+void Editor::arrive() {
+  ++arrivals_;
   forget_stop();
-  const Frame now = frame();
-  if (now.materials.size() == history_.scene().bodies.size()) {
-    for (std::size_t i = 0; i < now.materials.size(); ++i) {
-      if (history_.scene().bodies[i].material == now.materials[i]) continue;
-      history_.change("Go to another time", [&](Scene& scene) { scene.bodies[i].material = now.materials[i]; });
-    }
-    history_.finish();
-  }
-  history_of_utilizations_.forget_after(now.time);
+  adopt_materials();
+  history_of_utilizations_.forget_from(frame().time);
   pacer_.reset();
   range_.restart();
   remember();
 }
 
-bool Editor::stop_before_step(const World& before) {
+void Editor::adopt_materials() {
+  const std::span<const Material> in_force = frame().materials;
+  const std::vector<BodyDescription>& bodies = history_.scene().bodies;
+  if (history_.editing() || in_force.size() != bodies.size() ||
+      std::ranges::equal(bodies, in_force, {}, &BodyDescription::material))
+    return;
+  history_.adopt([&](Scene& scene) {
+    for (std::size_t i = 0; i < in_force.size(); ++i) scene.bodies[i].material = in_force[i];
+  });
+  for (std::size_t i = 0; i < in_force.size(); ++i) built_.bodies[i].material = in_force[i];
+}
+
+bool Editor::stop_before_step(World before) {
   const std::optional<Stop> stop =
       met_breakpoint(state_.breakpoints, before.frame(), frame(), state_.selected_body, state_.selection);
   if (!stop) return false;
-  go_to(timeline_.branch(), timeline_.step() - 1);
+  timeline_.take_back(std::move(before));
+  arrive();
   state_.running = false;
   state_.stopped = stop->reason;
   passes_stop_ = true;
   stopped_at_ = stop->node;
-  state_.can_explain = state_.breakpoints.crack != ui::Breakpoints::Where::nowhere && stop->node.valid();
+  state_.can_explain = stop->node.valid();
   if (stop->node.valid()) select_node(stop->node);
   log(ui::LogLevel::warning, stop->reason);
   return true;
@@ -72,9 +87,10 @@ void Editor::explain_holding() {
   const Material& material = now.materials[scene_body];
   const std::string node = "Node " + std::to_string(stopped_at_.value);
   ui::WorkReport report;
-  report.title = factor.found ? node + " stands the next step if the material is " +
-                                    ui::format_quantity(factor.holds, "", 3) + " times as strong:"
-                              : node + " cracks however strong the material is.";
+  report.title = !factor.breaks_at_one ? node + " stands when the step is made again: no strength can be told."
+                 : factor.found        ? node + " stands the next step if the material is " +
+                                      ui::format_quantity(factor.holds, "", 3) + " times as strong:"
+                                : node + " cracks however strong the material is.";
   if (factor.found) {
     report.facts = {"tensile strength " + ui::format_quantity(factor.holds * material.tensile_strength, "Pa", 3) +
                         ", now " + ui::format_quantity(material.tensile_strength, "Pa", 3),

@@ -18,7 +18,9 @@ Material stronger(Material material, double factor) {
 HoldingFactor holding_factor(const std::function<bool(double)>& holds, double largest) {
   constexpr double kClose = 1.01;
   HoldingFactor found;
-  while (!found.found && found.breaks < largest) {
+  found.runs = 1;
+  found.breaks_at_one = !holds(1);
+  while (found.breaks_at_one && !found.found && found.breaks < largest) {
     found.holds = std::min(2 * found.breaks, largest);
     ++found.runs;
     if (holds(found.holds)) {

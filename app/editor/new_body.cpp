@@ -58,9 +58,11 @@ std::string free_name(const Scene& scene, const std::string& wanted) {
   return name;
 }
 
-double free_place(const Frame& frame, double room) {
+double free_place(const Scene& scene, const Frame& frame, double room) {
   double right = -room;
-  for (const Vec3& position : frame.nodes.positions) right = std::max(right, position.x());
+  for (const Vec3& position : frame.nodes.rest_positions) right = std::max(right, position.x());
+  for (std::size_t i = frame.materials.size(); i < scene.bodies.size(); ++i)
+    right = std::max(right, placed_bounds(scene.bodies[i], scene).max().x());
   return right + room;
 }
 
@@ -74,7 +76,7 @@ BodyDescription new_body(CommandId command, const Scene& scene, const Frame& fra
   if (const std::optional<Material> material = find_material_preset(kind.material)) body.material = *material;
   const Eigen::AlignedBox3d box = placed_bounds(body, scene);
   const double ground = scene.ground ? scene.ground->height : 0;
-  const double left = scene.bodies.empty() ? -box.center().x() : free_place(frame, kRoom) - box.min().x();
+  const double left = scene.bodies.empty() ? -box.center().x() : free_place(scene, frame, kRoom) - box.min().x();
   body.position = Vec3(left, ground - box.min().y(), -box.center().z());
   return body;
 }
@@ -83,7 +85,7 @@ BodyDescription copy_of_body(const Scene& scene, int index, const Frame& frame) 
   BodyDescription body = scene.bodies[static_cast<std::size_t>(index)];
   body.name = free_name(scene, body.name);
   const Eigen::AlignedBox3d box = placed_bounds(body, scene);
-  body.position.x() += free_place(frame, 0.2 * box.sizes().x()) - box.min().x();
+  body.position.x() += free_place(scene, frame, 0.2 * box.sizes().x()) - box.min().x();
   return body;
 }
 

@@ -11,8 +11,9 @@ namespace griffith::app {
 /// The wanted name, with a number behind it where a body of the scene has it.
 std::string free_name(const Scene& scene, const std::string& wanted);
 
-/// Where what stands to the right of all bodies begins [m]: their end, and some room.
-double free_place(const Frame& frame, double room);
+/// Where what stands to the right of all bodies begins [m]: their end, as the scene starts, and some room. `frame`: of
+/// a world that may lack the last bodies.
+double free_place(const Scene& scene, const Frame& frame, double room);
 
 /// A body of the kind that one of the commands add_box, add_plate, … adds: some decimetres large, of a material that it
 /// is often made of, on the ground beside all others.

@@ -21,8 +21,8 @@ void UtilizationHistory::clear() {
   values_ = 0;
 }
 
-void UtilizationHistory::forget_after(double time) {
-  for (; !steps_.empty() && steps_.back().time > time; steps_.pop_back()) values_ -= steps_.back().utilizations.size();
+void UtilizationHistory::forget_from(double time) {
+  for (; !steps_.empty() && steps_.back().time >= time; steps_.pop_back()) values_ -= steps_.back().utilizations.size();
 }
 
 void UtilizationHistory::record(const Frame& frame) {

@@ -15,8 +15,8 @@ class UtilizationHistory {
   explicit UtilizationHistory(std::size_t max_values = 8'000'000) : max_values_(max_values) {}
 
   void clear();
-  /// Drops what was recorded after `time` [s].
-  void forget_after(double time);
+  /// Drops what was recorded from `time` [s] on.
+  void forget_from(double time);
   /// Takes over the utilizations of a step.
   void record(const Frame& frame);
   /// The past of the piece of material at a node, oldest first. A node that a crack made has that of the node it was

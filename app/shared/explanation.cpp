@@ -17,12 +17,12 @@ std::string load_line(const NodeReport& report, const Material& material) {
 }
 
 std::string element_lines(const NodeReport& report) {
-  const char* unit = ui::fraction_unit(report);
+  const char* unit = ui::contribution_unit(report);
   std::string text = "  element    side    adds to the load    tensile force    compressive force\n";
   for (const ElementContribution& element : report.elements) {
     char line[160];
     std::snprintf(line, sizeof line, "  %7d    %-5s   %16s %16s %20s\n", element.tet.value,
-                  element.above ? "above" : "below", ui::format_quantity(element.fraction, unit).c_str(),
+                  element.above ? "above" : "below", ui::format_quantity(element.contribution, unit).c_str(),
                   newtons(element.force.tensile.norm()).c_str(), newtons(element.force.compressive.norm()).c_str());
     text += line;
   }

@@ -29,8 +29,8 @@ Mat3 contact_axes(const Vec3& normal) {
   return axes;
 }
 
-/// The responder of a rigid object.
-SolverBody rigid_responder(const Object& object) {
+/// The solver body of a rigid object.
+SolverBody rigid_solver_body(const Object& object) {
   SolverBody solver_body;
   if (object.asleep) return solver_body;
   solver_body.inverse_mass = object.inverse_mass;
@@ -65,7 +65,7 @@ std::vector<SolverBody> ContactWorld::Impl::rigid_solver_bodies(double dt) const
   std::vector<SolverBody> made;
   made.reserve(objects.size());
   for (const Object& object : objects) {
-    made.push_back(rigid_responder(object));
+    made.push_back(rigid_solver_body(object));
     made.back().velocity = object.state.velocity;
     made.back().angular_velocity = object.state.angular_velocity;
     if (object.kind == Kind::projectile && object.moves()) made.back().velocity += dt * gravity;
@@ -233,7 +233,7 @@ void ContactWorld::Impl::read_back_impulses(double dt) {
   for (std::size_t i = 0; i < objects.size(); ++i) {
     Object& object = objects[i];
     if (!object.moves() || object.elastic) continue;
-    const SolverBody solver_body = rigid_responder(object);
+    const SolverBody solver_body = rigid_solver_body(object);
     if (object.kind == Kind::projectile) object.state.velocity += dt * gravity;
     object.state.velocity += solver_body.inverse_mass * sums[i].linear;
     object.state.angular_velocity += solver_body.inverse_inertia * sums[i].angular;
@@ -256,7 +256,7 @@ void ContactWorld::Impl::correct_positions(const std::vector<ContactConstraint>&
   }
   if (!any) return;
   std::vector<SolverBody> moving;
-  for (const Object& object : objects) moving.push_back(rigid_responder(object));
+  for (const Object& object : objects) moving.push_back(rigid_solver_body(object));
   solve_impulses(overlaps, moving, kRoughly);
   for (std::size_t i = 0; i < objects.size(); ++i)
     objects[i].correction = {moving[i].velocity, moving[i].angular_velocity};

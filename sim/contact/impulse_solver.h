@@ -23,7 +23,7 @@ struct SolverBody {
 /// One end of a contact.
 struct ContactEnd {
   int solver_body = 0;
-  int point = -1;           ///< of an elastic responder
+  int point = -1;           ///< of an elastic solver body
   Vec3 arm = Vec3::Zero();  ///< from the centre of mass [m]
 };
 
@@ -45,7 +45,7 @@ struct SolverLimits {
 /// The Signorini–Coulomb problem by projected Gauss–Seidel (Jean & Moreau 1992), each group of objects that touch on
 /// its own, quickened by nonlinear conjugate gradients (Silcowitz, Niebe & Erleben 2010): the normal impulse of a row
 /// pushes only and keeps its parting speed at or above `target_velocity`; the tangential one stops the sliding within
-/// friction's disc. Velocities of the responders hold everything but the rows' impulses before, those too after.
+/// friction's disc. Velocities of the solver bodies hold everything but the rows' impulses before, those too after.
 /// Impulses are within their limits however early the sweeps end. Returns how many times a row was solved.
 int solve_impulses(std::span<ContactConstraint> constraints, std::span<SolverBody> solver_bodies,
                    const SolverLimits& limits = {});

@@ -184,8 +184,8 @@ std::vector<std::string> findings_of(const SurfaceReport& report, const FilledSu
 }  // namespace
 
 double element_size_for(const SurfaceReport& report, const MeshingOptions& options) {
-  constexpr double kShareOfDiagonal = 0.05;
-  return options.element_size.value_or(kShareOfDiagonal * report.size());
+  constexpr double kFractionOfDiagonal = 0.05;
+  return options.element_size.value_or(kFractionOfDiagonal * report.size());
 }
 
 SurfaceMesh mesh_surface(TriangleSurface surface, const MeshingOptions& options, const MeshingSetup& setup) {

@@ -5,8 +5,11 @@
 
 namespace griffith {
 
-void apply(World& world, const WorldInput& input) {
-  if (const auto* burst = std::get_if<ProjectileBurst>(&input.action)) return world.fire(*burst);
+void apply(World& world, WorldInput& input) {
+  if (auto* burst = std::get_if<ProjectileBurst>(&input.action)) {
+    *burst = world.fire(*burst);
+    return;
+  }
   const MaterialChange& change = std::get<MaterialChange>(input.action);
   world.set_material(change.scene_body, change.material);
 }
@@ -31,9 +34,19 @@ std::vector<StepMark> Timeline::marks() const {
   return all;
 }
 
-void Timeline::advance() {
+void Timeline::advance(std::optional<World>* before) {
   redo_inputs();
+  if (before) before->emplace(world_);
+  const bool repeats = step_ < last_step();
   make_step();
+  if (repeats && step_ == last_step()) redo_inputs();  // the present is as it was left
+}
+
+void Timeline::take_back(World before) {
+  world_ = std::move(before);
+  --step_;
+  inputs_done_ = inputs_before_;
+  line_ = line_before_;
 }
 
 void Timeline::fire(const ProjectileBurst& burst) { do_input({step_, burst}); }
@@ -74,12 +87,14 @@ void Timeline::enter_line() {
 /// Does what was done before the next step and is not done yet.
 void Timeline::redo_inputs() {
   enter_line();
-  const std::vector<WorldInput>& inputs = branches_[line_].inputs;
+  std::vector<WorldInput>& inputs = branches_[line_].inputs;
   for (; inputs_done_ < inputs.size() && inputs[inputs_done_].step <= step_; ++inputs_done_)
     apply(world_, inputs[inputs_done_]);
 }
 
 void Timeline::make_step() {
+  inputs_before_ = inputs_done_;
+  line_before_ = line_;
   const std::size_t cracks_before = world_.frame().crack_events.size();
   world_.step();
   ++step_;
@@ -128,7 +143,7 @@ void Timeline::go_to(int branch, std::int64_t step) {
         std::ranges::lower_bound(branches_[line_].inputs, at, {}, &WorldInput::step) - branches_[line_].inputs.begin());
   }
   while (step_ < step) advance();
-  if (step_ == last_step()) redo_inputs();  // the present is as it was left
+  if (step_ == last_step()) redo_inputs();
 }
 
 /// The step of the newest copy on the way to a step of a branch, and the branch that has it.

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <variant>
@@ -24,8 +25,9 @@ struct WorldInput {
   std::variant<ProjectileBurst, MaterialChange> action;
 };
 
-/// Does to a world what was done. Throws as World::fire() and World::set_material() do.
-void apply(World& world, const WorldInput& input);
+/// Does to a world what was done. Throws as World::fire() and World::set_material() do. What it read from a file is
+/// part of the input afterwards.
+void apply(World& world, WorldInput& input);
 
 /// What happened in a step, for a mark on the bar of time.
 struct StepMark {
@@ -62,8 +64,11 @@ class Timeline {
   /// What happened on the way to the end of the branch, its parents' part included, by step.
   std::vector<StepMark> marks() const;
 
-  /// Makes a step: the one that was made before, where there is one.
-  void advance();
+  /// Makes a step: the one that was made before, where there is one. `before`, if any, becomes a copy of the world as
+  /// it was before the step, with all that was done to it.
+  void advance(std::optional<World>* before = nullptr);
+  /// Takes the step back that advance() has just made, which gave `before`. It stays known.
+  void take_back(World before);
   /// As World has them; a branch begins where steps or inputs after this one are known.
   void fire(const ProjectileBurst& burst);
   void set_material(int scene_body, const Material& material);
@@ -101,6 +106,8 @@ class Timeline {
   int branch_ = 0, line_ = 0;  ///< the second: it, or the ancestor to which the next step belongs
   std::int64_t step_ = 0;
   std::size_t inputs_done_ = 0;  ///< of the line
+  int line_before_ = 0;          ///< both, before the last step
+  std::size_t inputs_before_ = 0;
 };
 
 }  // namespace griffith

@@ -9,8 +9,8 @@ namespace {
 
 double dyad_across(const Vec3& force, const Vec3& normal) { return normal.dot(force_dyad(force) * normal); }
 
-ElementContribution element_fraction(const Frame& frame, const SeparationInput& input, TetId tet,
-                                     const NodeReport& report) {
+ElementContribution contribution_of(const Frame& frame, const SeparationInput& input, TetId tet,
+                                    const NodeReport& report) {
   const Vec3 normal = report.normal();
   ElementContribution element;
   element.tet = tet;
@@ -18,7 +18,7 @@ ElementContribution element_fraction(const Frame& frame, const SeparationInput& 
   for (NodeId corner : frame.elements.tets[tet]) middle += frame.nodes.positions[corner] / 4;
   element.above = normal.dot(middle - frame.nodes.positions[report.node]) > 0;
   element.force = split_force(input, tet, report.node);
-  element.fraction =
+  element.contribution =
       report.by_tension
           ? tension_fraction(input, tet, report.node, report.plane)
           : 0.5 * (dyad_across(element.force.tensile, normal) - dyad_across(element.force.compressive, normal));
@@ -50,9 +50,9 @@ void strain(const Frame& frame, NodeReport& report) {
   report.by_tension = by_stress && report.plane.by_tension;
   report.load = by_stress ? report.plane.stress : report.plane.eigenvalue;
   for (TetId tet : frame.nodes.stars[report.node])
-    report.elements.push_back(element_fraction(frame, input, tet, report));
+    report.elements.push_back(contribution_of(frame, input, tet, report));
   if (!report.by_tension && frame.nodes.constraints[report.node].is_free()) report.balance = balance_of(report);
-  std::ranges::stable_sort(report.elements, std::greater(), &ElementContribution::fraction);
+  std::ranges::stable_sort(report.elements, std::greater(), &ElementContribution::contribution);
 }
 
 }  // namespace

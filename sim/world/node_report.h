@@ -15,7 +15,7 @@ struct ElementContribution {
   SplitForce force;
   /// What it adds to v⁺, ½ n̂·(m(f_e⁺) − m(f_e⁻)) n̂ [N], or to the mean tensile stress [Pa], as NodeReport::by_tension
   /// has it.
-  double fraction = 0;
+  double contribution = 0;
 };
 
 /// Why a node is about to separate, or is not: what was decided on, and what is there at the time of the frame.

@@ -46,6 +46,19 @@ void change_bodies(WorldState& world, int scene_body) {
   }
 }
 
+/// Whether two materials differ in what resists cracks alone: nothing moves otherwise for it.
+bool differ_in_resistance_alone(Material a, const Material& b) {
+  a.tensile_strength = b.tensile_strength;
+  a.fracture_toughness = b.fracture_toughness;
+  a.separation_toughness = b.separation_toughness;
+  return a == b;
+}
+
+void change_resistance(WorldState& world, int scene_body) {
+  for (const Body& body : world.bodies)
+    if (body.scene_body == scene_body) world.contact_world.set_impact_speed(body.proxy, damage_speed(world, body));
+}
+
 /// Before the first step: the undeformed shape again, from which the static start is found.
 void restore_start(WorldState& world, int scene_body) {
   for (const Body& body : world.bodies) {
@@ -73,7 +86,10 @@ World::World(const Scene& scene, const Monitor& monitor) : World(scene, GivenMes
 World::World(const Scene& scene, const GivenMeshes& meshes, const Monitor& monitor)
     : impl_(std::make_unique<Impl>(build_world(scene, monitor, meshes))) {}
 World::~World() = default;
-World::World(const World& other) : impl_(std::make_unique<Impl>(*other.impl_)) {}
+World::World(const World& other) : impl_(std::make_unique<Impl>(*other.impl_)) {
+  WorldState& world = impl_->state;  // views look at what belongs to the bodies of this world
+  for (BodyView& view : world.body_views) view.collision_parts = world.bodies[view.id].collision_parts;
+}
 World& World::operator=(const World& other) { return *this = World(other); }
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
@@ -126,16 +142,17 @@ Frame World::frame() const {
 
 const std::vector<InputError>& World::findings() const { return impl_->state.model->findings; }
 
-void World::fire(const ProjectileBurst& burst) { fire_burst(impl_->state, burst); }
+ProjectileBurst World::fire(const ProjectileBurst& burst) { return fire_burst(impl_->state, burst); }
 
 void World::set_material(int scene_body, const Material& material) {
   WorldState& world = impl_->state;
   assert(scene_body >= 0 && scene_body < static_cast<int>(world.materials.size()));
   check_substep_count(world, scene_body, material);
   const EnergyNow before = energy_now(world);
+  const bool stays = world.step > 0 && differ_in_resistance_alone(world.materials[scene_body], material);
   world.materials[scene_body] = material;
   if (world.step == 0) restore_start(world, scene_body);
-  change_bodies(world, scene_body);
+  stays ? change_resistance(world, scene_body) : change_bodies(world, scene_body);
   if (world.step == 0) {
     find_static_start(world, scene_body);
     place_proxies(world);

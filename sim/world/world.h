@@ -36,8 +36,9 @@ class World {
   /// of mesh files. `where` is a JSON pointer, "#/bodies/0/loads/1/region".
   const std::vector<InputError>& findings() const;
 
-  /// Launches `burst`, its start counted from now. Throws InputError for a shape whose file cannot be used.
-  void fire(const ProjectileBurst& burst);
+  /// Launches `burst`, its start counted from now. Throws InputError for a shape whose file cannot be used. Returns
+  /// what fires the same again, without that file.
+  ProjectileBurst fire(const ProjectileBurst& burst);
   /// Gives the pieces of Scene::bodies[scene_body] other elastic and fracture properties while running. Density takes
   /// effect as well: velocities stay, momentum changes with the mass. Before the first step the body starts as if made
   /// of the material: supported, in the equilibrium of it. Throws InputError, with nothing changed, for a material with

@@ -29,7 +29,7 @@ TEST_F(EditorTest, SelectionIsExplainedAndSurvivesBreakingAndReset) {
   EXPECT_GE(std::stoi(value("inspector/utilization_plot")), 13);
   const NodeReport report = node_report(editor_.frame(), editor_.state().selection.node);
   EXPECT_EQ(value("inspector/element/0"),
-            ui::format_quantity(report.elements.front().fraction, report.by_tension ? "Pa" : "N", 3));
+            ui::format_quantity(report.elements.front().contribution, report.by_tension ? "Pa" : "N", 3));
   click("command/simulation.reset");
   EXPECT_EQ(editor_.state().selection, selected);
 }

@@ -84,9 +84,28 @@ TEST_F(TimeTest, TheMaterialGoesBackToo) {
   EXPECT_EQ(value("material/yields"), "off");
   draw();
   EXPECT_EQ(editor_.timeline().branches().size(), 1u) << "looking back does nothing to the world";
+  run(6);
+  EXPECT_EQ(value("material/yields"), "on") << "playing on, the panel follows too";
+  run(1);
+  click("command/time.start");
   click("command/time.end");
   EXPECT_TRUE(editor_.frame().materials[0].yield_strength);
   EXPECT_EQ(editor_.timeline().branches().size(), 1u);
+}
+
+TEST_F(TimeTest, WhatWasEditedBeforeTheStepStaysWhenItIsStoppedBefore) {
+  run(3);
+  editor_.state().breakpoints.crack = Breakpoints::Where::anywhere;
+  const double strength = editor_.frame().materials[0].tensile_strength;
+  choose_material("ice");
+  ASSERT_NE(editor_.frame().materials[0].tensile_strength, strength);
+  const Material chosen = editor_.frame().materials[0];
+  fire();
+  run_until_stopped();
+  EXPECT_EQ(editor_.frame().materials[0], chosen);
+  EXPECT_EQ(editor_.timeline().branches().size(), 1u);
+  draw(3);
+  EXPECT_EQ(editor_.timeline().branches().size(), 1u) << "the scene and the world agree";
 }
 
 TEST_F(TimeTest, StopsBeforeACrackWithTheNodeStillWhole) {

@@ -118,6 +118,38 @@ TEST(Timeline, WhatWasDoneLastIsThereWhenItIsCameBackTo) {
   EXPECT_EQ(timeline.branches().size(), 1u);
 }
 
+TEST(Timeline, AStepIsTakenBackWithWhatWasDoneBeforeIt) {
+  Timeline timeline{World(scene())};
+  for (int i = 0; i < 13; ++i) timeline.advance();
+  timeline.fire(shot(1));
+  timeline.set_material(0, weaker(timeline.world()));
+  const std::uint64_t hash = timeline.world().state_hash();
+  const Material material = timeline.world().frame().materials[0];
+  std::optional<World> before;
+  timeline.advance(&before);
+  const std::uint64_t after = timeline.world().state_hash();
+  timeline.take_back(std::move(*before));
+  EXPECT_EQ(timeline.step(), 13);
+  EXPECT_EQ(timeline.world().state_hash(), hash);
+  EXPECT_EQ(timeline.world().frame().materials[0], material);
+  EXPECT_EQ(timeline.last_step(), 14) << "it stays known";
+  timeline.advance();
+  EXPECT_EQ(timeline.world().state_hash(), after);
+  EXPECT_EQ(timeline.branches().size(), 1u);
+}
+
+TEST(Timeline, PlayingUpToThePresentEndsAsItWasLeft) {
+  Timeline timeline{World(scene())};
+  for (int i = 0; i < 9; ++i) timeline.advance();
+  timeline.set_material(0, weaker(timeline.world()));
+  const Material material = timeline.world().frame().materials[0];
+  timeline.go_to(0);
+  for (int i = 0; i < 9; ++i) timeline.advance();
+  EXPECT_EQ(timeline.world().frame().materials[0], material);
+  timeline.fire(shot(1));
+  EXPECT_EQ(timeline.branches().size(), 1u) << "it is no past";
+}
+
 TEST(Timeline, MarksSayWhereItCracked) {
   Timeline timeline{World(scene())};
   timeline.fire(shot(1));

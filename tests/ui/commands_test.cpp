@@ -33,7 +33,7 @@ TEST(Commands, EveryShortcutIssuesItsCommandOnce) {
     ui.history.change("a", [](Scene& scene) { scene.name = "a"; });
     ui.history.finish();
     ui.history.change("b", [](Scene& scene) { scene.name = "b"; });
-    ui.history.undo();  // now there is something to undo and to redo
+    ui.history.undo();        // now there is something to undo and to redo
     ui.input.frame.step = 3;  // and to go back to
     ui.state.view.range = Vec2(0, 1);
     ui.press_key(info.shortcut.key, info.shortcut.ctrl, info.shortcut.shift);

@@ -23,8 +23,8 @@ TEST(NodeReport, WhatItShowsIsOfOneMomentAndAddsUp) {
       if (!report.strained) continue;
       double sum = report.balance, scale = 1e-6;
       for (const ElementContribution& element : report.elements) {
-        sum += element.fraction;
-        scale += std::abs(element.fraction) + element.force.tensile.norm() + element.force.compressive.norm();
+        sum += element.contribution;
+        scale += std::abs(element.contribution) + element.force.tensile.norm() + element.force.compressive.norm();
       }
       EXPECT_NEAR(sum, report.sum(), 1e-9 * scale) << "node " << i << ", step " << step;
       EXPECT_EQ(report.elements.size(), frame.nodes.stars[i].size());
@@ -65,7 +65,7 @@ TEST(NodeReport, ElementsAreRankedByTheirShare) {
     std::set<TetId> seen;
     for (std::size_t k = 0; k < report.elements.size(); ++k) {
       seen.insert(report.elements[k].tet);
-      EXPECT_TRUE(k == 0 || report.elements[k - 1].fraction >= report.elements[k].fraction);
+      EXPECT_TRUE(k == 0 || report.elements[k - 1].contribution >= report.elements[k].contribution);
     }
     EXPECT_EQ(seen.size(), report.elements.size());
   }

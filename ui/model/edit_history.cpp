@@ -16,6 +16,11 @@ void EditHistory::change(const std::string& label, const std::function<void(Scen
   ++revision_;
 }
 
+void EditHistory::adopt(const std::function<void(Scene&)>& change) {
+  change(scene_);
+  ++revision_;
+}
+
 void EditHistory::finish() {
   if (!open_) return;
   open_ = false;

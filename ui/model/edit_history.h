@@ -25,6 +25,8 @@ class EditHistory {
 
   /// Edits the scene. Opens an entry named `label` unless one of that name is open; drops what could be redone.
   void change(const std::string& label, const std::function<void(Scene&)>& edit);
+  /// Follows what is in force in the simulation at another time: no edit, so no entry. None may be open.
+  void adopt(const std::function<void(Scene&)>& change);
   /// Closes the open entry; one that ended where it began is dropped.
   void finish();
 

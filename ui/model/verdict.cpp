@@ -87,7 +87,7 @@ std::string resistance_text(const NodeSeparation& separation, const Material& ma
                                               : "not yet known";
 }
 
-const char* fraction_unit(const NodeReport& report) { return report.by_tension ? "Pa" : "N"; }
+const char* contribution_unit(const NodeReport& report) { return report.by_tension ? "Pa" : "N"; }
 
 std::string origin_of_load(const NodeReport& report, const Material& material) {
   const double pull = report.plane.eigenvalue;

@@ -29,7 +29,7 @@ double load_of(const NodeSeparation& separation, const Material& material);
 std::string resistance_text(const NodeSeparation& separation, const Material& material);
 
 /// "N" or "Pa", what the shares of the report's elements are measured in.
-const char* fraction_unit(const NodeReport& report);
+const char* contribution_unit(const NodeReport& report);
 /// What the load at the frame's time comes from: "2.35 kN over 0.1 m²", "the mean tensile stress of its elements".
 std::string origin_of_load(const NodeReport& report, const Material& material);
 

@@ -78,23 +78,24 @@ void element_row(Panel& panel, const ElementContribution& element, const char* u
                 element.above ? "above" : "below");
   const bool selected = panel.state.selection.tet == element.tet;
   if (ImGui::Selectable((std::string(text) + "##share").c_str(), selected)) panel.state.selection.tet = element.tet;
-  const std::string fraction = format_quantity(element.fraction, unit, 3);
-  tag_last_item(panel.tags, "inspector/element/" + std::to_string(rank), fraction);
+  const std::string contribution = format_quantity(element.contribution, unit, 3);
+  tag_last_item(panel.tags, "inspector/element/" + std::to_string(rank), contribution);
   tooltip("Tensile force " + format_quantity(element.force.tensile.norm(), "N", 3) + " along " +
           direction_text(element.force.tensile.normalized()) + "\nCompressive force " +
           format_quantity(element.force.compressive.norm(), "N", 3) + " along " +
           direction_text(element.force.compressive.normalized()));
-  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(fraction.c_str()).x);
-  ImGui::TextColored(as_vec4(element.fraction > 0 ? palette::kAccent : palette::kTextDim), "%s", fraction.c_str());
+  ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(contribution.c_str()).x);
+  ImGui::TextColored(as_vec4(element.contribution > 0 ? palette::kAccent : palette::kTextDim), "%s",
+                     contribution.c_str());
 }
 
 void contribution_rows(Panel& panel, const NodeReport& report) {
-  const char* unit = fraction_unit(report);
+  const char* unit = contribution_unit(report);
   hint(panel, "What each element adds to it, by rank:");
   const std::size_t listed = std::min(report.elements.size(), kMaxElements);
   for (std::size_t i = 0; i < listed; ++i) element_row(panel, report.elements[i], unit, i);
   double others = 0;
-  for (std::size_t i = listed; i < report.elements.size(); ++i) others += report.elements[i].fraction;
+  for (std::size_t i = listed; i < report.elements.size(); ++i) others += report.elements[i].contribution;
   if (listed < report.elements.size())
     value_row(panel, (std::to_string(report.elements.size() - listed) + " more elements").c_str(),
               format_quantity(others, unit, 3), palette::kText);

@@ -228,6 +228,7 @@ struct ContactWorld::Impl : contact::ContactState {
   std::vector<ContactWorld::Encounter> expected_impacts(double dt, double minimum_speed) const;
   double time_before_impact(double maximum, double minimum_speed, double tolerance) const;
 
+  std::vector<contact::Retired> retired;  ///< deleted with the next detection; they outlive what knows them
   btDefaultCollisionConfiguration configuration;
   contact::Dispatcher dispatcher;
   contact::HullGroundAlgorithm::Factory hull_ground, ground_hull;
@@ -238,7 +239,6 @@ struct ContactWorld::Impl : contact::ContactState {
   contact::PairCache pairs;
   btDbvtBroadphase broadphase;
   contact::CollisionWorld world;
-  std::vector<contact::Retired> retired;  ///< deleted with the next detection
 
   std::vector<btPersistentManifold*> manifolds;  ///< those with points, in an order that depends on ids alone
   std::vector<contact::Memory> memories;         ///< per contact, between detect() and advance()

@@ -62,7 +62,7 @@ void HullHullAlgorithm::find(const PlacedHull& a, const PlacedHull& b) {
       !parting_direction_.isZero(0) && -extent_along(a, -direction) - extent_along(b, direction) > reach_;
   if (parted) {
     found_ = Found::nothing;
-  } else if (manifold_ && hardly_moved(a, b)) {
+  } else if (manifold_ && manifold_->getNumContacts() > 0 && hardly_moved(a, b)) {
     found_ = Found::the_same;
   } else {
     find_anew(a, b);
@@ -82,13 +82,13 @@ void HullHullAlgorithm::note(const PlacedHull& b, btManifoldResult& result) {
 
 /// Whether the contacts that were found are still those that would be: any that are new lie near the end of the reach.
 bool HullHullAlgorithm::hardly_moved(const PlacedHull& a, const PlacedHull& b) const {
-  constexpr btScalar kShareOfReach = 0.1;
+  constexpr btScalar kFractionOfReach = 0.1;
   const btTransform now = b.transform.inverse() * a.transform;
   const btScalar radius = a.shape.getContactBreakingThreshold(0) / kContactReach;  // of a about its centre
   btVector3 turned(0, 0, 0);
   for (int i = 0; i < 3; ++i) turned[i] = (now.getBasis().getColumn(i) - seen_from_b_.getBasis().getColumn(i)).length();
   const btScalar moved = (now.getOrigin() - seen_from_b_.getOrigin()).length() + radius * turned.length();
-  return moved < kShareOfReach * reach_;
+  return moved < kFractionOfReach * reach_;
 }
 
 /// Turns the normals with the pair; Bullet's refresh moves the points and takes their distances along them.

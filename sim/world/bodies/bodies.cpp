@@ -82,11 +82,11 @@ std::size_t surviving_piece(const WorldState& world, const std::vector<std::vect
 
 double damage_speed(const WorldState& world, const Body& body) {
   // Slower meetings do not come near the breaking speed sigma_t / (rho c).
-  constexpr double kShareOfBreakingSpeed = 0.5;
+  constexpr double kFractionOfBreakingSpeed = 0.5;
   if (body.tets.size() == 1) return std::numeric_limits<double>::infinity();
   const Material& material = world.material_of(body);
   const double stress = min_breaking_stress(world, body, false);
-  return kShareOfBreakingSpeed * stress / (material.density * bar_wave_speed(material));
+  return kFractionOfBreakingSpeed * stress / (material.density * bar_wave_speed(material));
 }
 
 double min_breaking_stress(const WorldState& world, const Body& body, bool at_crack_front) {

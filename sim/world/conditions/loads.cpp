@@ -80,23 +80,23 @@ Vec3 area_vector(std::span<const Vec3> positions, const std::array<NodeId, 3>& n
 }
 
 void add_point_force(const WorldState& world, const PlacedLoad& placed, double factor, std::vector<Vec3>& forces) {
-  const Vec3 fraction = factor / static_cast<double>(placed.corners.size()) * placed.load.force;
-  for (const TetCorner& corner : placed.corners) forces[node_at(world.mesh.tets, corner)] += fraction;
+  const Vec3 force = factor / static_cast<double>(placed.corners.size()) * placed.load.force;
+  for (const TetCorner& corner : placed.corners) forces[node_at(world.mesh.tets, corner)] += force;
 }
 
 void add_traction(const WorldState& world, const PlacedLoad& placed, double factor, std::vector<Vec3>& forces) {
   for (const SurfaceFace& face : placed.faces) {
     const std::array<NodeId, 3> nodes = face_nodes(world.mesh, face.tet, face.face);
-    const Vec3 fraction = factor * area_vector(world.mesh.rest_positions, nodes).norm() / 3 * placed.load.traction;
-    for (NodeId node : nodes) forces[node] += fraction;
+    const Vec3 force = factor * area_vector(world.mesh.rest_positions, nodes).norm() / 3 * placed.load.traction;
+    for (NodeId node : nodes) forces[node] += force;
   }
 }
 
 void add_body_force(const WorldState& world, const PlacedLoad& placed, double factor, std::vector<Vec3>& forces) {
   for (TetId tet : placed.tets) {
     const double density = world.material_of(world.bodies[world.elements.bodies[tet]]).density;
-    const Vec3 fraction = factor * density * world.elements.rest_elements[tet].volume / 4 * placed.load.acceleration;
-    for (NodeId node : world.mesh.tets[tet]) forces[node] += fraction;
+    const Vec3 force = factor * density * world.elements.rest_elements[tet].volume / 4 * placed.load.acceleration;
+    for (NodeId node : world.mesh.tets[tet]) forces[node] += force;
   }
 }
 
@@ -152,8 +152,8 @@ std::vector<std::vector<PressedFace>> pressed_faces(const WorldState& world, dou
 
 void add_pressure(std::span<const PressedFace> faces, std::span<const Vec3> positions, std::span<Vec3> forces) {
   for (const PressedFace& face : faces) {
-    const Vec3 fraction = -face.pressure / 3 * area_vector(positions, face.nodes);
-    for (NodeId node : face.nodes) forces[node] += fraction;
+    const Vec3 force = -face.pressure / 3 * area_vector(positions, face.nodes);
+    for (NodeId node : face.nodes) forces[node] += force;
   }
 }
 

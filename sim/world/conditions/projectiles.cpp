@@ -108,18 +108,25 @@ void queue_bursts(WorldState& world) {
   require_no_crowd(world.pending_shots, world.model->scene.gravity, "#/projectiles");
 }
 
-void fire_burst(WorldState& world, const ProjectileBurst& burst) {
+ProjectileBurst fire_burst(WorldState& world, const ProjectileBurst& burst) {
   const std::int64_t before = std::ssize(world.projectiles) + std::ssize(world.pending_shots);
   if (before + burst.count > kMaxProjectiles)
     throw InputError("shot", "brings the scene to more than 10,000 projectiles", "start it again, or fire fewer");
+  ProjectileBurst self_contained = burst;
+  if (burst.shape && std::holds_alternative<SurfaceProjectile>(*burst.shape)) {
+    const std::string where = "shot";
+    self_contained.shape =
+        PointsProjectile{convex_hull(std::visit(Outline{world.model->scene.folder, where}, *burst.shape)).corners};
+  }
   std::vector<PendingShot> pending = world.pending_shots;
   try {
-    queue_burst(world, burst, "shot");
+    queue_burst(world, self_contained, "shot");
     require_no_crowd(world.pending_shots, world.model->scene.gravity, "shot");
   } catch (const InputError&) {
     world.pending_shots = std::move(pending);
     throw;
   }
+  return self_contained;
 }
 
 void launch_projectiles(WorldState& world) {

@@ -13,7 +13,8 @@ void queue_burst(WorldState& world, const ProjectileBurst& burst, const std::str
 void queue_bursts(WorldState& world);
 /// A burst while the scene runs. Throws InputError, with nothing queued, as queue_burst() does, for a crowd, and where
 /// there would be more projectiles than a scene may have.
-void fire_burst(WorldState& world, const ProjectileBurst& burst);
+/// Returns the burst with the points of its surface in place of that.
+ProjectileBurst fire_burst(WorldState& world, const ProjectileBurst& burst);
 /// Puts the shots whose time has come into the contact world.
 void launch_projectiles(WorldState& world);
 

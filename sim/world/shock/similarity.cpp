@@ -34,7 +34,7 @@ constexpr double kMinFraction = 1.0 / 8;
 /// Scaled bodies strain more: no more than this at their strength.
 constexpr double kMaxStrain = 0.02;
 /// A shock that this share of the budget left can follow to its end is followed as it is.
-constexpr double kShareOfOneShock = 0.5;
+constexpr double kFractionOfOneShock = 0.5;
 
 double min_factor(const WorldState& world, const Body& body) {
   const Material& material = world.material_of(body);
@@ -196,7 +196,7 @@ void choose_similarity(WorldState& world, double left) {
   const Demand demand = demand_of(world, left);
   const double work = demand.microsteps * kMicrostepWork * demand.tets,
                followed = std::min(1.0, time_to_follow(world) / left);
-  const bool is_too_much = followed * work > kShareOfOneShock * available;
+  const bool is_too_much = followed * work > kFractionOfOneShock * available;
   const auto is_scaled = [](const Body& body) { return body.shock && body.shock->similarity < 1; };
   if (!is_too_much && std::ranges::none_of(world.bodies, is_scaled)) return;
   const double frequency =
