@@ -26,7 +26,6 @@ void Editor::new_scene() {
 }
 
 void Editor::add_body(const std::string& label, BodyDescription body) {
-  history_.finish();
   history_.change(label, [&](Scene& scene) { scene.bodies.push_back(std::move(body)); });
   history_.finish();
   state_.selection = {};
@@ -35,7 +34,6 @@ void Editor::add_body(const std::string& label, BodyDescription body) {
 
 void Editor::delete_body() {
   if (history_.scene().bodies.empty()) return;
-  history_.finish();
   history_.change("Delete body", [&](Scene& scene) { remove_body(scene, state_.selected_body); });
   history_.finish();
   state_.selection = {};
@@ -44,7 +42,6 @@ void Editor::delete_body() {
 void Editor::keep_shot() {
   if (!state_.last_shot) return;
   state_.running = false;
-  history_.finish();
   history_.change("Add shot", [&](Scene& scene) { scene.projectiles.push_back(*state_.last_shot); });
   history_.finish();
   state_.last_shot.reset();

@@ -119,11 +119,11 @@ void ContactWorld::Impl::wake_up(ProxyId id) {
 
 void ContactWorld::Impl::wake_neighbours(ProxyId id) {
   const btCollisionObject* object = objects[id].body.get();
-  for (const btPersistentManifold* manifold : dispatcher.touching()) {
-    if (manifold->getBody0() != object && manifold->getBody1() != object) continue;
+  dispatcher.visit_touching([&](const btPersistentManifold* manifold) {
+    if (manifold->getBody0() != object && manifold->getBody1() != object) return;
     for (const btCollisionObject* side : {manifold->getBody0(), manifold->getBody1()})
       if (side->getUserIndex() >= 0) wake_up(ProxyId(side->getUserIndex()));
-  }
+  });
 }
 
 /// Wakes what something touches that is not quiet or has just left its place.

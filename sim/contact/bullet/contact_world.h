@@ -231,11 +231,11 @@ struct ContactWorld::Impl : contact::ContactState {
   std::vector<contact::Retired> retired;  ///< deleted with the next detection; they outlive what knows them
   btDefaultCollisionConfiguration configuration;
   contact::Dispatcher dispatcher;
-  contact::HullGroundAlgorithm::Factory hull_ground, ground_hull;
-  contact::SphereSphereAlgorithm::Factory sphere_sphere;
-  contact::SphereHullAlgorithm::Factory sphere_hull;
-  contact::SphereGroundAlgorithm::Factory sphere_ground, ground_sphere;
-  contact::HullHullAlgorithm::Factory hull_hull;
+  contact::AlgorithmFactory<contact::HullGroundAlgorithm> hull_ground, ground_hull;
+  contact::AlgorithmFactory<contact::SphereSphereAlgorithm> sphere_sphere;
+  contact::AlgorithmFactory<contact::SphereHullAlgorithm> sphere_hull;
+  contact::AlgorithmFactory<contact::SphereGroundAlgorithm> sphere_ground, ground_sphere;
+  contact::AlgorithmFactory<contact::HullHullAlgorithm> hull_hull;
   contact::PairCache pairs;
   btDbvtBroadphase broadphase;
   contact::CollisionWorld world;

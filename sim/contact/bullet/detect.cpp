@@ -77,7 +77,8 @@ void ContactWorld::Impl::forget_parted() {
 }
 
 void ContactWorld::Impl::collect_manifolds() {
-  manifolds = dispatcher.touching();
+  manifolds.clear();
+  dispatcher.visit_touching([&](btPersistentManifold* manifold) { manifolds.push_back(manifold); });
   std::sort(manifolds.begin(), manifolds.end(),
             [](auto* left, auto* right) { return order_of(left) < order_of(right); });
 }

@@ -83,17 +83,6 @@ void Dispatcher::forget_if(const std::function<bool(const PairKey&)>& gone) {
   std::erase_if(remembered_, [&](const auto& entry) { return gone(entry.first); });
 }
 
-std::vector<btPersistentManifold*> Dispatcher::touching() {
-  std::vector<btPersistentManifold*> touching;
-  const auto add = [&](btPersistentManifold* manifold) {
-    if (manifold->getNumContacts() > 0) touching.push_back(manifold);
-  };
-  for (int i = 0; i < getNumManifolds(); ++i) add(getManifoldByIndexInternal(i));
-  for (auto& [key, memory] : remembered_)
-    if (memory.manifold) add(memory.manifold.get());
-  return touching;
-}
-
 std::optional<PairMemory> Dispatcher::take_memory(const PairKey& key) {
   const auto found = remembered_.find(key);
   if (found == remembered_.end()) return {};

@@ -30,8 +30,16 @@ class Dispatcher final : public btCollisionDispatcher {
   void forget_if(const std::function<bool(const PairKey&)>& gone);
   /// How many pairs of parts are near each other.
   std::size_t pair_count() const { return algorithms_.size() + remembered_.size(); }
-  /// All manifolds that have points.
-  std::vector<btPersistentManifold*> touching();
+  /// Calls visit(manifold) for all that have points.
+  template <class Visit>
+  void visit_touching(Visit visit) {
+    const auto look = [&](btPersistentManifold* manifold) {
+      if (manifold->getNumContacts() > 0) visit(manifold);
+    };
+    for (int i = 0; i < getNumManifolds(); ++i) look(getManifoldByIndexInternal(i));
+    for (auto& [key, memory] : remembered_)
+      if (memory.manifold) look(memory.manifold.get());
+  }
 
   // For PairAlgorithm.
   void enter(const PairAlgorithm& algorithm) { algorithms_.insert(&algorithm); }

@@ -7,9 +7,9 @@
 namespace griffith::contact {
 
 HullGroundAlgorithm::HullGroundAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
-                                         const btCollisionObjectWrapper* hull, const btCollisionObjectWrapper* plane,
+                                         const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second,
                                          bool plane_first)
-    : ManifoldAlgorithm(info, hull, plane), plane_first_(plane_first) {}
+    : ManifoldAlgorithm(info, plane_first ? second : first, plane_first ? first : second), plane_first_(plane_first) {}
 
 void HullGroundAlgorithm::processCollision(const btCollisionObjectWrapper* first,
                                            const btCollisionObjectWrapper* second, const btDispatcherInfo&,
@@ -36,13 +36,6 @@ void HullGroundAlgorithm::processCollision(const btCollisionObjectWrapper* first
     result->addContactPoint(normal, hull->getWorldTransform() * corner - distance * normal, distance);
   }
   result->refreshContactPoints();
-}
-
-btCollisionAlgorithm* HullGroundAlgorithm::Factory::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
-                                                                             const btCollisionObjectWrapper* first,
-                                                                             const btCollisionObjectWrapper* second) {
-  void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(HullGroundAlgorithm));
-  return new (memory) HullGroundAlgorithm(info, m_swapped ? second : first, m_swapped ? first : second, m_swapped);
 }
 
 }  // namespace griffith::contact

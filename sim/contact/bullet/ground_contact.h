@@ -9,17 +9,10 @@ namespace griffith::contact {
 /// Contacts of a hull with a plane: every corner near the plane at once, where Bullet's own algorithm finds one a step.
 class HullGroundAlgorithm final : public ManifoldAlgorithm {
  public:
-  HullGroundAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* hull,
-                      const btCollisionObjectWrapper* plane, bool plane_first);
+  HullGroundAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* first,
+                      const btCollisionObjectWrapper* second, bool plane_first);
   void processCollision(const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second,
                         const btDispatcherInfo&, btManifoldResult* result) override;
-
-  /// Makes the algorithm for (hull, plane) and, with `m_swapped`, for (plane, hull).
-  struct Factory final : btCollisionAlgorithmCreateFunc {
-    btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
-                                                   const btCollisionObjectWrapper* first,
-                                                   const btCollisionObjectWrapper* second) override;
-  };
 
  private:
   bool plane_first_;

@@ -111,11 +111,4 @@ void HullHullAlgorithm::find_anew(const PlacedHull& a, const PlacedHull& b) {
   seen_from_b_ = b.transform.inverse() * a.transform;
 }
 
-btCollisionAlgorithm* HullHullAlgorithm::Factory::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
-                                                                           const btCollisionObjectWrapper* first,
-                                                                           const btCollisionObjectWrapper* second) {
-  void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(HullHullAlgorithm));
-  return new (memory) HullHullAlgorithm(info, first, second);
-}
-
 }  // namespace griffith::contact

@@ -36,12 +36,6 @@ class HullHullAlgorithm final : public PairAlgorithm {
   void note(const PlacedHull& b, btManifoldResult& result);
   PairMemory memory() const override;
 
-  struct Factory final : btCollisionAlgorithmCreateFunc {
-    btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
-                                                   const btCollisionObjectWrapper* first,
-                                                   const btCollisionObjectWrapper* second) override;
-  };
-
  private:
   void find_anew(const PlacedHull& a, const PlacedHull& b);
   bool hardly_moved(const PlacedHull& a, const PlacedHull& b) const;

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <type_traits>
 
 #include "sim/core/linear_algebra.h"
 
@@ -71,6 +72,22 @@ class PairAlgorithm : public btCollisionAlgorithm {
 
   const btCollisionObject *first_, *second_;  // in an order that may differ from that of a compound's pair
   PairKey key_;
+};
+
+/// Makes algorithms in Bullet's memory: Algorithm(info, first, second), or with `m_swapped` as a fourth argument, which
+/// tells those for a plane that it comes first.
+template <class Algorithm>
+struct AlgorithmFactory final : btCollisionAlgorithmCreateFunc {
+  btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
+                                                 const btCollisionObjectWrapper* first,
+                                                 const btCollisionObjectWrapper* second) override {
+    using Wrapper = const btCollisionObjectWrapper*;
+    void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(Algorithm));
+    if constexpr (std::is_constructible_v<Algorithm, decltype(info), Wrapper, Wrapper, bool>)
+      return new (memory) Algorithm(info, first, second, m_swapped);
+    else
+      return new (memory) Algorithm(info, first, second);
+  }
 };
 
 /// An algorithm with one manifold for as long as its pair is near.

@@ -17,30 +17,15 @@ void SphereSphereAlgorithm::processCollision(const btCollisionObjectWrapper* fir
   result->refreshContactPoints();
 }
 
-btCollisionAlgorithm* SphereSphereAlgorithm::Factory::CreateCollisionAlgorithm(
-    btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* first,
-    const btCollisionObjectWrapper* second) {
-  void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(SphereSphereAlgorithm));
-  return new (memory) SphereSphereAlgorithm(info, first, second);
-}
-
 SphereHullAlgorithm::SphereHullAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
-                                         const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second,
-                                         btConvexPenetrationDepthSolver* solver)
-    : ManifoldAlgorithm(info, first, second), bullet_(manifold_, info, first, second, solver, 0, 0) {}
+                                         const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second)
+    : ManifoldAlgorithm(info, first, second), bullet_(manifold_, info, first, second, &solver_, 0, 0) {}
 
 void SphereHullAlgorithm::processCollision(const btCollisionObjectWrapper* first,
                                            const btCollisionObjectWrapper* second, const btDispatcherInfo& info,
                                            btManifoldResult* result) {
   bullet_.processCollision(first, second, info, result);
   result->refreshContactPoints();
-}
-
-btCollisionAlgorithm* SphereHullAlgorithm::Factory::CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
-                                                                             const btCollisionObjectWrapper* first,
-                                                                             const btCollisionObjectWrapper* second) {
-  void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(SphereHullAlgorithm));
-  return new (memory) SphereHullAlgorithm(info, first, second, &solver);
 }
 
 SphereGroundAlgorithm::SphereGroundAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
@@ -54,13 +39,6 @@ void SphereGroundAlgorithm::processCollision(const btCollisionObjectWrapper* fir
                                              btManifoldResult* result) {
   bullet_.processCollision(first, second, info, result);
   result->refreshContactPoints();
-}
-
-btCollisionAlgorithm* SphereGroundAlgorithm::Factory::CreateCollisionAlgorithm(
-    btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* first,
-    const btCollisionObjectWrapper* second) {
-  void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(SphereGroundAlgorithm));
-  return new (memory) SphereGroundAlgorithm(info, first, second, m_swapped);
 }
 
 }  // namespace griffith::contact

@@ -17,30 +17,18 @@ class SphereSphereAlgorithm final : public ManifoldAlgorithm {
   using ManifoldAlgorithm::ManifoldAlgorithm;
   void processCollision(const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second,
                         const btDispatcherInfo&, btManifoldResult* result) override;
-
-  struct Factory final : btCollisionAlgorithmCreateFunc {
-    btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
-                                                   const btCollisionObjectWrapper* first,
-                                                   const btCollisionObjectWrapper* second) override;
-  };
 };
 
 /// Bullet's own algorithm for a sphere and a hull, on a manifold that can be read.
 class SphereHullAlgorithm final : public ManifoldAlgorithm {
  public:
   SphereHullAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* first,
-                      const btCollisionObjectWrapper* second, btConvexPenetrationDepthSolver* solver);
+                      const btCollisionObjectWrapper* second);
   void processCollision(const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second,
                         const btDispatcherInfo& info, btManifoldResult* result) override;
 
-  struct Factory final : btCollisionAlgorithmCreateFunc {
-    btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
-                                                   const btCollisionObjectWrapper* first,
-                                                   const btCollisionObjectWrapper* second) override;
-    btGjkEpaPenetrationDepthSolver solver;
-  };
-
  private:
+  btGjkEpaPenetrationDepthSolver solver_;
   btConvexConvexAlgorithm bullet_;
 };
 
@@ -51,13 +39,6 @@ class SphereGroundAlgorithm final : public ManifoldAlgorithm {
                         const btCollisionObjectWrapper* second, bool plane_first);
   void processCollision(const btCollisionObjectWrapper* first, const btCollisionObjectWrapper* second,
                         const btDispatcherInfo& info, btManifoldResult* result) override;
-
-  /// Makes the algorithm for (sphere, plane) and, with `m_swapped`, for (plane, sphere).
-  struct Factory final : btCollisionAlgorithmCreateFunc {
-    btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
-                                                   const btCollisionObjectWrapper* first,
-                                                   const btCollisionObjectWrapper* second) override;
-  };
 
  private:
   btConvexPlaneCollisionAlgorithm bullet_;
