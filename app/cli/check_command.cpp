@@ -1,7 +1,9 @@
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 
-#include "app/shared/command_options.h"
+#include "app/cli/commands.h"
 #include "app/shared/scene_world.h"
 #include "sim/core/error.h"
 #include "sim/scene/scene_reader.h"
@@ -38,11 +40,10 @@ std::vector<InputError> problems_of(const std::filesystem::path& path) {
   return problems;
 }
 
-}  // namespace
-
-int check_command(const CheckOptions& options) {
+/// Prints every problem of every scene, and warnings; returns how many problems there are.
+int count_problems(const std::vector<std::filesystem::path>& scenes) {
   int count = 0;
-  for (const std::filesystem::path& path : options.scenes) {
+  for (const std::filesystem::path& path : scenes) {
     const std::vector<InputError> problems = problems_of(path);
     for (const InputError& problem : problems) std::fprintf(stderr, "%s\n", problem.what());
     if (problems.empty()) std::printf("%s: good\n", path.c_str());
@@ -50,6 +51,16 @@ int check_command(const CheckOptions& options) {
   }
   if (count > 0) std::fprintf(stderr, "%d %s\n", count, count == 1 ? "problem" : "problems");
   return count;
+}
+
+}  // namespace
+
+Command add_check(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("check", "List every problem of scene files");
+  const auto scenes = std::make_shared<std::vector<std::filesystem::path>>();
+  command->add_option("SCENE", *scenes, "Scene files")->required()->type_name("FILE");
+  command->footer("Example:\n  griffith check scenes/wall_small.json scenes/materials.json");
+  return {command, [scenes] { return count_problems(*scenes) == 0 ? kDone : kBadInput; }};
 }
 
 }  // namespace griffith::app

@@ -1,8 +1,11 @@
+#include <CLI/CLI.hpp>
 #include <cstdio>
+#include <map>
+#include <memory>
 
+#include "app/cli/commands.h"
 #include "app/output/mesh_statistics.h"
 #include "app/output/output.h"
-#include "app/shared/command_options.h"
 #include "app/shared/progress.h"
 #include "sim/core/error.h"
 #include "sim/core/replace_file.h"
@@ -11,6 +14,17 @@
 
 namespace griffith::app {
 namespace {
+
+/// A surface to be filled with tets.
+struct MeshOptions {
+  std::filesystem::path surface, output;
+  MeshingOptions meshing;
+  double scale = 1;                  ///< metres per unit of the file
+  double time_limit = 300;           ///< of TetGen [s]
+  std::int64_t memory_limit = 8192;  ///< of TetGen [MB]
+  bool cache = true;                 ///< use meshes made before
+  std::filesystem::path report;      ///< JSON; empty: none
+};
 
 void check_output_path(const std::filesystem::path& path) {
   const std::filesystem::path kind = path.extension();
@@ -27,7 +41,7 @@ void write_mesh(const std::filesystem::path& path, const TetSoup& soup) {
   write_vtu(path, soup.points, tets);
 }
 
-SurfaceMesh run(const MeshOptions& options) {
+SurfaceMesh fill(const MeshOptions& options) {
   constexpr std::int64_t kMegabyte = 1 << 20;
   StageProgress progress;
   MeshingSetup setup;
@@ -39,12 +53,10 @@ SurfaceMesh run(const MeshOptions& options) {
   return mesh_surface(read_surface(options.surface, options.scale, setup.monitor), options.meshing, setup);
 }
 
-}  // namespace
-
-void mesh_command(const MeshOptions& options) {
+void make_mesh(const MeshOptions& options) {
   check_output_path(options.output);
   if (!options.report.empty()) check_replaceable(options.report);
-  const SurfaceMesh mesh = run(options);
+  const SurfaceMesh mesh = fill(options);
   for (const std::string& finding : mesh.findings)
     std::fprintf(stderr, "warning: %s: %s\n", options.surface.c_str(), finding.c_str());
   const MeshQuality quality = mesh_quality(mesh.soup);
@@ -57,6 +69,68 @@ void mesh_command(const MeshOptions& options) {
               mesh.surface_report.volume, method_name(mesh.method), mesh.from_cache ? ", made before" : "",
               quality_text(quality).c_str());
   outputs.finish();
+}
+
+}  // namespace
+
+Command add_mesh(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("mesh", "Fill a surface with tetrahedra");
+  const auto options = std::make_shared<MeshOptions>();
+  const std::map<std::string, MeshingMethod> methods = {{"automatic", MeshingMethod::automatic},
+                                                        {"tetgen", MeshingMethod::tetgen},
+                                                        {"volumetric", MeshingMethod::volumetric}};
+  command->add_option("SURFACE", options->surface, "Surface: .obj, .stl, .ply, .off, .gltf or .glb")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("-o,--output", options->output, "Mesh to write: .msh, .vtu or .node")
+      ->required()
+      ->type_name("FILE");
+  command
+      ->add_option("--element-size", options->meshing.element_size,
+                   "Edge of a tetrahedron [m]; 1/20 of the size if not given")
+      ->check(CLI::Range(1e-6, 1e5))
+      ->type_name("M");
+  command
+      ->add_option("--method", options->meshing.method,
+                   "automatic (the default), tetgen (keeps the surface's triangles) or volumetric (takes any surface)")
+      ->transform(CLI::CheckedTransformer(methods).description(""))
+      ->type_name("NAME");
+  command
+      ->add_option("--grading", options->meshing.grading,
+                   "how many times longer edges may be deep inside; 1 if not given")
+      ->check(CLI::Range(1.0, 100.0))
+      ->type_name("G");
+  command
+      ->add_option("--quality", options->meshing.radius_edge_ratio,
+                   "TetGen: most circumradius over shortest edge; 1.4 if not given")
+      ->check(CLI::Range(1.1, 10.0))
+      ->type_name("Q");
+  command
+      ->add_option("--min-dihedral", options->meshing.min_dihedral_angle,
+                   "TetGen: angle between faces to work for; 10 if not given")
+      ->check(CLI::Range(0.0, 18.0))
+      ->type_name("DEGREES");
+  command->add_option("--scale", options->scale, "Metres per unit of the file; 1 if not given")
+      ->check(CLI::Range(1e-9, 1e6))
+      ->type_name("S");
+  command->add_option("--time-limit", options->time_limit, "TetGen: seconds; 300 if not given")
+      ->check(CLI::Range(0.01, 1e6))
+      ->type_name("S");
+  command->add_option("--memory-limit", options->memory_limit, "TetGen: megabytes; 8192 if not given")
+      ->check(CLI::Range(16, 1 << 20))
+      ->type_name("MB");
+  command->add_option("--report", options->report, "Write what was found and made as JSON")->type_name("FILE");
+  command->add_flag("--cache,!--no-cache", options->cache, "Use meshes made before; on if not given");
+  add_threads(*command);
+  command->footer(
+      "Examples:\n"
+      "  griffith mesh vase.obj -o vase.msh\n"
+      "  griffith mesh bunny.stl --scale 0.001 --element-size 0.005 --method volumetric -o bunny.vtu --report "
+      "bunny.json");
+  return {command, [options] {
+            make_mesh(*options);
+            return kDone;
+          }};
 }
 
 }  // namespace griffith::app

@@ -1,9 +1,12 @@
 #include <imgui.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <functional>
+#include <memory>
 
+#include "app/cli/commands.h"
 #include "app/editor/editor.h"
 #include "app/editor/imgui_context_owner.h"
 #include "app/output/output.h"
@@ -12,7 +15,6 @@
 #include "app/picture/scene_camera.h"
 #include "app/picture/scene_legend.h"
 #include "app/picture/steady_range.h"
-#include "app/shared/command_options.h"
 #include "app/shared/explanation.h"
 #include "app/shared/progress.h"
 #include "app/shared/scene_world.h"
@@ -24,6 +26,20 @@
 
 namespace griffith::app {
 namespace {
+
+/// Pictures without a window.
+struct RenderOptions {
+  std::filesystem::path scene, output;
+  int frame = 0;                   ///< steps before the (last) picture
+  int every = 0;                   ///< a picture each so many steps from 0 on, numbered; 0: one picture
+  int width = 1280, height = 720;  ///< [pixels]
+  int samples = 4;                 ///< per pixel
+  std::string view, camera;        ///< empty: the scene's
+  std::optional<int> node;         ///< whose forces and plane are shown; the most loaded one if absent
+  bool interface = false;          ///< draw the editor's panels too
+  bool legend = true;
+  std::optional<int> egl_device;
+};
 
 /// The largest scale that letters are made for; beyond it they are stretched.
 constexpr float kLargestFont = 6;
@@ -156,9 +172,7 @@ void render_editor(const RenderOptions& options, const Scene& scene) {
   explain(options, editor.frame(), scene);
 }
 
-}  // namespace
-
-void render_command(const RenderOptions& options) {
+void render(const RenderOptions& options) {
   if (options.output.extension() != ".png")
     throw InputError(options.output.string(), "is no name of a PNG file", "end it in .png");
   check_replaceable(options.every > 0 ? numbered(options.output, 0) : options.output);
@@ -170,6 +184,73 @@ void render_command(const RenderOptions& options) {
   } else {
     render_plainly(options, scene);
   }
+}
+
+constexpr int kMaxPixels = 16384;
+
+/// "1280x720" into two numbers; what is wrong with it.
+std::string read_size(const std::string& text, RenderOptions& options) {
+  char rest = 0;
+  const bool good = std::sscanf(text.c_str(), "%dx%d%c", &options.width, &options.height, &rest) == 2;
+  const auto possible = [](int pixels) { return pixels >= 16 && pixels <= kMaxPixels; };
+  if (good && possible(options.width) && possible(options.height)) return {};
+  return "--size: \"" + text + "\" is not a size: write WIDTHxHEIGHT, such as 1280x720, each from 16 to 16384";
+}
+
+}  // namespace
+
+Command add_render(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("render", "Draw a scene into PNG files, without a window");
+  const auto options = std::make_shared<RenderOptions>();
+  command->add_option("SCENE", options->scene, "Scene file")->required()->type_name("FILE");
+  command->add_option("--frame", options->frame, "Time steps before the picture")
+      ->check(CLI::Range(0, kMaxFrames))
+      ->type_name("N");
+  command->add_option("-o,--output", options->output, "PNG file to write")->required()->type_name("FILE");
+  command->add_option("--every", options->every, "A numbered picture every K steps, from 0 to N")
+      ->check(CLI::Range(1, kMaxFrames))
+      ->type_name("K");
+  command
+      ->add_option_function<std::string>(
+          "--size",
+          [options](const std::string& text) {
+            const std::string problem = read_size(text, *options);
+            if (!problem.empty()) throw CLI::ValidationError(problem);
+          },
+          "Size of the picture, 1280x720 if not given")
+      ->type_name("WxH");
+  command->add_option("--samples", options->samples, "Samples per pixel, 4 if not given; 1 has no smoothed edges")
+      ->check(CLI::Range(1, 16))
+      ->type_name("S");
+  command
+      ->add_option(
+          "--view", options->view,
+          "What to show: a quantity to colour by, a layer, wireframe, shrunken, exploded, slice or unlit; several "
+          "joined by +, such as utilization+fracture_planes+slice. The scene's view if not given")
+      ->type_name("NAME");
+  command
+      ->add_option("--node", options->node,
+                   "Node that is explained, in text and by the views candidate_plane and element_forces; the most "
+                   "loaded one if not given")
+      ->check(CLI::Range(0, 1 << 30))
+      ->type_name("N");
+  command->add_option("--camera", options->camera, "Camera of the scene, the first if not given")->type_name("NAME");
+  command->add_flag("--ui", options->interface, "Draw the editor's panels into the picture");
+  command->add_flag("--legend,!--no-legend", options->legend, "Draw the legend of the colours; on if not given");
+  command->add_option("--egl-device", options->egl_device, "Graphics device to use, as EGL counts them")
+      ->check(CLI::Range(0, 64))
+      ->type_name("N");
+  add_threads(*command);
+  command->footer(
+      "Examples:\n"
+      "  griffith render scenes/wall_small.json --frame 60 -o wall.png\n"
+      "  griffith render scenes/wall_small.json --frame 240 --every 4 -o wall.png    wall_0000.png, wall_0004.png, "
+      "...\n"
+      "  griffith render scenes/wall_small.json --frame 30 --view utilization --size 1920x1080 -o utilization.png");
+  return {command, [options] {
+            render(*options);
+            return kDone;
+          }};
 }
 
 }  // namespace griffith::app

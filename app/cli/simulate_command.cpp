@@ -1,6 +1,9 @@
+#include <CLI/CLI.hpp>
 #include <cstdio>
+#include <memory>
 #include <optional>
 
+#include "app/cli/commands.h"
 #include "app/output/crack_event_file.h"
 #include "app/output/energy_table.h"
 #include "app/output/export_frame.h"
@@ -8,7 +11,6 @@
 #include "app/output/output.h"
 #include "app/output/probe_table.h"
 #include "app/output/statistics.h"
-#include "app/shared/command_options.h"
 #include "app/shared/progress.h"
 #include "app/shared/scene_world.h"
 #include "sim/core/replace_file.h"
@@ -17,6 +19,19 @@
 
 namespace griffith::app {
 namespace {
+
+/// Steps without pictures.
+struct SimulateOptions {
+  std::filesystem::path scene;
+  int frames = 0;
+  std::filesystem::path stats;          ///< empty: a summary on stdout
+  std::filesystem::path probes;         ///< empty: the scene's probes are not written down
+  std::filesystem::path energy;         ///< CSV of the energy account; empty: none
+  std::filesystem::path events;         ///< JSON of all crack events; empty: none
+  std::filesystem::path export_file;    ///< .vtu or .msh of the last frame; empty: none
+  std::filesystem::path export_pieces;  ///< folder for the last frame's bodies as .obj; empty: none
+  int threads = 1;                      ///< in use, for the report
+};
 
 /// What can be told before the run of where its results go.
 void check_outputs(const SimulateOptions& options) {
@@ -27,9 +42,7 @@ void check_outputs(const SimulateOptions& options) {
   if (!options.export_pieces.empty()) check_folder(options.export_pieces);
 }
 
-}  // namespace
-
-void simulate_command(const SimulateOptions& options) {
+void simulate(const SimulateOptions& options) {
   check_outputs(options);
   const Scene scene = read_scene(options.scene);
   World world = make_world(scene, options.scene);
@@ -63,6 +76,46 @@ void simulate_command(const SimulateOptions& options) {
     outputs.write([&] { replace_file(options.stats, statistics.json(frame, world.state_hash())); });
   }
   outputs.finish();
+}
+
+}  // namespace
+
+Command add_simulate(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("simulate", "Step a scene without any graphics");
+  const auto options = std::make_shared<SimulateOptions>();
+  command->add_option("SCENE", options->scene, "Scene file")->required()->type_name("FILE");
+  command->add_option("--frames", options->frames, "Time steps to make")
+      ->required()
+      ->check(CLI::Range(0, kMaxFrames))
+      ->type_name("N");
+  command->add_option("--stats", options->stats, "Write what happened as JSON instead of a summary")->type_name("FILE");
+  command->add_option("--probes", options->probes, "Write the scene's probes as CSV, one row a time step")
+      ->type_name("FILE");
+  command->add_option("--energy", options->energy, "Write where the energy went as CSV, one row a time step")
+      ->type_name("FILE");
+  command
+      ->add_option("--events", options->events,
+                   "Write all crack events as JSON: place, plane, load, elements on both sides, bodies")
+      ->type_name("FILE");
+  command->add_option("--export", options->export_file, "Write the last time step as .vtu (ParaView) or .msh (Gmsh)")
+      ->type_name("FILE");
+  command
+      ->add_option("--export-pieces", options->export_pieces,
+                   "Write each body of the last time step as .obj into a folder, with its splinters if it has any")
+      ->type_name("DIR");
+  add_threads(*command);
+  command->footer(
+      "Examples:\n"
+      "  griffith simulate scenes/wall_small.json --frames 600\n"
+      "  griffith simulate scenes/brick_wall.json --frames 60 --export-pieces pieces\n"
+      "  griffith simulate scenes/wall_small.json --frames 60 --export wall.vtu\n"
+      "  griffith simulate scenes/cantilever.json --frames 1 --probes cantilever.csv\n"
+      "  griffith simulate scenes/wall_small.json --frames 600 --threads 1 --stats wall.stats.json");
+  return {command, [command, options] {
+            options->threads = thread_count(*command);
+            simulate(*options);
+            return kDone;
+          }};
 }
 
 }  // namespace griffith::app

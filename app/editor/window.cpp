@@ -1,3 +1,5 @@
+#include "app/editor/window.h"
+
 #include <backends/imgui_impl_glfw.h>
 #include <epoxy/gl.h>
 // After the GL loader.
@@ -14,7 +16,6 @@
 #include "app/editor/imgui_context_owner.h"
 #include "app/editor/starting_scene.h"
 #include "app/output/output.h"
-#include "app/shared/command_options.h"
 #include "app/shared/scene_files.h"
 #include "renderer/image.h"
 #include "sim/core/replace_file.h"

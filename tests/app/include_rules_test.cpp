@@ -78,7 +78,7 @@ TEST(IncludeRules, ThirdPartyLibrariesStayInTheirPlaces) {
   expect_only_in("^nlohmann/", "^(sim/scene/|app/output/((mesh_)?statistics|crack_event_file)\\.cpp$)");
   expect_only_in("^assimp/", "^sim/meshing/import_objects\\.cpp$");
   expect_only_in("^GLFW/", "^app/editor/window\\.cpp$");
-  expect_only_in("^CLI/", "^app/cli/command_line\\.cpp$");
+  expect_only_in("^CLI/", "^app/cli/");
   expect_only_in("^voro", "^sim/splinters/voronoi_cells\\.cpp$");
   expect_only_in("^stb", "^renderer/image\\.cpp$");
   expect_only_in("^EGL/|^epoxy/egl", "^renderer/egl_context\\.cpp$");

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <functional>
+
+#include "app/cli/command_line.h"
+
+namespace griffith::app {
+
+/// A command of the program: its arguments, and what carries it out when they are parsed. That throws InputError for
+/// bad input, other exceptions where the work failed.
+struct Command {
+  CLI::App* arguments = nullptr;
+  std::function<ExitCode()> carry_out;
+};
+
+/// Steps of which nothing is shown of time that long.
+inline constexpr int kMaxFrames = 10'000'000;
+
+/// Adds the option --threads, which the command line itself heeds.
+void add_threads(CLI::App& command);
+/// Threads that --threads asks for, or as many as the machine has.
+int thread_count(const CLI::App& command);
+
+// Each is in a file of its own, with what its arguments mean.
+Command add_render(CLI::App& program);
+Command add_simulate(CLI::App& program);
+Command add_check(CLI::App& program);
+Command add_mesh(CLI::App& program);
+
+/// All commands, in the order in which --help lists them.
+inline constexpr std::array kCommands = {add_render, add_simulate, add_check, add_mesh};
+
+}  // namespace griffith::app
