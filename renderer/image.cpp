@@ -1,11 +1,12 @@
 #include "renderer/image.h"
 
 #include <stb_image.h>
+#include <stb_image_resize.h>
 #include <stb_image_write.h>
 
-#include <algorithm>
 #include <cassert>
-#include <cstdlib>
+#include <climits>
+#include <memory>
 #include <new>
 #include <string>
 
@@ -15,25 +16,6 @@ namespace griffith::render {
 namespace {
 
 constexpr int kChannels = 4;
-
-bool is_off(const std::uint8_t* a, const std::uint8_t* b) {
-  constexpr int kTolerance = 4;
-  for (int channel = 0; channel < kChannels; ++channel) {
-    if (std::abs(a[channel] - b[channel]) > kTolerance) return true;
-  }
-  return false;
-}
-
-int count_off(const Image& a, const Image& b, int left, int top, int right, int bottom) {
-  int count = 0;
-  for (int y = top; y < bottom; ++y) {
-    for (int x = left; x < right; ++x) {
-      const std::size_t at = kChannels * (static_cast<std::size_t>(y) * a.width + x);
-      count += is_off(&a.rgba[at], &b.rgba[at]);
-    }
-  }
-  return count;
-}
 
 }  // namespace
 
@@ -54,39 +36,45 @@ std::string encode_png(const Image& image) {
   return bytes;
 }
 
-Image load_png(const std::filesystem::path& path) {
+Image decode_png(std::string_view bytes) {
   Image image;
   int channels = 0;
-  stbi_uc* pixels = stbi_load(path.c_str(), &image.width, &image.height, &channels, kChannels);
-  if (!pixels) throw RenderError("can't read the image " + path.string() + ": " + stbi_failure_reason());
-  image.rgba.assign(pixels, pixels + static_cast<std::size_t>(kChannels) * image.width * image.height);
-  stbi_image_free(pixels);
+  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+  const int size = bytes.size() > INT_MAX ? 0 : static_cast<int>(bytes.size());
+  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
+      stbi_load_from_memory(data, size, &image.width, &image.height, &channels, kChannels), stbi_image_free);
+  if (!pixels) throw RenderError(std::string("can't read an image: ") + stbi_failure_reason());
+  image.rgba.assign(pixels.get(), pixels.get() + std::size_t{kChannels} * image.width * image.height);
   return image;
 }
 
-ImageDifference compare_images(const Image& a, const Image& b) {
-  if (a.width != b.width || a.height != b.height) {
-    throw RenderError("images of different size: " + std::to_string(a.width) + "x" + std::to_string(a.height) +
-                      " and " + std::to_string(b.width) + "x" + std::to_string(b.height));
+Image load_png(const std::filesystem::path& path) {
+  Image image;
+  int channels = 0;
+  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
+      stbi_load(path.c_str(), &image.width, &image.height, &channels, kChannels), stbi_image_free);
+  if (!pixels) throw RenderError("can't read the image " + path.string() + ": " + stbi_failure_reason());
+  image.rgba.assign(pixels.get(), pixels.get() + std::size_t{kChannels} * image.width * image.height);
+  return image;
+}
+
+Image part_of(const Image& image, int left, int top, int width, int height) {
+  assert(left >= 0 && top >= 0 && left + width <= image.width && top + height <= image.height);
+  Image part{width, height, {}};
+  for (int y = top; y < top + height; ++y) {
+    const auto row = image.rgba.begin() + kChannels * (static_cast<std::ptrdiff_t>(y) * image.width + left);
+    part.rgba.insert(part.rgba.end(), row, row + std::ptrdiff_t{kChannels} * width);
   }
-  constexpr int kTile = 32;
-  ImageDifference difference;
-  for (int top = 0; top < a.height; top += kTile) {
-    for (int left = 0; left < a.width; left += kTile) {
-      const int right = std::min(left + kTile, a.width), bottom = std::min(top + kTile, a.height);
-      const int off = count_off(a, b, left, top, right, bottom);
-      const double fraction = static_cast<double>(off) / ((right - left) * (bottom - top));
-      difference.pixels_off += off;
-      if (fraction > difference.worst_tile_fraction) {
-        difference.worst_tile_fraction = fraction;
-        difference.worst_tile_x = left;
-        difference.worst_tile_y = top;
-      }
-    }
-  }
-  const int pixels = a.width * a.height;
-  difference.share_off = pixels > 0 ? static_cast<double>(difference.pixels_off) / pixels : 0;
-  return difference;
+  return part;
+}
+
+Image resized(const Image& image, int width, int height) {
+  Image result{width, height, std::vector<std::uint8_t>(std::size_t{kChannels} * width * height)};
+  constexpr int kAlphaChannel = 3;
+  if (!stbir_resize_uint8_srgb(image.rgba.data(), image.width, image.height, 0, result.rgba.data(), width, height, 0,
+                               kChannels, kAlphaChannel, 0))
+    throw std::bad_alloc();  // as above
+  return result;
 }
 
 }  // namespace griffith::render

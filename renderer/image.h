@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace griffith::render {
@@ -16,21 +17,27 @@ struct Image {
   bool operator==(const Image&) const = default;
 };
 
+/// What is drawn at each pixel, rows from the top.
+struct IdImage {
+  int width = 0, height = 0;      ///< [pixels]
+  std::vector<std::int32_t> ids;  ///< kNoId where nothing is
+
+  bool operator==(const IdImage&) const = default;
+};
+
 /// The bytes of a PNG file.
 std::string encode_png(const Image& image);
+
+/// The picture in the bytes of a PNG file. Throws RenderError.
+Image decode_png(std::string_view bytes);
 
 /// Throws RenderError naming the path.
 Image load_png(const std::filesystem::path& path);
 
-/// How far two images of one size are apart. A pixel is off if a channel differs by more than 4/255.
-struct ImageDifference {
-  int pixels_off = 0;
-  double share_off = 0;                    ///< of all pixels, 0 to 1
-  double worst_tile_fraction = 0;          ///< the largest share in any 32×32 tile, 0 to 1
-  int worst_tile_x = 0, worst_tile_y = 0;  ///< its top left pixel
-};
+/// A part of an image; it must lie inside.
+Image part_of(const Image& image, int left, int top, int width, int height);
 
-/// Throws RenderError if the sizes differ.
-ImageDifference compare_images(const Image& a, const Image& b);
+/// The image in another size of at least 1×1, averaged in linear light.
+Image resized(const Image& image, int width, int height);
 
 }  // namespace griffith::render

@@ -205,6 +205,8 @@ unsigned Renderer::color_texture() const { return passes_->target.color_texture(
 
 Image Renderer::image() const { return passes_->target.image(); }
 
+IdImage Renderer::ids() const { return passes_->target.ids(); }
+
 std::int32_t Renderer::id_at(int x, int y) const { return passes_->target.id_at(x, y); }
 
 }  // namespace griffith::render

@@ -37,6 +37,9 @@ class Renderer {
   /// The last picture, read back.
   Image image() const;
 
+  /// The ids of the last picture, read back.
+  IdImage ids() const;
+
   /// The id drawn at a pixel of the last picture, counted from the top left; kNoId where nothing is or outside.
   std::int32_t id_at(int x, int y) const;
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstring>
 #include <string>
 
 #include "renderer/draw_scene.h"
@@ -49,6 +48,16 @@ void finish_framebuffer(int width, int height) {
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     throw RenderError("the graphics device can't draw into an image of " + std::to_string(width) + "x" +
                       std::to_string(height) + " pixels");
+  }
+}
+
+/// OpenGL counts rows from below. `row`: values of one.
+template <class Value>
+void turn_upside_down(std::vector<Value>& values, std::size_t row) {
+  for (auto top = values.begin(), end = values.end(); end - top > static_cast<std::ptrdiff_t>(row);) {
+    end -= static_cast<std::ptrdiff_t>(row);
+    std::swap_ranges(top, top + static_cast<std::ptrdiff_t>(row), end);
+    top += static_cast<std::ptrdiff_t>(row);
   }
 }
 
@@ -103,12 +112,21 @@ Image Target::image() const {
   glReadBuffer(kColorAttachment);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   const std::size_t row = 4 * static_cast<std::size_t>(width_);
-  std::vector<std::uint8_t> from_bottom(row * height_);
-  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, from_bottom.data());
-  Image image{width_, height_, std::vector<std::uint8_t>(from_bottom.size())};
-  for (int y = 0; y < height_; ++y) {
-    std::memcpy(&image.rgba[row * y], &from_bottom[row * (height_ - 1 - y)], row);
-  }
+  Image image{width_, height_, std::vector<std::uint8_t>(row * height_)};
+  glReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+  turn_upside_down(image.rgba, row);
+  return image;
+}
+
+IdImage Target::ids() const {
+  const BoundFramebuffer previous;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_.id());
+  glReadBuffer(kIdAttachment);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  const std::size_t row = static_cast<std::size_t>(width_);
+  IdImage image{width_, height_, std::vector<std::int32_t>(row * height_)};
+  glReadPixels(0, 0, width_, height_, GL_RED_INTEGER, GL_INT, image.ids.data());
+  turn_upside_down(image.ids, row);
   return image;
 }
 

@@ -38,6 +38,7 @@ class Target {
   unsigned depth_buffer() const { return depth_.id(); }
 
   Image image() const;
+  IdImage ids() const;
 
   /// The id drawn at a pixel, counted from the top left, kNoId where nothing is or outside.
   std::int32_t id_at(int x, int y) const;

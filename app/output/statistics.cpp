@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "app/shared/components.h"
+#include "app/shared/hash_text.h"
 #include "sim/world/step_counters.h"
 
 namespace griffith::app {
@@ -40,12 +41,6 @@ std::int64_t peak_memory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
-}
-
-std::string hash_text(std::uint64_t hash) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
 }
 
 void add_counters(Json& json, const StepReport& total) {

@@ -30,7 +30,14 @@ TEST(Image, PngRoundTripKeepsEveryByte) {
   const Image image = noise(37, 21);
   std::ofstream(path, std::ios::binary) << encode_png(image);
   EXPECT_EQ(load_png(path), image);
+  EXPECT_EQ(decode_png(encode_png(image)), image);
   std::filesystem::remove_all(path.parent_path());
+}
+
+TEST(Image, WhatIsNoWholePictureIsRefused) {
+  const std::string bytes = encode_png(noise(8, 8));
+  for (const std::string& wrong : {std::string(), std::string("no image"), bytes.substr(0, 20), bytes.substr(0, 60)})
+    EXPECT_THROW(decode_png(wrong), RenderError) << wrong.size();
 }
 
 TEST(Image, ErrorsNameThePath) {
@@ -46,24 +53,29 @@ TEST(Image, ErrorsNameThePath) {
   std::ofstream(folder / "text.png") << "no image";
   EXPECT_THAT(message([&] { load_png(folder / "b.png"); }), testing::HasSubstr("b.png"));
   EXPECT_THAT(message([&] { load_png(folder / "text.png"); }), testing::HasSubstr("text.png"));
-  EXPECT_THAT(message([&] { compare_images(noise(2, 2), noise(2, 3)); }), testing::HasSubstr("2x3"));
   std::filesystem::remove_all(folder);
 }
 
-TEST(Image, DifferenceCountsPixelsBeyondTheToleranceAndFindsTheWorstTile) {
-  const Image a{100, 70, std::vector<std::uint8_t>(4 * 100 * 70, 100)};
-  Image b = a;
-  for (std::uint8_t& byte : b.rgba) byte += 4;  // everywhere just within the tolerance
-  EXPECT_EQ(compare_images(a, b).pixels_off, 0);
-  const auto spoil = [&b](int x, int y) { b.rgba[4 * (100 * y + x) + 1] = 105; };
-  spoil(3, 3);
-  for (int x = 96; x < 100; ++x) spoil(x, 65);  // in the corner's partial tile of 4 × 6 pixels
-  const ImageDifference difference = compare_images(a, b);
-  EXPECT_EQ(difference.pixels_off, 5);
-  EXPECT_DOUBLE_EQ(difference.share_off, 5.0 / 7000);
-  EXPECT_DOUBLE_EQ(difference.worst_tile_fraction, 4.0 / 24);
-  EXPECT_EQ(difference.worst_tile_x, 96);
-  EXPECT_EQ(difference.worst_tile_y, 64);
+TEST(Image, PartHoldsItsPixels) {
+  const Image image = noise(9, 7), part = part_of(image, 2, 3, 5, 4);
+  EXPECT_EQ(part.width, 5);
+  EXPECT_EQ(part.height, 4);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 5; ++x) EXPECT_EQ(part.pixel(x, y), image.pixel(x + 2, y + 3));
+  EXPECT_EQ(part_of(image, 0, 0, 9, 7), image);
+}
+
+TEST(Image, SizesAreAveragedInLinearLight) {
+  Image squares{64, 64, {}};
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x) {
+      const std::uint8_t value = (x + y) % 2 == 0 ? 0 : 255;
+      for (const std::uint8_t byte : {value, value, value, std::uint8_t{255}}) squares.rgba.push_back(byte);
+    }
+  const Image small = resized(squares, 8, 4);
+  ASSERT_EQ(small.rgba.size(), 4u * 8 * 4);
+  EXPECT_NEAR(small.pixel(4, 2)[0], 188, 2) << "half of the light, in the sRGB encoding";
+  EXPECT_EQ(small.pixel(4, 2)[3], 255);
 }
 
 }  // namespace

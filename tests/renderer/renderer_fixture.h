@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <memory>
 #include <vector>
 
@@ -44,6 +45,20 @@ class RendererFixture : public testing::Test {
   static inline std::unique_ptr<EglContext> context_;
   static inline std::unique_ptr<Renderer> renderer_;
 };
+
+/// The fraction of pixels in which a channel of two images of one size differs by more than 4/255.
+inline double off_fraction(const Image& a, const Image& b) {
+  EXPECT_EQ(a.rgba.size(), b.rgba.size());
+  int off = 0;
+  for (int y = 0; y < a.height; ++y)
+    for (int x = 0; x < a.width; ++x) {
+      const auto one = a.pixel(x, y), other = b.pixel(x, y);
+      bool differs = false;
+      for (std::size_t i = 0; i < one.size(); ++i) differs |= std::abs(one[i] - other[i]) > 4;
+      off += differs;
+    }
+  return off / (static_cast<double>(a.width) * a.height);
+}
 
 /// Triangles of a square across the line of sight that fills the picture, `nearer` metres before the camera's target.
 inline std::vector<Eigen::Vector3f> filling_square(const Camera& camera, float nearer = 0) {

@@ -1,0 +1,15 @@
+# Writes a header that holds each file as a string of its name: surface.frag becomes <namespace>::surface_frag. The
+# header is <folder of the build>/generated/<header>; `target` finds it.
+function(griffith_embed target header namespace)
+  set(content "#pragma once\n\nnamespace ${namespace} {\n")
+  foreach(path ${ARGN})
+    file(READ ${path} text)
+    get_filename_component(file ${path} NAME)
+    string(MAKE_C_IDENTIFIER ${file} name)
+    string(APPEND content "inline constexpr char ${name}[] = R\"text(${text})text\";\n")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${path})
+  endforeach()
+  string(APPEND content "}  // namespace ${namespace}\n")
+  file(CONFIGURE OUTPUT generated/${header} CONTENT "${content}" @ONLY)
+  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/generated)
+endfunction()

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace griffith::app {
+
+/// Text as HTML and XML show it, between tags and in quoted attributes. What neither may hold, control characters and
+/// bytes that are not UTF-8, becomes U+FFFD.
+std::string escape_markup(std::string_view text);
+
+/// The data URI of a PNG file's bytes, for the attribute src of an image.
+std::string png_data_uri(std::string_view png);
+
+/// A whole page that needs no other file. `title` is text; `head` (styles, scripts) and `body` are HTML. Its style
+/// follows the reader's light or dark scheme and defines the colours --page, --panel, --line, --text, --muted, --good,
+/// --bad, --warn and --accent.
+std::string html_page(std::string_view title, std::string_view head, std::string_view body);
+
+}  // namespace griffith::app
