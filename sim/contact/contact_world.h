@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -207,6 +208,9 @@ class ContactWorld {
   std::vector<Encounter> expected_impacts(double dt, double minimum_speed) const;
   /// How long there are none of these, 0..`maximum`, to within `tolerance` [s].
   double time_before_impact(double maximum, double minimum_speed, double tolerance) const;
+
+  /// A hash of what is kept from one substep to the next: impulses at contacts, allowed overlaps, who lies still.
+  std::uint64_t memory_hash() const;
 
   /// Size of what a copy does not share, about [bytes].
   std::size_t memory() const;

@@ -56,7 +56,7 @@ void limit(__rlimit_resource resource, rlim_t maximum) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   limit(RLIMIT_AS, static_cast<rlim_t>(limits.memory_bytes));
-  limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(limits.seconds)) + 1);
+  limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(std::max(limits.seconds, limits.processor_seconds))) + 1);
   limit(RLIMIT_CORE, 0);
   dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
   dup2(output, STDOUT_FILENO);

@@ -11,6 +11,7 @@ namespace griffith {
 struct ProcessLimits {
   double seconds = 0;             ///< of real time, > 0
   std::int64_t memory_bytes = 0;  ///< of address space, > 0
+  double processor_seconds = 0;   ///< of all threads; 0: as many as of real time
 };
 
 /// How another program ended, and what it wrote.

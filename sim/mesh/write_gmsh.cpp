@@ -4,7 +4,7 @@
 
 namespace griffith {
 
-void write_gmsh(const std::filesystem::path& path, const TetSoup& soup) {
+std::string gmsh_text(const TetSoup& soup) {
   std::string text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n";
   append_number(text, soup.points.size(), '\n');
   for (std::size_t i = 0; i < soup.points.size(); ++i) {
@@ -19,7 +19,9 @@ void write_gmsh(const std::filesystem::path& path, const TetSoup& soup) {
     for (int corner = 0; corner < 4; ++corner) append_number(text, soup.tets[i][corner] + 1, corner < 3 ? ' ' : '\n');
   }
   text += "$EndElements\n";
-  replace_file(path, text);
+  return text;
 }
+
+void write_gmsh(const std::filesystem::path& path, const TetSoup& soup) { replace_file(path, gmsh_text(soup)); }
 
 }  // namespace griffith

@@ -32,6 +32,8 @@ void write_vtu(const std::filesystem::path& path, std::span<const Vec3> position
 /// Writes Gmsh MSH 2.2 as text, with as many digits as read back exactly; all tets belong to physical group 1. Files
 /// are replaced as by write_vtu().
 void write_gmsh(const std::filesystem::path& path, const TetSoup& soup);
+/// The text that write_gmsh() writes.
+std::string gmsh_text(const TetSoup& soup);
 
 /// Writes TetGen's X.node and X.ele, given either, numbered from 0 and with as many digits as read back exactly. Files
 /// are replaced as by write_vtu().

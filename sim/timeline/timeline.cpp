@@ -14,9 +14,10 @@ void apply(World& world, WorldInput& input) {
   world.set_material(change.scene_body, change.material);
 }
 
-Timeline::Timeline(World world, std::size_t memory) : world_(std::move(world)), memory_(memory) {
+Timeline::Timeline(World world, std::size_t memory)
+    : world_(std::move(world)), start_hashes_(world_.state_hashes()), memory_(memory) {
   step_ = world_.frame().step;
-  branches_.push_back({-1, step_, step_, {}, {}});
+  branches_.push_back({-1, step_, step_, {}, {}, {}});
   copies_.emplace_back();
   keep_copy();
 }
@@ -31,6 +32,34 @@ std::vector<StepMark> Timeline::marks() const {
     end = branches_[branch].first_step;
   }
   std::ranges::reverse(all);
+  return all;
+}
+
+/// The branch and those it goes back to, the first first.
+std::vector<int> Timeline::way_to_branch() const {
+  std::vector<int> way;
+  for (int line = branch_; line >= 0; line = branches_[line].parent) way.push_back(line);
+  std::ranges::reverse(way);
+  return way;
+}
+
+std::vector<WorldInput> Timeline::inputs() const {
+  std::vector<WorldInput> all;
+  for (const int line : way_to_branch()) {
+    const Branch& branch = branches_[line];
+    std::erase_if(all, [&](const WorldInput& input) { return input.step >= branch.first_step; });
+    all.insert(all.end(), branch.inputs.begin(), branch.inputs.end());
+  }
+  return all;
+}
+
+std::vector<StateHashes> Timeline::hashes() const {
+  std::vector<StateHashes> all = {start_hashes_};
+  for (const int line : way_to_branch()) {
+    const Branch& branch = branches_[line];
+    all.resize(static_cast<std::size_t>(branch.first_step - first_step() + 1));
+    all.insert(all.end(), branch.hashes.begin(), branch.hashes.end());
+  }
   return all;
 }
 
@@ -65,7 +94,7 @@ void Timeline::do_input(WorldInput input) {
 
 /// Begins a branch, with what was done at this step already.
 void Timeline::begin_branch() {
-  Branch next{line_, step_, step_, {}, {}};
+  Branch next{line_, step_, step_, {}, {}, {}};
   const std::vector<WorldInput>& inputs = branches_[line_].inputs;
   for (std::size_t i = 0; i < inputs_done_; ++i)
     if (inputs[i].step == step_) next.inputs.push_back(inputs[i]);
@@ -100,6 +129,7 @@ void Timeline::make_step() {
   ++step_;
   if (step_ <= last_step()) return;
   branches_[branch_].last_step = step_;
+  branches_[branch_].hashes.push_back(world_.state_hashes());
   mark_step(cracks_before);
   if ((step_ - first_step()) % interval_ == 0) keep_copy();
 }

@@ -6,24 +6,12 @@
 #include <optional>
 #include <span>
 #include <utility>
-#include <variant>
 #include <vector>
 
+#include "sim/scene/world_input.h"
 #include "sim/world/world.h"
 
 namespace griffith {
-
-/// A material that a scene body had from then on.
-struct MaterialChange {
-  int scene_body = 0;
-  Material material;
-};
-
-/// What was done to a world from outside, before the step after `step`.
-struct WorldInput {
-  std::int64_t step = 0;
-  std::variant<ProjectileBurst, MaterialChange> action;
-};
 
 /// Does to a world what was done. Throws as World::fire() and World::set_material() do. What it read from a file is
 /// part of the input afterwards.
@@ -41,8 +29,9 @@ struct StepMark {
 struct Branch {
   int parent = -1;
   std::int64_t first_step = 0, last_step = 0;
-  std::vector<WorldInput> inputs;  ///< since first_step, in their order
-  std::vector<StepMark> marks;     ///< of steps after first_step in which anything happened
+  std::vector<WorldInput> inputs;   ///< since first_step, in their order
+  std::vector<StepMark> marks;      ///< of steps after first_step in which anything happened
+  std::vector<StateHashes> hashes;  ///< of the steps after first_step, as they were made first
 };
 
 /// A world with its past. Every step of it can be gone back to, to the bit: from the nearest copy of the world on, the
@@ -63,6 +52,10 @@ class Timeline {
   std::int64_t last_step() const { return branches_[branch_].last_step; }
   /// What happened on the way to the end of the branch, its parents' part included, by step.
   std::vector<StepMark> marks() const;
+  /// What was done on the way to the end of the branch, in its order.
+  std::vector<WorldInput> inputs() const;
+  /// What the steps on the way to the end of the branch left, first_step() first, as they were made first.
+  std::vector<StateHashes> hashes() const;
 
   /// Makes a step: the one that was made before, where there is one. `before`, if any, becomes a copy of the world as
   /// it was before the step, with all that was done to it.
@@ -88,6 +81,7 @@ class Timeline {
   };
   static constexpr std::int64_t kMaxInterval = 4096;
 
+  std::vector<int> way_to_branch() const;
   void do_input(WorldInput input);
   void begin_branch();
   void enter_line();
@@ -99,6 +93,7 @@ class Timeline {
   std::pair<std::int64_t, int> nearest_copy(int branch, std::int64_t step) const;
 
   World world_;
+  StateHashes start_hashes_;
   std::size_t memory_, used_ = 0;
   std::int64_t interval_ = 8;
   std::vector<Branch> branches_;

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "sim/core/error.h"
+#include "sim/mesh/tet_mesh.h"
 #include "sim/scene/scene.h"
 #include "sim/splinters/splinters.h"
 
@@ -15,6 +17,7 @@ struct Model {
   std::vector<double> min_edges;  ///< per scene body: shortest edge that remeshing makes [m]
   std::vector<double> extents;    ///< per scene body: longest edge of the box round its largest piece at rest [m]
   std::vector<std::optional<Weakness>> weaknesses;  ///< per scene body, direction in the placed rest space, unit length
+  std::vector<std::shared_ptr<const TetSoup>> filled_surfaces;  ///< per scene body, as made; null for other shapes
   SplinterSet splinters;
   std::vector<std::vector<HullCorner>> splinter_hulls;  ///< per splinter; empty where they are not what touches
   std::vector<InputError> findings;  ///< what the user should know about the scene; nothing that keeps it from running

@@ -6,6 +6,7 @@
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/conditions/projectiles.h"
 #include "sim/world/energy/energy_phase.h"
+#include "sim/world/hash_state.h"
 #include "sim/world/phases/contact_phase.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/equilibrium.h"
@@ -188,6 +189,12 @@ std::uint64_t World::state_hash() const {
   hash.add(world.mesh.tets);
   hash.add(world.elements.bodies);
   return hash.value();
+}
+
+StateHashes World::state_hashes() const { return hash_state(impl_->state); }
+const Scene& World::scene() const { return impl_->state.model->scene; }
+const TetSoup* World::filled_surface(int scene_body) const {
+  return impl_->state.model->filled_surfaces[scene_body].get();
 }
 
 }  // namespace griffith

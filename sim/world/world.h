@@ -8,6 +8,7 @@
 #include "sim/scene/scene.h"
 #include "sim/world/frame.h"
 #include "sim/world/setup/given_meshes.h"
+#include "sim/world/state_hashes.h"
 
 namespace griffith {
 
@@ -50,6 +51,13 @@ class World {
 
   /// A hash of all positions, velocities and topology: the same bits, the same hash.
   std::uint64_t state_hash() const;
+  /// Hashes of all that is kept from step to step, by kind.
+  StateHashes state_hashes() const;
+
+  /// What it was built from.
+  const Scene& scene() const;
+  /// The tets that filled the surface of a scene body, as they were made [m]; null for other shapes.
+  const TetSoup* filled_surface(int scene_body) const;
 
  private:
   struct Impl;

@@ -40,7 +40,7 @@ void act(World& world, const Scene& scene, int step) {
 
 /// What a world shows after a step, to the bit.
 struct Shown {
-  std::uint64_t hash;
+  StateHashes hashes;
   std::size_t cracks, bodies, contacts;
   double stored, lost;
   bool operator==(const Shown&) const = default;
@@ -48,7 +48,7 @@ struct Shown {
 
 Shown shown_by(const World& world) {
   const Frame frame = world.frame();
-  return {world.state_hash(),    frame.crack_events.size(), frame.bodies.size(),
+  return {world.state_hashes(),  frame.crack_events.size(), frame.bodies.size(),
           frame.contacts.size(), frame.energy.stored(),     frame.energy.lost()};
 }
 

@@ -58,11 +58,13 @@ std::string mesh_name(const Scene& scene, const Shape& shape) {
 /// The mesh that was given for the shape, in metres; nothing where it has to be read or made.
 std::optional<TetSoup> given_soup(const GivenMeshes* given, const Shape& shape) {
   const auto* file = std::get_if<MeshFileShape>(&shape);
-  if (given == nullptr || file == nullptr) return {};
-  const auto found = given->find(file->path);
+  const auto* surface = std::get_if<SurfaceShape>(&shape);
+  if (given == nullptr || (file == nullptr && surface == nullptr)) return {};
+  const auto found = given->find(file ? file->path : surface->path);
   if (found == given->end()) return {};
   TetSoup soup = found->second;
-  for (Vec3& point : soup.points) point *= file->scale;
+  if (file)
+    for (Vec3& point : soup.points) point *= file->scale;
   return soup;
 }
 
@@ -70,6 +72,7 @@ ShapeMesh make_mesh(const Scene& scene, const Shape& shape, const GivenMeshes* g
   ShapeMesh made;
   std::optional<TetSoup> known = given_soup(given, shape);
   made.soup = known ? std::move(*known) : make_soup(shape, scene.folder, &made.findings, monitor);
+  if (std::holds_alternative<SurfaceShape>(shape)) made.filled_surface = std::make_shared<const TetSoup>(made.soup);
   if (monitor.is_cancelled()) throw Cancelled();
   MeshReport report = prepare(made.soup, mesh_name(scene, shape), &made.mesh);
   if (monitor.is_cancelled()) throw Cancelled();

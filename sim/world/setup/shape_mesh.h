@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -14,11 +15,12 @@ namespace griffith {
 
 /// The mesh of a shape in its own frame, and what is known of it: the same for all bodies of the shape.
 struct ShapeMesh {
-  TetSoup soup;                            ///< prepared
-  std::vector<int> point_of_node;          ///< per node of the soup: the point as read that it was
-  TetMesh mesh;                            ///< of the soup
-  std::vector<std::vector<TetId>> pieces;  ///< what holds together through faces
-  std::vector<NodeId> slit_tips;           ///< crack fronts that it has from the start
+  TetSoup soup;                                   ///< prepared
+  std::shared_ptr<const TetSoup> filled_surface;  ///< as it was made; null for what is no surface
+  std::vector<int> point_of_node;                 ///< per node of the soup: the point as read that it was
+  TetMesh mesh;                                   ///< of the soup
+  std::vector<std::vector<TetId>> pieces;         ///< what holds together through faces
+  std::vector<NodeId> slit_tips;                  ///< crack fronts that it has from the start
   std::vector<ConvexPart>
       convex_parts;                   ///< of one piece, relative to its centre of mass [m]; empty if it is in several
   std::vector<std::string> findings;  ///< what the user should know of a file

@@ -1,0 +1,133 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/output/bug_report.h"
+#include "app/output/replay_report.h"
+#include "app/output/statistics.h"
+#include "app/picture/draw_scene_from_frame.h"
+#include "app/picture/picture_options.h"
+#include "app/picture/scene_camera.h"
+#include "app/picture/steady_range.h"
+#include "app/shared/progress.h"
+#include "app/shared/scene_world.h"
+#include "renderer/egl_context.h"
+#include "renderer/renderer.h"
+#include "sim/core/read_file.h"
+#include "sim/core/replace_file.h"
+#include "sim/recording/replay.h"
+#include "sim/scene/scene_reader.h"
+
+namespace griffith::app {
+namespace {
+
+/// A bug report to be packed.
+struct BundleOptions {
+  std::filesystem::path input, output;
+  int frames = 60;  ///< of a scene
+  int threads = 1;
+};
+
+bool is_compressed(const std::filesystem::path& path) { return read_file(path).starts_with("\x28\xB5\x2F\xFD"); }
+
+/// Draws the world as `griffith render` does, or says in `parts` why it cannot. Returns what drew it.
+std::string add_picture(const World& world, const Scene& scene, ReportParts& parts) try {
+  constexpr int kWidth = 1280, kHeight = 720, kSamples = 4;
+  const render::EglContext context(std::nullopt);
+  const Frame frame = world.frame();
+  SteadyRange range;
+  range.follow(frame, scene.view.quantity);
+  const render::DrawScene drawn =
+      draw_scene_from_frame(frame, embedded_display(frame, scene), scene, scene.view, {}, range.range());
+  render::Renderer renderer;
+  const render::Camera camera = scene_camera(scene, "", drawn, static_cast<float>(kWidth) / kHeight);
+  renderer.render(drawn, camera, picture_options(kWidth, kHeight, kSamples, scene.view));
+  parts.picture = renderer.image();
+  return context.renderer();
+} catch (const std::exception& error) {
+  parts.log += std::string("no picture: ") + error.what() + "\n";
+  return "none";
+}
+
+/// Runs the scene, to its end or to what ended it.
+Recording recorded_run(const BundleOptions& options, ReportParts& parts) {
+  const Scene scene = read_scene(options.input);
+  World world = make_world(scene, options.input);
+  Recording recording = begin_recording(world);
+  for (const InputError& finding : world.findings()) parts.log += std::string("warning: ") + finding.what() + "\n";
+  RunStatistics statistics(world.frame(), scene.simulation.time_step, options.threads);
+  try {
+    Progress progress("Simulating", std::max(options.frames, 1));
+    for (int step = 1; step <= options.frames; ++step) {
+      world.step();
+      statistics.add(world.frame());
+      recording.hashes.push_back(world.state_hashes());
+      progress.update(step);
+    }
+  } catch (const std::exception& error) {
+    parts.log += "step " + std::to_string(recording.steps() + 1) + " failed: " + error.what() + "\n";
+  }
+  parts.log += statistics.summary(world.frame(), world.state_hash());
+  recording.versions.emplace_back("graphics", add_picture(world, scene, parts));
+  return recording;
+}
+
+/// Replays a recording for its picture, and tells whether it comes out alike here.
+Recording replayed(const BundleOptions& options, ReportParts& parts) {
+  Recording recording = read_recording(options.input);
+  Replay replay(recording);
+  Progress progress("Replaying", static_cast<int>(std::max<std::int64_t>(recording.steps(), 1)));
+  while (!replay.at_end()) {
+    replay.advance();
+    progress.update(static_cast<int>(replay.world().frame().step));
+  }
+  parts.log += "replayed for this report: " + replay_report(recording, replay);
+  parts.log += "picture drawn by: " + add_picture(replay.world(), replay.scene(), parts) + "\n";
+  return recording;
+}
+
+void bundle(const BundleOptions& options) {
+  check_replaceable(options.output);
+  ReportParts parts;
+  const bool recorded = is_compressed(options.input);
+  parts.log = "griffith bundle " + options.input.filename().string() + "\n";
+  Recording recording = recorded ? replayed(options, parts) : recorded_run(options, parts);
+  add_report(recording, parts);
+  write_recording(recording, options.output);
+  std::printf("%s: %lld steps%s\n%s", options.output.c_str(), static_cast<long long>(recording.steps()),
+              parts.picture ? ", with a picture of the last" : ", without a picture", parts.log.c_str());
+}
+
+}  // namespace
+
+Command add_bundle(CLI::App& program) {
+  CLI::App* command =
+      program.add_subcommand("bundle", "Pack a run with all that it takes to make it again elsewhere: a bug report");
+  const auto options = std::make_shared<BundleOptions>();
+  command->add_option("SCENE", options->input, "Scene file to run, or a recording")->required()->type_name("FILE");
+  const CLI::Option* frames =
+      command
+          ->add_option("--frames", options->frames, "Time steps of a scene, 60 if not given; a recording has its own")
+          ->check(CLI::Range(0, kMaxFrames))
+          ->type_name("N");
+  command->add_option("-o,--output", options->output, "Bug report to write")->required()->type_name("FILE");
+  add_threads(*command);
+  command->footer(
+      "Examples:\n"
+      "  griffith bundle scenes/wall_small.json --frames 120 -o report.tar.zst\n"
+      "  griffith bundle wall.tar.zst -o report.tar.zst\n"
+      "  griffith replay report.tar.zst\n\n"
+      "It holds the scene with its files, inputs, hashes of every step, versions, a log and a picture of the last "
+      "step.");
+  return {command, [command, options, frames] {
+            if (*frames && is_compressed(options->input))
+              throw InputError("--frames", "is given for a recording", "leave it out: a recording has its own steps");
+            options->threads = thread_count(*command);
+            bundle(*options);
+            return kDone;
+          }};
+}
+
+}  // namespace griffith::app

@@ -1,0 +1,93 @@
+#include <algorithm>
+#include <utility>
+
+#include "app/editor/editor.h"
+#include "app/output/bug_report.h"
+#include "app/shared/scene_files.h"
+#include "sim/core/file_path.h"
+#include "sim/core/replace_file.h"
+#include "sim/scene/scene_paths.h"
+
+namespace griffith::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A proposal for the file of a run.
+fs::path file_of_run(const std::string& scene, ui::SavedKind kind) {
+  std::string name = scene.empty() ? "run" : scene;
+  std::ranges::replace(name, '/', '-');
+  return name + (kind == ui::SavedKind::recording ? "" : " report") + ".tar.zst";
+}
+
+/// When the file, its other half (TetGen's), or what is in the folder was written last; the earliest time where there
+/// is none.
+fs::file_time_type newest_time(const fs::path& path) {
+  fs::file_time_type newest = time_of_file(path);
+  if (path.extension() == ".node") newest = std::max(newest, time_of_file(fs::path(path).replace_extension(".ele")));
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(path, error)) newest = std::max(newest, time_of_file(entry.path()));
+  return newest;
+}
+
+std::string log_text(const std::vector<ui::LogLine>& lines) {
+  std::string text;
+  for (const ui::LogLine& line : lines) {
+    const char* level = line.level == ui::LogLevel::info      ? ""
+                        : line.level == ui::LogLevel::warning ? "warning: "
+                                                              : "error: ";
+    text += level + line.text + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+void Editor::ask_where_to_save_run(ui::SavedKind kind, fs::path proposed) {
+  if (proposed.empty()) proposed = own_file().parent_path() / file_of_run(history_.scene().name, kind);
+  state_.save_as = ui::save_target(proposed, kind);
+}
+
+Recording Editor::recorded_run() const {
+  Scene scene = world().scene();
+  for (const fs::path* path : paths_in(scene)) {
+    const fs::path file = file_path(scene.folder, *path);
+    if (newest_time(file) > built_at_)
+      throw InputError(file.string(), "has changed since the run began",
+                       "Reset starts again with the file as it is now; what it was is not known any more");
+  }
+  return record(timeline_);
+}
+
+void Editor::save_run(const ui::Command& command) {
+  std::error_code error;
+  if (!command.replace && fs::exists(fs::symlink_status(command.path, error))) {
+    state_.replacement = ui::Replacement{command, command.path.string() + " is there already."};
+    return;
+  }
+  check_replaceable(command.path);
+  if (command.id == ui::CommandId::save_report) {
+    wanted_report_ = command.path;
+    return;
+  }
+  const Recording recording = recorded_run();
+  write_recording(recording, command.path);
+  log(ui::LogLevel::info, "Recorded " + std::to_string(recording.steps()) + " steps in " + command.path.string());
+}
+
+std::optional<fs::path> Editor::take_report_request() { return std::exchange(wanted_report_, std::nullopt); }
+
+void Editor::save_report(const fs::path& path, const render::Image& picture, const std::string& graphics) {
+  try {
+    Recording recording = recorded_run();
+    recording.versions.emplace_back("graphics", graphics);
+    add_report(recording, {log_text(state_.log), picture});
+    write_recording(recording, path);
+    log(ui::LogLevel::info, "Saved the bug report " + path.string() + ": griffith replay makes the run again");
+  } catch (const InputError& problem) {
+    show_error(problem);
+  }
+}
+
+}  // namespace griffith::app

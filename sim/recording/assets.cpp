@@ -1,0 +1,118 @@
+#include "sim/recording/assets.h"
+
+#include <algorithm>
+#include <cctype>
+#include <regex>
+#include <set>
+
+#include "sim/core/file_path.h"
+#include "sim/core/read_file.h"
+#include "sim/mesh/read_mesh.h"
+#include "sim/mesh/write_mesh.h"
+#include "sim/scene/scene_paths.h"
+
+namespace griffith {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr char kFilledSurface[] = "filled.msh";
+
+std::string lower_case(std::string text) {
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+/// What the pattern's group finds in the text, each once.
+std::set<std::string> all_found(const std::string& text, const std::regex& pattern) {
+  std::set<std::string> found;
+  for (auto match = std::sregex_iterator(text.begin(), text.end(), pattern); match != std::sregex_iterator(); ++match)
+    found.insert((*match)[1]);
+  return found;
+}
+
+/// Files beside `file` that it needs or names; some may be missing.
+std::set<std::string> named_in(const fs::path& file, const std::string& content) {
+  static const std::regex kUri("\"uri\"\\s*:\\s*\"([^\":]{1,200})\""), kMaterials("mtllib[ \\t]+([^\\r\\n]{1,200})");
+  const std::string kind = lower_case(file.extension().string());
+  if (kind == ".node") return {file.stem().string() + ".ele"};
+  if (kind == ".ele") return {file.stem().string() + ".node"};
+  if (kind == ".gltf") return all_found(content, kUri);
+  if (kind == ".obj") return all_found(content.substr(0, 10'000), kMaterials);
+  return {};
+}
+
+/// What stands beside the file and below its folder. A recording takes nothing from elsewhere.
+bool is_beside(const fs::path& file, const std::string& name) {
+  const fs::path plain = fs::path(name).lexically_normal();
+  std::error_code ignored;
+  return plain.is_relative() && !plain.empty() && *plain.begin() != ".." &&
+         fs::is_regular_file(file.parent_path() / plain, ignored);
+}
+
+class AssetCollector {
+ public:
+  AssetCollector(fs::path folder, FileTree& files) : folder_(std::move(folder)), files_(files) {}
+
+  /// Takes the file or folder in; the path that leads to it from now on. `filled`: null for what is no surface.
+  fs::path add(const fs::path& path, const TetSoup* filled) {
+    const auto [known, is_new] = added_.try_emplace({path, filled});
+    if (!is_new) return known->second;
+    fs::path source = fs::absolute(file_path(folder_, path)).lexically_normal();
+    if (!source.has_filename()) source = source.parent_path();  // "wall_csv/"
+    const std::string folder = "assets/" + std::to_string(added_.size()) + "/";
+    known->second = folder + source.filename().string();
+    std::error_code ignored;
+    if (fs::is_directory(source, ignored)) {
+      for (const char* name : {"verts.csv", "tets.csv"})
+        files_[known->second.string() + "/" + name] = read_file(source / name);
+    } else {
+      add_file(source, folder);
+    }
+    if (filled) files_[folder + kFilledSurface] = gmsh_text(*filled);
+    return known->second;
+  }
+
+ private:
+  void add_file(const fs::path& source, const std::string& folder) {
+    const std::string content = read_file(source);
+    for (const std::string& name : named_in(source, content))
+      if (is_beside(source, name))
+        files_[folder + fs::path(name).lexically_normal().generic_string()] = read_file(source.parent_path() / name);
+    files_[folder + source.filename().string()] = content;
+  }
+
+  fs::path folder_;
+  FileTree& files_;
+  std::map<std::pair<fs::path, const TetSoup*>, fs::path> added_;
+};
+
+}  // namespace
+
+SceneWithAssets collect_assets(const World& world) {
+  SceneWithAssets result{world.scene(), {}};
+  Scene& scene = result.scene;
+  std::map<const fs::path*, const TetSoup*> filled;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
+    if (auto* surface = std::get_if<SurfaceShape>(&scene.bodies[i].shape))
+      filled[&surface->path] = world.filled_surface(static_cast<int>(i));
+  AssetCollector collector(scene.folder, result.files);
+  for (fs::path* path : paths_in(scene)) *path = collector.add(*path, filled[path]);
+  scene.folder.clear();
+  scene.schema.clear();
+  return result;
+}
+
+GivenMeshes filled_surfaces(const Scene& scene) {
+  GivenMeshes meshes;
+  for (const BodyDescription& body : scene.bodies) {
+    const auto* surface = std::get_if<SurfaceShape>(&body.shape);
+    if (!surface) continue;
+    const fs::path filled = file_path(scene.folder, surface->path).parent_path() / kFilledSurface;
+    std::error_code ignored;
+    if (!meshes.contains(surface->path) && fs::exists(filled, ignored)) meshes[surface->path] = read_mesh(filled);
+  }
+  return meshes;
+}
+
+}  // namespace griffith

@@ -1,0 +1,117 @@
+#include "sim/recording/recording.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "sim/core/error.h"
+#include "sim/core/read_file.h"
+#include "sim/core/replace_file.h"
+#include "sim/recording/assets.h"
+#include "sim/recording/hash_table.h"
+#include "sim/scene/scene_paths.h"
+#include "sim/scene/scene_reader.h"
+#include "sim/scene/scene_writer.h"
+#include "sim/timeline/timeline.h"
+
+namespace griffith {
+namespace {
+
+constexpr char kScene[] = "scene.json", kInputs[] = "inputs.json", kHashes[] = "hashes.csv",
+               kVersions[] = "versions.json", kAssets[] = "assets/";
+
+/// A recording's file and one of the files in it, as errors name them.
+std::string place_of(const std::filesystem::path& path, const std::string& member) {
+  return path.string() + ": " + member;
+}
+
+/// The content of a file of the archive, which is taken out.
+/// `max_bytes`: text takes many times its size in memory when it is read.
+std::string take_member(FileTree& files, const std::string& name, std::size_t max_bytes,
+                        const std::filesystem::path& path) {
+  const auto found = files.find(name);
+  if (found == files.end())
+    throw InputError(path.string(), "lacks \"" + name + "\"",
+                     "is it a recording? griffith simulate --record writes one");
+  if (found->second.size() > max_bytes)
+    throw InputError(path.string(), "holds a \"" + name + "\" of " + std::to_string(found->second.size()) + " bytes",
+                     "at most " + std::to_string(max_bytes) + " are read");
+  return std::move(files.extract(found).mapped());
+}
+
+/// A scene of somebody else's may not have this machine's files read for it.
+void require_own_files(Scene& scene, const FileTree& assets, const std::string& where) {
+  for (const std::filesystem::path* path : paths_in(scene)) {
+    const std::string name = path->generic_string();
+    const auto inside = assets.lower_bound(name);  // itself, or what a folder holds
+    const bool held = inside != assets.end() && (inside->first == name || inside->first.starts_with(name + "/"));
+    if (!held || !name.starts_with(kAssets))
+      throw InputError(where, "names \"" + name + "\", which the recording does not hold",
+                       "a recording holds all files of its scene below " + std::string(kAssets));
+  }
+}
+
+/// What World would take for a mistake of the program that uses it.
+void require_possible(const Recording& recording, const std::string& where) {
+  const auto bodies = static_cast<int>(recording.scene.bodies.size());
+  for (const WorldInput& input : recording.inputs) {
+    const auto* change = std::get_if<MaterialChange>(&input.action);
+    const auto* burst = std::get_if<ProjectileBurst>(&input.action);
+    if (input.step > recording.steps())
+      throw InputError(where, "has an input of step " + std::to_string(input.step),
+                       "the recording ends with step " + std::to_string(recording.steps()));
+    if (change && change->scene_body >= bodies)
+      throw InputError(where, "changes body " + std::to_string(change->scene_body),
+                       "the scene has " + std::to_string(bodies));
+    if (burst && burst->shape && std::holds_alternative<SurfaceProjectile>(*burst->shape))
+      throw InputError(where, "fires a surface from a file", "inputs hold the points of what was fired");
+  }
+}
+
+}  // namespace
+
+Recording begin_recording(const World& world) {
+  SceneWithAssets assets = collect_assets(world);
+  return {std::move(assets.scene), std::move(assets.files), {}, {world.state_hashes()}, versions_here(), {}};
+}
+
+Recording record(const Timeline& timeline) {
+  Recording recording = begin_recording(timeline.world());
+  recording.inputs = timeline.inputs();
+  recording.hashes = timeline.hashes();
+  return recording;
+}
+
+FileTree files_of(const Recording& recording) {
+  FileTree files = recording.assets;
+  files.insert(recording.extras.begin(), recording.extras.end());
+  files[kScene] = scene_to_json(recording.scene);
+  files[kInputs] = inputs_to_json(recording.inputs);
+  files[kHashes] = hashes_to_csv(recording.hashes);
+  files[kVersions] = versions_to_json(recording.versions);
+  return files;
+}
+
+void write_recording(const Recording& recording, const std::filesystem::path& path) {
+  replace_file(path, pack_files(files_of(recording), path.string()));
+}
+
+Recording read_recording(const std::filesystem::path& path) {
+  FileTree files = unpack_files(read_file(path), path.string());
+  constexpr std::size_t kMegabyte = 1 << 20;
+  const std::string scene = take_member(files, kScene, 16 * kMegabyte, path),
+                    inputs = take_member(files, kInputs, 128 * kMegabyte, path),
+                    hashes = take_member(files, kHashes, 512 * kMegabyte, path),
+                    versions = take_member(files, kVersions, kMegabyte, path);
+  Recording recording;
+  recording.versions = versions_from_json(versions, place_of(path, kVersions));
+  recording.hashes = hashes_from_csv(hashes, place_of(path, kHashes), version_of(recording.versions, "program"));
+  recording.scene = scene_from_json_alone(scene, place_of(path, kScene));
+  recording.inputs = inputs_from_json(inputs, place_of(path, kInputs));
+  for (auto& [name, content] : files)
+    (name.starts_with(kAssets) ? recording.assets : recording.extras)[name] = std::move(content);
+  require_own_files(recording.scene, recording.assets, place_of(path, kScene));
+  require_possible(recording, place_of(path, kInputs));
+  return recording;
+}
+
+}  // namespace griffith

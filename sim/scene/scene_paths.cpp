@@ -1,0 +1,29 @@
+#include "sim/scene/scene_paths.h"
+
+namespace griffith {
+namespace {
+
+/// The path of the alternative that is held, where it has one.
+template <class Variant>
+void add_path(Variant& held, std::vector<std::filesystem::path*>& paths) {
+  std::visit(
+      [&](auto& value) {
+        if constexpr (requires { value.path; }) paths.push_back(&value.path);
+      },
+      held);
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path*> paths_in(Scene& scene) {
+  std::vector<std::filesystem::path*> paths;
+  for (BodyDescription& body : scene.bodies) {
+    add_path(body.shape, paths);
+    if (body.splinters) add_path(*body.splinters, paths);
+  }
+  for (ProjectileBurst& burst : scene.projectiles)
+    if (burst.shape) add_path(*burst.shape, paths);
+  return paths;
+}
+
+}  // namespace griffith

@@ -1,0 +1,121 @@
+#include "sim/world/hash_state.h"
+
+#include "sim/core/hash_bytes.h"
+
+namespace griffith {
+namespace {
+
+/// The hash of numbers that do not lie side by side, in their order.
+class FieldHash {
+ public:
+  template <class T>
+  FieldHash& add(const std::vector<T>& values) {
+    value_ = hash_values(values, value_);
+    return *this;
+  }
+  /// Counts, ids and switches.
+  template <class... Whole>
+  FieldHash& add_whole(Whole... values) {
+    const std::array<std::int64_t, sizeof...(values)> all = {static_cast<std::int64_t>(values)...};
+    value_ = hash_values(std::span<const std::int64_t>(all), value_);
+    return *this;
+  }
+  template <class... Real>
+  FieldHash& add_real(const Real&... values) {
+    (add_one(values), ...);
+    return *this;
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  void add_one(double number) { value_ = hash_values(std::span<const double>(&number, 1), value_); }
+  template <class Matrix>
+  void add_one(const Eigen::MatrixBase<Matrix>& matrix) {
+    value_ = hash_values(std::span<const double>(matrix.derived().data(), matrix.size()), value_);
+  }
+  void add_one(const Quat& rotation) { add_one(rotation.coeffs()); }
+
+  std::uint64_t value_ = 0;
+};
+
+std::uint64_t hash_of_mesh(const WorldState& world) {
+  return FieldHash()
+      .add(world.mesh.tets)
+      .add(world.elements.bodies)
+      .add(world.mesh.rest_positions)
+      .add(world.nodes.masses)
+      .value();
+}
+
+std::uint64_t hash_of_separations(const WorldState& world) {
+  static_assert(sizeof(NodeSeparation) == 16 * sizeof(double), "it has no padding");
+  const NodeArrays& nodes = world.nodes;
+  return FieldHash().add(nodes.separations).add(nodes.reactions).add(nodes.strength_factors).value();
+}
+
+std::uint64_t hash_of_cracks(const WorldState& world) {
+  FieldHash hash;
+  hash.add(world.elements.opened).add(world.mesh.neighbours).add(world.nodes.at_crack_front);
+  hash.add(world.nodes.pushed_at).add(world.splinter_state.open_walls).add_whole(world.crack_events.size());
+  for (const PostponedCrack& crack : world.postponed)
+    hash.add_whole(crack.node).add_real(crack.separation.eigenvalue, crack.separation.utilization);
+  return hash.value();
+}
+
+void add_body(const Body& body, FieldHash& hash) {
+  const RigidMotion& motion = body.motion;
+  hash.add_whole(body.id, body.parent, body.scene_body, body.tets.size(), body.rigid, body.asleep, body.quiet_steps);
+  hash.add_real(motion.mass, motion.center, motion.inertia, motion.velocity, motion.angular_velocity);
+  hash.add_real(body.orientation, body.compliance_factor, body.shock_ended);
+  for (const ContactLoad& load : body.harmless) hash.add_whole(load.other).add_real(load.force);
+  hash.add_whole(body.shock.has_value());
+  if (const auto& shock = body.shock)
+    hash.add_real(shock->last_event, shock->impact_speed, shock->frequency, shock->similarity);
+}
+
+std::uint64_t hash_of_bodies(const WorldState& world) {
+  FieldHash hash;
+  for (const Body& body : world.bodies) add_body(body, hash);
+  return hash.value();
+}
+
+std::uint64_t hash_of_projectiles(const WorldState& world) {
+  FieldHash hash;
+  for (const Projectile& projectile : world.projectiles) {
+    const RigidState state = world.contact_world.state(projectile.object);
+    hash.add_real(projectile.mass, projectile.radius, state.pose.translation, state.pose.rotation, state.velocity,
+                  state.angular_velocity);
+  }
+  for (const PendingShot& shot : world.pending_shots) hash.add_real(shot.time, shot.burst.position, shot.burst.speed);
+  return hash.value();
+}
+
+std::uint64_t hash_of_energy(const WorldState& world) {
+  FieldHash hash;
+  for (const EnergyEntry& entry : energy_entries()) hash.add_real(world.energy.*entry.value);
+  return hash.value();
+}
+
+/// In the order of kStateFields.
+constexpr std::array<std::uint64_t (*)(const WorldState&), kStateFields.size()> kHashes = {
+    [](const WorldState& world) { return hash_values(world.nodes.positions); },
+    [](const WorldState& world) { return hash_values(world.nodes.velocities); },
+    hash_of_mesh,
+    [](const WorldState& world) { return hash_values(world.elements.stresses); },
+    hash_of_separations,
+    hash_of_cracks,
+    hash_of_bodies,
+    hash_of_projectiles,
+    [](const WorldState& world) { return world.contact_world.memory_hash(); },
+    hash_of_energy,
+};
+
+}  // namespace
+
+StateHashes hash_state(const WorldState& world) {
+  StateHashes hashes = {};
+  for (std::size_t field = 0; field < hashes.size(); ++field) hashes[field] = kHashes[field](world);
+  return hashes;
+}
+
+}  // namespace griffith

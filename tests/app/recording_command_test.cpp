@@ -1,0 +1,140 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "program.h"
+#include "sim/recording/recording.h"
+
+namespace griffith::app {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string quoted(const std::filesystem::path& path) { return "\"" + path.string() + "\""; }
+
+/// The recording of some steps of the small wall.
+std::filesystem::path recorded_wall(int frames = 12) {
+  const std::filesystem::path file = test_folder() / "wall.tar.zst";
+  const Outcome outcome = run_program("simulate " + quoted(small_wall_file()) + " --frames " + std::to_string(frames) +
+                                      " --record " + quoted(file));
+  EXPECT_EQ(outcome.code, 0) << outcome.output;
+  return file;
+}
+
+/// The recording with one hash changed, as if the run had gone otherwise.
+std::filesystem::path altered(const std::filesystem::path& file, std::size_t step, std::size_t field) {
+  Recording recording = read_recording(file);
+  recording.hashes[step][field] ^= 1;
+  recording.versions[1].second = "Debug";
+  const std::filesystem::path other = test_folder() / "altered.tar.zst";
+  write_recording(recording, other);
+  return other;
+}
+
+TEST(RecordingCommand, AReplayIsEqualWithAnyNumberOfThreads) {
+  const auto file = recorded_wall();
+  for (const char* threads : {"", " --threads 1", " --threads 2", " --threads 4"}) {
+    const Outcome outcome = run_program("replay " + quoted(file) + threads);
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    EXPECT_EQ(outcome.output, "12 steps equal\n") << threads;
+  }
+}
+
+TEST(RecordingCommand, AReplayThatDiffersNamesStepFieldAndVersions) {
+  const Outcome outcome = run_program("replay " + quoted(altered(recorded_wall(), 7, 3)));
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("step 7 differs first (of 12 steps), in: stresses"));
+  EXPECT_THAT(outcome.output, HasSubstr("Debug"));
+  EXPECT_THAT(outcome.output, Not(HasSubstr("compiler"))) << "it is the same";
+}
+
+TEST(RecordingCommand, ARecordingUnpacksToAScene) {
+  const auto folder = test_folder() / "unpacked";
+  std::filesystem::remove_all(folder);
+  const Outcome outcome = run_program("replay " + quoted(recorded_wall()) + " --extract " + quoted(folder));
+  EXPECT_EQ(outcome.code, 0) << outcome.output;
+  EXPECT_EQ(run_program("check " + quoted(folder / "scene.json")).code, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder / "hashes.csv"));
+  const Outcome again = run_program("replay " + quoted(recorded_wall()) + " --extract " + quoted(folder));
+  EXPECT_EQ(again.code, 2);
+  EXPECT_THAT(again.output, HasSubstr("is not empty"));
+}
+
+TEST(RecordingCommand, ABugReportOfASceneReplays) {
+  const auto file = test_folder() / "report.tar.zst";
+  const Outcome bundle = run_program("bundle " + quoted(small_wall_file()) + " --frames 10 -o " + quoted(file));
+  EXPECT_EQ(bundle.code, 0) << bundle.output;
+  EXPECT_EQ(run_program("replay " + quoted(file)).output, "10 steps equal\n");
+  const Recording report = read_recording(file);
+  EXPECT_THAT(report.extras.at("README.txt"), HasSubstr("griffith replay FILE"));
+  EXPECT_THAT(report.extras.at("log.txt"), HasSubstr("10 steps of "));
+  EXPECT_TRUE(report.extras.at("screenshot.png").starts_with("\x89PNG"));
+  EXPECT_FALSE(version_of(report.versions, "graphics").empty());
+}
+
+TEST(RecordingCommand, ABugReportOfARecordingKeepsItsHashesAndLog) {
+  const auto recording = altered(recorded_wall(), 4, 0), first = test_folder() / "first",
+             second = test_folder() / "second";
+  EXPECT_EQ(run_program("bundle " + quoted(recording) + " -o " + quoted(first)).code, 0);
+  EXPECT_EQ(run_program("bundle " + quoted(first) + " -o " + quoted(second)).code, 0);
+  const Recording report = read_recording(second);
+  EXPECT_EQ(report.hashes, read_recording(recording).hashes);
+  EXPECT_EQ(report.versions, read_recording(recording).versions);
+  const std::string log = report.extras.at("log.txt");
+  EXPECT_THAT(log, HasSubstr("step 4 differs first"));
+  EXPECT_NE(log.find("bundle altered.tar.zst"), std::string::npos);
+  EXPECT_NE(log.find("bundle first"), std::string::npos) << "what was said before is kept";
+}
+
+TEST(RecordingCommand, WithoutGraphicsABugReportSaysSo) {
+  const auto file = test_folder() / "report.tar.zst";
+  const Outcome outcome = run_program("bundle " + quoted(small_wall_file()) + " --frames 2 -o " + quoted(file),
+                                      "env __EGL_VENDOR_LIBRARY_DIRS=/nowhere __EGL_VENDOR_LIBRARY_FILENAMES=/nowhere");
+  EXPECT_EQ(outcome.code, 0) << outcome.output;
+  const Recording report = read_recording(file);
+  EXPECT_FALSE(report.extras.contains("screenshot.png"));
+  EXPECT_THAT(report.extras.at("log.txt"), HasSubstr("no picture: "));
+}
+
+TEST(RecordingCommand, WrongUsageAndFilesAreTold) {
+  const std::string scene = quoted(small_wall_file());
+  EXPECT_EQ(run_program("replay").code, 2);
+  EXPECT_EQ(run_program("replay " + quoted(test_folder() / "none")).code, 2);
+  const Outcome of_scene = run_program("replay " + scene);
+  EXPECT_EQ(of_scene.code, 2);
+  EXPECT_THAT(of_scene.output, HasSubstr("is no whole recording"));
+  const Outcome unwritable = run_program("simulate " + scene + " --frames 1000000 --record /nowhere/run");
+  EXPECT_EQ(unwritable.code, 2) << "told before the run";
+  EXPECT_EQ(run_program("bundle " + scene + " -o /nowhere/run").code, 2);
+  const Outcome frames =
+      run_program("bundle " + quoted(recorded_wall(2)) + " --frames 3 -o " + quoted(test_folder() / "x"));
+  EXPECT_EQ(frames.code, 2);
+  EXPECT_THAT(frames.output, HasSubstr("--frames"));
+}
+
+TEST(RecordingCommand, AReplayThatIsInterruptedLeavesNothing) {
+  Recording recording = read_recording(recorded_wall(2));
+  recording.hashes.resize(500'000);
+  const auto file = test_folder() / "long.tar.zst", temporary = test_folder() / "temporary";
+  const auto report = test_folder() / "report";
+  write_recording(recording, file);
+  std::filesystem::create_directories(temporary);
+  std::filesystem::remove(report);
+  const Outcome outcome = run_program("bundle " + quoted(file) + " -o " + quoted(report),
+                                      "env TMPDIR=" + quoted(temporary) + " timeout --preserve-status -s INT 3");
+  EXPECT_EQ(outcome.code, 130) << outcome.output;
+  EXPECT_TRUE(std::filesystem::is_empty(temporary));
+  EXPECT_FALSE(std::filesystem::exists(report));
+}
+
+TEST(RecordingCommand, ADiskThatIsFullLeavesNoHalfRecording) {
+  const Outcome outcome = run_program("simulate " + quoted(small_wall_file()) + " --frames 3 --record /dev/full");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.output, HasSubstr("/dev/full"));
+}
+
+}  // namespace
+}  // namespace griffith::app
