@@ -15,6 +15,8 @@ Json value_json(bool value, Flag) { return value; }
 
 Json value_json(int value, const Numbers&) { return value; }
 
+Json value_json(std::int64_t value, const Numbers&) { return value; }
+
 Json value_json(double value, const Numbers&) { return number_json(value); }
 
 Json value_json(const Vec2& vector, const Numbers& numbers) {

@@ -2,6 +2,7 @@
 
 // For the .cpp files of this folder alone: nothing else sees the JSON library.
 
+#include <cstdint>
 #include <filesystem>
 #include <type_traits>
 #include <vector>
@@ -15,6 +16,7 @@ namespace griffith {
 // The JSON of a plain value, as the writer and the schema's defaults show it.
 Json value_json(bool value, Flag);
 Json value_json(int value, const Numbers& numbers);
+Json value_json(std::int64_t value, const Numbers& numbers);
 Json value_json(double value, const Numbers& numbers);
 Json value_json(const Vec2& vector, const Numbers& numbers);
 Json value_json(const Vec3& vector, const Numbers& numbers);

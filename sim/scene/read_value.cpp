@@ -83,10 +83,16 @@ void read(const Place& place, double& value, const Numbers& numbers) {
   value = place.json.get<double>();
 }
 
-void read(const Place& place, int& value, const Numbers& numbers) {
+void read(const Place& place, std::int64_t& value, const Numbers& numbers) {
   const bool whole = place.json.is_number() && std::trunc(place.json.get<double>()) == place.json.get<double>();
   if (!whole || !in_range(place.json, numbers)) return place.reject("a whole number " + range_text(numbers));
-  value = static_cast<int>(place.json.get<double>());
+  value = static_cast<std::int64_t>(place.json.get<double>());
+}
+
+void read(const Place& place, int& value, const Numbers& numbers) {
+  std::int64_t whole = value;
+  read(place, whole, numbers);
+  value = static_cast<int>(whole);
 }
 
 void read(const Place& place, Vec2& value, const Numbers& numbers) { read_vector(place, value, numbers); }

@@ -2,6 +2,7 @@
 
 // For the .cpp files of this folder alone: nothing else sees the JSON library.
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -46,6 +47,7 @@ struct Place {
 void read(const Place& place, bool& value, Flag);
 void read(const Place& place, double& value, const Numbers& numbers);
 void read(const Place& place, int& value, const Numbers& numbers);
+void read(const Place& place, std::int64_t& value, const Numbers& numbers);
 void read(const Place& place, Vec2& value, const Numbers& numbers);
 void read(const Place& place, Vec3& value, const Numbers& numbers);
 void read(const Place& place, std::vector<int>& values, const Numbers& numbers);

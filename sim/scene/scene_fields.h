@@ -8,6 +8,7 @@
 #include "sim/scene/shape_fields.h"
 #include "sim/scene/splinter_fields.h"
 #include "sim/scene/view_quantity.h"
+#include "sim/scene/world_input.h"
 
 // The table of all fields of a scene: name, member, values and meaning. An archive (the reader, the writer, the
 // maker of the schema) is handed to describe() with a value and gets a call per field:
@@ -24,6 +25,9 @@ inline constexpr int kSceneVersion = 1;
 
 /// Limit of all bursts of a scene together.
 inline constexpr std::int64_t kMaxProjectiles = 10'000;
+
+/// More steps than anybody makes.
+inline constexpr double kMaxSteps = 1e9;
 
 inline constexpr Numbers kPlace = between(-1e6, 1e6, "m");
 inline constexpr Numbers kDirection = {.minimum = -1e6, .maximum = 1e6, .unit = "-", .nonzero = true};
@@ -235,6 +239,19 @@ void describe(Archive& archive, ProjectileBurst& burst) {
                   "take one of them out");
   archive.require(!burst.shape || burst.radius == ProjectileBurst{}.radius, "radius", "stands beside another shape",
                   "take one of them out: spheres alone have a radius");
+}
+
+template <class Archive>
+void describe(Archive& archive, MaterialChange& change) {
+  archive.field("scene_body", change.scene_body, between(0, 10000), "Index of the body in the scene");
+  archive.field("material", change.material, MaterialChoice{}, "What it is made of from then on");
+}
+
+template <class Archive>
+void describe(Archive& archive, WorldInput& input) {
+  archive.field("step", input.step, between(0, kMaxSteps), "Steps made before it");
+  archive.template alternative<ProjectileBurst>("fire", input.action, Parts{}, "A burst, its start counted from then");
+  archive.template alternative<MaterialChange>("set_material", input.action, Parts{}, "Another material");
 }
 
 template <class Archive>

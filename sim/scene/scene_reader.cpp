@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "sim/core/read_file.h"
+#include "sim/scene/apply_setting.h"
 #include "sim/scene/json_document.h"
 #include "sim/scene/read_value.h"
 #include "sim/scene/scene_fields.h"
+#include "sim/scene/scene_in_full.h"
 
 namespace griffith {
 namespace {
@@ -116,9 +118,11 @@ void check_names(const Place& place, const std::vector<T>& items) {
 
 template <class T>
 void read(const Place& place, std::vector<T>& items, Parts parts) {
-  constexpr std::size_t kMaxItems = 10'000;  // a kilobyte each, before anything is made of them
+  // A kilobyte each, before anything is made of them; inputs of a long run may be many.
+  constexpr std::size_t kMaxItems = std::is_same_v<T, WorldInput> ? 1'000'000 : 10'000;
   if (!place.json.is_array()) return place.reject("an array [ ... ]");
-  if (place.json.size() > kMaxItems) return place.report("has more than 10,000 items", "take fewer");
+  constexpr const char* kTooMany = kMaxItems == 10'000 ? "has more than 10,000 items" : "has more than 1,000,000 items";
+  if (place.json.size() > kMaxItems) return place.report(kTooMany, "take fewer");
   items.assign(place.json.size(), T{});
   for (std::size_t i = 0; i < items.size(); ++i) {
     read(place.child(std::to_string(i), place.json[i]), items[i], parts);
@@ -206,11 +210,9 @@ bool check_version(const Place& place, ObjectReader& reader) {
   return version.reject("the number " + std::to_string(kSceneVersion)), true;
 }
 
-Scene read_document(Document& document, std::string_view text) {
+Scene read_root(Document& document, const Json& json) {
   Scene scene;
   scene.folder = document.folder;
-  const Json json = parse_json(text, document.file, document.problems);
-  if (json.is_null() && !document.problems.empty()) return scene;
   const Place place{document, json, ""};
   if (!json.is_object()) return place.reject("an object { \"version\": 1, ... }"), scene;
 
@@ -224,6 +226,49 @@ Scene read_document(Document& document, std::string_view text) {
   return scene;
 }
 
+/// What the scene in `json` is in full; problems are left to who reads it after the settings.
+Json in_full(const Document& document, const Json& json) {
+  Document trial;
+  trial.file = document.file;
+  trial.folder = document.folder;
+  trial.look_for_meshes = false;
+  return scene_in_full(read_root(trial, json));
+}
+
+/// The document in `text` with the settings; null where the text is none. Throws InputError when a setting's field is
+/// not there or its value no JSON.
+Json document_json(Document& document, std::string_view text, std::span<const SceneSetting> settings) {
+  Json json = parse_json(text, document.file, document.problems);
+  if (json.is_null() && !document.problems.empty()) return json;
+  for (const SceneSetting& setting : settings) apply(setting, json, in_full(document, json), document.file);
+  return json;
+}
+
+Scene read_document(Document& document, std::string_view text, std::span<const SceneSetting> settings = {}) {
+  const Json json = document_json(document, text, settings);
+  if (!json.is_null() || document.problems.empty()) return read_root(document, json);
+  Scene nothing;
+  nothing.folder = document.folder;
+  return nothing;
+}
+
+/// The inputs of a document, which holds materials of its own as a scene does.
+std::vector<WorldInput> read_inputs(Document& document, std::string_view text) {
+  std::vector<WorldInput> inputs;
+  const Json json = parse_json(text, document.file, document.problems);
+  if (json.is_null() && !document.problems.empty()) return inputs;
+  const Place place{document, json, ""};
+  if (!json.is_object()) return place.reject("an object { \"version\": 1, ... }"), inputs;
+  ObjectReader reader(place);
+  if (!check_version(place, reader)) return inputs;
+  read_materials(place, reader);
+  reader.field("inputs", inputs, Parts{}, "");
+  if (!std::ranges::is_sorted(inputs, {}, &WorldInput::step))
+    place.child("inputs", json["inputs"]).report("are not in the order of their steps", "sort them by \"step\"");
+  reader.finish();
+  return inputs;
+}
+
 /// Scenes name large meshes, and do not hold them.
 constexpr std::int64_t kMaxBytes = 16 << 20;
 
@@ -234,16 +279,24 @@ Document document_of_file(const std::filesystem::path& path) {
   return document;
 }
 
-Scene first_problem_thrown(Document document, std::string_view text) {
-  Scene scene = read_document(document, text);
+Scene first_problem_thrown(Document document, std::string_view text, std::span<const SceneSetting> settings = {}) {
+  Scene scene = read_document(document, text, settings);
   if (!document.problems.empty()) throw document.problems.front();
   return scene;
 }
 
 }  // namespace
 
-Scene read_scene(const std::filesystem::path& path) {
-  return first_problem_thrown(document_of_file(path), read_file(path, kMaxBytes));
+Scene read_scene(const std::filesystem::path& path, std::span<const SceneSetting> settings) {
+  return first_problem_thrown(document_of_file(path), read_file(path, kMaxBytes), settings);
+}
+
+std::string scene_value(const std::filesystem::path& scene_file, const std::string& pointer,
+                        std::span<const SceneSetting> settings) {
+  Document document = document_of_file(scene_file);
+  Json json = document_json(document, read_file(scene_file, kMaxBytes), settings);
+  if (!document.problems.empty()) throw document.problems.front();
+  return value_at(json, in_full(document, json), pointer, document.file).dump();
 }
 
 Scene scene_from_json(std::string_view text, const std::string& where, const std::filesystem::path& folder) {
@@ -253,9 +306,24 @@ Scene scene_from_json(std::string_view text, const std::string& where, const std
   return first_problem_thrown(std::move(document), text);
 }
 
-std::vector<InputError> check_scene(const std::filesystem::path& path) try {
+Scene scene_from_json_alone(std::string_view text, const std::string& where) {
+  Document document;
+  document.file = where;
+  document.look_for_meshes = false;
+  return first_problem_thrown(std::move(document), text);
+}
+
+std::vector<WorldInput> inputs_from_json(std::string_view text, const std::string& where) {
+  Document document;
+  document.file = where;
+  std::vector<WorldInput> inputs = read_inputs(document, text);
+  if (!document.problems.empty()) throw document.problems.front();
+  return inputs;
+}
+
+std::vector<InputError> check_scene(const std::filesystem::path& path, std::span<const SceneSetting> settings) try {
   Document document = document_of_file(path);
-  read_document(document, read_file(path, kMaxBytes));
+  read_document(document, read_file(path, kMaxBytes), settings);
   return document.problems;
 } catch (const InputError& unreadable) {
   return {unreadable};

@@ -7,6 +7,8 @@
 #include "sim/core/replace_file.h"
 #include "sim/scene/json_values.h"
 #include "sim/scene/scene_fields.h"
+#include "sim/scene/scene_in_full.h"
+#include "sim/scene/scene_paths.h"
 #include "sim/scene/scene_reader.h"
 
 namespace griffith {
@@ -15,13 +17,15 @@ namespace {
 /// The scene's own materials: those of its bodies as these are written, then those that no body has.
 struct Library {
   std::vector<Material> materials;
+  bool in_full = false;  ///< no field is left out, no material given by name, no vector by one number
 };
 
 template <class T>
 requires(!kIsOptional<T>) Json write(Library& library, const T& value, Parts);
 
 template <class T, class Values>
-Json write(Library&, const T& value, const Values& values) {
+Json write(Library& library, const T& value, Values values) {
+  if constexpr (std::is_same_v<Values, Numbers>) values.uniform = values.uniform && !library.in_full;
   return value_json(value, values);
 }
 
@@ -76,7 +80,7 @@ ObjectWriter described(Library& library, T value) {
 template <class T>
 requires(!kIsOptional<T>) Json write(Library& library, const T& value, Parts) {
   ObjectWriter writer = described(library, value);
-  if (writer.has_alternatives) return writer.object;
+  if (writer.has_alternatives || library.in_full) return writer.object;
   Library ignored;
   const Json defaults = described(ignored, T{}).object;
   Json object = Json::object();
@@ -88,6 +92,7 @@ requires(!kIsOptional<T>) Json write(Library& library, const T& value, Parts) {
 
 /// By name where that says everything; else the properties, in the scene's own materials if the name is free there.
 Json write(Library& library, const Material& material, MaterialChoice) {
+  if (library.in_full) return described(library, material).object;
   for (const MaterialPreset& preset : material_presets()) {
     if (preset.material == material) return preset.key;
   }
@@ -119,13 +124,6 @@ void add_others(Library& library, const std::vector<Material>& materials) {
 
 bool is_address(const std::string& path) { return path.find("://") != std::string::npos; }
 
-/// The path of the file that a shape is made of; null where it is made of none.
-std::filesystem::path* file_of(Shape& shape) {
-  if (auto* mesh = std::get_if<MeshFileShape>(&shape)) return &mesh->path;
-  if (auto* surface = std::get_if<SurfaceShape>(&shape)) return &surface->path;
-  return nullptr;
-}
-
 }  // namespace
 
 Scene with_paths_from(Scene scene, const std::filesystem::path& folder) {
@@ -139,15 +137,7 @@ Scene with_paths_from(Scene scene, const std::filesystem::path& folder) {
     move(schema);
     scene.schema = schema.generic_string();
   }
-  for (BodyDescription& body : scene.bodies) {
-    if (std::filesystem::path* file = file_of(body.shape)) move(*file);
-    if (!body.splinters) continue;
-    if (auto* points = std::get_if<PointSplinters>(&*body.splinters)) move(points->path);
-    if (auto* cells = std::get_if<CellSplinters>(&*body.splinters)) move(cells->path);
-  }
-  for (ProjectileBurst& burst : scene.projectiles)
-    if (burst.shape)
-      if (auto* surface = std::get_if<SurfaceProjectile>(&*burst.shape)) move(surface->path);
+  for (std::filesystem::path* path : paths_in(scene)) move(*path);
   scene.folder = folder;
   return scene;
 }
@@ -161,6 +151,23 @@ std::string scene_to_json(const Scene& scene) {
   document["version"] = kSceneVersion;
   if (!library.materials.empty()) document["materials"] = library_json(library);
   document.update(fields);
+  return pretty_text(document);
+}
+
+Json scene_in_full(const Scene& scene) {
+  Library library = {.materials = scene.materials, .in_full = true};
+  Json document = write(library, scene, Parts{});
+  document["materials"] = library_json(library);
+  return document;
+}
+
+std::string inputs_to_json(const std::vector<WorldInput>& inputs) {
+  Library library;
+  Json list = write(library, inputs, Parts{});
+  Json document = Json::object();
+  document["version"] = kSceneVersion;
+  if (!library.materials.empty()) document["materials"] = library_json(library);
+  document["inputs"] = std::move(list);
   return pretty_text(document);
 }
 

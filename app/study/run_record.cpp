@@ -1,0 +1,57 @@
+#include "app/study/run_record.h"
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "sim/core/error.h"
+
+namespace griffith::app {
+namespace {
+
+using Record = nlohmann::ordered_json;
+
+/// What never came is null, what is no number says so.
+Record outcome_json(double value) {
+  if (std::isnan(value)) return "nan";
+  if (value == -kNever) return "-inf";
+  return std::isfinite(value) ? Record(value) : Record();
+}
+
+double outcome_in(const Record& outcomes, const OutcomeKind& kind, const std::string& where) {
+  const auto found = outcomes.find(kind.key);
+  if (found != outcomes.end() && *found == "nan") return std::numeric_limits<double>::quiet_NaN();
+  if (found != outcomes.end() && *found == "-inf") return -kNever;
+  if (found == outcomes.end() || !(found->is_number() || found->is_null()))
+    throw InputError(where, "lacks the outcome \"" + std::string(kind.key) + "\"",
+                     "it is no file of this version of the program: remove it, and the run is made again");
+  return found->is_null() ? kNever : found->get<double>();
+}
+
+}  // namespace
+
+std::string record_json(const RunRecord& record) {
+  Record json;
+  if (!record.error.empty()) {
+    json["error"] = record.error;
+  } else {
+    for (std::size_t i = 0; i < record.outcomes.size(); ++i)
+      json["outcomes"][std::string(outcome_kinds()[i].key)] = outcome_json(record.outcomes[i]);
+  }
+  return json.dump(2, ' ', false, Record::error_handler_t::replace) + "\n";
+}
+
+RunRecord record_from_json(const std::string& text, const std::string& where) {
+  const Record json = Record::parse(text, nullptr, false);
+  RunRecord record;
+  if (json.is_object() && json.contains("error") && json["error"].is_string()) {
+    record.error = json["error"];
+    return record;
+  }
+  if (!json.is_object() || !json.contains("outcomes") || !json["outcomes"].is_object())
+    throw InputError(where, "is no record of a run", "remove it, and the run is made again");
+  for (const OutcomeKind& kind : outcome_kinds()) record.outcomes.push_back(outcome_in(json["outcomes"], kind, where));
+  return record;
+}
+
+}  // namespace griffith::app

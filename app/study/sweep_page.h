@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/study/sweep.h"
+
+namespace griffith::app {
+
+/// A page that shows a sweep: scatter plot, heat map, contact sheet and table, each run with the command that opens it
+/// in the editor. `note`: a remark for its reader; empty: none. Throws InputError when a picture cannot be read.
+std::string sweep_page(const Sweep& sweep, const std::vector<std::optional<RunRecord>>& records,
+                       const std::string& note);
+
+}  // namespace griffith::app
