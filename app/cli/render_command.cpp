@@ -1,25 +1,15 @@
-#include <imgui.h>
-
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
-#include <functional>
 #include <memory>
+#include <set>
 
 #include "app/cli/commands.h"
-#include "app/editor/editor.h"
-#include "app/editor/imgui_context_owner.h"
 #include "app/output/output.h"
-#include "app/picture/named_view.h"
-#include "app/picture/picture_options.h"
-#include "app/picture/scene_camera.h"
-#include "app/picture/scene_legend.h"
-#include "app/picture/steady_range.h"
-#include "app/shared/explanation.h"
-#include "app/shared/progress.h"
-#include "app/shared/scene_world.h"
+#include "app/render/frame_list.h"
+#include "app/render/picture_output.h"
+#include "app/render/read_render_jobs.h"
+#include "app/render/render_job.h"
 #include "renderer/egl_context.h"
-#include "renderer/target.h"
 #include "sim/core/error.h"
 #include "sim/core/replace_file.h"
 #include "sim/scene/scene_reader.h"
@@ -27,227 +17,228 @@
 namespace griffith::app {
 namespace {
 
-/// Pictures without a window.
+constexpr int kMaxPixels = 16384;
+
 struct RenderOptions {
-  std::filesystem::path scene, output;
-  int frame = 0;                   ///< steps before the (last) picture
-  int every = 0;                   ///< a picture each so many steps from 0 on, numbered; 0: one picture
-  int width = 1280, height = 720;  ///< [pixels]
-  int samples = 4;                 ///< per pixel
-  std::string view, camera;        ///< empty: the scene's
-  std::optional<int> node;         ///< whose forces and plane are shown; the most loaded one if absent
-  bool interface = false;          ///< draw the editor's panels too
-  bool legend = true;
+  RenderJob job;
+  std::filesystem::path output;    ///< a PNG file, or a folder for the pictures of a file of jobs
+  std::filesystem::path job_file;  ///< empty: `job` alone
+  std::string only;                ///< name of the one job of the file that is wanted; empty: all
+  std::vector<std::string> set;    ///< "POINTER=VALUE"
+  int frame = 0, every = 0;
+  std::string frames;  ///< as frames_from_text() has them; empty: `frame` and `every`
+  PictureOutput pictures;
   std::optional<int> egl_device;
 };
 
-/// The largest scale that letters are made for; beyond it they are stretched.
-constexpr float kLargestFont = 6;
-constexpr int kFramesToLayOut = 3;  // the panels know their sizes only after being drawn
-
-/// Direction from what is looked at to the eye, before there is a picture.
-Vec3 towards_eye(const Scene& scene, const std::string& camera) {
-  for (const Camera& known : scene.cameras)
-    if (camera.empty() || known.name == camera) return known.position - known.target;
-  return Vec3::UnitZ();
+/// "1280x720" into two numbers; what is wrong with it.
+std::string read_size(const std::string& text, RenderJob& job) {
+  char rest = 0;
+  const bool good = std::sscanf(text.c_str(), "%dx%d%c", &job.width, &job.height, &rest) == 2;
+  const auto possible = [](int pixels) { return pixels >= 16 && pixels <= kMaxPixels; };
+  if (good && possible(job.width) && possible(job.height)) return {};
+  return "--size: \"" + text + "\" is not a size: write WIDTHxHEIGHT, such as 1280x720, each from 16 to 16384";
 }
 
-std::filesystem::path numbered(const std::filesystem::path& path, int frame) {
-  char number[16];
-  std::snprintf(number, sizeof number, "_%04d", frame);
-  std::filesystem::path result = path.parent_path() / path.stem();
-  result += number;
-  result += path.extension();
-  return result;
+void require_png(const std::filesystem::path& path) {
+  if (path.extension() != ".png") throw InputError(path.string(), "is no name of a PNG file", "end it in .png");
 }
 
-/// Steps to the last frame and saves the pictures that were asked for.
-void save_pictures(const RenderOptions& options, const std::function<void()>& step,
-                   const std::function<render::Image()>& picture) {
-  Progress progress("Rendering", std::max(options.frame, 1));
-  for (int frame = 0;; ++frame) {
-    if (options.every > 0 && frame % options.every == 0) save_picture(numbered(options.output, frame), picture());
-    if (frame == options.frame) break;
-    step();
-    progress.update(frame + 1);
+/// Whether the pictures are numbered even where there is one.
+bool is_numbered(const RenderOptions& options) { return options.every > 0 || !options.frames.empty(); }
+
+/// What the arguments ask of the scene that they name.
+RenderJob single_job(const RenderOptions& options) {
+  RenderJob job = options.job;
+  job.name = options.output.stem().string();
+  if (!options.frames.empty()) {
+    job.frames = frames_from_text(options.frames, "--frames");
+  } else if (options.every > 0) {
+    job.frames =
+        frames_from_text("0:" + std::to_string(options.frame) + ":" + std::to_string(options.every), "--every");
+  } else {
+    job.frames = {options.frame};
   }
-  if (options.every == 0) save_picture(options.output, picture());
+  return job;
 }
 
-/// The node that was asked for, while there is one of that number. Throws InputError where the last step has none.
-ui::Selection selected(const RenderOptions& options, const Frame& frame) {
-  if (!options.node) return {};
-  const auto nodes = static_cast<int>(frame.nodes.positions.size());
-  if (*options.node >= nodes && frame.step >= options.frame)
-    throw InputError("--node", "there is no node " + std::to_string(*options.node),
-                     "take one below " + std::to_string(nodes) + "; cracks make more");
-  if (*options.node >= nodes) return {};
-  const NodeId node(*options.node);
-  return ui::select(frame, frame.nodes.stars[node].front(), node);
+std::vector<RenderJob> jobs_of(const RenderOptions& options) {
+  if (options.job_file.empty()) return {single_job(options)};
+  std::vector<RenderJob> jobs = read_render_jobs(options.job_file);
+  if (options.only.empty()) return jobs;
+  std::erase_if(jobs, [&](const RenderJob& job) { return job.name != options.only; });
+  if (jobs.empty())
+    throw InputError(options.job_file.string(), "has no job \"" + options.only + "\"", "take one of its names");
+  return jobs;
 }
 
-void explain(const RenderOptions& options, const Frame& frame, const Scene& scene) {
-  if (options.node) std::fputs(explanation(frame, NodeId(*options.node), scene.simulation.fracture).c_str(), stdout);
+/// A view or camera that comes twice would write the same files twice.
+void check_names(const RenderJob& job) {
+  std::set<std::string> names;
+  for (const std::string& camera : job.cameras)
+    for (const std::string& view : job.views)
+      if (!names.insert(picture_name(job, camera, view, 0, false)).second)
+        throw InputError("--view and --camera", "name a picture twice", "give each once");
 }
 
-/// What is written over a picture.
-struct Writing {
-  std::optional<ui::Legend> legend;
-  std::vector<ui::PictureLabel> labels;
-};
-
-/// The picture in `texture` with the writing over it. `scale`: of the writing.
-render::Image written_over(ImGuiContextOwner& imgui, const render::Target& target, unsigned texture,
-                           const Writing& writing, float scale) {
-  imgui.begin_frame(target.width(), target.height());
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
-  ImDrawList* list = ImGui::GetBackgroundDrawList();
-  list->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), {0, 0}, size, {0, 1}, {1, 0});
-  ui::draw_labels(list, writing.labels, imgui.fonts(), {0, 0}, size, scale);
-  if (writing.legend) ui::draw_legend(list, *writing.legend, imgui.fonts(), {{0, 0}, size}, scale);
-  target.bind();
-  imgui.end_frame();
-  return target.image();
+/// What can be told before the work of where its results go, and what the arguments do not say.
+void check_arguments(const RenderOptions& options) {
+  if (options.job_file.empty() == options.job.scene.empty())
+    throw InputError("render", "needs a scene or --job-file FILE, and not both", "name what is to be drawn");
+  if (options.output.empty() && options.pictures.contact_sheet.empty() && options.pictures.video.empty())
+    throw InputError("render", "has nowhere to write to", "add -o, --contact-sheet or --video");
+  if (!options.pictures.contact_sheet.empty()) {
+    require_png(options.pictures.contact_sheet);
+    check_replaceable(options.pictures.contact_sheet);
+  }
+  if (!options.pictures.video.empty()) check_video_path(options.pictures.video);
+  if (options.job_file.empty()) check_names(single_job(options));
+  if (options.output.empty()) return;
+  if (!options.job_file.empty()) return check_folder(options.output);
+  require_png(options.output);
+  RenderJob job = single_job(options);
+  check_replaceable(
+      options.output.parent_path() /
+      (picture_name(job, job.cameras.front(), job.views.front(), job.frames.front(), is_numbered(options)) + ".png"));
 }
 
-void render_plainly(const RenderOptions& options, Scene scene) {
-  World world = make_world(scene, options.scene);
-  use_named_view(scene.view, options.view, world.frame(), towards_eye(scene, options.camera));
-  const EmbeddedDisplay display = embedded_display(world.frame(), scene);
-  render::Renderer renderer;
-  const float scale = writing_scale(options.width, options.height);
-  ImGuiContextOwner imgui(std::min(scale, kLargestFont));
-  const render::Target target(options.width, options.height);
-  SteadyRange range;
-  range.follow(world.frame(), scene.view.quantity);
-  const auto draw_scene = [&] {
-    const Frame frame = world.frame();
-    return draw_scene_from_frame(frame, display, scene, scene.view, selected(options, frame), range.range());
-  };
-  const auto step = [&] {
-    world.step();
-    range.follow(world.frame(), scene.view.quantity);
-  };
-  const ImVec2 size(static_cast<float>(options.width), static_cast<float>(options.height));
-  const float aspect = size.x / size.y;
-  const render::DrawScene first = draw_scene();
-  const render::Camera camera = scene_camera(scene, options.camera, first, aspect);
-  // Where the first picture leaves room it stays, so that it does not hop about in a sequence.
-  ui::LegendCorner corner = {};
-  if (const auto legend = scene_legend(first, false))
-    corner = legend_corner(first, camera, *legend, imgui.fonts(), size, scale);
-  const auto picture = [&] {
-    const render::DrawScene drawn = draw_scene();
-    renderer.render(drawn, camera, picture_options(options.width, options.height, options.samples, scene.view));
-    Writing writing{scene_legend(drawn, scene.view.range.has_value()), scene_labels(drawn, camera, aspect)};
-    if (writing.legend) writing.legend->corner = corner;
-    if (!options.legend || (!writing.legend && writing.labels.empty())) return renderer.image();
-    return written_over(imgui, target, renderer.color_texture(), writing, scale);
-  };
-  save_pictures(options, step, picture);
-  explain(options, world.frame(), scene);
-}
-
-void render_editor(const RenderOptions& options, const Scene& scene) {
-  Editor editor(scene, options.scene);
-  editor.use_camera(options.camera);
-  editor.use_view(options.view);
-  editor.state().show_times = false;
-  ImGuiContextOwner imgui(1);
-  const render::Target target(options.width, options.height);
-  const auto picture = [&] {
-    if (options.node) editor.state().selection = selected(options, editor.frame());
-    for (int i = 0; i < kFramesToLayOut; ++i) {
-      editor.draw_picture(options.samples);
-      imgui.begin_frame(options.width, options.height);
-      editor.draw_panels(imgui.fonts());
-      target.bind();
-      target.clear({});
-      imgui.end_frame();
-    }
-    return target.image();
-  };
-  save_pictures(
-      options, [&editor] { editor.step(); }, picture);
-  explain(options, editor.frame(), scene);
+void render_pictures(const RenderOptions& options, const RenderJob& job, const std::string& renderer) {
+  const Scene scene = read_scene(job.scene, settings(options.set));
+  PictureOutput output = options.pictures;
+  output.renderer = renderer;
+  if (!options.output.empty()) {
+    output.folder = options.job_file.empty() ? options.output.parent_path() : options.output;
+    if (output.folder.empty()) output.folder = ".";
+  }
+  PictureWriter writer(output, job, scene.simulation.time_step);
+  const std::string explanation =
+      render_job(job, scene, is_numbered(options), [&](const RenderedPicture& picture) { writer.write(picture); });
+  writer.finish();
+  std::fputs(explanation.c_str(), stdout);
 }
 
 void render(const RenderOptions& options) {
-  if (options.output.extension() != ".png")
-    throw InputError(options.output.string(), "is no name of a PNG file", "end it in .png");
-  check_replaceable(options.every > 0 ? numbered(options.output, 0) : options.output);
-  const Scene scene = read_scene(options.scene);
+  check_arguments(options);
+  const std::vector<RenderJob> jobs = jobs_of(options);
   const render::EglContext context(options.egl_device);
   std::fprintf(stderr, "Graphics: %s (%s)\n", context.renderer().c_str(), context.origin().c_str());
-  if (options.interface) {
-    render_editor(options, scene);
-  } else {
-    render_plainly(options, scene);
-  }
+  for (const RenderJob& job : jobs) render_pictures(options, job, context.renderer());
 }
 
-constexpr int kMaxPixels = 16384;
+void add_what(CLI::App& command, RenderOptions& options) {
+  command.add_option("SCENE", options.job.scene, "Scene file")->type_name("FILE");
+  add_settings(command, options.set);
+  command.add_option("--job-file", options.job_file, "Draw the pictures that a JSON file lists, of many scenes")
+      ->type_name("FILE");
+  command.add_option("--only", options.only, "Of that file the job of this name alone")->type_name("NAME");
+  CLI::Option* frame = command.add_option("--frame", options.frame, "Time steps before the picture")
+                           ->check(CLI::Range(0, kMaxFrames))
+                           ->type_name("N");
+  CLI::Option* every = command.add_option("--every", options.every, "A numbered picture every K steps, from 0 to N")
+                           ->check(CLI::Range(1, kMaxFrames))
+                           ->type_name("K");
+  command
+      .add_option("--frames", options.frames,
+                  "Several time steps in one run: FROM:TO:EVERY, such as 0:240:10, or a list, 0,30,60")
+      ->excludes(frame)
+      ->excludes(every)
+      ->type_name("LIST");
+  command
+      .add_option(
+          "--view", options.job.views,
+          "What to show: a quantity to colour by, a layer, wireframe, shrunken, exploded, slice or unlit; several "
+          "joined by +, such as utilization+fracture_planes+slice. The scene's view if not given. Again: another "
+          "picture")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("NAME");
+  command
+      .add_option("--camera", options.job.cameras,
+                  "Camera of the scene, the first if not given. Again: another picture")
+      ->take_all()
+      ->allow_extra_args(false)
+      ->type_name("NAME");
+  command
+      .add_option("--node", options.job.node,
+                  "Node that is explained, in text and by the views candidate_plane and element_forces; the most "
+                  "loaded one if not given")
+      ->check(CLI::Range(0, 1 << 30))
+      ->type_name("N");
+}
 
-/// "1280x720" into two numbers; what is wrong with it.
-std::string read_size(const std::string& text, RenderOptions& options) {
-  char rest = 0;
-  const bool good = std::sscanf(text.c_str(), "%dx%d%c", &options.width, &options.height, &rest) == 2;
-  const auto possible = [](int pixels) { return pixels >= 16 && pixels <= kMaxPixels; };
-  if (good && possible(options.width) && possible(options.height)) return {};
-  return "--size: \"" + text + "\" is not a size: write WIDTHxHEIGHT, such as 1280x720, each from 16 to 16384";
+void add_how(CLI::App& command, RenderOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--size",
+          [&options](const std::string& text) {
+            const std::string problem = read_size(text, options.job);
+            if (!problem.empty()) throw CLI::ValidationError(problem);
+          },
+          "Size of the picture, 1280x720 if not given")
+      ->type_name("WxH");
+  command.add_option("--samples", options.job.samples, "Samples per pixel, 4 if not given; 1 has no smoothed edges")
+      ->check(CLI::Range(1, 16))
+      ->type_name("S");
+  command.add_flag("--ui", options.job.interface, "Draw the editor's panels into the picture");
+  command.add_flag("--legend,!--no-legend", options.job.legend, "Draw the legend of the colours; on if not given");
+  command.add_flag("--transparent", options.job.transparent,
+                   "Draw neither sky nor ground; what shows nothing is transparent");
+  command.add_option("--egl-device", options.egl_device, "Graphics device to use, as EGL counts them")
+      ->check(CLI::Range(0, 64))
+      ->type_name("N");
+}
+
+void add_where(CLI::App& command, RenderOptions& options) {
+  command
+      .add_option("-o,--output", options.output,
+                  "PNG file to write; of several pictures each has camera, view and frame in its name. With "
+                  "--job-file a folder")
+      ->type_name("FILE");
+  command
+      .add_option("--contact-sheet", options.pictures.contact_sheet,
+                  "Write all pictures as one PNG file, small, in rows")
+      ->type_name("FILE");
+  command
+      .add_option("--video", options.pictures.video,
+                  "Write the pictures as .mp4, .mkv, .mov, .webm or .gif, by ffmpeg; one for each camera and view")
+      ->type_name("FILE");
+  command
+      .add_option("--fps", options.pictures.frames_per_second,
+                  "Pictures a second of the video; as fast as time passes if not given")
+      ->check(CLI::Range(0.1, 240.0))
+      ->type_name("N");
+  command.add_flag("--records", options.pictures.records,
+                   "Write beside each PNG file what it shows: numbers and the state's hash (.json), writing or widgets "
+                   "(.txt), what is drawn at each pixel (.ids.png)");
 }
 
 }  // namespace
 
 Command add_render(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("render", "Draw a scene into PNG files, without a window");
+  CLI::App* command = program.add_subcommand("render", "Draw scenes into PNG files or videos, without a window");
   const auto options = std::make_shared<RenderOptions>();
-  command->add_option("SCENE", options->scene, "Scene file")->required()->type_name("FILE");
-  command->add_option("--frame", options->frame, "Time steps before the picture")
-      ->check(CLI::Range(0, kMaxFrames))
-      ->type_name("N");
-  command->add_option("-o,--output", options->output, "PNG file to write")->required()->type_name("FILE");
-  command->add_option("--every", options->every, "A numbered picture every K steps, from 0 to N")
-      ->check(CLI::Range(1, kMaxFrames))
-      ->type_name("K");
-  command
-      ->add_option_function<std::string>(
-          "--size",
-          [options](const std::string& text) {
-            const std::string problem = read_size(text, *options);
-            if (!problem.empty()) throw CLI::ValidationError(problem);
-          },
-          "Size of the picture, 1280x720 if not given")
-      ->type_name("WxH");
-  command->add_option("--samples", options->samples, "Samples per pixel, 4 if not given; 1 has no smoothed edges")
-      ->check(CLI::Range(1, 16))
-      ->type_name("S");
-  command
-      ->add_option(
-          "--view", options->view,
-          "What to show: a quantity to colour by, a layer, wireframe, shrunken, exploded, slice or unlit; several "
-          "joined by +, such as utilization+fracture_planes+slice. The scene's view if not given")
-      ->type_name("NAME");
-  command
-      ->add_option("--node", options->node,
-                   "Node that is explained, in text and by the views candidate_plane and element_forces; the most "
-                   "loaded one if not given")
-      ->check(CLI::Range(0, 1 << 30))
-      ->type_name("N");
-  command->add_option("--camera", options->camera, "Camera of the scene, the first if not given")->type_name("NAME");
-  command->add_flag("--ui", options->interface, "Draw the editor's panels into the picture");
-  command->add_flag("--legend,!--no-legend", options->legend, "Draw the legend of the colours; on if not given");
-  command->add_option("--egl-device", options->egl_device, "Graphics device to use, as EGL counts them")
-      ->check(CLI::Range(0, 64))
-      ->type_name("N");
+  add_what(*command, *options);
+  add_how(*command, *options);
+  add_where(*command, *options);
   add_threads(*command);
+  CLI::Option* job_file = command->get_option("--job-file");
+  for (const char* name :
+       {"SCENE", "--frame", "--every", "--frames", "--view", "--camera", "--node", "--size", "--samples", "--ui",
+        "--legend", "--transparent", "--contact-sheet", "--video", "--fps", "--set"})
+    job_file->excludes(command->get_option(name));
+  command->get_option("--only")->needs(job_file);
   command->footer(
       "Examples:\n"
       "  griffith render scenes/wall_small.json --frame 60 -o wall.png\n"
-      "  griffith render scenes/wall_small.json --frame 240 --every 4 -o wall.png    wall_0000.png, wall_0004.png, "
-      "...\n"
-      "  griffith render scenes/wall_small.json --frame 30 --view utilization --size 1920x1080 -o utilization.png");
+      "  griffith render scenes/wall_small.json --frames 0:240:4 -o wall.png    wall_0000.png, wall_0004.png, ...\n"
+      "  griffith render scenes/wall_small.json --frames 0:240 --video wall.mp4\n"
+      "  griffith render scenes/wall_small.json --frames 0,20,40 --view material --view utilization "
+      "--contact-sheet sheet.png\n"
+      "  griffith render scenes/wall_small.json --frame 30 --view utilization --size 1920x1080 -o utilization.png\n"
+      "  griffith render --job-file pictures.json -o pictures");
   return {command, [options] {
+            if (options->job.interface && options->job.transparent)
+              throw InputError("--transparent", "does not go with --ui", "leave one of them out");
             render(*options);
             return kDone;
           }};

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -97,6 +99,128 @@ TEST(RenderCommand, AMissingLibraryOfGraphicsIsTold) {
                   "LD_LIBRARY_PATH=" + folder.string());
   EXPECT_EQ(outcome.code, 1) << outcome.output;
   EXPECT_NE(outcome.output.find("libegl1"), std::string::npos) << outcome.output;
+}
+
+/// The program's options for pictures of the wall in a folder of their own, and what they left there.
+std::set<std::string> files_of_render(const std::string& folder, const std::string& options,
+                                      const std::string& size = "160x100") {
+  const std::filesystem::path path = test_folder() / folder;
+  std::filesystem::remove_all(path);
+  std::filesystem::create_directories(path);
+  const Outcome outcome = run_program("render " + small_wall_file().string() + " --size " + size + " -o " +
+                                      (path / "w.png").string() + " " + options);
+  EXPECT_EQ(outcome.code, 0) << outcome.output;
+  std::set<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(path)) files.insert(entry.path().filename());
+  return files;
+}
+
+TEST(RenderCommand, OneRunDrawsFramesViewsAndCamerasAsRunsOfTheirOwnDo) {
+  const std::set<std::string> files =
+      files_of_render("many", "--frames 2,6 --view body --view utilization --camera front --camera side");
+  EXPECT_EQ(files.size(), 8u);
+  const render::Image one = render::load_png(test_folder() / "many" / "w_side_utilization_0006.png");
+  files_of_render("one", "--frame 6 --view utilization --camera side");
+  EXPECT_EQ(render::load_png(test_folder() / "one" / "w.png"), one);
+  EXPECT_TRUE(files.contains("w_front_body_0002.png"));
+}
+
+TEST(RenderCommand, PanelsOfSeveralViewsDoNotKeepTheViewBefore) {
+  files_of_render("many", "--frames 0,3 --view utilization+slice --view body --ui", "640x360");
+  files_of_render("one", "--frames 3 --view body --ui", "640x360");
+  EXPECT_EQ(render::load_png(test_folder() / "many" / "w_body_0003.png"),
+            render::load_png(test_folder() / "one" / "w_0003.png"));
+}
+
+TEST(RenderCommand, WithoutBackgroundEveryPixelIsTheObjectsOrNothing) {
+  files_of_render("clear", "--frame 4 --transparent --no-legend --samples 1 --view body --records");
+  files_of_render("full", "--frame 4 --no-legend --samples 1 --view body");
+  const render::Image clear = render::load_png(test_folder() / "clear/w.png");
+  const render::Image full = render::load_png(test_folder() / "full/w.png");
+  int opaque = 0, empty = 0;
+  for (int y = 0; y < clear.height; ++y) {
+    for (int x = 0; x < clear.width; ++x) {
+      const auto pixel = clear.pixel(x, y);
+      if (pixel[3] == 255) {
+        EXPECT_EQ(pixel, full.pixel(x, y)) << x << ", " << y;
+      }
+      opaque += pixel[3] == 255;
+      empty += pixel[3] == 0;
+    }
+  }
+  EXPECT_GT(opaque, 300);
+  EXPECT_GT(empty, 3000);
+}
+
+TEST(RenderCommand, ContactSheetHasAllPicturesAtTheirPlaces) {
+  const std::filesystem::path sheet = test_folder() / "sheet.png";
+  files_of_render("many", "--frames 0,4 --view body --view utilization --contact-sheet " + sheet.string());
+  const render::Image image = render::load_png(sheet);
+  EXPECT_GT(image.width, 2 * 160);
+  EXPECT_LT(image.width, 2 * 160 + 40);
+  EXPECT_GT(image.height, 2 * 100);
+  const render::Image last = render::load_png(test_folder() / "many/w_utilization_0004.png");
+  bool found = false;
+  for (int y = 0; y <= image.height - 100 && !found; ++y) {
+    for (int x = 0; x <= image.width - 160 && !found; ++x) {
+      found = image.pixel(x, y) == last.pixel(0, 0) && image.pixel(x + 80, y + 50) == last.pixel(80, 50) &&
+              image.pixel(x + 159, y + 99) == last.pixel(159, 99);
+    }
+  }
+  EXPECT_TRUE(found);
+}
+
+TEST(RenderCommand, VideoHasAllPicturesOrFfmpegIsToldToBeMissing) {
+  const std::filesystem::path video = test_folder() / "wall.mp4";
+  const std::string command =
+      "render " + small_wall_file().string() + " --size 160x100 --frames 0:9 --video " + video.string();
+  if (std::system("ffprobe -version >/dev/null 2>&1") == 0) {
+    const Outcome outcome = run_program(command);
+    ASSERT_EQ(outcome.code, 0) << outcome.output;
+    const std::string count = (test_folder() / "count").string();
+    ASSERT_EQ(std::system(("ffprobe -v error -count_packets -show_entries stream=width,height,nb_read_packets -of "
+                           "csv=p=0 " +
+                           video.string() + " >" + count)
+                              .c_str()),
+              0);
+    std::ifstream file(count);
+    std::string line;
+    std::getline(file, line);
+    EXPECT_EQ(line, "160,100,10");
+  }
+  const Outcome missing = run_program(command, "env PATH=/nonexistent");
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_NE(missing.output.find("there is no ffmpeg"), std::string::npos) << missing.output;
+}
+
+TEST(RenderCommand, ArgumentsThatDoNotGoTogetherAreRefused) {
+  const std::string scene = small_wall_file().string(), png = " -o " + (test_folder() / "x.png").string();
+  for (const std::string& arguments :
+       {scene, scene + png + " --frames 3:1", scene + png + " --frames 0:4 --frame 4",
+        scene + png + " --ui --transparent", scene + " --video x.avi", scene + " -o x.jpg",
+        "--job-file none.json" + png, scene + png + " --camera nowhere", scene + png + " --view nothing",
+        scene + png + " --view body --view body", std::string("--job-file x.json --size 99x99 -o pictures"),
+        scene + png + " --only x", std::string("-o x.png"), scene + " --contact-sheet /nonexistent/a.png"}) {
+    const Outcome outcome = run_program("render " + arguments);
+    EXPECT_EQ(outcome.code, 2) << arguments << "\n" << outcome.output;
+  }
+}
+
+TEST(RenderCommand, AFileOfJobsDrawsThemAllAndOneAlone) {
+  small_wall_file();
+  const std::filesystem::path jobs = test_file("jobs.json", R"({"defaults": {"size": [80, 60]}, "pictures": [
+      {"name": "a", "scene": "small_wall.json", "frames": "0:2", "views": ["body", "utilization"]},
+      {"name": "b", "scene": "small_wall.json", "transparent": true}]})");
+  const std::filesystem::path out = test_folder() / "pictures";
+  std::filesystem::remove_all(out);
+  const auto count = [&] {
+    return std::distance(std::filesystem::directory_iterator(out), std::filesystem::directory_iterator());
+  };
+  ASSERT_EQ(run_program("render --job-file " + jobs.string() + " --only b -o " + out.string()).code, 0);
+  EXPECT_EQ(count(), 1);
+  ASSERT_EQ(run_program("render --job-file " + jobs.string() + " -o " + out.string()).code, 0);
+  EXPECT_EQ(count(), 7);
+  EXPECT_EQ(run_program("render --job-file " + jobs.string() + " --only c -o " + out.string()).code, 2);
 }
 
 }  // namespace

@@ -112,13 +112,15 @@ void help_table_row(const char* keys, const char* text) {
   ImGui::TableNextColumn();
   ImGui::TextColored(as_vec4(palette::kAccent), "%s", keys);
   ImGui::TableNextColumn();
-  ImGui::TextUnformatted(text);
+  ImGui::TextWrapped("%s", text);
 }
 
 void help_dialog(Panel& panel) {
   EditorState& state = panel.state;
   if (!begin_dialog(panel, "Mouse and keyboard", state.show_help, 620)) return;
   if (ImGui::BeginTable("##help", 2, ImGuiTableFlags_SizingFixedFit)) {
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed);
+    ImGui::TableSetupColumn("text", ImGuiTableColumnFlags_WidthStretch);
     for (const auto& [keys, text] : kMouseHelp) help_table_row(keys, text);
     help_table_row("", "");
     for (const CommandInfo& info : command_registry()) {

@@ -29,6 +29,30 @@ void name_list(Panel& panel, SaveTarget& target) {
   ImGui::EndChild();
 }
 
+/// How the dialog goes for a kind of file.
+struct SavedWords {
+  const char* title;
+  CommandId save, dialog;
+};
+
+SavedWords words_of(SavedKind kind) {
+  switch (kind) {
+    case SavedKind::scene:
+      return {"Save the scene as", CommandId::save, CommandId::save_dialog};
+    case SavedKind::recording:
+      return {"Save the recording as", CommandId::save_recording, CommandId::save_recording_dialog};
+    default:
+      return {"Save the bug report as", CommandId::save_report, CommandId::save_report_dialog};
+  }
+}
+
+/// The dialog that asks for another file than the command has.
+CommandId dialog_of(CommandId save) {
+  for (const SavedKind kind : {SavedKind::recording, SavedKind::bug_report})
+    if (words_of(kind).save == save) return words_of(kind).dialog;
+  return CommandId::save_dialog;
+}
+
 void close(bool answered) {
   if (answered) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
@@ -36,22 +60,24 @@ void close(bool answered) {
 
 }  // namespace
 
-SaveTarget save_target(const std::filesystem::path& file) {
+SaveTarget save_target(const std::filesystem::path& file, SavedKind kind) {
   const std::filesystem::path whole = std::filesystem::absolute(file).lexically_normal();
-  SaveTarget target{whole.parent_path(), {}, {}};
+  SaveTarget target{kind, whole.parent_path(), {}, {}};
   set_name(target, whole.filename().string());
   return target;
 }
 
 std::filesystem::path file_of(const SaveTarget& target) {
   std::filesystem::path file = target.folder / target.name.data();
-  if (file.extension() != ".json") file += ".json";
+  const std::string_view ending = target.kind == SavedKind::scene ? ".json" : ".tar.zst";
+  if (!file.string().ends_with(ending)) file += ending;
   return file.lexically_normal();
 }
 
 void draw_save_dialog(Panel& panel) {
   std::optional<SaveTarget>& target = panel.state.save_as;
-  if (!begin_dialog(panel, "Save the scene as", target.has_value(), 520)) return;
+  const SavedWords words = words_of(target ? target->kind : SavedKind::scene);
+  if (!begin_dialog(panel, words.title, target.has_value(), 520)) return;
   name_list(panel, *target);
   ImGui::SetNextItemWidth(-FLT_MIN);
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
@@ -67,7 +93,7 @@ void draw_save_dialog(Panel& panel) {
   ImGui::Spacing();
   const bool pressed = text_button(panel, "save/save", "Save", kButtonWidth * ui_scale(panel));
   const bool saved = (entered || pressed) && named;
-  if (saved) issue(panel, {.id = CommandId::save, .path = file});
+  if (saved) issue(panel, {.id = words.save, .path = file});
   ImGui::SameLine();
   const bool cancelled =
       text_button(panel, "save/cancel", "Cancel", kButtonWidth * ui_scale(panel)) || escape_pressed() || left;
@@ -91,7 +117,7 @@ void draw_replacement_dialog(Panel& panel) {
   ImGui::SameLine();
   const bool cancelled = text_button(panel, "replace/cancel", "Cancel", width) || escape_pressed();
   const std::filesystem::path file = replacement->command.path;
-  if (cancelled && !file.empty()) issue(panel, {.id = CommandId::save_dialog, .path = file});
+  if (cancelled && !file.empty()) issue(panel, {.id = dialog_of(replacement->command.id), .path = file});
   if (cancelled && file.empty()) panel.state.after_save.reset();
   if (agreed || cancelled) replacement.reset();
   close(agreed || cancelled);

@@ -8,7 +8,7 @@
 namespace griffith::ui {
 namespace {
 
-constexpr std::array<CommandInfo, 40> kRegistry = {{
+constexpr std::array<CommandInfo, 44> kRegistry = {{
     {CommandId::toggle_run, "simulation.run", "Run", "Run or pause", {key::kSpace}, "Space"},
     {CommandId::step, "simulation.step", "Step", "Pause and advance by one time step", {'N'}, "N"},
     {CommandId::step_back,
@@ -113,6 +113,20 @@ constexpr std::array<CommandInfo, 40> kRegistry = {{
      "Write the scene to another file, which it is then edited in",
      {'S', true, true},
      "Ctrl+Shift+S"},
+    {CommandId::save_recording_dialog,
+     "file.record",
+     "Save recording…",
+     "Write the recorded past of this branch with all that it takes to make it again: griffith replay compares",
+     {},
+     ""},
+    {CommandId::save_recording, "file.write_recording", "Write recording", "Write the recording to a file", {}, ""},
+    {CommandId::save_report_dialog,
+     "help.report",
+     "Save bug report…",
+     "Write a recording with the log, versions and a picture of the window, for others to replay",
+     {},
+     ""},
+    {CommandId::save_report, "help.write_report", "Write bug report", "Write the bug report to a file", {}, ""},
     {CommandId::recover, "file.recover", "Recover", "Take up edits that were cut short", {}, ""},
     {CommandId::discard_copy,
      "file.discard_copy",
@@ -134,6 +148,11 @@ constexpr std::array<CommandInfo, 40> kRegistry = {{
 }  // namespace
 
 std::span<const CommandInfo> command_registry() { return kRegistry; }
+
+const CommandInfo* find_command(std::string_view name) {
+  const auto found = std::ranges::find(kRegistry, name, &CommandInfo::name);
+  return found == kRegistry.end() ? nullptr : &*found;
+}
 
 const CommandInfo& command_info(CommandId id) {
   const auto found = std::find_if(kRegistry.begin(), kRegistry.end(), [id](const auto& info) { return info.id == id; });

@@ -39,6 +39,10 @@ enum class CommandId {
   add_surface,
   save,
   save_dialog,
+  save_recording_dialog,
+  save_recording,
+  save_report_dialog,
+  save_report,
   recover,
   discard_copy,
   leave_copy,
@@ -57,12 +61,13 @@ enum class CommandId {
 /// A request, carried out by the program after the panels are drawn.
 struct Command {
   CommandId id;
-  std::filesystem::path path = {};  ///< open: the scene; save: where, or empty for its own file; save_dialog: proposed
-  std::int64_t step = 0;            ///< go_to_step, go_to_branch
-  int branch = 0;                   ///< go_to_branch
-  Vec2 cursor = Vec2(0.5, 0.5);     ///< fire, pick: place in the view, from its top left corner, 0..1
-  bool discard_edits = false;       ///< new_scene, open, quit: even where edits are not saved
-  bool replace = false;             ///< save: even where that loses what another has written
+  /// open: the scene; save and others that write: where, or empty for the scene's own file; their dialogs: proposed
+  std::filesystem::path path = {};
+  std::int64_t step = 0;         ///< go_to_step, go_to_branch
+  int branch = 0;                ///< go_to_branch
+  Vec2 cursor = Vec2(0.5, 0.5);  ///< fire, pick: place in the view, from its top left corner, 0..1
+  bool discard_edits = false;    ///< new_scene, open, quit: even where edits are not saved
+  bool replace = false;          ///< what writes: even where that loses what another has written
 };
 
 /// Key codes in GLFW's numbering; letters and digits are their ASCII codes.
@@ -92,5 +97,7 @@ struct CommandInfo {
 /// All commands, in the order in which help shows them.
 std::span<const CommandInfo> command_registry();
 const CommandInfo& command_info(CommandId id);
+/// The command of that name, or nullptr.
+const CommandInfo* find_command(std::string_view name);
 
 }  // namespace griffith::ui

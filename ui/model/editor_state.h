@@ -46,15 +46,19 @@ struct SurfaceRequest {
   MeshingMethod method = MeshingMethod::automatic;
 };
 
-/// Where the scene is to be saved, as the dialog for it has it.
+/// What a dialog asks a place for.
+enum class SavedKind { scene, recording, bug_report };
+
+/// Where something is to be saved, as the dialog for it has it.
 struct SaveTarget {
+  SavedKind kind = SavedKind::scene;
   std::filesystem::path folder;  ///< where relative names start, absolute
   std::array<char, 512> name = {};
   std::vector<std::string> there;  ///< names of scenes in the folder
 };
 /// Proposes the file's folder and name.
-SaveTarget save_target(const std::filesystem::path& file);
-/// The file; ends in .json, whether that was typed or not.
+SaveTarget save_target(const std::filesystem::path& file, SavedKind kind = SavedKind::scene);
+/// The file; ends as files of its kind do, in .json or .tar.zst, whether that was typed or not.
 std::filesystem::path file_of(const SaveTarget& target);
 
 /// A save that would lose what another has written.
@@ -100,7 +104,8 @@ struct EditorState {
   CameraMotion camera_motion;
   ImVec2 viewport_minimum = {0, 0}, viewport_size = {0, 0};  ///< of the picture, as drawn last [pixels]
   float left_width = 0, right_width = 0;                     ///< of the side panels [pixels]; 0: not laid out yet
-  bool show_times = true;  ///< milliseconds and pictures a second; off makes pictures of the panels reproducible
+  bool show_times = true;      ///< milliseconds and pictures a second; off makes pictures of the panels reproducible
+  bool open_sections = false;  ///< all parts of the panels that can be folded are open, for pictures of them
   bool show_help = false, show_open = false, show_surface = false;
   SurfaceRequest surface;
   std::optional<WorkReport> report;

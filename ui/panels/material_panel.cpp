@@ -142,6 +142,7 @@ void draw_material_panel(Panel& panel) {
   fracture_rows(panel, material);
   element_model_row(panel, material);
   yield_rows(panel, material);
+  open_if_all_are(panel);
   if (ImGui::TreeNodeEx("Contact and damping", ImGuiTreeNodeFlags_SpanAvailWidth)) {
     damping_rows(panel, material);
     ImGui::TreePop();

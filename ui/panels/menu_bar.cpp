@@ -43,6 +43,7 @@ void file_menu(Panel& panel) {
   command_item(panel, CommandId::save);
   command_item(panel, CommandId::save_dialog);
   ImGui::Separator();
+  command_item(panel, CommandId::save_recording_dialog);
   command_item(panel, CommandId::screenshot);
   ImGui::Separator();
   command_item(panel, CommandId::quit);
@@ -99,6 +100,7 @@ void draw_menu_bar(Panel& panel) {
   }
   if (menu(panel, "Help")) {
     command_item(panel, CommandId::help, panel.state.show_help);
+    command_item(panel, CommandId::save_report_dialog);
     ImGui::EndMenu();
   }
   scene_title(panel);

@@ -35,7 +35,7 @@ void recent_lines(const std::vector<LogLine>& log) {
 void draw_status_bar(Panel& panel) {
   const std::vector<LogLine>& log = panel.state.log;
   ImGui::PushFont(panel.input.fonts.small);
-  const std::string text = panel.input.scene_path.empty() ? "not saved" : panel.input.scene_path.string();
+  const std::string text = panel.input.scene_path.empty() ? "not saved" : panel.input.scene_path.filename().string();
   const float place = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - ImGui::CalcTextSize(text.c_str()).x;
   if (!log.empty()) {
     const LogLine& last = log.back();
@@ -48,6 +48,9 @@ void draw_status_bar(Panel& panel) {
   }
   ImGui::SameLine(place);
   ImGui::TextColored(as_vec4(palette::kTextDim), "%s", text.c_str());
+  tag_last_item(panel.tags, "status/file", text);
+  if (!panel.input.scene_path.empty() && ImGui::IsItemHovered())
+    ImGui::SetTooltip("%s", panel.input.scene_path.c_str());
   ImGui::PopFont();
 }
 

@@ -45,6 +45,11 @@ struct Panel {
   std::vector<Command>& commands;
 };
 
+/// To be called before a part that can be folded is drawn: it is open where all are to be.
+inline void open_if_all_are(const Panel& panel) {
+  if (panel.state.open_sections) ImGui::SetNextItemOpen(true);
+}
+
 /// Whether the command makes sense now.
 bool command_enabled(CommandId id, const Panel& panel);
 

@@ -1,0 +1,188 @@
+#include "app/render/read_render_jobs.h"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "app/render/frame_list.h"
+#include "sim/core/read_file.h"
+#include "sim/scene/read_value.h"
+#include "ui/model/commands.h"
+
+namespace griffith::app {
+namespace {
+
+constexpr std::int64_t kMaxFileSize = 16 << 20;
+constexpr std::array<std::string_view, 13> kFields = {"name",     "scene",   "frames",     "views", "cameras",
+                                                      "size",     "samples", "node",       "ui",    "open_sections",
+                                                      "commands", "legend",  "transparent"};
+
+void read_names(const Place& place, std::vector<std::string>& names) {
+  if (!place.json.is_array() || place.json.empty()) return place.reject("a list of names, [\"...\"]");
+  names.assign(place.json.size(), "");
+  for (std::size_t i = 0; i < names.size(); ++i)
+    read(place.child(std::to_string(i), place.json[i]), names[i], Text{.minimum_length = 0});
+}
+
+/// Whether a picture may be of what a command does: none that reads or writes files, or leaves.
+bool is_for_pictures(ui::CommandId id) {
+  using enum ui::CommandId;
+  constexpr std::array kOthers = {open,        save,           recover,     discard_copy, leave_copy,
+                                  add_surface, save_recording, save_report, screenshot,   quit};
+  return std::ranges::find(kOthers, id) == kOthers.end();
+}
+
+void read_commands(const Place& place, std::vector<std::string>& commands) {
+  std::vector<std::string_view> known;
+  for (const ui::CommandInfo& command : ui::command_registry())
+    if (is_for_pictures(command.id)) known.push_back(command.name);
+  read_names(place, commands);
+  for (std::size_t i = 0; i < commands.size(); ++i)
+    if (std::ranges::find(known, commands[i]) == known.end())
+      place.child(std::to_string(i), place.json[i])
+          .report("is no command that pictures can be of: \"" + commands[i] + "\"", suggestion(commands[i], known));
+}
+
+void read_frames(const Place& place, std::vector<int>& frames) {
+  const std::string where = json_place(place.document.file, place.pointer);
+  std::string text;
+  if (place.json.is_string()) {
+    text = place.json.get<std::string>();
+  } else if (place.json.is_number()) {
+    text = place.json.dump();
+  } else if (place.json.is_array()) {
+    for (const Json& frame : place.json) text += (text.empty() ? "" : ",") + frame.dump();
+  } else {
+    return place.reject("a number, a list of numbers or text such as \"0:240:10\"");
+  }
+  try {
+    frames = frames_from_text(text, where);
+  } catch (const InputError& error) {
+    place.document.problems.push_back(error);
+  }
+}
+
+void read_size(const Place& place, RenderJob& job) {
+  constexpr double kMin = 16, kMax = 16384;
+  if (!place.json.is_array() || place.json.size() != 2) return place.reject("[width, height] in pixels");
+  read(place.child("0", place.json[0]), job.width, between(kMin, kMax));
+  read(place.child("1", place.json[1]), job.height, between(kMin, kMax));
+}
+
+void read_field(const Place& place, std::string_view name, RenderJob& job) {
+  constexpr double kMaxNode = 1 << 30;
+  if (name == "name") return read(place, job.name, Text{.minimum_length = 1});
+  if (name == "frames") return read_frames(place, job.frames);
+  if (name == "views") return read_names(place, job.views);
+  if (name == "cameras") return read_names(place, job.cameras);
+  if (name == "size") return read_size(place, job);
+  if (name == "samples") return read(place, job.samples, between(1, 16));
+  if (name == "node") return read(place, job.node.emplace(), between(0, kMaxNode));
+  if (name == "ui") return read(place, job.interface, Flag{});
+  if (name == "open_sections") return read(place, job.open_sections, Flag{});
+  if (name == "commands") return read_commands(place, job.commands);
+  if (name == "legend") return read(place, job.legend, Flag{});
+  if (name == "transparent") return read(place, job.transparent, Flag{});
+  std::string scene;
+  read(place, scene, Text{.minimum_length = 1});
+  job.scene = place.document.folder / scene;
+}
+
+void read_job(const Place& place, RenderJob& job) {
+  if (!place.json.is_object()) return place.reject("an object { ... }");
+  for (const auto& [name, value] : place.json.items()) {
+    const Place field = place.child(name, value);
+    if (std::ranges::find(kFields, name) == kFields.end()) {
+      field.report("is no known field", suggestion(name, kFields));
+    } else {
+      read_field(field, name, job);
+    }
+  }
+}
+
+/// What a job that reads well may still lack.
+void check_job(const Place& place, const RenderJob& job, std::set<std::string>& names) {
+  if (job.scene.empty()) place.report("lacks \"scene\"", "add it: the scene file, from this file's folder on");
+  if (job.name.empty()) place.report("lacks \"name\"", "add it: pictures are named by it");
+  if (job.name.find('/') != std::string::npos || job.name.starts_with("."))
+    place.report("has the name \"" + job.name + "\", which files cannot have", "leave out slashes and a leading dot");
+  if (job.name.ends_with(".ids"))
+    place.report("has the name \"" + job.name + "\", which stands for the ids of pictures", "leave out .ids");
+  if (!job.name.empty() && !names.insert(job.name).second)
+    place.report("has the name \"" + job.name + "\", as an earlier one has", "give every job a name of its own");
+  if (job.interface && job.transparent)
+    place.report("has \"transparent\" with \"ui\"", "panels have no background to leave out: remove one of them");
+  if (!job.interface && (job.open_sections || !job.commands.empty()))
+    place.report("has \"open_sections\" or \"commands\" without \"ui\"", "add \"ui\": true");
+}
+
+/// No picture may take the place of another one.
+void check_pictures(const Place& place, const RenderJob& job, std::set<std::string>& pictures) {
+  constexpr std::size_t kMaxPictures = 100'000;
+  if (job.frames.size() * job.cameras.size() * job.views.size() + pictures.size() > kMaxPictures)
+    return place.report("makes more than 100,000 pictures", "take fewer frames, cameras or views");
+  for (const std::string& name : picture_names(job))
+    if (!pictures.insert(name).second)
+      return place.report("has a picture \"" + name + "\", as is there already", "rename the job, view or camera");
+}
+
+std::vector<RenderJob> jobs_of(const Place& root) {
+  RenderJob defaults;
+  defaults.samples = 1;
+  std::vector<RenderJob> jobs;
+  if (!root.json.is_object() || !root.json.contains("pictures") || !root.json["pictures"].is_array()) {
+    root.report("has no list \"pictures\"", "write {\"pictures\": [{\"name\": \"...\", \"scene\": \"...\"}]}");
+    return jobs;
+  }
+  for (const auto& [name, value] : root.json.items()) {
+    if (name == "defaults") read_job(root.child(name, value), defaults);
+    if (name != "defaults" && name != "pictures")
+      root.child(name, value).report("is no known field", "the fields are \"defaults\" and \"pictures\"");
+  }
+  const Place list = root.child("pictures", root.json["pictures"]);
+  std::set<std::string> names, pictures;
+  for (std::size_t i = 0; i < list.json.size(); ++i) {
+    const Place place = list.child(std::to_string(i), list.json[i]);
+    read_job(place, jobs.emplace_back(defaults));
+    check_job(place, jobs.back(), names);
+    check_pictures(place, jobs.back(), pictures);
+  }
+  return jobs;
+}
+
+}  // namespace
+
+std::vector<RenderJob> read_render_jobs(const std::filesystem::path& file) {
+  Document document;
+  document.file = file.string();
+  document.folder = file.parent_path();
+  const Json json = parse_json(read_file(file, kMaxFileSize), document.file, document.problems);
+  std::vector<RenderJob> jobs;
+  if (document.problems.empty()) jobs = jobs_of({document, json, ""});
+  if (!document.problems.empty()) throw document.problems.front();
+  if (jobs.empty()) throw InputError(file.string(), "asks for no pictures", "add a job to \"pictures\"");
+  return jobs;
+}
+
+std::string render_jobs_json(const std::vector<RenderJob>& jobs, const std::filesystem::path& folder) {
+  Json pictures = Json::array();
+  for (const RenderJob& job : jobs) {
+    Json json = {{"name", job.name}, {"scene", job.scene.lexically_proximate(folder).generic_string()}};
+    json["frames"] = job.frames;
+    if (job.views != RenderJob{}.views) json["views"] = job.views;
+    if (job.cameras != RenderJob{}.cameras) json["cameras"] = job.cameras;
+    json["size"] = {job.width, job.height};
+    if (job.samples != 1) json["samples"] = job.samples;
+    if (job.node) json["node"] = *job.node;
+    if (job.interface) json["ui"] = true;
+    if (job.open_sections) json["open_sections"] = true;
+    if (!job.commands.empty()) json["commands"] = job.commands;
+    if (!job.legend) json["legend"] = false;
+    if (job.transparent) json["transparent"] = true;
+    pictures.push_back(std::move(json));
+  }
+  return pretty_text({{"pictures", std::move(pictures)}}) + "\n";
+}
+
+}  // namespace griffith::app

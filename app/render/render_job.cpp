@@ -1,0 +1,99 @@
+#include "app/render/render_job.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+#include "app/render/painter.h"
+#include "app/shared/explanation.h"
+#include "app/shared/progress.h"
+#include "sim/core/error.h"
+
+namespace griffith::app {
+namespace {
+
+/// "_front" for "front"; without characters that file names could not have.
+std::string name_part(std::string text) {
+  if (text.empty()) return "";
+  std::ranges::replace_if(
+      text, [](char c) { return c == '/' || c == ' ' || static_cast<unsigned char>(c) < ' '; }, '-');
+  return "_" + text;
+}
+
+void step_to(Painter& painter, int frame, Progress& progress) {
+  for (std::int64_t step = painter.world().frame().step; step < frame; ++step) {
+    painter.step();
+    progress.update(static_cast<int>(step) + 1);
+  }
+}
+
+}  // namespace
+
+std::string picture_name(const RenderJob& job, const std::string& camera, const std::string& view, int frame,
+                         bool always_numbered) {
+  std::string name = job.name.empty() ? job.scene.stem().string() : job.name;
+  if (job.cameras.size() > 1) name += name_part(camera);
+  if (job.views.size() > 1) name += name_part(view.empty() ? "scene" : view);
+  if (job.frames.size() == 1 && !always_numbered) return name;
+  char number[16];
+  std::snprintf(number, sizeof number, "_%04d", frame);
+  return name + number;
+}
+
+std::vector<std::string> picture_names(const RenderJob& job) {
+  std::vector<std::string> names;
+  for (const int frame : job.frames)
+    for (const std::string& camera : job.cameras)
+      for (const std::string& view : job.views) names.push_back(picture_name(job, camera, view, frame, false));
+  return names;
+}
+
+std::string render_job(const RenderJob& job, const Scene& scene, bool always_numbered,
+                       const std::function<void(RenderedPicture)>& take) {
+  const std::unique_ptr<Painter> painter =
+      job.interface ? make_editor_painter(job, scene) : make_plain_painter(job, scene);
+  {
+    Progress progress("Rendering", std::max(job.frames.back(), 1));
+    for (const int frame : job.frames) {
+      step_to(*painter, frame, progress);
+      for (const std::string& camera : job.cameras) {
+        for (const std::string& view : job.views) {
+          RenderedPicture picture = painter->paint(camera, view);
+          picture.name = picture_name(job, camera, view, frame, always_numbered);
+          picture.record.view = view;
+          picture.record.camera = camera;
+          take(std::move(picture));
+        }
+      }
+    }
+  }
+  if (!job.node) return "";
+  return explanation(painter->world().frame(), NodeId(*job.node), scene.simulation.fracture);
+}
+
+ui::Selection selected_node(const RenderJob& job, const Frame& frame) {
+  if (!job.node) return {};
+  const auto nodes = static_cast<int>(frame.nodes.positions.size());
+  if (*job.node >= nodes && frame.step >= job.frames.back())
+    throw InputError("--node", "there is no node " + std::to_string(*job.node),
+                     "take one below " + std::to_string(nodes) + "; cracks make more");
+  if (*job.node >= nodes) return {};
+  const NodeId node(*job.node);
+  return ui::select(frame, frame.nodes.stars[node].front(), node);
+}
+
+PictureRecord world_record(const World& world) {
+  const Frame frame = world.frame();
+  PictureRecord record;
+  record.frame = static_cast<int>(frame.step);
+  record.state_hash = world.state_hash();
+  record.statistics = {{"pieces", static_cast<double>(frame.bodies.size())},
+                       {"crack_events", static_cast<double>(frame.crack_events.size())},
+                       {"nodes", static_cast<double>(frame.nodes.positions.size())},
+                       {"kinetic_energy", frame.totals.kinetic_energy},
+                       {"elastic_energy", frame.totals.elastic_energy},
+                       {"crack_area", frame.energy.crack_area}};
+  return record;
+}
+
+}  // namespace griffith::app
