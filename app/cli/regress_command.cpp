@@ -1,0 +1,230 @@
+#include <griffith/version.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <set>
+
+#include "app/cli/commands.h"
+#include "app/output/output.h"
+#include "app/regress/junit.h"
+#include "app/regress/report.h"
+#include "app/regress/run_suite.h"
+#include "app/regress/suite.h"
+#include "app/shared/processes.h"
+#include "app/shared/progress.h"
+#include "sim/core/error.h"
+#include "sim/core/parallel.h"
+#include "sim/core/replace_file.h"
+#include "sim/core/temporary_folder.h"
+
+namespace griffith::app {
+namespace {
+
+struct RegressOptions {
+  std::filesystem::path suite;
+  std::vector<std::filesystem::path> init;         ///< scenes; empty: there is a suite
+  std::optional<std::vector<std::string>> accept;  ///< pictures or jobs; empty: all that do not pass
+  std::vector<std::string> only;                   ///< pictures or jobs; empty: all
+  Shard shard;
+  int processes = 0;  ///< 0: as many as the machine has cores
+  double time_limit = 600;
+  std::filesystem::path report, junit;
+  std::optional<int> egl_device;
+};
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// The jobs that draw what `wanted` names: jobs or pictures; all where it is empty. Throws InputError for other names.
+std::vector<RenderJob> wanted_jobs(const std::vector<RenderJob>& jobs, const std::vector<std::string>& wanted) {
+  if (wanted.empty()) return jobs;
+  std::set<std::string> known;
+  std::vector<RenderJob> result;
+  for (const RenderJob& job : jobs) {
+    std::vector<std::string> names = picture_names(job);
+    names.push_back(job.name);
+    known.insert(names.begin(), names.end());
+    if (std::ranges::any_of(names, [&](const std::string& name) { return contains(wanted, name); }))
+      result.push_back(job);
+  }
+  for (const std::string& name : wanted)
+    if (!known.contains(name))
+      throw InputError(name, "is neither a job nor a picture of the suite, or of this part of it",
+                       "its jobs are in suite.json");
+  return result;
+}
+
+std::vector<PictureResult> compare_suite(const SuiteRun& run, const std::vector<RenderJob>& jobs,
+                                         const std::function<bool()>& cancelled) {
+  std::vector<JobOutcome> outcomes;
+  {
+    Progress progress("Drawing", std::max(static_cast<int>(jobs.size()), 1));
+    int done = 0;
+    outcomes = draw_suite(
+        run, jobs, [&] { progress.update(++done); }, cancelled);
+  }
+  std::vector<PictureResult> results;
+  for (std::size_t i = 0; i < jobs.size(); ++i)
+    for (PictureResult& result : compare_job(run, jobs[i], outcomes[i])) results.push_back(std::move(result));
+  return results;
+}
+
+int print_results(const std::filesystem::path& suite, const std::vector<PictureResult>& results) {
+  int failed = 0;
+  for (const PictureResult& result : results) {
+    if (result.status == PictureStatus::passed) continue;
+    ++failed;
+    std::printf("%s: %s: %s\n", status_name(result.status), result.name.c_str(), result.reason.c_str());
+  }
+  std::printf("%zu pictures, %d not as accepted\n", results.size(), failed);
+  if (failed > 0)
+    std::printf("to accept them: %s [NAME...]\n",
+                shell_command({"griffith", "regress", suite.string(), "--accept"}).c_str());
+  return failed;
+}
+
+/// Names of the pictures that `wanted` names: themselves or their jobs; all where it is empty.
+std::set<std::string> wanted_pictures(const std::vector<RenderJob>& jobs, const std::vector<std::string>& wanted) {
+  std::set<std::string> pictures(wanted.begin(), wanted.end());
+  for (const RenderJob& job : jobs)
+    if (wanted.empty() || contains(wanted, job.name))
+      for (const std::string& name : picture_names(job)) pictures.insert(name);
+  return pictures;
+}
+
+/// Makes what was drawn and did not pass golden; the exit code.
+ExitCode accept_results(const SuiteRun& run, const std::vector<PictureResult>& results) {
+  int accepted = 0, errors = 0;
+  for (const PictureResult& result : results) {
+    if (result.status == PictureStatus::passed) continue;
+    if (result.status == PictureStatus::error) {
+      ++errors;
+      std::printf("not accepted: %s: %s\n", result.name.c_str(), result.reason.c_str());
+      continue;
+    }
+    accept_picture(run.suite, renderer_of(read_picture(run.drawn / result.name)), result.name, run.drawn);
+    std::printf("accepted %s\n", result.name.c_str());
+    ++accepted;
+  }
+  std::printf("%d %s accepted into %s; look at them before you commit them\n", accepted,
+              accepted == 1 ? "picture" : "pictures", (run.suite / kGoldenFolder).c_str());
+  return errors == 0 ? kDone : kFailed;
+}
+
+void write_reports(const RegressOptions& options, const std::vector<PictureResult>& results, double seconds) {
+  ReportHeading heading{options.suite.string(), "", "griffith " GRIFFITH_VERSION,
+                        shell_command({"griffith", "regress", options.suite.string(), "--accept"}), seconds};
+  std::string goldens_of;
+  for (const PictureResult& result : results) {
+    for (const PictureResult::Row& row : result.metadata) {
+      if (row.name == "renderer" && row.actual) heading.renderer = *row.actual;
+      if (row.name == kGoldensOf) goldens_of = ", compared with golden pictures of " + *row.golden;
+    }
+  }
+  heading.renderer += goldens_of;
+  if (!goldens_of.empty()) std::printf("drawn by %s\n", heading.renderer.c_str());
+  Outputs outputs;
+  outputs.write([&] { replace_file(options.report, report_html(heading, results)); });
+  if (!options.junit.empty())
+    outputs.write([&] { replace_file(options.junit, junit_xml(options.suite.string(), results)); });
+  outputs.finish();
+  std::printf("report: %s\n", options.report.c_str());
+}
+
+void tell_unused(const SuiteRun& run, const std::vector<PictureResult>& results) {
+  for (const PictureResult& result : results) {
+    if (result.status == PictureStatus::error) continue;
+    const std::string renderer = renderer_of(read_picture(run.drawn / result.name));
+    for (const std::string& name : unused_goldens(run.suite, renderer, suite_jobs(run.suite, {})))
+      std::fprintf(stderr, "warning: no job draws the golden picture %s; remove its files\n", name.c_str());
+    return;
+  }
+}
+
+/// Accepting writes no report.
+void check_regress_outputs(const RegressOptions& options) {
+  if (options.accept) return check_folder(options.suite / kGoldenFolder);
+  check_replaceable(options.report);
+  if (!options.junit.empty()) check_replaceable(options.junit);
+}
+
+ExitCode regress(RegressOptions options) {
+  const auto start = std::chrono::steady_clock::now();
+  if (!options.init.empty()) make_suite(options.suite, options.init);
+  if (!options.init.empty()) options.accept.emplace();
+  const std::vector<std::string>& wanted = options.accept && !options.accept->empty() ? *options.accept : options.only;
+  const std::vector<RenderJob> jobs = wanted_jobs(suite_jobs(options.suite, options.shard), wanted);
+  if (options.report.empty()) options.report = options.suite / "report.html";
+  check_regress_outputs(options);
+  const TemporaryFolder drawn;
+  const SuiteRun run{options.suite, drawn.path(), options.processes > 0 ? options.processes : default_thread_count(),
+                     options.time_limit, options.egl_device};
+  std::vector<PictureResult> results = compare_suite(run, jobs, [&drawn] { return drawn.termination_requested(); });
+  if (drawn.termination_requested()) return kFailed;
+  const std::set<std::string> pictures = wanted_pictures(jobs, wanted);
+  std::erase_if(results, [&](const PictureResult& result) { return !pictures.contains(result.name); });
+  if (options.accept) return accept_results(run, results);
+  const int failed = print_results(options.suite, results);
+  write_reports(options, results, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  if (options.only.empty()) tell_unused(run, results);
+  return failed == 0 ? kDone : kFailed;
+}
+
+void add_options(CLI::App& command, RegressOptions& options) {
+  command.add_option("DIR", options.suite, "Folder of the suite: suite.json and goldens")->required()->type_name("DIR");
+  command.add_option("--init", options.init, "Make a suite of these scenes, and accept its pictures")
+      ->type_name("SCENE");
+  command.add_option("--only", options.only, "Draw and compare these jobs or pictures alone")->type_name("NAME");
+  command
+      .add_option_function<std::string>(
+          "--shard", [&options](const std::string& text) { options.shard = shard_from_text(text); },
+          "Draw and compare one of N equal parts, for several machines")
+      ->type_name("I/N");
+  command.add_option("--jobs", options.processes, "Processes at a time; as many as there are cores if not given")
+      ->check(CLI::Range(1, 256))
+      ->type_name("N");
+  command.add_option("--time-limit", options.time_limit, "Seconds that a job may take; 600 if not given")
+      ->check(CLI::Range(1.0, 1e6))
+      ->type_name("S");
+  command.add_option("--report", options.report, "HTML file to write; report.html in the suite's folder if not given")
+      ->type_name("FILE");
+  command.add_option("--junit", options.junit, "Write the results as JUnit XML, for continuous integration")
+      ->type_name("FILE");
+  command.add_option("--egl-device", options.egl_device, "Graphics device to use, as EGL counts them")
+      ->check(CLI::Range(0, 64))
+      ->type_name("N");
+}
+
+}  // namespace
+
+Command add_regress(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("regress", "Draw a suite of pictures and compare them with accepted ones");
+  const auto options = std::make_shared<RegressOptions>();
+  add_options(*command, *options);
+  const auto accepted = std::make_shared<std::vector<std::string>>();
+  CLI::Option* accept = command
+                            ->add_option("--accept", *accepted,
+                                         "Make these pictures, or all of these jobs, the golden ones; without "
+                                         "names all that are not as accepted")
+                            ->expected(0, -1)
+                            ->type_name("[NAME...]");
+  command->footer(
+      "Examples:\n"
+      "  griffith regress pictures --init scenes/wall_small.json scenes/arch.json\n"
+      "  griffith regress pictures\n"
+      "  griffith regress pictures --accept arch_utilization_0040\n"
+      "  griffith regress pictures --shard 2/5 --junit results.xml --report report.html\n"
+      "Exit code: 0 all pictures are as accepted, 1 some are not, or could not be drawn, 2 bad usage or bad input.");
+  return {command, [options, accepted, accept] {
+            std::erase(*accepted, "");  // stands for an option without values
+            if (*accept) options->accept = *accepted;
+            return regress(*options);
+          }};
+}
+
+}  // namespace griffith::app

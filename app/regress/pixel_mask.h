@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace griffith::app {
+
+/// A rectangle of pixels, from the top left.
+struct PixelRect {
+  int left = 0, top = 0, width = 0, height = 0;
+
+  bool operator==(const PixelRect&) const = default;
+};
+
+/// Calls `visit` with the tiles that cover a picture, `spacing` apart. All are squares of `side`, the last ones at the
+/// right and the bottom moved inwards; a picture that is smaller is one tile in that direction.
+void each_tile(int width, int height, int side, int spacing, const std::function<void(const PixelRect&)>& visit);
+
+/// Which pixels of two pictures of one size are off.
+struct PixelMask {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> off;  ///< 1 where a pixel is; rows from the top
+};
+
+/// What the rules count.
+struct OffPixels {
+  int count = 0;
+  double fraction = 0;             ///< of the picture, 0 to 1
+  PixelRect worst_tile;            ///< of 16×16, 8 apart
+  double worst_tile_fraction = 0;  ///< of that tile, 0 to 1
+};
+
+OffPixels count_off(const PixelMask& mask);
+
+/// How many pixels may be off, as fractions of the picture and of any tile of it.
+struct OffLimits {
+  double picture = 5e-4, tile = 0.05;
+};
+
+/// A number that was measured and how large it may be.
+struct ToleranceRule {
+  std::string name;  ///< "pixels off in the worst tile"
+  double found = 0, allowed = 0;
+  std::string unit;
+
+  bool is_kept() const { return std::abs(found) <= allowed; }
+};
+
+/// The rules about pixels that are off. `what`: "pixels" or "ids".
+std::vector<ToleranceRule> off_rules(const OffPixels& off, const OffLimits& limits, const std::string& what);
+
+bool are_kept(std::span<const ToleranceRule> rules);
+
+/// "75 %", with the unit of the rule, to three decimals at most.
+std::string rule_text(const ToleranceRule& rule, double value);
+
+/// The rules that are broken: "pixels off in the worst tile: 75 % (at most 5 %); …".
+std::string broken_rules(std::span<const ToleranceRule> rules);
+
+}  // namespace griffith::app
