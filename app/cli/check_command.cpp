@@ -25,11 +25,11 @@ std::vector<InputError> all_in_file(const std::filesystem::path& path, std::vect
 }
 
 /// All problems of the file, while its warnings are printed; where it reads well, the first one of its meshes.
-std::vector<InputError> problems_of(const std::filesystem::path& path) {
-  std::vector<InputError> problems = check_scene(path);
+std::vector<InputError> problems_of(const std::filesystem::path& path, std::span<const SceneSetting> settings) {
+  std::vector<InputError> problems = check_scene(path, settings);
   if (!problems.empty()) return problems;
   try {
-    const Scene scene = read_scene(path);
+    const Scene scene = read_scene(path, settings);
     const World world = make_world(scene, path);
     warn_of(outdated_names(path));
     warn_of(all_in_file(path, world.findings()));
@@ -41,10 +41,10 @@ std::vector<InputError> problems_of(const std::filesystem::path& path) {
 }
 
 /// Prints every problem of every scene, and warnings; returns how many problems there are.
-int count_problems(const std::vector<std::filesystem::path>& scenes) {
+int count_problems(const std::vector<std::filesystem::path>& scenes, std::span<const SceneSetting> settings) {
   int count = 0;
   for (const std::filesystem::path& path : scenes) {
-    const std::vector<InputError> problems = problems_of(path);
+    const std::vector<InputError> problems = problems_of(path, settings);
     for (const InputError& problem : problems) std::fprintf(stderr, "%s\n", problem.what());
     if (problems.empty()) std::printf("%s: good\n", path.c_str());
     count += static_cast<int>(problems.size());
@@ -58,9 +58,11 @@ int count_problems(const std::vector<std::filesystem::path>& scenes) {
 Command add_check(CLI::App& program) {
   CLI::App* command = program.add_subcommand("check", "List every problem of scene files");
   const auto scenes = std::make_shared<std::vector<std::filesystem::path>>();
+  const auto set = std::make_shared<std::vector<std::string>>();
   command->add_option("SCENE", *scenes, "Scene files")->required()->type_name("FILE");
+  add_settings(*command, *set);
   command->footer("Example:\n  griffith check scenes/wall_small.json scenes/materials.json");
-  return {command, [scenes] { return count_problems(*scenes) == 0 ? kDone : kBadInput; }};
+  return {command, [scenes, set] { return count_problems(*scenes, settings(*set)) == 0 ? kDone : kBadInput; }};
 }
 
 }  // namespace griffith::app

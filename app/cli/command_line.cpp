@@ -22,11 +22,12 @@ namespace griffith::app {
 namespace {
 
 constexpr int kMaxThreads = 1024;
-constexpr char kThreads[] = "--threads";
+constexpr char kThreads[] = "--threads", kSet[] = "--set";
 
 /// The program without a command: the editor.
-void add_editor(CLI::App& program, EditorOptions& options) {
+void add_editor(CLI::App& program, EditorOptions& options, std::vector<std::string>& settings) {
   program.add_option("SCENE", options.scene, "Scene to open in the editor")->type_name("FILE");
+  add_settings(program, settings);
   program.add_option("--exit-after", options.exit_after)->check(CLI::Range(1, kMaxFrames))->group("");
   program.add_option("--screenshot", options.screenshot)->group("");
   add_threads(program);
@@ -77,6 +78,14 @@ std::unique_ptr<ThreadLimit> thread_limit(const CLI::App& command) {
   return option && *option ? std::make_unique<ThreadLimit>(option->as<int>()) : nullptr;
 }
 
+/// Options of the editor that stand before a command would have no effect.
+void refuse_options_before(const Command& command, const CLI::App& program) {
+  const std::string& name = command.arguments->get_name();
+  for (const char* option : {kThreads, kSet})
+    if (program.get_option(option)->count() > 0)
+      throw InputError(option, "stands before the command " + name, "write it behind " + name);
+}
+
 /// Carries out what the arguments say; the exit code.
 ExitCode obey(int argc, const char* const* argv) {
   CLI::App program("Griffith, a workbench for brittle fracture: opens SCENE in the editor, or carries out a command.",
@@ -87,17 +96,21 @@ ExitCode obey(int argc, const char* const* argv) {
       "Examples:\n  griffith scenes/wall_small.json\n  griffith render --help\n\n"
       "Exit code: 0 done, 1 the work failed, 2 bad usage, bad input or an output that cannot be written.");
   EditorOptions editor;
-  add_editor(program, editor);
+  std::vector<std::string> set;
+  add_editor(program, editor, set);
   std::vector<Command> commands;
   for (const auto& add : kCommands) commands.push_back(add(program));
   if (const std::optional<ExitCode> code = parse(program, argc, argv, editor, commands)) return *code;
   for (const Command& command : commands) {
     if (!command.arguments->parsed()) continue;
+    refuse_options_before(command, program);
     const auto limit = thread_limit(*command.arguments);
     return command.carry_out();
   }
   require_scene(editor.scene, commands);
   const auto limit = thread_limit(program);
+  editor.settings = settings(set);
+  if (!set.empty() && editor.scene.empty()) throw InputError(kSet, "has no scene to change", "name the scene file");
   run_editor(editor);
   return kDone;
 }
@@ -113,6 +126,20 @@ void add_threads(CLI::App& command) {
 int thread_count(const CLI::App& command) {
   const CLI::Option* option = command.get_option_no_throw(kThreads);
   return option && *option ? option->as<int>() : default_thread_count();
+}
+
+void add_settings(CLI::App& command, std::vector<std::string>& texts) {
+  command
+      .add_option(kSet, texts,
+                  "Give a field of the scene another value, as bodies/0/material/density=2000; may come several times")
+      ->allow_extra_args(false)
+      ->type_name("POINTER=VALUE");
+}
+
+std::vector<SceneSetting> settings(const std::vector<std::string>& texts) {
+  std::vector<SceneSetting> settings;
+  for (const std::string& text : texts) settings.push_back(read_setting(text, "--set"));
+  return settings;
 }
 
 int run(int argc, const char* const* argv) {

@@ -3,8 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <array>
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "app/cli/command_line.h"
+#include "app/study/sweep_runs.h"
+#include "sim/scene/scene_setting.h"
 
 namespace griffith::app {
 
@@ -23,13 +27,27 @@ void add_threads(CLI::App& command);
 /// Threads that --threads asks for, or as many as the machine has.
 int thread_count(const CLI::App& command);
 
+/// Adds the option --set, whose texts settings() reads.
+void add_settings(CLI::App& command, std::vector<std::string>& texts);
+/// The settings in "POINTER=VALUE" texts of --set. Throws InputError.
+std::vector<SceneSetting> settings(const std::vector<std::string>& texts);
+
+/// Adds --jobs, --time-limit and --memory-limit. `effort` outlives the command.
+void add_effort(CLI::App& command, Effort& effort);
+
 // Each is in a file of its own, with what its arguments mean.
 Command add_render(CLI::App& program);
 Command add_simulate(CLI::App& program);
 Command add_check(CLI::App& program);
 Command add_mesh(CLI::App& program);
+Command add_regress(CLI::App& program);
+Command add_sweep(CLI::App& program);
+Command add_find(CLI::App& program);
+Command add_replay(CLI::App& program);
+Command add_bundle(CLI::App& program);
 
 /// All commands, in the order in which --help lists them.
-inline constexpr std::array kCommands = {add_render, add_simulate, add_check, add_mesh};
+inline constexpr std::array kCommands = {add_render, add_simulate, add_check,  add_mesh,  add_regress,
+                                         add_sweep,  add_find,     add_replay, add_bundle};
 
 }  // namespace griffith::app

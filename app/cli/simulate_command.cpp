@@ -13,7 +13,9 @@
 #include "app/output/statistics.h"
 #include "app/shared/progress.h"
 #include "app/shared/scene_world.h"
+#include "app/study/run_record.h"
 #include "sim/core/replace_file.h"
+#include "sim/recording/recording.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/world/world.h"
 
@@ -23,6 +25,7 @@ namespace {
 /// Steps without pictures.
 struct SimulateOptions {
   std::filesystem::path scene;
+  std::vector<std::string> set;  ///< "POINTER=VALUE"
   int frames = 0;
   std::filesystem::path stats;          ///< empty: a summary on stdout
   std::filesystem::path probes;         ///< empty: the scene's probes are not written down
@@ -30,36 +33,43 @@ struct SimulateOptions {
   std::filesystem::path events;         ///< JSON of all crack events; empty: none
   std::filesystem::path export_file;    ///< .vtu or .msh of the last frame; empty: none
   std::filesystem::path export_pieces;  ///< folder for the last frame's bodies as .obj; empty: none
+  std::filesystem::path outcomes;       ///< JSON of how it came out; empty: none
+  std::filesystem::path record;         ///< recording of the run; empty: none
   int threads = 1;                      ///< in use, for the report
 };
 
 /// What can be told before the run of where its results go.
 void check_outputs(const SimulateOptions& options) {
   if (!options.export_file.empty()) check_export_path(options.export_file);
-  for (const std::filesystem::path& path :
-       {options.stats, options.probes, options.energy, options.events, options.export_file})
+  for (const std::filesystem::path& path : {options.stats, options.probes, options.energy, options.events,
+                                            options.export_file, options.outcomes, options.record})
     if (!path.empty()) check_replaceable(path);
   if (!options.export_pieces.empty()) check_folder(options.export_pieces);
 }
 
 void simulate(const SimulateOptions& options) {
   check_outputs(options);
-  const Scene scene = read_scene(options.scene);
+  const Scene scene = read_scene(options.scene, settings(options.set));
   World world = make_world(scene, options.scene);
   std::optional<ProbeTable> probes;
   if (!options.probes.empty()) probes.emplace(world, options.scene);
   std::optional<EnergyTable> energy;
   if (!options.energy.empty()) energy.emplace(world.frame());
+  std::optional<Recording> recording;
+  if (!options.record.empty()) recording = begin_recording(world);
   std::vector<Skin> skins;
   if (!options.export_pieces.empty()) skins = make_skins(world.frame(), scene);
+  RunTally tally;
   RunStatistics statistics(world.frame(), scene.simulation.time_step, options.threads);
   {
     Progress progress("Simulating", options.frames);
     for (int step = 1; step <= options.frames; ++step) {
       world.step();
       statistics.add(world.frame());
+      tally.add(world.frame());
       if (probes) probes->add(world);
       if (energy) energy->add(world.frame());
+      if (recording) recording->hashes.push_back(world.state_hashes());
       progress.update(step);
     }
   }
@@ -67,9 +77,12 @@ void simulate(const SimulateOptions& options) {
   Outputs outputs;
   if (probes) outputs.write([&] { replace_file(options.probes, probes->csv()); });
   if (energy) outputs.write([&] { replace_file(options.energy, energy->csv()); });
+  if (recording) outputs.write([&] { write_recording(*recording, options.record); });
   if (!options.events.empty()) outputs.write([&] { replace_file(options.events, crack_events_json(frame)); });
   if (!options.export_file.empty()) outputs.write([&] { export_frame(options.export_file, frame); });
   if (!options.export_pieces.empty()) outputs.write([&] { export_pieces(options.export_pieces, frame, skins); });
+  if (!options.outcomes.empty())
+    outputs.write([&] { replace_file(options.outcomes, record_json({outcomes_of(frame, tally), {}})); });
   if (options.stats.empty()) {
     std::printf("%s", statistics.summary(frame, world.state_hash()).c_str());
   } else {
@@ -84,6 +97,7 @@ Command add_simulate(CLI::App& program) {
   CLI::App* command = program.add_subcommand("simulate", "Step a scene without any graphics");
   const auto options = std::make_shared<SimulateOptions>();
   command->add_option("SCENE", options->scene, "Scene file")->required()->type_name("FILE");
+  add_settings(*command, options->set);
   command->add_option("--frames", options->frames, "Time steps to make")
       ->required()
       ->check(CLI::Range(0, kMaxFrames))
@@ -103,12 +117,21 @@ Command add_simulate(CLI::App& program) {
       ->add_option("--export-pieces", options->export_pieces,
                    "Write each body of the last time step as .obj into a folder, with its splinters if it has any")
       ->type_name("DIR");
+  command
+      ->add_option("--outcomes", options->outcomes, "Write how it came out as JSON: pieces, masses, cracks, energies")
+      ->type_name("FILE");
+  command
+      ->add_option("--record", options->record,
+                   "Write the run with all files of its scene and hashes of every step, for griffith replay")
+      ->type_name("FILE");
   add_threads(*command);
   command->footer(
       "Examples:\n"
       "  griffith simulate scenes/wall_small.json --frames 600\n"
+      "  griffith simulate scenes/wall_small.json --frames 60 --set projectiles/0/speed=20\n"
       "  griffith simulate scenes/brick_wall.json --frames 60 --export-pieces pieces\n"
       "  griffith simulate scenes/wall_small.json --frames 60 --export wall.vtu\n"
+      "  griffith simulate scenes/wall_small.json --frames 120 --record wall.tar.zst\n"
       "  griffith simulate scenes/cantilever.json --frames 1 --probes cantilever.csv\n"
       "  griffith simulate scenes/wall_small.json --frames 600 --threads 1 --stats wall.stats.json");
   return {command, [command, options] {

@@ -36,12 +36,12 @@ void set_bounds(ui::EditorInput& input) {
 
 }  // namespace
 
-Editor::Editor(Scene scene, std::filesystem::path path)
+Editor::Editor(Scene scene, std::filesystem::path path, const Scene* edited)
     : history_(scene),
       file_time_(time_of_file(path)),
-      timeline_(make_world(scene, path)),
-      display_(embedded_display(world().frame(), scene)) {
-  show_scene(std::move(scene), std::move(path));
+      timeline_(make_world(edited ? *edited : scene, path)),
+      display_(embedded_display(world().frame(), edited ? *edited : scene)) {
+  show_scene(std::move(scene), std::move(path), edited);
 }
 
 void Editor::show_scene(Scene scene, std::filesystem::path path, const Scene* edited) {
@@ -53,7 +53,7 @@ void Editor::show_scene(Scene scene, std::filesystem::path path, const Scene* ed
   state_.last_shot.reset();
   history_ = ui::EditHistory(std::move(scene));
   if (edited) {
-    history_.change("Recover edits", [&](Scene& recovered) { recovered = *edited; });
+    history_.change("Edits not saved", [&](Scene& changed) { changed = *edited; });
     history_.finish();
   }
   copied_revision_ = -1;

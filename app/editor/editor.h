@@ -12,8 +12,10 @@
 #include "app/picture/draw_scene_from_frame.h"
 #include "app/picture/steady_range.h"
 #include "renderer/camera.h"
+#include "renderer/image.h"
 #include "renderer/renderer.h"
 #include "sim/core/error.h"
+#include "sim/recording/recording.h"
 #include "sim/timeline/timeline.h"
 #include "ui/panels/editor_layout.h"
 
@@ -23,8 +25,9 @@ namespace griffith::app {
 /// frame is advance(), draw_picture(), draw_panels().
 class Editor {
  public:
-  /// Throws InputError when the scene can't be built.
-  Editor(Scene scene, std::filesystem::path path);
+  /// `edited`: what the scene has been changed to since it was read, if anything. Throws InputError when it can't be
+  /// built.
+  Editor(Scene scene, std::filesystem::path path, const Scene* edited = nullptr);
 
   /// Makes the time steps that are due after `elapsed` [s] of real time, if the simulation runs.
   void advance(double elapsed);
@@ -63,6 +66,10 @@ class Editor {
   bool wants_to_quit() const { return wants_to_quit_; }
   /// True once after a screenshot was asked for.
   bool take_screenshot_request();
+  /// Where a bug report was asked for, once; it is to be saved with a picture of the next drawn frame.
+  std::optional<std::filesystem::path> take_report_request();
+  /// Writes the run, the log, versions and the picture; problems are shown. `graphics`: what drew the picture.
+  void save_report(const std::filesystem::path& path, const render::Image& picture, const std::string& graphics);
 
  private:
   /// Seconds that the window may stand still before it shows that work is going on.
@@ -106,6 +113,11 @@ class Editor {
   void pick(const Vec2& cursor);
   void save(const ui::Command& command);
   void ask_where_to_save(std::filesystem::path proposed = {});
+  void ask_where_to_save_run(ui::SavedKind kind, std::filesystem::path proposed);
+  /// Writes the recording, or asks for the picture of a bug report.
+  void save_run(const ui::Command& command);
+  /// The present branch. Throws InputError where files of its scene have changed since the world was built.
+  Recording recorded_run() const;
   /// Where the scene stands on disk, absolute; empty when nowhere.
   std::filesystem::path own_file() const;
   /// Why the file is not to be written unasked; empty when it may.
@@ -169,6 +181,7 @@ class Editor {
   std::filesystem::file_time_type file_time_;
   std::filesystem::file_time_type opened_time_;  ///< of the file that is being opened, before it was read
   std::vector<std::filesystem::path> scene_files_;
+  std::filesystem::file_time_type built_at_ = std::filesystem::file_time_type::clock::now();  ///< when that began
   Timeline timeline_;
   EmbeddedDisplay display_;  ///< of the world
   WorldLoader loader_;
@@ -194,6 +207,7 @@ class Editor {
   double step_seconds_ = 0, picture_seconds_ = 0;  ///< smoothed
   bool laid_out_ = false;                          ///< the size of the picture is known
   bool wants_to_quit_ = false, screenshot_wanted_ = false;
+  std::optional<std::filesystem::path> wanted_report_;
 };
 
 }  // namespace griffith::app

@@ -100,13 +100,21 @@ void Editor::carry_out_with_files(const ui::Command& command) {
       return save(command);
     case CommandId::save_dialog:
       return ask_where_to_save(command.path);
+    case CommandId::save_recording_dialog:
+      return ask_where_to_save_run(ui::SavedKind::recording, command.path);
+    case CommandId::save_report_dialog:
+      return ask_where_to_save_run(ui::SavedKind::bug_report, command.path);
+    case CommandId::save_recording:
+    case CommandId::save_report:
+      return save_run(command);
     case CommandId::recover:
       return recover();
     case CommandId::discard_copy:
-      autosave_->remove_found();
+      if (autosave_) autosave_->remove_found();
       return ask_for_left_edits(true);
     case CommandId::leave_copy:
-      return autosave_->leave_found();
+      if (autosave_) autosave_->leave_found();
+      return;
     case CommandId::screenshot:
       screenshot_wanted_ = true;
       return;
@@ -164,6 +172,7 @@ void Editor::give_up_work() {
 void Editor::take_world(WorldLoader::Loaded loaded) {
   if (loaded.reason == LoadReason::follow) return take_followed(std::move(loaded));
   timeline_ = Timeline(std::move(loaded.world));
+  built_at_ = loaded.started;
   display_ = std::move(loaded.display);
   if (loaded.reason == LoadReason::recover) return show_recovered(std::move(loaded.scene), loaded.path);
   if (loaded.reason == LoadReason::open) {

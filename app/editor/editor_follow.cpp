@@ -35,6 +35,7 @@ void Editor::take_followed(WorldLoader::Loaded loaded) {
   if (start_of(loaded.scene) != start_of(history_.scene())) return follow();  // edited since
   const bool edited = start_of(loaded.scene) != start_of(built_), was_empty = built_.bodies.empty();
   timeline_ = Timeline(std::move(loaded.world));
+  built_at_ = loaded.started;
   display_ = std::move(loaded.display);
   restart();
   if (edited) log_findings();

@@ -170,6 +170,11 @@ void save_screenshot(Editor& editor, const Window& window) {
   }
 }
 
+std::string graphics_of_window() {
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return name ? name : "unknown";
+}
+
 void draw_frame(Editor& editor, ImGuiContextOwner& imgui, const Window& window, WindowInput& input) {
   editor.draw_picture(kSamples);
   input.begin_frame();
@@ -195,7 +200,9 @@ void loop(Editor& editor, ImGuiContextOwner& imgui, const Window& window, Window
     editor.advance(std::min(now - last, kLongestFrame));
     editor.autosave(now);
     last = now;
+    const auto report = editor.take_report_request();  // its dialog is gone from the frame that is drawn next
     draw_frame(editor, imgui, window, input);
+    if (report) editor.save_report(*report, window_image(window), graphics_of_window());
     if (editor.take_screenshot_request()) save_screenshot(editor, window);
     if (drawn == exit_after) return;
     glfwSetWindowTitle(window.handle(), editor.title().c_str());
@@ -208,9 +215,10 @@ void loop(Editor& editor, ImGuiContextOwner& imgui, const Window& window, Window
 void run_editor(const EditorOptions& options) {
   if (!options.screenshot.empty()) check_replaceable(options.screenshot);
   const bool named = !options.scene.empty();
-  Scene scene = named ? read_scene(options.scene) : starting_scene();
+  const Scene scene = named ? read_scene(options.scene) : starting_scene();
+  const Scene shown = named ? read_scene(options.scene, options.settings) : scene;
   const Window window;
-  Editor editor(std::move(scene), options.scene);
+  Editor editor(scene, options.scene, shown == scene ? nullptr : &shown);
   ImGuiContextOwner imgui(window.scale());
   WindowInput input(window, editor);
   editor.keep_edits_safe(state_folder());

@@ -1,14 +1,18 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
+
+#include "sim/scene/scene_setting.h"
 
 namespace griffith::app {
 
 /// The editor in a window.
 struct EditorOptions {
-  std::filesystem::path scene;       ///< empty: a scene to start with
-  int exit_after = 0;                ///< pictures after which the program ends by itself; 0: never
-  std::filesystem::path screenshot;  ///< written at that end, if not empty
+  std::filesystem::path scene;         ///< empty: a scene to start with
+  std::vector<SceneSetting> settings;  ///< in place of what its file says
+  int exit_after = 0;                  ///< pictures after which the program ends by itself; 0: never
+  std::filesystem::path screenshot;    ///< written at that end, if not empty
 };
 
 /// Opens the window and returns when it is closed. Throws std::runtime_error when there is no display.

@@ -10,6 +10,7 @@
 namespace griffith::app {
 
 WorldLoader::Loaded WorldLoader::build(const Order& order, const std::shared_ptr<Shared>& shared) {
+  const auto started = std::filesystem::file_time_type::clock::now();
   Monitor monitor;
   monitor.stage = [shared](std::string_view stage) {
     const std::lock_guard lock(shared->mutex);
@@ -23,7 +24,7 @@ WorldLoader::Loaded WorldLoader::build(const Order& order, const std::shared_ptr
   if (const double tets = expected_tets(scene, monitor); tets > order.max_tets) throw LargeMesh(tets);
   World world = make_world(scene, order.path, monitor);
   EmbeddedDisplay display = embedded_display(world.frame(), scene);
-  return {order.reason, std::move(scene), order.path, std::move(world), std::move(display)};
+  return {order.reason, std::move(scene), order.path, std::move(world), std::move(display), started};
 }
 
 void WorldLoader::start(LoadReason reason, Scene scene, std::filesystem::path path, double max_tets) {

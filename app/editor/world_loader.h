@@ -33,6 +33,7 @@ class WorldLoader {
     std::filesystem::path path;
     World world;
     EmbeddedDisplay display;
+    std::filesystem::file_time_type started;  ///< before any file was read
   };
 
   /// Gives up what is being built, and waits for that.

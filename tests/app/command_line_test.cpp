@@ -63,7 +63,7 @@ TEST(CommandLine, ASlipInTheNameOfACommandIsToldFromAMissingScene) {
     const Outcome outcome = run_program(arguments);
     EXPECT_EQ(outcome.code, 2);
     EXPECT_THAT(outcome.output, HasSubstr("is neither a command nor a scene file")) << arguments;
-    EXPECT_THAT(outcome.output, HasSubstr("render, simulate, check and mesh")) << arguments;
+    EXPECT_THAT(outcome.output, HasSubstr("the commands are render, simulate, check")) << arguments;
   }
   const Outcome missing = run_program("my/wall.json");
   EXPECT_EQ(missing.code, 2);

@@ -63,6 +63,19 @@ TEST_F(EditorFiles, ASceneWithoutAFileAsksWhereItIsToBeSaved) {
   EXPECT_EQ(ui::shown_dialog(editor_.state()), ui::Dialog::none);
 }
 
+TEST_F(EditorFiles, ValuesFromTheCommandLineAreEditsThatAreNotSaved) {
+  const Scene saved = small_wall();
+  Scene changed = saved;
+  changed.projectiles[0].speed = 3;
+  Editor editor(saved, small_wall_file(), &changed);
+  EXPECT_NE(editor.title().find('*'), std::string::npos) << editor.title();
+  EXPECT_EQ(editor.timeline().world().scene().projectiles[0].speed, 3);
+  editor.execute({.id = ui::CommandId::quit});
+  EXPECT_FALSE(editor.wants_to_quit()) << "edits would be lost";
+  editor.execute({.id = ui::CommandId::undo});
+  EXPECT_EQ(editor.title().find('*'), std::string::npos) << editor.title();
+}
+
 TEST_F(EditorFiles, AnotherFileIsReplacedOnlyWhenToldSo) {
   const fs::path own = small_wall_file(), other = test_file("other.json", "not to be lost");
   editor_.open(own);

@@ -75,10 +75,15 @@ TEST(IncludeRules, PanelsMakeNoGraphicsCallAndKnowNoWorld) {
 TEST(IncludeRules, ThirdPartyLibrariesStayInTheirPlaces) {
   expect_only_in(kBullet, "^sim/(contact/|geometry/convex_hull\\.cpp$)");
   expect_only_in("^(tbb|oneapi/tbb)/", "^sim/core/parallel\\.cpp$");
-  expect_only_in("^nlohmann/", "^(sim/scene/|app/output/((mesh_)?statistics|crack_event_file)\\.cpp$)");
+  expect_only_in("^nlohmann/",
+                 "^(sim/(scene/|recording/versions\\.cpp$)|app/(output/((mesh_)?statistics|crack_event_file)|"
+                 "render/(read_render_jobs|picture_output)|regress/run_suite|"
+                 "study/(run_record|sweep_folder|sweep_page|find_report))\\.cpp$)");
   expect_only_in("^assimp/", "^sim/meshing/import_objects\\.cpp$");
   expect_only_in("^GLFW/", "^app/editor/window\\.cpp$");
   expect_only_in("^CLI/", "^app/cli/");
+  expect_only_in("^archive", "^sim/recording/file_tree\\.cpp$");
+  expect_only_in("^xxhash", "^sim/core/hash_bytes\\.cpp$");
   expect_only_in("^voro", "^sim/splinters/voronoi_cells\\.cpp$");
   expect_only_in("^stb", "^renderer/image\\.cpp$");
   expect_only_in("^EGL/|^epoxy/egl", "^renderer/egl_context\\.cpp$");
@@ -111,8 +116,9 @@ TEST(IncludeRules, LowerFoldersOfTheSimulationKnowNoHigherOnes) {
                                {"sim/splinters", "^sim/(core|geometry|mesh|meshing|splinters)$"},
                                {"sim/shock", "^sim/(core|geometry|mesh|elasticity|solver|contact|shock)$"},
                                {"sim/scene", "^sim/(core|mesh|meshing|elasticity|solver|fracture|splinters|scene)$"},
-                               {"sim/timeline", "^sim/(timeline|world)$"},
-                               {"sim/world", "^sim/(?!timeline).*$"},
+                               {"sim/timeline", "^sim/(scene|timeline|world)$"},
+                               {"sim/recording", "^sim/(core|mesh|scene|world(/setup)?|timeline|recording)$"},
+                               {"sim/world", "^sim/(?!timeline|recording).*$"},
                                {"sim/world/setup", "^sim/(?!world/shock|shock).*$"},
                                {"sim/world/conditions", "^sim/(?!world/shock|shock).*$"},
                                {"sim/world/bodies", "^sim/(?!world/(shock|setup|conditions)|shock).*$"},
@@ -134,7 +140,16 @@ TEST(IncludeRules, LowerFoldersOfTheProgramKnowNoHigherOnes) {
                             {"app/picture", "^app/(shared|picture)$"},
                             {"app/output", "^app/(shared|picture|output)$"},
                             {"app/editor", "^app/(shared|picture|output|editor)$"},
+                            {"app/render", "^app/(shared|picture|output|editor|render)$"},
+                            {"app/regress", "^app/(shared|output|render|regress)$"},
+                            {"app/study", "^app/(shared|output|study)$"},
                             {"app/cli", "^app/.*$"}});
+}
+
+/// Pictures are compared as they are, whatever made them.
+TEST(IncludeRules, RegressionKnowsNeitherWorldsNorDrawing) {
+  for (const char* forbidden : {kGraphics, kImGui, "^ui/", "^sim/(?!(core|scene)/)", "^renderer/(?!(image|error)\\.h)"})
+    expect_none("app/regress", forbidden);
 }
 
 /// Two types of one name in one namespace break the rule of one definition, and no linker tells.

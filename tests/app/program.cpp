@@ -1,4 +1,4 @@
-#include "program.h"
+#include "tests/app/program.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
