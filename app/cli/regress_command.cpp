@@ -97,6 +97,13 @@ std::set<std::string> wanted_pictures(const std::vector<RenderJob>& jobs, const 
   return pictures;
 }
 
+/// What the record of the picture says drew it; empty where it was not drawn.
+std::string drawn_by(const PictureResult& result) {
+  for (const PictureResult::Row& row : result.metadata)
+    if (row.name == "renderer" && row.actual) return *row.actual;
+  return "";
+}
+
 /// Makes what was drawn and did not pass golden; the exit code.
 ExitCode accept_results(const SuiteRun& run, const std::vector<PictureResult>& results) {
   int accepted = 0, errors = 0;
@@ -107,7 +114,7 @@ ExitCode accept_results(const SuiteRun& run, const std::vector<PictureResult>& r
       std::printf("not accepted: %s: %s\n", result.name.c_str(), result.reason.c_str());
       continue;
     }
-    accept_picture(run.suite, renderer_of(read_picture(run.drawn / result.name)), result.name, run.drawn);
+    accept_picture(run.suite, drawn_by(result), result.name, run.drawn);
     std::printf("accepted %s\n", result.name.c_str());
     ++accepted;
   }
@@ -121,10 +128,9 @@ void write_reports(const RegressOptions& options, const std::vector<PictureResul
                         shell_command({"griffith", "regress", options.suite.string(), "--accept"}), seconds};
   std::string goldens_of;
   for (const PictureResult& result : results) {
-    for (const PictureResult::Row& row : result.metadata) {
-      if (row.name == "renderer" && row.actual) heading.renderer = *row.actual;
+    if (const std::string renderer = drawn_by(result); !renderer.empty()) heading.renderer = renderer;
+    for (const PictureResult::Row& row : result.metadata)
       if (row.name == kGoldensOf) goldens_of = ", compared with golden pictures of " + *row.golden;
-    }
   }
   heading.renderer += goldens_of;
   if (!goldens_of.empty()) std::printf("drawn by %s\n", heading.renderer.c_str());
@@ -139,8 +145,7 @@ void write_reports(const RegressOptions& options, const std::vector<PictureResul
 void tell_unused(const SuiteRun& run, const std::vector<PictureResult>& results) {
   for (const PictureResult& result : results) {
     if (result.status == PictureStatus::error) continue;
-    const std::string renderer = renderer_of(read_picture(run.drawn / result.name));
-    for (const std::string& name : unused_goldens(run.suite, renderer, suite_jobs(run.suite, {})))
+    for (const std::string& name : unused_goldens(run.suite, drawn_by(result), suite_jobs(run.suite, {})))
       std::fprintf(stderr, "warning: no job draws the golden picture %s; remove its files\n", name.c_str());
     return;
   }
