@@ -1,7 +1,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <fstream>
 #include <memory>
+#include <optional>
 
 #include "app/cli/commands.h"
 #include "app/output/bug_report.h"
@@ -26,11 +29,17 @@ namespace {
 /// A bug report to be packed.
 struct BundleOptions {
   std::filesystem::path input, output;
-  int frames = 60;  ///< of a scene
+  std::optional<int> frames;  ///< of a scene; 60 if not given
   int threads = 1;
 };
 
-bool is_compressed(const std::filesystem::path& path) { return read_file(path).starts_with("\x28\xB5\x2F\xFD"); }
+/// Whether the file begins as Zstandard's do.
+bool is_compressed(const std::filesystem::path& path) {
+  require_regular_file(path);
+  std::array<char, 4> beginning = {};
+  std::ifstream(path, std::ios::binary).read(beginning.data(), beginning.size());
+  return beginning == std::array<char, 4>{'\x28', '\xB5', '\x2F', '\xFD'};
+}
 
 /// Draws the world as `griffith render` does, or says in `parts` why it cannot. Returns what drew it.
 std::string add_picture(const World& world, const Scene& scene, ReportParts& parts) try {
@@ -58,9 +67,10 @@ Recording recorded_run(const BundleOptions& options, ReportParts& parts) {
   Recording recording = begin_recording(world);
   for (const InputError& finding : world.findings()) parts.log += std::string("warning: ") + finding.what() + "\n";
   RunStatistics statistics(world.frame(), scene.simulation.time_step, options.threads);
+  const int frames = options.frames.value_or(60);
   try {
-    Progress progress("Simulating", std::max(options.frames, 1));
-    for (int step = 1; step <= options.frames; ++step) {
+    Progress progress("Simulating", std::max(frames, 1));
+    for (int step = 1; step <= frames; ++step) {
       world.step();
       statistics.add(world.frame());
       recording.hashes.push_back(world.state_hashes());
@@ -89,9 +99,11 @@ Recording replayed(const BundleOptions& options, ReportParts& parts) {
 }
 
 void bundle(const BundleOptions& options) {
+  const bool recorded = is_compressed(options.input);
+  if (recorded && options.frames)
+    throw InputError("--frames", "is given for a recording", "leave it out: a recording has its own steps");
   check_replaceable(options.output);
   ReportParts parts;
-  const bool recorded = is_compressed(options.input);
   parts.log = "griffith bundle " + options.input.filename().string() + "\n";
   Recording recording = recorded ? replayed(options, parts) : recorded_run(options, parts);
   add_report(recording, parts);
@@ -107,11 +119,9 @@ Command add_bundle(CLI::App& program) {
       program.add_subcommand("bundle", "Pack a run with all that it takes to make it again elsewhere: a bug report");
   const auto options = std::make_shared<BundleOptions>();
   command->add_option("SCENE", options->input, "Scene file to run, or a recording")->required()->type_name("FILE");
-  const CLI::Option* frames =
-      command
-          ->add_option("--frames", options->frames, "Time steps of a scene, 60 if not given; a recording has its own")
-          ->check(CLI::Range(0, kMaxFrames))
-          ->type_name("N");
+  command->add_option("--frames", options->frames, "Time steps of a scene, 60 if not given; a recording has its own")
+      ->check(CLI::Range(0, kMaxFrames))
+      ->type_name("N");
   command->add_option("-o,--output", options->output, "Bug report to write")->required()->type_name("FILE");
   add_threads(*command);
   command->footer(
@@ -121,9 +131,7 @@ Command add_bundle(CLI::App& program) {
       "  griffith replay report.tar.zst\n\n"
       "It holds the scene with its files, inputs, hashes of every step, versions, a log and a picture of the last "
       "step.");
-  return {command, [command, options, frames] {
-            if (*frames && is_compressed(options->input))
-              throw InputError("--frames", "is given for a recording", "leave it out: a recording has its own steps");
+  return {command, [command, options] {
             options->threads = thread_count(*command);
             bundle(*options);
             return kDone;
