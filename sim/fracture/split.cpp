@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <set>
+#include <unordered_set>
 
 #include "sim/mesh/topology.h"
 
@@ -54,14 +55,23 @@ void join(TetMesh& mesh, const std::vector<CutFace>& faces) {
   }
 }
 
-/// Whether the face-connected piece of `start` has at least `count` tets; looks no further.
-bool piece_has(const TetMesh& mesh, TetId start, int count) {
-  std::vector<TetId> piece = {start};
-  for (std::size_t next = 0; next < piece.size() && static_cast<int>(piece.size()) < count; ++next)
-    for (TetId neighbour : mesh.neighbours[piece[next]])
-      if (neighbour.valid() && std::find(piece.begin(), piece.end(), neighbour) == piece.end())
-        piece.push_back(neighbour);
-  return static_cast<int>(piece.size()) >= count;
+/// Whether one of the face-connected pieces beside the faces has fewer than `count` tets.
+bool leaves_small_piece(const TetMesh& mesh, const std::vector<CutFace>& faces, int count) {
+  std::unordered_set<TetId> large;  // tets of pieces known to be large enough
+  const auto is_small = [&](TetId start) {
+    std::vector<TetId> piece = {start};
+    std::unordered_set<TetId> found = {start};
+    for (std::size_t next = 0; next < piece.size() && static_cast<int>(piece.size()) < count; ++next) {
+      if (large.contains(piece[next])) return false;
+      for (TetId neighbour : mesh.neighbours[piece[next]])
+        if (neighbour.valid() && found.insert(neighbour).second) piece.push_back(neighbour);
+    }
+    if (static_cast<int>(piece.size()) < count) return true;
+    large.merge(found);
+    return false;
+  };
+  return std::ranges::any_of(faces,
+                             [&](const CutFace& face) { return is_small(face.tet) || is_small(face.neighbour); });
 }
 
 /// Gives every component of the node's star but the first a copy of the node.
@@ -104,13 +114,11 @@ SplitResult split_node(TetMesh& mesh, NodeId node, std::span<const std::uint8_t>
   if (faces.empty()) return result;
 
   cut(mesh, faces);
-  for (const CutFace& face : faces)
-    for (TetId tet : {face.tet, face.neighbour})
-      if (min_fragment_tets > 1 && !piece_has(mesh, tet, min_fragment_tets)) {
-        join(mesh, faces);
-        result.too_small = true;
-        return result;
-      }
+  if (min_fragment_tets > 1 && leaves_small_piece(mesh, faces, min_fragment_tets)) {
+    join(mesh, faces);
+    result.too_small = true;
+    return result;
+  }
 
   std::set<NodeId> touched = {node};
   std::set<TetId> changed;

@@ -115,5 +115,28 @@ TEST(Split, RefusesFragmentsBelowTheLimitAndLeavesNoTrace) {
   EXPECT_GT(refused, 0);
 }
 
+TEST(Split, RefusesJustWhatWouldLeaveAPieceThatIsTooSmall) {
+  for (int min_fragment : {2, 20, 100}) {
+    RandomValues random(static_cast<unsigned>(min_fragment));
+    Splittable body(BoxPattern::five_tet, 7);
+    int refused = 0, made = 0;
+    for (int k = 0; k < 300; ++k) {
+      const NodeId node(random.index(body.mesh.node_count()));
+      const Vec3 normal = random.direction();
+      Splittable unrestrained = body;
+      const SplitResult expected = unrestrained.split(node, normal);
+      bool leaves_small = false;
+      for (const auto& piece : connected_components(unrestrained.mesh))
+        if (static_cast<int>(piece.size()) < min_fragment) leaves_small = true;
+      const SplitResult result = body.split(node, normal, min_fragment);
+      EXPECT_EQ(result.too_small, leaves_small);
+      EXPECT_EQ(result.copies.size(), leaves_small ? 0 : expected.copies.size());
+      ++(result.too_small ? refused : made);
+    }
+    EXPECT_GT(refused, 0) << min_fragment;
+    EXPECT_GT(made, 0) << min_fragment;
+  }
+}
+
 }  // namespace
 }  // namespace griffith
