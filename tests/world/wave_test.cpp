@@ -79,7 +79,8 @@ TEST_P(Spall, BreaksTheBarALengthOfTheFlyerFromItsFreeEndAtTwiceTheStrengthOverT
     const double middle = 0.5 * (holds + breaking);
     (first_crack(flyer_and_bar(elements, middle, time_step)) ? breaking : holds) = middle;
   }
-  EXPECT_NEAR(breaking / closed_form, 1, 0.1);
+  // A front that is steeper than the mesh can carry overshoots, the less the finer the mesh.
+  EXPECT_NEAR(breaking / closed_form, 1, 0.05 + 2.0 / elements);
   const std::optional<double> place = first_crack(flyer_and_bar(elements, 1.1 * breaking, time_step));
   ASSERT_TRUE(place);
   EXPECT_NEAR(*place, -kLength / 2, 2.1 * kLength / elements);
