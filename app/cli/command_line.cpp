@@ -28,6 +28,8 @@ constexpr char kThreads[] = "--threads", kSet[] = "--set";
 void add_editor(CLI::App& program, EditorOptions& options, std::vector<std::string>& settings) {
   program.add_option("SCENE", options.scene, "Scene to open in the editor")->type_name("FILE");
   add_settings(program, settings);
+  program.add_option("--script", options.script, "Play a script in the editor; docs/scripts.md describes them")
+      ->type_name("FILE");
   program.add_option("--exit-after", options.exit_after)->check(CLI::Range(1, kMaxFrames))->group("");
   program.add_option("--screenshot", options.screenshot)->group("");
   add_threads(program);

@@ -16,7 +16,7 @@ namespace griffith::app {
 namespace {
 
 constexpr double kSmoothing = 0.1;
-constexpr std::size_t kMaxLogLines = 500;
+constexpr std::size_t kMaxLogLines = 5000;
 /// The picture's size before the panels were laid out [pixels].
 constexpr int kFirstWidth = 640, kFirstHeight = 480;
 
@@ -174,6 +174,7 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
   set_bounds(input);
   input.towards_eye = (camera_.position - camera_.target).cast<double>();
   input.scene_files = scene_files_;
+  input.recent_files = recent_.files();
   input.scene_path = path_;
   input.time = time_view();
   input.time_step = history_.scene().simulation.time_step;
@@ -239,5 +240,7 @@ std::string Editor::title() const {
 }
 
 bool Editor::take_screenshot_request() { return std::exchange(screenshot_wanted_, false); }
+
+bool Editor::take_tour_request() { return std::exchange(tour_wanted_, false); }
 
 }  // namespace griffith::app

@@ -2,10 +2,12 @@
 
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "app/editor/autosave.h"
+#include "app/editor/recent_files.h"
 #include "app/editor/step_pacer.h"
 #include "app/editor/utilization_history.h"
 #include "app/editor/world_loader.h"
@@ -20,6 +22,14 @@
 #include "ui/panels/editor_layout.h"
 
 namespace griffith::app {
+
+class Editor;
+
+/// What carries out a command.
+struct CommandAction {
+  ui::CommandId id;
+  void (*carry_out)(Editor& editor, const ui::Command& command);
+};
 
 /// The editor but for its window: scene, world, camera, picture and panels. Needs a current OpenGL context; each drawn
 /// frame is advance(), draw_picture(), draw_panels().
@@ -39,16 +49,21 @@ class Editor {
   /// Draws the panels into the current ImGui frame and carries out what the user asked for.
   void draw_panels(const ui::Fonts& fonts);
 
+  /// What carries out each command of the registry.
+  static std::span<const CommandAction> command_actions();
   /// Carries out what the user asked for; problems are shown. What would lose edits that are not saved asks first.
   void execute(const ui::Command& command);
+  /// Why the command makes no sense now; empty: it does.
+  std::string_view why_not(ui::CommandId id) const;
   /// Opens a scene, whatever becomes of the edits of this one; a problem is shown and leaves everything as it was.
   /// Where its world takes longer to build, the scene appears when that is done, and a dialog that can cancel it shows
   /// until then.
   void open(const std::filesystem::path& path);
-  /// From now on keeps a copy of edits that are not saved, and asks what is to become of those that a crash left.
-  /// `states`: as Autosave has it.
+  /// From now on remembers which scenes were opened, keeps a copy of edits that are not saved, and asks what is to
+  /// become of those that a crash left. `states`: as Autosave has it.
   void keep_edits_safe(const std::filesystem::path& states);
-  /// To be called often: copies what has been edited, once a minute at most. `now`: seconds of a clock that goes on.
+  /// To be called often: copies what has been edited, as often as the preferences say. `now`: seconds of a clock that
+  /// goes on.
   void autosave(double now);
   /// Looks through that camera of the scene. Throws InputError when there is none.
   void use_camera(const std::string& name);
@@ -66,6 +81,10 @@ class Editor {
   bool wants_to_quit() const { return wants_to_quit_; }
   /// True once after a screenshot was asked for.
   bool take_screenshot_request();
+  /// True once after the tour was asked for.
+  bool take_tour_request();
+  /// Stops the simulation and shows what did not work.
+  void show_error(const InputError& error);
   /// Where a bug report was asked for, once; it is to be saved with a picture of the next drawn frame.
   std::optional<std::filesystem::path> take_report_request();
   /// Writes the run, the log, versions and the picture; problems are shown. `graphics`: what drew the picture.
@@ -74,9 +93,6 @@ class Editor {
  private:
   /// Seconds that the window may stand still before it shows that work is going on.
   static constexpr double kPatience = 0.3;
-
-  /// Seconds from one copy of edits to the next.
-  static constexpr double kAutosaveInterval = 60;
 
   /// `edited`: what has become of the scene, where that is not saved.
   void show_scene(Scene scene, std::filesystem::path path, const Scene* edited = nullptr);
@@ -93,7 +109,8 @@ class Editor {
   /// Whether the world could take it; else the edit is taken back.
   bool follow_material(int scene_body);
   void carry_out(const ui::Command& command);
-  void carry_out_with_files(const ui::Command& command);
+  void toggle_run();
+  void pause_and_step();
   void receive_world();
   /// So many tetrahedra are built unasked: few, or no many more than there are.
   double max_tets() const;
@@ -108,7 +125,6 @@ class Editor {
   void delete_body();
   void add_surface();
   void report_surface();
-  void show_error(const InputError& error);
   void fire(const Vec2& cursor);
   void pick(const Vec2& cursor);
   void save(const ui::Command& command);
@@ -124,6 +140,10 @@ class Editor {
   std::string what_saving_would_lose(const std::filesystem::path& file) const;
   /// Asks for the newest: of this scene or, at the start, of any.
   void ask_for_left_edits(bool of_any);
+  /// Puts the scene's file on top of the recent ones.
+  void remember_file();
+  void discard_copy();
+  void leave_copy();
   void recover();
   void show_recovered(Scene scene, const std::filesystem::path& file);
   /// Ends the program: what is not saved is not wanted.
@@ -186,11 +206,12 @@ class Editor {
   EmbeddedDisplay display_;  ///< of the world
   WorldLoader loader_;
   std::optional<Autosave> autosave_;
-  double copied_at_ = -kAutosaveInterval;  ///< when edits were copied last, by the clock of autosave()
-  std::int64_t copied_revision_ = -1;      ///< of the scene
-  Scene built_;                            ///< what the world was built from, with the materials that it has now
-  std::int64_t seen_revision_ = -1;        ///< of the scene, when it was last compared with that
-  std::int64_t world_count_ = 0;           ///< worlds made so far
+  RecentFiles recent_{""};
+  double copied_at_ = -ui::kAutosaveIntervals.maximum;  ///< when edits were copied last, by the clock of autosave()
+  std::int64_t copied_revision_ = -1;                   ///< of the scene
+  Scene built_;                      ///< what the world was built from, with the materials that it has now
+  std::int64_t seen_revision_ = -1;  ///< of the scene, when it was last compared with that
+  std::int64_t world_count_ = 0;     ///< worlds made so far
   render::Camera camera_;
   render::Renderer renderer_;
   render::DrawScene picture_;
@@ -206,7 +227,7 @@ class Editor {
   bool passes_stop_ = false;                       ///< the next step is made although a breakpoint is met in it
   double step_seconds_ = 0, picture_seconds_ = 0;  ///< smoothed
   bool laid_out_ = false;                          ///< the size of the picture is known
-  bool wants_to_quit_ = false, screenshot_wanted_ = false;
+  bool wants_to_quit_ = false, screenshot_wanted_ = false, tour_wanted_ = false;
   std::optional<std::filesystem::path> wanted_report_;
 };
 

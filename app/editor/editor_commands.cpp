@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cassert>
 #include <new>
 #include <stdexcept>
 
@@ -27,102 +26,14 @@ void Editor::execute(const ui::Command& command) {
   }
 }
 
-void Editor::carry_out(const ui::Command& command) {
-  switch (command.id) {
-    case CommandId::toggle_run:
-      state_.running = !state_.running;
-      return pacer_.reset();
-    case CommandId::step:
-      state_.running = false;
-      return step();
-    case CommandId::step_back:
-    case CommandId::go_to_start:
-    case CommandId::go_to_end:
-    case CommandId::go_to_step:
-    case CommandId::go_to_branch:
-    case CommandId::explain_holding:
-      return carry_out_in_time(command);
-    case CommandId::reset:
-      return follow();
-    case CommandId::fire:
-      return fire(command.cursor);
-    case CommandId::keep_shot:
-      return keep_shot();
-    case CommandId::pick:
-      return pick(command.cursor);
-    case CommandId::undo:
-      return history_.undo();
-    case CommandId::redo:
-      return history_.redo();
-    case CommandId::frame_all:
-      return frame_all();
-    case CommandId::toggle_edges:
-      state_.view.edges = !state_.view.edges;
-      return;
-    case CommandId::toggle_range_lock:
-      return toggle_range_lock();
-    case CommandId::toggle_slice:
-      return toggle_slice();
-    case CommandId::select_most_loaded:
-      return select_most_loaded();
-    case CommandId::help:
-      state_.show_help = !state_.show_help;
-      return;
-    default:
-      return carry_out_with_files(command);
-  }
+void Editor::toggle_run() {
+  state_.running = !state_.running;
+  pacer_.reset();
 }
 
-void Editor::carry_out_with_files(const ui::Command& command) {
-  switch (command.id) {
-    case CommandId::add_box:
-    case CommandId::add_plate:
-    case CommandId::add_pane:
-    case CommandId::add_cylinder:
-    case CommandId::add_sphere:
-    case CommandId::add_beam:
-    case CommandId::duplicate_body:
-    case CommandId::delete_body:
-      return carry_out_on_bodies(command);
-    case CommandId::new_scene:
-      return new_scene();
-    case CommandId::open_dialog:
-      state_.show_open = true;
-      return;
-    case CommandId::open:
-      return open(command.path);
-    case CommandId::add_surface_dialog:
-      state_.show_surface = true;
-      return;
-    case CommandId::add_surface:
-      return add_surface();
-    case CommandId::save:
-      return save(command);
-    case CommandId::save_dialog:
-      return ask_where_to_save(command.path);
-    case CommandId::save_recording_dialog:
-      return ask_where_to_save_run(ui::SavedKind::recording, command.path);
-    case CommandId::save_report_dialog:
-      return ask_where_to_save_run(ui::SavedKind::bug_report, command.path);
-    case CommandId::save_recording:
-    case CommandId::save_report:
-      return save_run(command);
-    case CommandId::recover:
-      return recover();
-    case CommandId::discard_copy:
-      if (autosave_) autosave_->remove_found();
-      return ask_for_left_edits(true);
-    case CommandId::leave_copy:
-      if (autosave_) autosave_->leave_found();
-      return;
-    case CommandId::screenshot:
-      screenshot_wanted_ = true;
-      return;
-    case CommandId::quit:
-      return quit();
-    default:
-      assert(false && "every command is carried out");
-  }
+void Editor::pause_and_step() {
+  state_.running = false;
+  step();
 }
 
 void Editor::show_error(const InputError& error) {
@@ -179,6 +90,7 @@ void Editor::take_world(WorldLoader::Loaded loaded) {
     if (autosave_) autosave_->remove();
     file_time_ = opened_time_;
     show_scene(std::move(loaded.scene), std::move(loaded.path));
+    remember_file();
     return ask_for_left_edits(false);
   }
   history_.change("Add body", [&](Scene& scene) { scene.bodies = loaded.scene.bodies; });

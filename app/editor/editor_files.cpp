@@ -67,6 +67,7 @@ void Editor::save(const ui::Command& command) {
   file_time_ = time_of_file(path_);
   scene_files_ = scene_files(path_);
   if (autosave_) autosave_->remove();
+  remember_file();
   log(ui::LogLevel::info, "Saved " + path_.string());
   if (next) execute(*next);
 }
@@ -77,6 +78,8 @@ void Editor::quit() {
 }
 
 void Editor::keep_edits_safe(const fs::path& states) {
+  recent_ = RecentFiles(states);
+  remember_file();
   autosave_.emplace(states);
   ask_for_left_edits(true);
 }
@@ -84,7 +87,7 @@ void Editor::keep_edits_safe(const fs::path& states) {
 void Editor::autosave(double now) {
   if (!autosave_) return;
   if (!history_.modified()) return autosave_->remove();
-  const bool due = now - copied_at_ >= kAutosaveInterval && history_.revision() != copied_revision_;
+  const bool due = now - copied_at_ >= state_.preferences.autosave_interval && history_.revision() != copied_revision_;
   if (!due || history_.editing()) return;
   copied_at_ = now;
   try {
@@ -101,6 +104,23 @@ void Editor::ask_for_left_edits(bool of_any) {
   if (!autosave_) return;
   const bool found = of_any ? autosave_->find_any(own_file()) : autosave_->find(own_file());
   state_.left_edits = found ? autosave_->found_text() : "";
+}
+
+void Editor::remember_file() {
+  try {
+    if (!path_.empty()) recent_.add(own_file());
+  } catch (const InputError& error) {
+    log(ui::LogLevel::warning, error.what());
+  }
+}
+
+void Editor::discard_copy() {
+  if (autosave_) autosave_->remove_found();
+  ask_for_left_edits(true);
+}
+
+void Editor::leave_copy() {
+  if (autosave_) autosave_->leave_found();
 }
 
 void Editor::recover() {

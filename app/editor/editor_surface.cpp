@@ -14,6 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 SurfaceShape shape_of(const ui::SurfaceRequest& request) {
+  if (request.path[0] == '\0') throw InputError("the surface", "has no file", "type its path in the dialog");
   SurfaceShape shape;
   shape.path = fs::absolute(request.path.data());
   shape.scale = request.scale;

@@ -3,13 +3,15 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include "ui/model/input_queue.h"
 #include "ui/widgets/style.h"
 
 namespace griffith::app {
 
-ImGuiContextOwner::ImGuiContextOwner(float scale) : context_(ImGui::CreateContext()) {
+ImGuiContextOwner::ImGuiContextOwner(float scale) : context_(ImGui::CreateContext()), scale_(scale) {
   ImGui::GetIO().IniFilename = nullptr;
   ImGui::GetIO().LogFilename = nullptr;
+  ui::map_keys(ImGui::GetIO());
   ui::apply_style(scale);
   fonts_ = ui::load_fonts(scale);
   ImGui_ImplOpenGL3_Init("#version 330");
@@ -18,6 +20,17 @@ ImGuiContextOwner::ImGuiContextOwner(float scale) : context_(ImGui::CreateContex
 ImGuiContextOwner::~ImGuiContextOwner() {
   ImGui_ImplOpenGL3_Shutdown();
   ImGui::DestroyContext(context_);
+}
+
+bool ImGuiContextOwner::set_scale(float scale) {
+  if (scale == scale_) return false;
+  scale_ = scale;
+  ImGui_ImplOpenGL3_DestroyFontsTexture();
+  ImGui::GetIO().Fonts->Clear();
+  ui::apply_style(scale);
+  fonts_ = ui::load_fonts(scale);
+  ImGui_ImplOpenGL3_CreateFontsTexture();
+  return true;
 }
 
 void ImGuiContextOwner::begin_frame(int width, int height) {

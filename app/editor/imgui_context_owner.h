@@ -18,6 +18,9 @@ class ImGuiContextOwner {
 
   const ui::Fonts& fonts() const { return fonts_; }
 
+  /// Changes the size of everything, between two frames. True where it was another.
+  bool set_scale(float scale);
+
   /// Begins a frame of that size without a window, no input, a fixed time after the last.
   void begin_frame(int width, int height);
   /// Begins a frame whose size and input somebody else has set.
@@ -28,6 +31,7 @@ class ImGuiContextOwner {
  private:
   ImGuiContext* context_;
   ui::Fonts fonts_;
+  float scale_;
 };
 
 }  // namespace griffith::app

@@ -9,11 +9,15 @@
 #include <array>
 #include <cfloat>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "app/editor/editor.h"
 #include "app/editor/imgui_context_owner.h"
+#include "app/editor/preferences_file.h"
+#include "app/editor/script_player.h"
 #include "app/editor/starting_scene.h"
 #include "app/output/output.h"
 #include "app/shared/scene_files.h"
@@ -124,6 +128,8 @@ class WindowInput {
   WindowInput(const WindowInput&) = delete;
   WindowInput& operator=(const WindowInput&) = delete;
 
+  ui::InputQueue& queue() { return queue_; }
+
   /// Tells ImGui of the window and what the next frame is to see of the events.
   void begin_frame() {
     ImGui_ImplGlfw_NewFrame();
@@ -160,16 +166,6 @@ render::Image window_image(const Window& window) {
   return image;
 }
 
-void save_screenshot(Editor& editor, const Window& window) {
-  const std::filesystem::path path = free_screenshot_path();
-  try {
-    save_picture(path, window_image(window));
-    editor.log(ui::LogLevel::info, "Saved " + path.string());
-  } catch (const InputError& error) {
-    editor.log(ui::LogLevel::error, error.what());
-  }
-}
-
 std::string graphics_of_window() {
   const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   return name ? name : "unknown";
@@ -188,7 +184,53 @@ void draw_frame(Editor& editor, ImGuiContextOwner& imgui, const Window& window, 
   imgui.end_frame();
 }
 
-void loop(Editor& editor, ImGuiContextOwner& imgui, const Window& window, WindowInput& input, int exit_after) {
+void save_window(const std::filesystem::path& path, Editor& editor, const Window& window) {
+  try {
+    save_picture(path, window_image(window));
+    editor.log(ui::LogLevel::info, "Saved " + path.string());
+  } catch (const InputError& error) {
+    editor.log(ui::LogLevel::error, error.what());
+  }
+}
+
+/// Goes on with the script that is being played, or with the tour that was asked for. A line that fails ends it.
+void play_script(std::optional<ScriptPlayer>& player, Editor& editor, WindowInput& input) {
+  if (editor.take_tour_request()) player.emplace(tour(), true);
+  if (!player) return;
+  try {
+    player->advance(editor, input.queue());
+  } catch (const InputError& error) {
+    editor.state().caption.reset();
+    editor.show_error(error);
+    player.reset();
+  }
+}
+
+/// The user's own; a damaged file is told of and left alone until something is changed.
+ui::Preferences read_preferences(PreferencesFile& file, Editor& editor) {
+  try {
+    return file.read();
+  } catch (const InputError& error) {
+    editor.show_error(error);
+    return {};
+  }
+}
+
+/// Gives everything the size that is preferred, and keeps what has been changed once the mouse is let go.
+void follow_preferences(PreferencesFile& file, Editor& editor, ImGuiContextOwner& imgui, const Window& window) {
+  ui::EditorState& state = editor.state();
+  const float scale = window.scale() * static_cast<float>(state.preferences.ui_scale);
+  if (imgui.set_scale(scale)) state.left_width = state.right_width = state.log_view.height = 0;
+  if (ImGui::IsAnyMouseDown()) return;
+  try {
+    file.keep(state.preferences);
+  } catch (const InputError& error) {
+    editor.log(ui::LogLevel::warning, error.what());
+  }
+}
+
+void loop(Editor& editor, ImGuiContextOwner& imgui, const Window& window, WindowInput& input,
+          std::optional<ScriptPlayer> player, PreferencesFile& preferences, int exit_after) {
   double last = glfwGetTime();
   for (int drawn = 1; !editor.wants_to_quit(); ++drawn) {
     glfwPollEvents();
@@ -200,10 +242,14 @@ void loop(Editor& editor, ImGuiContextOwner& imgui, const Window& window, Window
     editor.advance(std::min(now - last, kLongestFrame));
     editor.autosave(now);
     last = now;
+    play_script(player, editor, input);
+    follow_preferences(preferences, editor, imgui, window);
     const auto report = editor.take_report_request();  // its dialog is gone from the frame that is drawn next
     draw_frame(editor, imgui, window, input);
     if (report) editor.save_report(*report, window_image(window), graphics_of_window());
-    if (editor.take_screenshot_request()) save_screenshot(editor, window);
+    if (editor.take_screenshot_request()) save_window(free_screenshot_path(), editor, window);
+    if (const auto file = player ? player->take_picture_request() : std::nullopt) save_window(*file, editor, window);
+    if (player && player->done()) player.reset();
     if (drawn == exit_after) return;
     glfwSetWindowTitle(window.handle(), editor.title().c_str());
     glfwSwapBuffers(window.handle());
@@ -217,12 +263,16 @@ void run_editor(const EditorOptions& options) {
   const bool named = !options.scene.empty();
   const Scene scene = named ? read_scene(options.scene) : starting_scene();
   const Scene shown = named ? read_scene(options.scene, options.settings) : scene;
+  std::optional<ScriptPlayer> player;
+  if (!options.script.empty()) player.emplace(read_script(options.script), true);
   const Window window;
   Editor editor(scene, options.scene, shown == scene ? nullptr : &shown);
+  PreferencesFile preferences(preferences_path());
+  editor.state().preferences = read_preferences(preferences, editor);
   ImGuiContextOwner imgui(window.scale());
   WindowInput input(window, editor);
   editor.keep_edits_safe(state_folder());
-  loop(editor, imgui, window, input, options.exit_after);
+  loop(editor, imgui, window, input, std::move(player), preferences, options.exit_after);
   if (!options.screenshot.empty()) save_picture(options.screenshot, window_image(window));
 }
 

@@ -11,6 +11,7 @@ namespace griffith::app {
 struct EditorOptions {
   std::filesystem::path scene;         ///< empty: a scene to start with
   std::vector<SceneSetting> settings;  ///< in place of what its file says
+  std::filesystem::path script;        ///< played in it, if not empty
   int exit_after = 0;                  ///< pictures after which the program ends by itself; 0: never
   std::filesystem::path screenshot;    ///< written at that end, if not empty
 };

@@ -162,7 +162,7 @@ TEST_F(EditorFiles, EditsAreCopiedOnceAMinuteUntilTheyAreSaved) {
   EXPECT_EQ(copies_in(states()), 1) << "by which it is found from anywhere";
   const auto copied_material = [] {
     for (const auto& entry : fs::directory_iterator(states()))
-      return read_scene(entry.path() / "scene.json").bodies[0].material.name;
+      if (entry.is_directory()) return read_scene(entry.path() / "scene.json").bodies[0].material.name;
     return std::string();
   };
   choose_material("soda-lime glass");

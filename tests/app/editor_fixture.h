@@ -12,6 +12,7 @@
 #include "program.h"
 #include "renderer/egl_context.h"
 #include "renderer/target.h"
+#include "ui/model/gestures.h"
 
 namespace griffith::app {
 
@@ -35,13 +36,17 @@ class EditorTest : public ::testing::Test {
   void click(const std::string& tag, int button = 0) {
     const ui::WidgetTag* widget = ui::find_tag(editor_.tags(), tag);
     ASSERT_NE(widget, nullptr) << tag;
-    ImGuiIO& io = ImGui::GetIO();
-    io.MousePos = widget->center();
+    ui::click(queue_, widget->center(), button);
+    play();
     draw();
-    io.MouseDown[button] = true;
-    draw();
-    io.MouseDown[button] = false;
-    draw(2);
+  }
+
+  /// Draws the frames that what was done takes.
+  void play() {
+    while (!queue_.empty()) {
+      queue_.play(ImGui::GetIO());
+      draw();
+    }
   }
 
   /// Draws until nothing is being built, a minute at most.
@@ -66,19 +71,16 @@ class EditorTest : public ::testing::Test {
   }
 
   void press_key(int key, bool ctrl = false, bool shift = false) {
-    ImGuiIO& io = ImGui::GetIO();
-    io.KeyCtrl = ctrl;
-    io.KeyShift = shift;
-    io.KeysDown[key] = true;
-    draw();
-    io.KeyCtrl = io.KeyShift = io.KeysDown[key] = false;
+    ui::press(queue_, {key, ctrl, shift});
+    play();
     draw();
   }
 
   /// Types into what has the focus.
   void type(const std::string& text) {
-    for (const char letter : text) ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(letter));
-    draw(2);
+    ui::type(queue_, text);
+    play();
+    draw();
   }
 
   /// How many of 100 places from the left end of the picture's middle row to the right show a body.
@@ -100,6 +102,7 @@ class EditorTest : public ::testing::Test {
   ImGuiContextOwner imgui_;
   render::Target target_;
   Editor editor_;
+  ui::InputQueue queue_;
 };
 
 }  // namespace griffith::app

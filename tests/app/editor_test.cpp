@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "editor_fixture.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/scene_writer.h"
@@ -243,6 +245,12 @@ TEST_F(EditorTest, SavedSceneOpensAsItWasEditedAndShown) {
   EXPECT_EQ(saved.bodies[0].material.name, "concrete");
   EXPECT_FALSE(saved.view.edges);
   EXPECT_EQ(editor_.title(), "small wall - Griffith");
+}
+
+TEST(CommandActions, EveryCommandIsBoundExactlyOnce) {
+  for (const ui::CommandInfo& info : ui::command_registry())
+    EXPECT_EQ(std::ranges::count(Editor::command_actions(), info.id, &CommandAction::id), 1) << info.name;
+  EXPECT_EQ(Editor::command_actions().size(), ui::command_registry().size());
 }
 
 TEST_F(EditorTest, ScreenshotAndQuitAreAskedForOnce) {

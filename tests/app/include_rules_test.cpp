@@ -76,7 +76,8 @@ TEST(IncludeRules, ThirdPartyLibrariesStayInTheirPlaces) {
   expect_only_in(kBullet, "^sim/(contact/|geometry/convex_hull\\.cpp$)");
   expect_only_in("^(tbb|oneapi/tbb)/", "^sim/core/parallel\\.cpp$");
   expect_only_in("^nlohmann/",
-                 "^(sim/(scene/|recording/versions\\.cpp$)|app/(output/((mesh_)?statistics|crack_event_file)|"
+                 "^(sim/(scene/|recording/versions\\.cpp$)|app/(editor/preferences_file|output/"
+                 "((mesh_)?statistics|crack_event_file)|"
                  "render/(read_render_jobs|picture_output)|regress/run_suite|"
                  "study/(run_record|sweep_folder|sweep_page|find_report))\\.cpp$)");
   expect_only_in("^assimp/", "^sim/meshing/import_objects\\.cpp$");

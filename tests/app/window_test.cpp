@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <fstream>
 
 #include "program.h"
 #include "renderer/image.h"
@@ -9,7 +10,10 @@ namespace griffith::app {
 namespace {
 
 /// No edits of a program that was killed are found, which would be asked for.
-std::string clean_state() { return "env XDG_STATE_HOME=" + (test_folder() / "state").string() + " "; }
+std::string clean_state() {
+  return "env XDG_STATE_HOME=" + (test_folder() / "state").string() +
+         " XDG_CONFIG_HOME=" + (test_folder() / "config").string() + " ";
+}
 
 TEST(Window, OpensDrawsAndLeavesAPictureOfItself) {
   if (std::system("command -v xvfb-run > /dev/null") != 0) GTEST_SKIP() << "xvfb-run is not installed";
@@ -23,6 +27,24 @@ TEST(Window, OpensDrawsAndLeavesAPictureOfItself) {
   // The menu is dark, the picture's sky is light.
   EXPECT_LT(image.pixel(1400, 6)[0], 80);
   EXPECT_GT(image.pixel(700, 100)[2], 150);
+}
+
+TEST(Window, PlaysAScriptAndTakesPreferences) {
+  if (std::system("command -v xvfb-run > /dev/null") != 0) GTEST_SKIP() << "xvfb-run is not installed";
+  const std::filesystem::path picture = test_folder() / "script.png";
+  const std::filesystem::path script =
+      test_file("a.script",
+                "step 2\nexpect toolbar/step \"step 2\"\nclick command/simulation.step\n"
+                "expect toolbar/step \"step 3\"\nscreenshot " +
+                    picture.string() + "\ncommand file.quit\n");
+  std::filesystem::create_directories(test_folder() / "config/griffith");
+  std::ofstream(test_folder() / "config/griffith/preferences.json") << R"({"left_width": 400})";
+  const Outcome outcome = run_program(small_wall_file().string() + " --exit-after 400 --script " + script.string(),
+                                      clean_state() + "xvfb-run -a -s '-screen 0 1600x1000x24'");
+  ASSERT_EQ(outcome.code, 0) << outcome.output;
+  const render::Image image = render::load_png(picture);
+  EXPECT_LT(image.pixel(390, 500)[2], 120) << "the side panel is as wide as preferred";
+  EXPECT_GT(image.pixel(410, 400)[2], 150) << "and no wider";
 }
 
 TEST(Window, IsNoLargerThanTheScreen) {

@@ -42,14 +42,39 @@ TEST(Commands, EveryShortcutIssuesItsCommandOnce) {
 }
 
 TEST(Commands, CommandsHaveDifferentNamesAndShortcuts) {
-  std::set<std::string_view> names, shortcuts;
+  std::set<std::string_view> names;
+  std::set<std::string> shortcuts;
   for (const CommandInfo& info : command_registry()) {
     EXPECT_TRUE(names.insert(info.name).second) << info.name;
-    EXPECT_TRUE(info.shortcut_text.empty() || shortcuts.insert(info.shortcut_text).second) << info.shortcut_text;
-    EXPECT_EQ(info.shortcut_text.empty(), info.shortcut.key == key::kNone) << info.name;
+    const std::string shortcut = shortcut_text(info.shortcut);
+    EXPECT_TRUE(shortcut.empty() || shortcuts.insert(shortcut).second) << shortcut;
+    EXPECT_TRUE(shortcut.empty() || shortcut_from_text(shortcut) == info.shortcut) << shortcut;
+    EXPECT_EQ(shortcut.empty(), info.shortcut.key == key::kNone) << info.name;
     EXPECT_FALSE(info.hint.empty()) << info.name;
     EXPECT_EQ(command_info(info.id).name, info.name);
   }
+}
+
+TEST(Commands, MenusShowEveryCommandOfTheirsOnceInItsOrder) {
+  for (const Menu menu : {Menu::file, Menu::edit, Menu::add, Menu::simulation, Menu::view, Menu::help}) {
+    UiDriver ui(two_walls());
+    ui.click(std::string("menu/") + menu_label(menu));
+    std::vector<std::string> expected, shown;
+    for (const CommandInfo& info : command_registry())
+      if (info.menu == menu) expected.push_back("menu/" + std::string(info.name));
+    for (const WidgetTag& tag : ui.tags)
+      if (find_command(tag.name.substr(std::min<std::size_t>(5, tag.name.size())))) shown.push_back(tag.name);
+    std::erase_if(shown, [](const std::string& name) { return !name.starts_with("menu/"); });
+    EXPECT_EQ(shown, expected) << menu_label(menu);
+    EXPECT_FALSE(expected.empty());
+  }
+}
+
+TEST(Commands, ShortcutsAreReadAsTheyAreWritten) {
+  EXPECT_EQ(shortcut_from_text("Ctrl+Shift+P"), (Shortcut{'P', true, true}));
+  EXPECT_EQ(shortcut_from_text("F12"), Shortcut{key::kF12});
+  for (const char* wrong : {"", "Ctrl+", "Ctrl", "F13", "ctrl+z", "Shift+Ctrl+Z", "Hyper+A"})
+    EXPECT_FALSE(shortcut_from_text(wrong)) << wrong;
 }
 
 TEST(Commands, NothingToUndoIssuesNoUndo) {
@@ -93,6 +118,8 @@ TEST(Commands, ShortcutsDoNotReachBehindADialog) {
       },
       [](EditorState& state) { state.left_edits = "scene.json"; },
       [](EditorState& state) { state.show_surface = true; },
+      [](EditorState& state) { state.show_preferences = true; },
+      [](EditorState& state) { state.palette.shown = true; },
       [](EditorState& state) { state.show_help = true; }};
   for (const auto& show : dialogs) {
     UiDriver ui(two_walls());
@@ -102,9 +129,8 @@ TEST(Commands, ShortcutsDoNotReachBehindADialog) {
     for (const CommandInfo& info : command_registry()) {
       if (info.shortcut.key != key::kNone) ui.press_key(info.shortcut.key, info.shortcut.ctrl, info.shortcut.shift);
     }
-    std::vector<CommandId> expected = {CommandId::screenshot};
+    std::vector<CommandId> expected = {CommandId::screenshot, CommandId::quit};
     if (ui.state.show_help) expected.push_back(CommandId::help);
-    expected.push_back(CommandId::quit);
     EXPECT_EQ(ui.issued(), expected);
   }
 }

@@ -125,7 +125,7 @@ TEST(EditorLayout, TheWayToWhereTheButtonWentDownIsNoDrag) {
   UiDriver ui(two_walls());
   const ImVec2 place = ui.find("viewport");
   ui.move({place.x - 200, place.y - 100});
-  ImGui::GetIO().MousePos = place;  // a slow frame sees the move and the press at once
+  ui.queue.move(place);  // a slow frame sees the move and the press at once
   ui.press(0, true);
   EXPECT_EQ(ui.state.camera_motion.yaw, 0);
   EXPECT_EQ(ui.state.camera_motion.pitch, 0);
@@ -165,6 +165,20 @@ TEST(EditorLayout, MouseInTheViewMovesTheCamera) {
   ui.frame();
   EXPECT_LT(ui.state.camera_motion.zoom, 1);
   EXPECT_TRUE(ui.commands.empty());  // a drag is no click
+}
+
+TEST(EditorLayout, PreferencesTurnTheMouseRound) {
+  UiDriver ui(two_walls());
+  ui.drag("viewport", 0, 50);
+  const float pitch = ui.state.camera_motion.pitch;
+  ui.state.preferences.mouse_speed = 2;
+  ui.state.preferences.invert_orbit = ui.state.preferences.invert_zoom = true;
+  ui.state.camera_motion = {};
+  ui.drag("viewport", 0, 50);
+  EXPECT_NEAR(ui.state.camera_motion.pitch, -2 * pitch, 1e-5);
+  ImGui::GetIO().MouseWheel = 1;
+  ui.frame();
+  EXPECT_GT(ui.state.camera_motion.zoom, 1);
 }
 
 TEST(EditorLayout, ClicksInTheViewPickAndFireAtTheCursor) {

@@ -5,12 +5,6 @@
 #include "ui/widgets/style.h"
 
 namespace griffith::ui {
-namespace {
-
-constexpr int kKeyTab = 258, kKeyEnter = 257, kKeyBackspace = 259, kMovesPerDrag = 20;
-
-}  // namespace
-
 Scene two_walls() {
   Scene scene;
   scene.name = "two walls";
@@ -30,11 +24,7 @@ UiDriver::UiDriver(Scene scene) : history(std::move(scene)) {
   io.DisplaySize = {1500, 940};
   io.DeltaTime = 1.0f / 60;
   io.MousePos = {-1, -1};
-  io.KeyMap[ImGuiKey_Tab] = kKeyTab;
-  io.KeyMap[ImGuiKey_Enter] = kKeyEnter;
-  io.KeyMap[ImGuiKey_Escape] = key::kEscape;
-  io.KeyMap[ImGuiKey_Backspace] = kKeyBackspace;
-  io.KeyMap[ImGuiKey_A] = 'A';
+  map_keys(io);
   apply_style(1);
   input.fonts = load_fonts(1);
   unsigned char* pixels = nullptr;
@@ -71,53 +61,44 @@ std::vector<CommandId> UiDriver::issued() const {
   return ids;
 }
 
+void UiDriver::play() {
+  while (!queue.empty()) {
+    queue.play(ImGui::GetIO());
+    frame();
+  }
+}
+
 void UiDriver::move(ImVec2 place) {
-  ImGui::GetIO().MousePos = place;
-  frame();
+  queue.move(place);
+  play();
 }
 
 void UiDriver::press(int button, bool down) {
-  ImGui::GetIO().MouseDown[button] = down;
-  frame();
+  queue.button(button, down);
+  play();
 }
 
 void UiDriver::click(const std::string& tag, int button) {
-  move(find(tag));
-  press(button, true);
-  press(button, false);
+  ui::click(queue, find(tag), button);
+  play();
   frame();
 }
 
 void UiDriver::drag(const std::string& tag, float dx, float dy, int button) {
-  const ImVec2 start = find(tag);
-  move(start);
-  press(button, true);
-  for (int i = 1; i <= kMovesPerDrag; ++i) {
-    const float t = static_cast<float>(i) / kMovesPerDrag;
-    move({start.x + t * dx, start.y + t * dy});
-  }
-  press(button, false);
+  ui::drag(queue, find(tag), {dx, dy}, button);
+  play();
   frame();
 }
 
 void UiDriver::type(const std::string& text) {
-  frame();
-  for (const char letter : text) {
-    ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(letter));
-    frame();
-  }
-  press_key(kKeyEnter);
+  ui::type(queue, text);
+  ui::press(queue, {key::kEnter});
+  play();
 }
 
 void UiDriver::press_key(int key, bool ctrl, bool shift) {
-  ImGuiIO& io = ImGui::GetIO();
-  io.KeyCtrl = ctrl;
-  io.KeyShift = shift;
-  io.KeysDown[key] = true;
-  frame();
-  io.KeysDown[key] = false;
-  io.KeyCtrl = io.KeyShift = false;
-  frame();
+  ui::press(queue, {key, ctrl, shift});
+  play();
 }
 
 }  // namespace griffith::ui

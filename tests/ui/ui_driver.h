@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/model/gestures.h"
 #include "ui/panels/editor_layout.h"
 
 namespace griffith::ui {
@@ -41,8 +42,12 @@ class UiDriver {
   EditHistory history;
   WidgetTags tags;
   std::vector<Command> commands;
+  InputQueue queue;  ///< of what the mouse and the keyboard do
 
  private:
+  /// Draws the frames that what was done takes.
+  void play();
+
   std::vector<Material> materials_;
 };
 

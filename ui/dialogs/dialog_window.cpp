@@ -17,6 +17,8 @@ Dialog shown_dialog(const EditorState& state) {
   if (state.unsaved) return Dialog::unsaved;
   if (state.show_surface) return Dialog::surface;
   if (state.show_open) return Dialog::open;
+  if (state.show_preferences) return Dialog::preferences;
+  if (state.palette.shown) return Dialog::palette;
   return state.show_help ? Dialog::help : Dialog::none;
 }
 

@@ -21,6 +21,8 @@ enum class Dialog {
   unsaved,
   surface,
   open,
+  preferences,
+  palette,
   help
 };
 

@@ -125,7 +125,7 @@ void help_dialog(Panel& panel) {
     help_table_row("", "");
     for (const CommandInfo& info : command_registry()) {
       if (info.shortcut.key == key::kNone) continue;
-      help_table_row(std::string(info.shortcut_text).c_str(), std::string(info.hint).c_str());
+      help_table_row(shortcut_text(info.shortcut).c_str(), std::string(info.hint).c_str());
     }
     ImGui::EndTable();
   }
@@ -162,6 +162,10 @@ void draw_dialogs(Panel& panel) {
       return draw_surface_dialog(panel);
     case Dialog::open:
       return open_dialog(panel);
+    case Dialog::preferences:
+      return draw_preferences_dialog(panel);
+    case Dialog::palette:
+      return draw_palette_dialog(panel);
     case Dialog::help:
       return help_dialog(panel);
   }

@@ -19,6 +19,10 @@ void draw_unsaved_dialog(Panel& panel);
 void draw_left_edits_dialog(Panel& panel);
 /// Asks for a surface file and how to fill it.
 void draw_surface_dialog(Panel& panel);
+/// What is kept from one start to the next.
+void draw_preferences_dialog(Panel& panel);
+/// Finds a command by letters of its name.
+void draw_palette_dialog(Panel& panel);
 /// Asks whether a mesh of many tetrahedra is meant.
 void draw_large_mesh_dialog(Panel& panel);
 /// Tells what came of it.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/core/linear_algebra.h"
+#include "ui/model/shortcut.h"
 
 namespace griffith::ui {
 
@@ -54,6 +55,10 @@ enum class CommandId {
   toggle_slice,
   select_most_loaded,
   screenshot,
+  preferences,
+  palette,
+  log,
+  tour,
   help,
   quit,
 };
@@ -70,34 +75,36 @@ struct Command {
   bool replace = false;          ///< what writes: even where that loses what another has written
 };
 
-/// Key codes in GLFW's numbering; letters and digits are their ASCII codes.
-namespace key {
-inline constexpr int kNone = 0, kSpace = 32, kEscape = 256, kRight = 262, kDelete = 261, kLeft = 263, kHome = 268,
-                     kF1 = 290, kF12 = 301;
-inline constexpr int kLeftShift = 340, kLeftControl = 341, kLeftAlt = 342, kLeftSuper = 343;
-inline constexpr int kRightShift = 344, kRightControl = 345, kRightAlt = 346, kRightSuper = 347;
-inline constexpr int kFirstModifier = kLeftShift, kLastModifier = kRightSuper;
-}  // namespace key
+/// Where a menu shows a command. Commands that are in no menu are issued by widgets and scripts alone.
+enum class Menu { none, file, edit, add, simulation, view, help };
 
-struct Shortcut {
-  int key = key::kNone;
-  bool ctrl = false, shift = false;
-};
+/// What a script writes behind a command's name.
+enum class CommandArgument { none, path, step, branch_and_step, cursor };
 
-/// A command as menus, buttons, shortcuts, help and tests know it.
+struct CommandContext;
+
+/// A command as menus, buttons, shortcuts, palette, help, scripts and tests know it.
 struct CommandInfo {
   CommandId id;
   std::string_view name;   ///< "simulation.step"
   std::string_view label;  ///< "Step"
   std::string_view hint;   ///< one line for tooltips and help
-  Shortcut shortcut;
-  std::string_view shortcut_text;  ///< "Ctrl+Z"
+  Menu menu = Menu::none;
+  int group = 0;  ///< of the menu; a line parts it from the next
+  Shortcut shortcut = {};
+  /// Why the command makes no sense now; empty: it does. Null: it always does.
+  std::string_view (*why_not)(const CommandContext& context) = nullptr;
+  /// Whether what the command toggles is on. Null: it toggles nothing.
+  bool (*is_on)(const CommandContext& context) = nullptr;
+  CommandArgument argument = CommandArgument::none;
 };
 
-/// All commands, in the order in which help shows them.
+/// All commands, in the order in which menus and help show them.
 std::span<const CommandInfo> command_registry();
 const CommandInfo& command_info(CommandId id);
 /// The command of that name, or nullptr.
 const CommandInfo* find_command(std::string_view name);
+/// "File".
+const char* menu_label(Menu menu);
 
 }  // namespace griffith::ui

@@ -12,6 +12,7 @@
 #include "sim/scene/scene.h"
 #include "ui/model/commands.h"
 #include "ui/model/edit_history.h"
+#include "ui/model/preferences.h"
 #include "ui/model/selection.h"
 #include "ui/model/time_view.h"
 
@@ -86,6 +87,29 @@ struct LogLine {
   std::string text;
 };
 
+/// What the panel of messages shows.
+struct LogView {
+  bool shown = false;
+  std::array<bool, 3> levels = {true, true, true};  ///< by LogLevel
+  std::array<char, 64> filter = {};                 ///< what the shown lines hold
+  float height = 0;                                 ///< of the panel [pixels]; 0: not laid out yet
+};
+
+/// The search for a command.
+struct Palette {
+  bool shown = false;
+  std::array<char, 64> text = {};  ///< being typed
+  int chosen = 0;                  ///< among those that match
+};
+
+/// What a script says to the reader.
+struct Caption {
+  enum class Answer { none, next, skip };
+  std::string text;
+  std::string tag;  ///< of the widget that it is about; may be empty
+  Answer answer = Answer::none;
+};
+
 /// What the editor itself remembers: nothing of it is part of the scene, nothing of it influences results of a step.
 struct EditorState {
   bool running = false;
@@ -119,6 +143,12 @@ struct EditorState {
   std::optional<Replacement> replacement;  ///< waits for an answer
   std::optional<Command> after_save;       ///< what the scene is being saved for
   std::string left_edits;                  ///< which edits were cut short and are waiting for an answer; empty: none
+  Preferences preferences;
+  bool show_preferences = false;
+  double wanted_scale = 0;  ///< being dragged in the preferences; 0: not shown yet
+  Palette palette;
+  LogView log_view;
+  std::optional<Caption> caption;
   std::vector<LogLine> log;
   std::size_t log_seen = 0;              ///< so many of the lines are older than the last thing that the user did
   std::array<char, 512> path_text = {};  ///< being typed in the open dialog

@@ -34,6 +34,8 @@ void InputQueue::scroll(float right, float up) { events_.push_back({.kind = Kind
 
 void InputQueue::text(unsigned int character) { events_.push_back({Kind::text, static_cast<int>(character)}); }
 
+void InputQueue::end_frame() { events_.push_back({Kind::end_frame}); }
+
 /// Text is typed without its keys: fields read the characters, and shortcuts are not meant.
 bool InputQueue::changes(const Event& event, const ImGuiIO& io) {
   if (event.kind == Kind::button) return io.MouseDown[event.code] != event.down;
@@ -55,6 +57,8 @@ bool InputQueue::fits(const Event& event, const Seen& seen) {
       return !seen.act || acted(Kind::scroll);
     case Kind::text:
       return !seen.act || acted(Kind::text) || (acted(Kind::key) && is_text_key(seen.act->code));
+    case Kind::end_frame:
+      return false;
   }
   return true;
 }
@@ -86,6 +90,8 @@ void InputQueue::tell(const Event& event, ImGuiIO& io, Seen& seen) {
     case Kind::text:
       io.AddInputCharacter(static_cast<unsigned int>(event.code));
       break;
+    case Kind::end_frame:
+      return;
   }
   seen.act = event;
 }
@@ -95,6 +101,10 @@ void InputQueue::play(ImGuiIO& io) {
   Seen seen;
   while (!events_.empty()) {
     const Event event = events_.front();
+    if (event.kind == Kind::end_frame) {
+      events_.pop_front();
+      break;
+    }
     if (changes(event, io)) {
       if (waits_for_focus(event) || !fits(event, seen)) break;
       tell(event, io, seen);
@@ -106,6 +116,21 @@ void InputQueue::play(ImGuiIO& io) {
     events_.pop_front();
   }
   io.MousePos = place_;
+}
+
+void map_keys(ImGuiIO& io) {
+  io.KeyMap[ImGuiKey_Tab] = key::kTab;
+  io.KeyMap[ImGuiKey_Enter] = key::kEnter;
+  io.KeyMap[ImGuiKey_Escape] = key::kEscape;
+  io.KeyMap[ImGuiKey_Backspace] = key::kBackspace;
+  io.KeyMap[ImGuiKey_Delete] = key::kDelete;
+  io.KeyMap[ImGuiKey_LeftArrow] = key::kLeft;
+  io.KeyMap[ImGuiKey_RightArrow] = key::kRight;
+  io.KeyMap[ImGuiKey_UpArrow] = key::kUp;
+  io.KeyMap[ImGuiKey_DownArrow] = key::kDown;
+  io.KeyMap[ImGuiKey_Home] = key::kHome;
+  io.KeyMap[ImGuiKey_End] = key::kEnd;
+  io.KeyMap[ImGuiKey_A] = 'A';
 }
 
 }  // namespace griffith::ui

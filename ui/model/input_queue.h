@@ -21,12 +21,15 @@ class InputQueue {
   void scroll(float right, float up);
   void text(unsigned int character);
 
+  /// What comes behind is for a later frame.
+  void end_frame();
+
   /// Tells `io` what the next frame is to see. To be called once a frame, before ImGui::NewFrame().
   void play(ImGuiIO& io);
   bool empty() const { return events_.empty(); }
 
  private:
-  enum class Kind { key, button, move, scroll, text };
+  enum class Kind { key, button, move, scroll, text, end_frame };
   struct Event {
     Kind kind;
     int code = 0;  ///< of the key or button, or the character
@@ -49,5 +52,8 @@ class InputQueue {
   ImVec2 place_ = {-FLT_MAX, -FLT_MAX};
   int frames_to_focus_ = 0;  ///< until what a click opened takes keys
 };
+
+/// Tells ImGui which keys move the cursor in texts and leave them, where no window does.
+void map_keys(ImGuiIO& io);
 
 }  // namespace griffith::ui

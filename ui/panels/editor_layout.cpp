@@ -1,6 +1,7 @@
 #include "ui/panels/editor_layout.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ui/dialogs/dialogs.h"
 #include "ui/panels/panels.h"
@@ -11,7 +12,7 @@
 namespace griffith::ui {
 namespace {
 
-constexpr float kSideWidth = 300, kMinimumSide = 240, kMaximumSide = 520;  // design pixels
+constexpr float kLogHeight = 180, kMinimumLog = 90;  // design pixels
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
@@ -43,20 +44,23 @@ void begin_fixed(const char* name, ImVec2 corner, ImVec2 end, ImGuiWindowFlags f
   ImGui::PopStyleColor();
 }
 
-/// A side panel whose inner border can be dragged; `width` follows.
-void begin_side(const Panel& panel, const char* name, const Layout& layout, bool left, float& width) {
+/// A side panel whose inner border can be dragged; `width` [pixels] and `kept` [design pixels] follow.
+void begin_side(const Panel& panel, const char* name, const Layout& layout, bool left, float& width, double& kept) {
   const float scale = ui_scale(panel), height = layout.bottom() - layout.top();
   const ImGuiCond once = width == 0 ? ImGuiCond_Always : ImGuiCond_Once;
-  if (width == 0) width = kSideWidth * scale;
+  if (width == 0) width = static_cast<float>(kept) * scale;
   ImGui::SetNextWindowSize({width, height}, once);
-  ImGui::SetNextWindowSizeConstraints({kMinimumSide * scale, height}, {kMaximumSide * scale, height});
+  ImGui::SetNextWindowSizeConstraints({static_cast<float>(kSideWidths.minimum) * scale, height},
+                                      {static_cast<float>(kSideWidths.maximum) * scale, height});
   ImGui::SetNextWindowPos({left ? layout.corner.x : layout.end.x - width, layout.top()});
   ImGui::Begin(name, nullptr, kFixed);
   width = ImGui::GetWindowWidth();
+  const double dragged = std::clamp(static_cast<double>(width / scale), kSideWidths.minimum, kSideWidths.maximum);
+  if (std::abs(dragged - kept) > 1) kept = dragged;  // less comes from whole pixels
 }
 
 void draw_left(Panel& panel, const Layout& layout) {
-  begin_side(panel, "##left", layout, true, panel.state.left_width);
+  begin_side(panel, "##left", layout, true, panel.state.left_width, panel.state.preferences.left_width);
   draw_bodies_panel(panel);
   draw_material_panel(panel);
   draw_body_panel(panel);
@@ -66,7 +70,7 @@ void draw_left(Panel& panel, const Layout& layout) {
 }
 
 void draw_right(Panel& panel, const Layout& layout) {
-  begin_side(panel, "##right", layout, false, panel.state.right_width);
+  begin_side(panel, "##right", layout, false, panel.state.right_width, panel.state.preferences.right_width);
   draw_view_panel(panel);
   // Rows of numbers stand closer than widgets.
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 3 * ui_scale(panel)});
@@ -91,11 +95,29 @@ void draw_bars(Panel& panel, const Layout& layout) {
   ImGui::PopStyleVar();
 }
 
-void draw_center(Panel& panel, const Layout& layout) {
+/// The panel of messages, below the view; its upper border can be dragged. Returns its height.
+float draw_log(Panel& panel, const Layout& layout) {
+  LogView& view = panel.state.log_view;
+  if (!view.shown) return 0;
+  const float scale = ui_scale(panel), left = layout.corner.x + panel.state.left_width;
+  const float width = layout.end.x - panel.state.right_width - left;
+  const ImGuiCond once = view.height == 0 ? ImGuiCond_Always : ImGuiCond_Once;
+  if (view.height == 0) view.height = kLogHeight * scale;
+  ImGui::SetNextWindowSize({width, view.height}, once);
+  ImGui::SetNextWindowSizeConstraints({width, kMinimumLog * scale}, {width, (layout.bottom() - layout.top()) / 2});
+  ImGui::SetNextWindowPos({left, layout.bottom() - view.height});
+  ImGui::Begin("##log", nullptr, kFixed);
+  view.height = ImGui::GetWindowHeight();
+  draw_log_panel(panel);
+  ImGui::End();
+  return view.height;
+}
+
+void draw_center(Panel& panel, const Layout& layout, float log_height) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   begin_fixed("##view", {layout.corner.x + panel.state.left_width, layout.top()},
-              {layout.end.x - panel.state.right_width, layout.bottom()}, kBar | ImGuiWindowFlags_NoScrollWithMouse,
-              palette::kWindow);
+              {layout.end.x - panel.state.right_width, layout.bottom() - log_height},
+              kBar | ImGuiWindowFlags_NoScrollWithMouse, palette::kWindow);
   ImGui::PopStyleVar();
   draw_viewport(panel);
   ImGui::End();
@@ -117,8 +139,9 @@ std::vector<Command> draw_editor(const EditorInput& input, EditorState& state, E
   draw_bars(panel, layout);
   draw_left(panel, layout);
   draw_right(panel, layout);
-  draw_center(panel, layout);
+  draw_center(panel, layout, draw_log(panel, layout));
   draw_dialogs(panel);
+  draw_caption(panel);
   const bool acted = !commands.empty() || history.revision() != revision || (had_error && !state.error);
   if (acted) state.log_seen = state.log.size();
   return commands;

@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "ui/model/scene_names.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/style.h"
@@ -6,47 +8,48 @@
 namespace griffith::ui {
 namespace {
 
-void command_item(Panel& panel, CommandId id, bool checked = false) {
-  const CommandInfo& info = command_info(id);
-  const bool enabled = command_enabled(id, panel);
-  const std::string label(info.label), shortcut(info.shortcut_text);
-  if (ImGui::MenuItem(label.c_str(), shortcut.c_str(), checked, enabled)) issue(panel, {.id = id});
+void command_item(Panel& panel, const CommandInfo& info) {
+  const bool enabled = command_enabled(info.id, panel);
+  const std::string label(info.label), shortcut = shortcut_text(info.shortcut);
+  if (ImGui::MenuItem(label.c_str(), shortcut.c_str(), is_on(info, panel), enabled)) issue(panel, {.id = info.id});
   tag_last_item(panel.tags, "menu/" + std::string(info.name), label, enabled);
 }
 
-void scene_items(Panel& panel) {
-  const std::span<const std::filesystem::path> files = panel.input.scene_files;
+/// A submenu that opens one of the files. `tag`: of its entries.
+void files_menu(Panel& panel, const char* label, const std::string& tag, std::span<const std::filesystem::path> files) {
+  const bool open = ImGui::BeginMenu(label, !files.empty());
+  tag_last_item(panel.tags, std::string("menu/") + label, open ? "open" : "closed", !files.empty());
+  if (!open) return;
   const std::vector<std::string> names = scene_names(files);
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string& name = names[i];
     if (ImGui::MenuItem(name.c_str(), nullptr, files[i] == panel.input.scene_path))
       issue(panel, {.id = CommandId::open, .path = files[i]});
-    tag_last_item(panel.tags, "menu/scene/" + name, name);
+    tag_last_item(panel.tags, tag + name, name);
+  }
+  ImGui::EndMenu();
+}
+
+/// The commands of the menu in their order, a line between groups.
+void command_items(Panel& panel, Menu menu) {
+  int group = 0;
+  for (const CommandInfo& info : command_registry()) {
+    if (info.menu != menu) continue;
+    if (std::exchange(group, info.group) != info.group) ImGui::Separator();
+    command_item(panel, info);
+    if (info.id != CommandId::open_dialog) continue;
+    files_menu(panel, "Recent", "menu/recent/", panel.input.recent_files);
+    files_menu(panel, "Scenes", "menu/scene/", panel.input.scene_files);
   }
 }
 
-bool menu(Panel& panel, const char* label) {
+void draw_menu(Panel& panel, Menu menu) {
+  const char* label = menu_label(menu);
   const bool open = ImGui::BeginMenu(label);
   tag_last_item(panel.tags, std::string("menu/") + label, open ? "open" : "closed");
-  if (open) close_on_escape();
-  return open;
-}
-
-void file_menu(Panel& panel) {
-  if (!menu(panel, "File")) return;
-  command_item(panel, CommandId::new_scene);
-  command_item(panel, CommandId::open_dialog);
-  if (ImGui::BeginMenu("Scenes", !panel.input.scene_files.empty())) {
-    scene_items(panel);
-    ImGui::EndMenu();
-  }
-  command_item(panel, CommandId::save);
-  command_item(panel, CommandId::save_dialog);
-  ImGui::Separator();
-  command_item(panel, CommandId::save_recording_dialog);
-  command_item(panel, CommandId::screenshot);
-  ImGui::Separator();
-  command_item(panel, CommandId::quit);
+  if (!open) return;
+  close_on_escape();
+  command_items(panel, menu);
   ImGui::EndMenu();
 }
 
@@ -62,47 +65,8 @@ void scene_title(const Panel& panel) {
 
 void draw_menu_bar(Panel& panel) {
   if (!ImGui::BeginMainMenuBar()) return;
-  file_menu(panel);
-  if (menu(panel, "Edit")) {
-    command_item(panel, CommandId::undo);
-    command_item(panel, CommandId::redo);
-    ImGui::Separator();
-    command_item(panel, CommandId::duplicate_body);
-    command_item(panel, CommandId::delete_body);
-    ImGui::EndMenu();
-  }
-  if (menu(panel, "Add")) {
-    for (const CommandId id : {CommandId::add_box, CommandId::add_plate, CommandId::add_pane, CommandId::add_cylinder,
-                               CommandId::add_sphere, CommandId::add_beam})
-      command_item(panel, id);
-    ImGui::Separator();
-    command_item(panel, CommandId::add_surface_dialog);
-    ImGui::EndMenu();
-  }
-  if (menu(panel, "Simulation")) {
-    for (const CommandId id :
-         {CommandId::toggle_run, CommandId::step, CommandId::reset, CommandId::fire, CommandId::keep_shot}) {
-      command_item(panel, id, id == CommandId::toggle_run && panel.state.running);
-    }
-    ImGui::Separator();
-    for (const CommandId id :
-         {CommandId::step_back, CommandId::go_to_start, CommandId::go_to_end, CommandId::explain_holding})
-      command_item(panel, id);
-    ImGui::EndMenu();
-  }
-  if (menu(panel, "View")) {
-    command_item(panel, CommandId::frame_all);
-    command_item(panel, CommandId::toggle_edges, panel.state.view.edges);
-    command_item(panel, CommandId::toggle_range_lock, panel.state.view.range.has_value());
-    command_item(panel, CommandId::toggle_slice, panel.state.view.slice.has_value());
-    command_item(panel, CommandId::select_most_loaded);
-    ImGui::EndMenu();
-  }
-  if (menu(panel, "Help")) {
-    command_item(panel, CommandId::help, panel.state.show_help);
-    command_item(panel, CommandId::save_report_dialog);
-    ImGui::EndMenu();
-  }
+  for (const Menu menu : {Menu::file, Menu::edit, Menu::add, Menu::simulation, Menu::view, Menu::help})
+    draw_menu(panel, menu);
   scene_title(panel);
   ImGui::EndMainMenuBar();
 }

@@ -31,6 +31,12 @@ void draw_statistics_panel(Panel& panel);
 void draw_viewport(Panel& panel);
 /// The recorded past, to go back to; where the simulation is to stop by itself.
 void draw_time_bar(Panel& panel);
+/// All messages, by level and text.
+void draw_log_panel(Panel& panel);
+/// The colour that messages of a level are written in.
+ImU32 level_color(LogLevel level);
+/// What a script says, beside the widget that it is about, with the buttons that go on or end it.
+void draw_caption(Panel& panel);
 /// The last message.
 void draw_status_bar(Panel& panel);
 

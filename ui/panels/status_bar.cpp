@@ -7,18 +7,6 @@ namespace {
 
 constexpr int kLinesInTooltip = 12;
 
-ImU32 level_color(LogLevel level) {
-  switch (level) {
-    case LogLevel::info:
-      return palette::kTextDim;
-    case LogLevel::warning:
-      return palette::kWarning;
-    case LogLevel::error:
-      return palette::kError;
-  }
-  return palette::kText;
-}
-
 void recent_lines(const std::vector<LogLine>& log) {
   const ImVec2 corner = ImGui::GetWindowPos();
   ImGui::SetNextWindowPos({corner.x + ImGui::GetStyle().WindowPadding.x, corner.y}, ImGuiCond_Always, {0, 1});

@@ -19,7 +19,8 @@ Vec2 place_in_view(const EditorState& state, ImVec2 mouse) {
 void move_camera(EditorState& state, const ImGuiIO& io) {
   const bool middle = ImGui::IsMouseDown(ImGuiMouseButton_Middle);
   const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
-  const float right = io.MouseDelta.x / state.viewport_size.y, down = io.MouseDelta.y / state.viewport_size.y;
+  const float speed = static_cast<float>(state.preferences.mouse_speed) / state.viewport_size.y;
+  const float right = io.MouseDelta.x * speed, down = io.MouseDelta.y * speed;
   CameraMotion& motion = state.camera_motion;
   if (left && io.KeyCtrl) {
     motion.slice_right += right;
@@ -29,7 +30,7 @@ void move_camera(EditorState& state, const ImGuiIO& io) {
     motion.pan_up += down;
   } else if (left) {
     motion.yaw -= kOrbitPerHeight * right;
-    motion.pitch += kOrbitPerHeight * down;
+    motion.pitch += kOrbitPerHeight * (state.preferences.invert_orbit ? -down : down);
   }
 }
 
@@ -40,7 +41,8 @@ void mouse_input(Panel& panel) {
   const bool hovered = ImGui::IsItemHovered();
   // The way to where the button went down is no drag, though a slow frame sees both at once.
   if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) move_camera(state, io);
-  if (hovered && io.MouseWheel != 0) state.camera_motion.zoom *= std::pow(kZoomPerNotch, io.MouseWheel);
+  const float notches = state.preferences.invert_zoom ? -io.MouseWheel : io.MouseWheel;
+  if (hovered && notches != 0) state.camera_motion.zoom *= std::pow(kZoomPerNotch, notches);
   const Vec2 cursor = place_in_view(state, io.MousePos);
   if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
     issue(panel, {.id = CommandId::fire, .cursor = cursor});

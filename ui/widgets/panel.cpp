@@ -2,36 +2,24 @@
 
 #include <utility>
 
-namespace griffith::ui {
+#include "ui/model/command_context.h"
 
-bool command_enabled(CommandId id, const Panel& panel) {
-  switch (id) {
-    case CommandId::undo:
-      return panel.history.can_undo();
-    case CommandId::redo:
-      return panel.history.can_redo();
-    case CommandId::step_back:
-    case CommandId::go_to_start:
-      return panel.input.frame.step > panel.input.time.first_step;
-    case CommandId::go_to_end:
-      return panel.input.frame.step < panel.input.time.last_step;
-    case CommandId::explain_holding:
-      return panel.state.can_explain;
-    case CommandId::keep_shot:
-      return panel.state.last_shot.has_value();
-    case CommandId::duplicate_body:
-    case CommandId::delete_body:
-      return !panel.history.scene().bodies.empty();
-    case CommandId::recover:
-    case CommandId::discard_copy:
-    case CommandId::leave_copy:
-      return !panel.state.left_edits.empty();
-    case CommandId::toggle_range_lock:
-      return panel.state.view.range.has_value() || panel.input.legend.has_value();
-    default:
-      return true;
-  }
+namespace griffith::ui {
+namespace {
+
+CommandContext context_of(const Panel& panel) {
+  return {panel.state, panel.history, panel.input.time, panel.input.frame.step, panel.input.legend.has_value()};
 }
+
+}  // namespace
+
+std::string_view why_not(const CommandInfo& info, const Panel& panel) {
+  return info.why_not ? info.why_not(context_of(panel)) : std::string_view();
+}
+
+bool is_on(const CommandInfo& info, const Panel& panel) { return info.is_on && info.is_on(context_of(panel)); }
+
+bool command_enabled(CommandId id, const Panel& panel) { return why_not(command_info(id), panel).empty(); }
 
 void issue(Panel& panel, Command command) {
   if (command_enabled(command.id, panel)) panel.commands.push_back(std::move(command));

@@ -20,18 +20,19 @@ namespace griffith::ui {
 struct EditorInput {
   Frame frame;
   Fonts fonts;
-  ImTextureID picture = nullptr;                       ///< of the scene, bottom row first
-  std::optional<Legend> legend;                        ///< of the picture
-  std::vector<PictureLabel> labels;                    ///< of the picture
-  std::span<const UtilizationSample> utilizations;     ///< past of the selected node, oldest first
-  Vec3 low = Vec3::Zero(), high = Vec3::Zero();        ///< box round the bodies [m]
-  Vec3 towards_eye = Vec3::UnitZ();                    ///< from what is looked at
-  std::span<const std::filesystem::path> scene_files;  ///< offered for opening
-  std::filesystem::path scene_path;                    ///< of the scene being edited, may be empty
-  TimeView time;                                       ///< the recorded past
-  double time_step = 0;                                ///< in force [s]
-  double step_milliseconds = 0;                        ///< of a step, smoothed
-  double frames_per_second = 0;                        ///< drawn
+  ImTextureID picture = nullptr;                        ///< of the scene, bottom row first
+  std::optional<Legend> legend;                         ///< of the picture
+  std::vector<PictureLabel> labels;                     ///< of the picture
+  std::span<const UtilizationSample> utilizations;      ///< past of the selected node, oldest first
+  Vec3 low = Vec3::Zero(), high = Vec3::Zero();         ///< box round the bodies [m]
+  Vec3 towards_eye = Vec3::UnitZ();                     ///< from what is looked at
+  std::span<const std::filesystem::path> scene_files;   ///< offered for opening
+  std::span<const std::filesystem::path> recent_files;  ///< opened or saved last, newest first
+  std::filesystem::path scene_path;                     ///< of the scene being edited, may be empty
+  TimeView time;                                        ///< the recorded past
+  double time_step = 0;                                 ///< in force [s]
+  double step_milliseconds = 0;                         ///< of a step, smoothed
+  double frames_per_second = 0;                         ///< drawn
   double reached_speed = 0;     ///< simulated seconds per second, smoothed; of interest while running
   bool falling_behind = false;  ///< steps take longer than the wanted speed allows
 };
@@ -50,6 +51,10 @@ inline void open_if_all_are(const Panel& panel) {
   if (panel.state.open_sections) ImGui::SetNextItemOpen(true);
 }
 
+/// Why the command makes no sense now; empty: it does.
+std::string_view why_not(const CommandInfo& info, const Panel& panel);
+/// Whether what the command toggles is on.
+bool is_on(const CommandInfo& info, const Panel& panel);
 /// Whether the command makes sense now.
 bool command_enabled(CommandId id, const Panel& panel);
 

@@ -107,7 +107,7 @@ void command_button(Panel& panel, CommandId id, Icon icon, bool with_label, bool
   }
   ImGui::EndDisabled();
   std::string text(info.hint);
-  if (!info.shortcut_text.empty()) text.append("  (").append(info.shortcut_text).append(")");
+  if (info.shortcut.key != key::kNone) text.append("  (").append(shortcut_text(info.shortcut)).append(")");
   tooltip(text);
 }
 

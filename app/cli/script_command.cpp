@@ -1,0 +1,97 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/editor/imgui_context_owner.h"
+#include "app/editor/script_player.h"
+#include "app/editor/starting_scene.h"
+#include "app/output/output.h"
+#include "app/shared/scene_files.h"
+#include "renderer/egl_context.h"
+#include "renderer/target.h"
+#include "sim/core/error.h"
+#include "sim/scene/scene_reader.h"
+
+namespace griffith::app {
+namespace {
+
+constexpr int kFewestPixels = 16, kMostPixels = 16384;
+constexpr double kFrameSeconds = 1.0 / 60;
+constexpr int kFramesToLayOut = 3;
+
+struct ScriptOptions {
+  std::filesystem::path script, scene;
+  std::vector<std::string> set;
+  int width = 1500, height = 940;
+};
+
+/// The editor without a window: each frame takes the same time.
+class ScriptStage {
+ public:
+  ScriptStage(const ScriptOptions& options, const Scene& scene)
+      : imgui_(1), target_(options.width, options.height), editor_(scene, options.scene) {
+    for (int i = 0; i < kFramesToLayOut; ++i) draw();
+  }
+
+  void play(ScriptPlayer& player) {
+    while (!player.done() || !input_.empty() || !editor_.state().work.empty()) {
+      player.advance(editor_, input_);
+      draw();
+      if (const auto file = player.take_picture_request()) save_picture(*file, target_.image());
+      if (editor_.take_screenshot_request()) save_picture(free_screenshot_path(), target_.image());
+    }
+    if (const auto& error = editor_.state().error) throw InputError(error->where, error->problem, error->remedy);
+  }
+
+ private:
+  void draw() {
+    editor_.advance(kFrameSeconds);
+    editor_.draw_picture(1);
+    input_.play(ImGui::GetIO());
+    imgui_.begin_frame(target_.width(), target_.height());
+    editor_.draw_panels(imgui_.fonts());
+    target_.bind();
+    target_.clear({});
+    imgui_.end_frame();
+  }
+
+  ImGuiContextOwner imgui_;
+  render::Target target_;
+  Editor editor_;
+  ui::InputQueue input_;
+};
+
+void play_script(const ScriptOptions& options) {
+  ScriptPlayer player(read_script(options.script), false);
+  const Scene scene = options.scene.empty() ? starting_scene() : read_scene(options.scene, settings(options.set));
+  const render::EglContext context;
+  ScriptStage stage(options, scene);
+  stage.play(player);
+}
+
+}  // namespace
+
+Command add_script(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("script", "Play a script in the editor without a window");
+  const auto options = std::make_shared<ScriptOptions>();
+  command->add_option("SCRIPT", options->script, "File of verbs, one a line; docs/scripts.md describes them")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("SCENE", options->scene, "Scene to open first")->type_name("FILE");
+  add_settings(*command, options->set);
+  command->add_option("--width", options->width, "Of the window that is drawn [pixels]")
+      ->check(CLI::Range(kFewestPixels, kMostPixels));
+  command->add_option("--height", options->height, "Of the window that is drawn [pixels]")
+      ->check(CLI::Range(kFewestPixels, kMostPixels));
+  add_threads(*command);
+  command->footer(
+      "Example:\n  griffith script bug.script scenes/wall_small.json\n\n"
+      "Exit code 2 where a line cannot be played, or expects something else than is shown.");
+  return {command, [options] {
+            play_script(*options);
+            return kDone;
+          }};
+}
+
+}  // namespace griffith::app

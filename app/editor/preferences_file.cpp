@@ -1,0 +1,70 @@
+#include "app/editor/preferences_file.h"
+
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "sim/core/error.h"
+#include "sim/core/read_file.h"
+#include "sim/core/replace_file.h"
+
+namespace griffith::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+/// Takes members from JSON over; those that are not there keep what they are.
+struct PreferenceReader {
+  const Json& json;
+  const fs::path& file;
+
+  [[noreturn]] void fail(const char* name, const std::string& remedy) const {
+    throw InputError(file.string() + "#/" + name, "is " + json.at(name).dump(), remedy + ", or delete the file");
+  }
+  void operator()(const char* name, double& value, const Numbers& limits) const {
+    if (!json.contains(name)) return;
+    const bool good = json[name].is_number() && json[name] >= limits.minimum && json[name] <= limits.maximum;
+    std::ostringstream range;
+    range << "write a number from " << limits.minimum << " to " << limits.maximum;
+    if (!good) fail(name, range.str());
+    value = json[name];
+  }
+  void operator()(const char* name, bool& value) const {
+    if (!json.contains(name)) return;
+    if (!json[name].is_boolean()) fail(name, "write true or false");
+    value = json[name];
+  }
+};
+
+}  // namespace
+
+ui::Preferences PreferencesFile::read() {
+  std::error_code error;
+  if (file_.empty() || !fs::exists(file_, error)) return kept_;
+  const Json json = Json::parse(read_file(file_), nullptr, false);
+  if (!json.is_object())
+    throw InputError(file_.string(), "holds no preferences", "delete it: the usual ones are taken");
+  ui::Preferences preferences;
+  ui::each_preference(preferences, PreferenceReader{json, file_});
+  return kept_ = preferences;
+}
+
+void PreferencesFile::keep(const ui::Preferences& preferences) {
+  if (file_.empty() || preferences == kept_) return;
+  kept_ = preferences;
+  Json json;
+  ui::each_preference(preferences, [&](const char* name, auto value, auto&&...) { json[name] = value; });
+  std::error_code error;  // where the folder cannot be made, writing tells
+  fs::create_directories(file_.parent_path(), error);
+  replace_file(file_, json.dump(2) + "\n");
+}
+
+fs::path preferences_path() {
+  constexpr char kName[] = "griffith/preferences.json";
+  if (const char* folder = std::getenv("XDG_CONFIG_HOME"); folder && *folder) return fs::path(folder) / kName;
+  if (const char* home = std::getenv("HOME"); home && *home) return fs::path(home) / ".config" / kName;
+  return {};
+}
+
+}  // namespace griffith::app

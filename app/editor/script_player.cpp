@@ -1,0 +1,107 @@
+#include "app/editor/script_player.h"
+
+#include <app/editor/tour.h>
+#include <imgui.h>
+
+#include <utility>
+
+#include "sim/core/error.h"
+#include "ui/model/gestures.h"
+
+namespace griffith::app {
+namespace {
+
+/// Frames that a line takes at least: dialogs need some to find their place.
+constexpr int kFramesToSettle = 4;
+
+ui::WidgetTag widget(const ScriptLine& line, const Editor& editor) {
+  const ui::WidgetTag* found = ui::find_tag(editor.tags(), line.tag);
+  if (!found)
+    throw InputError(line.place, "there is no widget \"" + line.tag + "\" to be seen",
+                     "open the menu, list or section that it is in");
+  return *found;
+}
+
+/// Where the mouse goes on a widget.
+ImVec2 place_on(const ScriptLine& line, const Editor& editor) {
+  const ImVec2 place = widget(line, editor).center(), size = ImGui::GetIO().DisplaySize;
+  if (place.x < 0 || place.y < 0 || place.x >= size.x || place.y >= size.y)
+    throw InputError(line.place, "the widget \"" + line.tag + "\" is not in the window",
+                     "scroll to it, fold what is above it, or take a larger window");
+  return place;
+}
+
+void expect(const ScriptLine& line, const Editor& editor) {
+  const ui::WidgetTag shown = widget(line, editor);
+  if (!line.any_value && shown.value != line.text)
+    throw InputError(line.place, line.tag + " shows \"" + shown.value + "\" and not \"" + line.text + "\"", "");
+}
+
+void carry_out(const ScriptLine& line, Editor& editor) {
+  const std::string_view reason = editor.why_not(line.command.id);
+  if (!reason.empty())
+    throw InputError(line.place, std::string(ui::command_info(line.command.id).name) + " makes no sense now",
+                     std::string(reason));
+  editor.execute(line.command);
+}
+
+}  // namespace
+
+void ScriptPlayer::advance(Editor& editor, ui::InputQueue& input) {
+  if (!input.empty() || !editor.state().work.empty() || waits_for_reader(editor)) return;
+  if (frames_left_ > 0 && --frames_left_ > 0) return;
+  if (next_ >= script_.size()) return;
+  const ScriptLine& line = script_[next_++];
+  frames_left_ = kFramesToSettle;
+  play(line, editor, input);
+}
+
+bool ScriptPlayer::waits_for_reader(Editor& editor) {
+  std::optional<ui::Caption>& caption = editor.state().caption;
+  if (!caption || !for_reader_) return false;
+  if (caption->answer == ui::Caption::Answer::none) return true;
+  if (caption->answer == ui::Caption::Answer::skip) {
+    next_ = script_.size();
+    frames_left_ = 0;
+  }
+  caption.reset();
+  return false;
+}
+
+void ScriptPlayer::play(const ScriptLine& line, Editor& editor, ui::InputQueue& input) {
+  switch (line.verb) {
+    case Verb::command:
+      return carry_out(line, editor);
+    case Verb::click:
+      return ui::click(input, place_on(line, editor), line.button);
+    case Verb::drag:
+      return ui::drag(input, place_on(line, editor), {line.right, line.down});
+    case Verb::type:
+      if (!line.tag.empty()) ui::click(input, place_on(line, editor), 1);
+      ui::type(input, line.text);
+      return ui::press(input, {ui::key::kEnter});
+    case Verb::key:
+      return ui::press(input, line.key);
+    case Verb::step:
+      for (int i = 0; i < line.count; ++i) editor.step();
+      return;
+    case Verb::wait:
+      frames_left_ = line.count;
+      return;
+    case Verb::expect:
+      return expect(line, editor);
+    case Verb::say:
+      editor.state().caption = ui::Caption{line.text, line.tag};
+      return;
+    case Verb::screenshot:
+      wanted_picture_ = line.text;
+  }
+}
+
+std::optional<std::filesystem::path> ScriptPlayer::take_picture_request() {
+  return std::exchange(wanted_picture_, std::nullopt);
+}
+
+Script tour() { return parse_script(tour_script, "tour"); }
+
+}  // namespace griffith::app

@@ -1,0 +1,100 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "app/editor/preferences_file.h"
+#include "app/editor/recent_files.h"
+#include "editor_fixture.h"
+#include "sim/core/read_file.h"
+
+namespace griffith::app {
+namespace {
+
+/// Without what an earlier run left.
+std::filesystem::path emptied_folder() {
+  std::filesystem::remove_all(test_folder());
+  return test_folder();
+}
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+TEST(Preferences, AreReadAsTheyWereKept) {
+  const std::filesystem::path path = emptied_folder() / "config/griffith/preferences.json";
+  EXPECT_EQ(PreferencesFile(path).read(), ui::Preferences());
+  const ui::Preferences mine{1.5, 30, 2, true, true, 250, 400};
+  PreferencesFile(path).keep(mine);
+  EXPECT_EQ(PreferencesFile(path).read(), mine);
+}
+
+TEST(Preferences, AreWrittenOnlyWhereTheyChanged) {
+  const std::filesystem::path path = emptied_folder() / "preferences.json";
+  PreferencesFile file(path);
+  file.keep({});
+  EXPECT_FALSE(std::filesystem::exists(path));
+  file.keep({.ui_scale = 2});
+  std::filesystem::remove(path);
+  file.keep({.ui_scale = 2});
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+std::string problem_of_preferences(const std::string& text) {
+  try {
+    PreferencesFile(test_file("preferences.json", text)).read();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no problem";
+}
+
+TEST(Preferences, DamagedFilesAreToldOf) {
+  EXPECT_THAT(problem_of_preferences("{\"ui_scale\": "), HasSubstr("holds no preferences"));
+  EXPECT_THAT(problem_of_preferences(""), HasSubstr("delete it"));
+  EXPECT_THAT(problem_of_preferences("{\"ui_scale\": 40}"), HasSubstr("#/ui_scale: is 40"));
+  EXPECT_THAT(problem_of_preferences("{\"ui_scale\": \"big\"}"), HasSubstr("from 0.75 to 3"));
+  EXPECT_THAT(problem_of_preferences("{\"invert_zoom\": 1}"), HasSubstr("true or false"));
+  EXPECT_EQ(problem_of_preferences("{\"of a later version\": 1}"), "no problem");
+}
+
+TEST(RecentFiles, TheNewestIsFirstOnceAndWhatIsGoneIsPassedBy) {
+  RecentFiles recent(emptied_folder());
+  const std::filesystem::path a = test_file("a.json", "{}"), b = test_file("b.json", "{}");
+  recent.add(a);
+  recent.add(b);
+  recent.add(a);
+  EXPECT_THAT(recent.files(), ElementsAre(a, b));
+  EXPECT_THAT(RecentFiles(test_folder()).files(), ElementsAre(a, b));
+  std::filesystem::remove(a);
+  EXPECT_THAT(RecentFiles(test_folder()).files(), ElementsAre(b));
+  for (int i = 0; i < 20; ++i) recent.add(test_file(std::to_string(i) + ".json", "{}"));
+  EXPECT_EQ(recent.files().size(), RecentFiles::kMost);
+}
+
+TEST_F(EditorTest, OpenedScenesAreInTheMenuOfRecentOnes) {
+  editor_.keep_edits_safe(test_folder() / "states");
+  editor_.open(small_wall_file());
+  wait_for_work();
+  click("menu/File");
+  click("menu/Recent");
+  draw(4);
+  EXPECT_EQ(value("menu/recent/small_wall"), "small_wall");
+}
+
+TEST_F(EditorTest, PreferencesAreChangedInTheirDialog) {
+  editor_.execute({.id = ui::CommandId::preferences});
+  draw(4);
+  click("preferences/invert_orbit");
+  EXPECT_TRUE(editor_.state().preferences.invert_orbit);
+  click("preferences/mouse_speed", 1);
+  type("2");
+  press_key(ui::key::kEnter);
+  EXPECT_EQ(editor_.state().preferences.mouse_speed, 2);
+  click("preferences/defaults");
+  EXPECT_EQ(editor_.state().preferences, ui::Preferences());
+  click("preferences/close");
+  EXPECT_FALSE(editor_.state().show_preferences);
+}
+
+}  // namespace
+}  // namespace griffith::app

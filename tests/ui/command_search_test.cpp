@@ -1,0 +1,100 @@
+#include "ui/model/command_search.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "ui_driver.h"
+
+namespace griffith::ui {
+namespace {
+
+std::string_view best(std::string_view wanted) {
+  const std::vector<const CommandInfo*> found = matching_commands(wanted);
+  return found.empty() ? "nothing" : found.front()->name;
+}
+
+TEST(CommandSearch, LettersAreFoundInTheirOrderWhateverTheirCase) {
+  EXPECT_TRUE(match_score("Save as…", "sa"));
+  EXPECT_TRUE(match_score("Save as…", "SVS"));
+  EXPECT_FALSE(match_score("Save as…", "sx"));
+  EXPECT_FALSE(match_score("Step", "pets"));
+  EXPECT_GT(*match_score("Go to start", "gts"), *match_score("Element edges", "ets")) << "beginnings of words count";
+}
+
+TEST(CommandSearch, EveryCommandOfAMenuIsFoundFirstByItsTitle) {
+  for (const CommandInfo& info : command_registry()) {
+    const std::vector<const CommandInfo*> found = matching_commands(info.label);
+    EXPECT_EQ(std::ranges::count(found, &info), info.menu == Menu::none ? 0 : 1) << info.name;
+    EXPECT_TRUE(info.menu == Menu::none || found.front()->label == info.label) << info.name;
+  }
+}
+
+TEST(CommandSearch, ABeginningOrAMenuOrAWordOfTheHelpSuffices) {
+  EXPECT_EQ(best("und"), "edit.undo");
+  EXPECT_EQ(best("add sph"), "add.sphere");
+  EXPECT_EQ(best("projectile"), "simulation.fire");
+  EXPECT_EQ(best("qqq"), "nothing");
+}
+
+class PaletteTest : public ::testing::Test {
+ protected:
+  PaletteTest() {
+    ui_.state.palette.shown = true;
+    for (int i = 0; i < 4; ++i) ui_.frame();
+  }
+  /// Types without Enter.
+  void write(const std::string& text) {
+    type(ui_.queue, text);
+    while (!ui_.queue.empty()) {
+      ui_.queue.play(ImGui::GetIO());
+      ui_.frame();
+    }
+    ui_.frame();
+  }
+
+  UiDriver ui_{two_walls()};
+};
+
+TEST_F(PaletteTest, EnterIssuesTheBestAndCloses) {
+  write("step");
+  ui_.press_key(key::kEnter);
+  EXPECT_THAT(ui_.issued(), ::testing::ElementsAre(CommandId::step));
+  EXPECT_FALSE(ui_.state.palette.shown);
+}
+
+TEST_F(PaletteTest, ArrowsChooseAndStopAtTheEnds) {
+  const std::vector<const CommandInfo*> all = matching_commands("");
+  ui_.press_key(key::kUp);
+  EXPECT_EQ(ui_.state.palette.chosen, 0);
+  ui_.press_key(key::kDown);
+  ui_.press_key(key::kDown);
+  EXPECT_EQ(ui_.value("palette/help"), all[2]->hint);
+  for (std::size_t i = 0; i < all.size() + 3; ++i) ui_.press_key(key::kDown);
+  EXPECT_EQ(ui_.state.palette.chosen, static_cast<int>(all.size()) - 1);
+  write("open");
+  EXPECT_EQ(ui_.state.palette.chosen, 0) << "another list begins at its top";
+}
+
+TEST_F(PaletteTest, WhatMakesNoSenseSaysWhyAndStays) {
+  write("redo");
+  EXPECT_EQ(ui_.value("palette/help"), "No edit was undone.");
+  ui_.press_key(key::kEnter);
+  EXPECT_TRUE(ui_.commands.empty());
+  EXPECT_TRUE(ui_.state.palette.shown);
+}
+
+TEST_F(PaletteTest, AClickIssuesAndEscapeCloses) {
+  ui_.click("palette/file.open");
+  EXPECT_THAT(ui_.issued(), ::testing::ElementsAre(CommandId::open_dialog));
+  ui_.state.palette.shown = true;
+  for (int i = 0; i < 4; ++i) ui_.frame();
+  write("st");
+  ui_.press_key(key::kEscape);
+  EXPECT_FALSE(ui_.state.palette.shown);
+  EXPECT_EQ(ui_.state.palette.text[0], '\0');
+}
+
+}  // namespace
+}  // namespace griffith::ui

@@ -1,0 +1,45 @@
+#include "ui/dialogs/dialog_window.h"
+#include "ui/dialogs/dialogs.h"
+#include "ui/widgets/number_slider.h"
+#include "ui/widgets/widgets.h"
+
+namespace griffith::ui {
+namespace {
+
+void preference_row(Panel& panel, const char* tag, const char* label, const Numbers& numbers, double& value) {
+  number_slider(panel, {.tag = tag, .label = label, .numbers = numbers, .logarithmic = true}, value);
+}
+
+/// The size is taken when the mouse is let go: the slider would run away from it.
+void scale_row(Panel& panel) {
+  EditorState& state = panel.state;
+  if (state.wanted_scale == 0) state.wanted_scale = state.preferences.ui_scale;
+  preference_row(panel, "preferences/ui_scale", "Size of panels", kUiScales, state.wanted_scale);
+  if (!ImGui::IsAnyItemActive()) state.preferences.ui_scale = state.wanted_scale;
+}
+
+}  // namespace
+
+void draw_preferences_dialog(Panel& panel) {
+  EditorState& state = panel.state;
+  Preferences& preferences = state.preferences;
+  if (!begin_dialog(panel, "Preferences", state.show_preferences, 420)) return;
+  scale_row(panel);
+  preference_row(panel, "preferences/mouse_speed", "Mouse speed", kMouseSpeeds, preferences.mouse_speed);
+  preference_row(panel, "preferences/autosave", "Copy edits every", kAutosaveIntervals, preferences.autosave_interval);
+  checkbox(panel, "preferences/invert_orbit", "Dragging up turns down", preferences.invert_orbit);
+  checkbox(panel, "preferences/invert_zoom", "The wheel zooms the other way", preferences.invert_zoom);
+  ImGui::Spacing();
+  const float width = 120 * ui_scale(panel);
+  if (text_button(panel, "preferences/close", "Close", width) || escape_pressed()) state.show_preferences = false;
+  ImGui::SameLine();
+  if (text_button(panel, "preferences/defaults", "Defaults", width)) {
+    preferences = {};
+    state.wanted_scale = preferences.ui_scale;
+    state.left_width = state.right_width = 0;
+  }
+  if (!state.show_preferences) ImGui::CloseCurrentPopup();
+  ImGui::EndPopup();
+}
+
+}  // namespace griffith::ui

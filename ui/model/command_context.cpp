@@ -1,0 +1,57 @@
+#include "ui/model/command_context.h"
+
+namespace griffith::ui {
+namespace {
+
+std::string_view unless(bool possible, std::string_view reason) { return possible ? std::string_view() : reason; }
+
+}  // namespace
+
+std::string_view nothing_to_undo(const CommandContext& context) {
+  return unless(context.history.can_undo(), "No edit of this scene is left to undo.");
+}
+
+std::string_view nothing_to_redo(const CommandContext& context) {
+  return unless(context.history.can_redo(), "No edit was undone.");
+}
+
+std::string_view no_past(const CommandContext& context) {
+  return unless(context.step > context.time.first_step, "This is the start of what was recorded.");
+}
+
+std::string_view no_future(const CommandContext& context) {
+  return unless(context.step < context.time.last_step, "This is the newest step.");
+}
+
+std::string_view not_stopped_before_a_crack(const CommandContext& context) {
+  return unless(context.state.can_explain, "The simulation has not stopped before a crack: see Stop before.");
+}
+
+std::string_view nothing_fired(const CommandContext& context) {
+  return unless(context.state.last_shot.has_value(), "Nothing was fired since the last shot was added.");
+}
+
+std::string_view no_body(const CommandContext& context) {
+  return unless(!context.history.scene().bodies.empty(), "The scene has no body.");
+}
+
+std::string_view no_left_edits(const CommandContext& context) {
+  return unless(!context.state.left_edits.empty(), "No edits were cut short.");
+}
+
+std::string_view no_surface_named(const CommandContext& context) {
+  return unless(context.state.surface.path[0] != '\0', "No file of a surface is named.");
+}
+
+std::string_view no_colour_range(const CommandContext& context) {
+  return unless(context.state.view.range || context.has_legend, "The picture is not coloured by a quantity.");
+}
+
+bool is_running(const CommandContext& context) { return context.state.running; }
+bool shows_edges(const CommandContext& context) { return context.state.view.edges; }
+bool locks_range(const CommandContext& context) { return context.state.view.range.has_value(); }
+bool has_slice(const CommandContext& context) { return context.state.view.slice.has_value(); }
+bool shows_log(const CommandContext& context) { return context.state.log_view.shown; }
+bool shows_help(const CommandContext& context) { return context.state.show_help; }
+
+}  // namespace griffith::ui

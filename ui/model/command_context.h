@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+
+#include "ui/model/edit_history.h"
+#include "ui/model/editor_state.h"
+#include "ui/model/time_view.h"
+
+namespace griffith::ui {
+
+/// What decides whether a command makes sense.
+struct CommandContext {
+  const EditorState& state;
+  const EditHistory& history;
+  const TimeView& time;
+  std::int64_t step = 0;    ///< shown
+  bool has_legend = false;  ///< the picture has a range of colours
+};
+
+// Why a command makes no sense now, in a sentence; empty where it does.
+std::string_view nothing_to_undo(const CommandContext& context);
+std::string_view nothing_to_redo(const CommandContext& context);
+std::string_view no_past(const CommandContext& context);
+std::string_view no_future(const CommandContext& context);
+std::string_view not_stopped_before_a_crack(const CommandContext& context);
+std::string_view nothing_fired(const CommandContext& context);
+std::string_view no_body(const CommandContext& context);
+std::string_view no_left_edits(const CommandContext& context);
+std::string_view no_surface_named(const CommandContext& context);
+std::string_view no_colour_range(const CommandContext& context);
+
+// Whether what a command toggles is on.
+bool is_running(const CommandContext& context);
+bool shows_edges(const CommandContext& context);
+bool locks_range(const CommandContext& context);
+bool has_slice(const CommandContext& context);
+bool shows_log(const CommandContext& context);
+bool shows_help(const CommandContext& context);
+
+}  // namespace griffith::ui

@@ -1,0 +1,62 @@
+#include "ui/model/command_search.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string>
+#include <utility>
+
+namespace griffith::ui {
+namespace {
+
+constexpr int kLetter = 1, kWordBegins = 8, kFollows = 4;
+/// Titles count more than help, which has many letters.
+constexpr int kTitle = 100, kMenu = 50;
+
+bool same_letter(char a, char b) {
+  return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+}
+
+/// Help is searched for whole words: scattered letters are found in any sentence.
+std::optional<int> help_score(std::string_view hint, std::string_view wanted) {
+  return std::ranges::search(hint, wanted, same_letter).empty() ? std::nullopt : std::optional(0);
+}
+
+std::optional<int> command_score(const CommandInfo& info, std::string_view wanted) {
+  if (const std::optional<int> score = match_score(info.label, wanted)) return *score + kTitle;
+  const std::string with_menu = std::string(menu_label(info.menu)) + " " + std::string(info.label);
+  if (const std::optional<int> score = match_score(with_menu, wanted)) return *score + kMenu;
+  return help_score(info.hint, wanted);
+}
+
+}  // namespace
+
+std::optional<int> match_score(std::string_view text, std::string_view wanted) {
+  int score = 0;
+  std::size_t place = 0;
+  bool follows = false;
+  for (const char letter : wanted) {
+    if (letter == ' ') continue;
+    const std::size_t from = place;
+    while (place < text.size() && !same_letter(text[place], letter)) ++place;
+    if (place == text.size()) return std::nullopt;
+    const bool word_begins = place == 0 || text[place - 1] == ' ';
+    score += kLetter + (word_begins ? kWordBegins : 0) + (follows && place == from ? kFollows : 0);
+    follows = true;
+    ++place;
+  }
+  return score;
+}
+
+std::vector<const CommandInfo*> matching_commands(std::string_view wanted) {
+  std::vector<std::pair<int, const CommandInfo*>> scored;
+  for (const CommandInfo& info : command_registry()) {
+    if (info.menu == Menu::none) continue;
+    if (const std::optional<int> score = command_score(info, wanted)) scored.emplace_back(*score, &info);
+  }
+  std::ranges::stable_sort(scored, [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<const CommandInfo*> commands;
+  for (const auto& [score, info] : scored) commands.push_back(info);
+  return commands;
+}
+
+}  // namespace griffith::ui

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string_view>
+
+#include "ui/model/input_queue.h"
+#include "ui/model/shortcut.h"
+
+namespace griffith::ui {
+
+// What hands do with mouse and keyboard, as events of a queue: scripts and tests use the panels through these.
+
+/// Presses and releases a mouse button.
+void click(InputQueue& queue, ImVec2 place, int button = 0);
+/// Presses a mouse button, moves the mouse by `way` [pixels] over several frames and releases it.
+void drag(InputQueue& queue, ImVec2 start, ImVec2 way, int button = 0);
+/// Types UTF-8 into what has the focus.
+void type(InputQueue& queue, std::string_view text);
+/// Presses a key with its modifiers and releases them.
+void press(InputQueue& queue, const Shortcut& shortcut);
+
+}  // namespace griffith::ui

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "sim/scene/field.h"
+
+namespace griffith::ui {
+
+/// What a user has chosen for all scenes.
+struct Preferences {
+  double ui_scale = 1;                         ///< of panels and writing, on top of the screen's own
+  double autosave_interval = 60;               ///< from one copy of edits to the next [s]
+  double mouse_speed = 1;                      ///< of turning and moving the camera
+  bool invert_orbit = false;                   ///< dragging up turns down
+  bool invert_zoom = false;                    ///< the wheel's other way comes closer
+  double left_width = 300, right_width = 300;  ///< of the side panels [design pixels]
+
+  bool operator==(const Preferences&) const = default;
+};
+
+inline constexpr Numbers kUiScales = between(0.75, 3, "-"), kAutosaveIntervals = between(5, 3600, "s"),
+                         kMouseSpeeds = between(0.1, 5, "-"), kSideWidths = between(240, 520, "");
+
+/// Calls `visit(name, member, limits)` for each number, `visit(name, member)` for each switch.
+template <typename P, typename Visit>
+void each_preference(P& preferences, const Visit& visit) {
+  visit("ui_scale", preferences.ui_scale, kUiScales);
+  visit("autosave_interval", preferences.autosave_interval, kAutosaveIntervals);
+  visit("mouse_speed", preferences.mouse_speed, kMouseSpeeds);
+  visit("left_width", preferences.left_width, kSideWidths);
+  visit("right_width", preferences.right_width, kSideWidths);
+  visit("invert_orbit", preferences.invert_orbit);
+  visit("invert_zoom", preferences.invert_zoom);
+}
+
+}  // namespace griffith::ui

@@ -1,0 +1,56 @@
+#include <algorithm>
+
+#include "ui/panels/panels.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace griffith::ui {
+namespace {
+
+constexpr float kCaptionWidth = 380;  // design pixels
+constexpr ImGuiWindowFlags kCaptionFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
+                                           ImGuiWindowFlags_NoFocusOnAppearing;
+
+/// Frames the widget that the caption is about.
+void mark(const Panel& panel, const WidgetTag& widget) {
+  const float scale = ui_scale(panel), gap = 3 * scale;
+  ImGui::GetForegroundDrawList()->AddRect({widget.minimum.x - gap, widget.minimum.y - gap},
+                                          {widget.maximum.x + gap, widget.maximum.y + gap}, palette::kAccent, 4 * scale,
+                                          0, 2 * scale);
+}
+
+/// In the middle of the view, low enough to leave what happens there visible.
+void place_caption(const Panel& panel) {
+  const EditorState& state = panel.state;
+  const float margin = 48 * ui_scale(panel);
+  const float width = std::min(kCaptionWidth * ui_scale(panel), state.viewport_size.x - margin);
+  ImGui::SetNextWindowPos(
+      {state.viewport_minimum.x + state.viewport_size.x / 2, state.viewport_minimum.y + state.viewport_size.y - margin},
+      ImGuiCond_Always, {0.5f, 1});
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, FLT_MAX});
+}
+
+}  // namespace
+
+void draw_caption(Panel& panel) {
+  std::optional<Caption>& caption = panel.state.caption;
+  if (!caption) return;
+  if (const WidgetTag* widget = find_tag(panel.tags, caption->tag)) mark(panel, *widget);
+  place_caption(panel);
+  ImGui::PushStyleColor(ImGuiCol_Border, palette::kAccent);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, ui_scale(panel));
+  ImGui::Begin("##caption", nullptr, kCaptionFlags);
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  ImGui::TextWrapped("%s", caption->text.c_str());
+  tag_last_item(panel.tags, "caption/text", caption->text);
+  ImGui::Spacing();
+  const float width = 90 * ui_scale(panel);
+  if (text_button(panel, "caption/next", "Next", width)) caption->answer = Caption::Answer::next;
+  ImGui::SameLine();
+  if (text_button(panel, "caption/skip", "Skip", width)) caption->answer = Caption::Answer::skip;
+  ImGui::End();
+}
+
+}  // namespace griffith::ui
