@@ -24,6 +24,10 @@ constexpr StepCounter kCounters[] = {
     {"unfinished_equilibria", "Unfinished equilibria", "",
      "Cracks were still opening at the limit of substeps: raise impact_substeps of the scene.", kSum, kWarning,
      &StepReport::unfinished_equilibria},
+    {"unfinished_shocks", "Unfinished shocks", "",
+     "Bodies whose waves were still running at the limit of microsteps, 10,000 a millisecond of step_budget: raise it, "
+     "use larger elements or a shorter time step.",
+     kSum, kWarning, &StepReport::unfinished_shocks},
     {"unconverged_solves", "Unconverged solves", "",
      "Solves stopped by the iteration limit: allow more iterations or a larger residual.", kSum, kWarning,
      &StepReport::unconverged_solves},

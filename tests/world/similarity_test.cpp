@@ -12,6 +12,7 @@
 #include "sim/world/phases/motion_phase.h"
 #include "sim/world/setup/build_world.h"
 #include "sim/world/shock/shock_phase.h"
+#include "sim/world/step_counters.h"
 #include "sim/world/world.h"
 #include "sim/world/world_state.h"
 
@@ -227,6 +228,41 @@ TEST(Similarity, WhatIsScaledIsTold) {
   EXPECT_EQ(impact->tets, 50);
   EXPECT_EQ(reason(*impact).find("50 tetrahedra would take "), 0u) << reason(*impact);
   EXPECT_GT(impact->microsteps, impact->affordable);
+}
+
+/// A light and stiff box between the ground and a heavy ball: its pieces rattle far faster than the step.
+Scene pressed_box() {
+  Scene scene = body_of(Vec3(4e-3, 3e-3, 2e-3), 2e-3);
+  scene.ground = Ground{-2e-3};
+  scene.simulation.step_budget = 1;
+  Material& material = scene.bodies[0].material;
+  material.young_modulus = 1.2e11;
+  material.density = 12;
+  material.tensile_strength = 1.8e5;
+  material.fracture_toughness = 1e5;
+  ProjectileBurst ball;
+  ball.position = Vec3(1e-4, 6e-3, 0);
+  ball.direction = Vec3(0, -1, 0);
+  ball.speed = 1;
+  ball.mass = 1;
+  ball.radius = 8e-4;
+  scene.projectiles = {ball};
+  return scene;
+}
+
+TEST(Similarity, AStepTakesNoMoreMicrostepsThanItsLimit) {
+  const Scene scene = pressed_box();
+  World world(scene);
+  StepReport total;
+  for (int i = 0; i < 30; ++i) {
+    world.step();
+    const StepReport& report = world.frame().report;
+    EXPECT_LE(report.microsteps, 1e4 * scene.simulation.step_budget + report.substeps) << "rounded up in each stretch";
+    EXPECT_EQ(report.non_finite_values, 0);
+    add_step(report, total);
+  }
+  EXPECT_GT(total.microsteps, 1e4 * scene.simulation.step_budget) << "the next step goes on with them";
+  EXPECT_GT(total.unfinished_shocks, 0) << "which is told";
 }
 
 }  // namespace

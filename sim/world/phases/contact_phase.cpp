@@ -8,6 +8,7 @@
 #include "sim/core/rotation.h"
 #include "sim/solver/rigid_motion.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/contact_views.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/expected_impacts.h"
@@ -15,7 +16,6 @@
 #include "sim/world/phases/motion_phase.h"
 #include "sim/world/phases/settle_contacts.h"
 #include "sim/world/phases/touched_body.h"
-#include "sim/world/publish.h"
 #include "sim/world/world_state.h"
 
 namespace griffith {

@@ -236,6 +236,15 @@ void make_rigid_if_unharmed(WorldState& world, Body& body) {
   world.energy.hand_over += before - energy_of(world, body);
 }
 
+/// Leaves the rest of the step to the implicit one.
+void cut_shocks_short(WorldState& world) {
+  for (Body& body : world.bodies) {
+    if (!body.shock) continue;
+    end_shock(world, body);
+    ++world.report.unfinished_shocks;
+  }
+}
+
 }  // namespace
 
 double next_stretch(WorldState& world, double left) {
@@ -244,17 +253,18 @@ double next_stretch(WorldState& world, double left) {
     const double calm = time_before_impact(world, left, tolerance);
     if (calm > tolerance || calm == left) return calm;
   }
-  // Each stretch begins with contacts and with what the microsteps know of the bodies: where blows prolong a shock, the
-  // next stretch is as long as all before.
-  const double shortest = std::max(time_step / 16, time_step - left);
-  enter_struck_bodies(world, std::min(left, std::max(shortest, time_to_follow(world))));
+  if (microsteps_left(world) < 1) {
+    cut_shocks_short(world);
+    return left;
+  }
+  enter_struck_bodies(world, stretch_of_shock(world, left));
   if (!in_shock(world)) return left;
   choose_similarity(world, left);
-  return std::min(left, std::max(shortest, time_to_follow(world)));
+  return stretch_of_shock(world, left);
 }
 
 void enter_overloaded_bodies(WorldState& world) {
-  if (!world.model->scene.simulation.fracture) return;
+  if (!world.model->scene.simulation.fracture || microsteps_left(world) < 1) return;
   for (Body& body : world.bodies) {
     const auto is_overloaded = [&](NodeId node) { return world.nodes.separations[node].utilization > 1; };
     if (body.sways() && std::ranges::any_of(body.nodes, is_overloaded) && suits_microsteps(world, body, 0))

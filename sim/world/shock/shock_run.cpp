@@ -6,6 +6,7 @@
 
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/contact_views.h"
 #include "sim/world/corners.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/phases/contact_phase.h"
@@ -193,9 +194,21 @@ void ShockRun::record_blows() {
     world_.nodes.pushed_at[node] = time_;
     if (is_new) body.shock->last_event = time_;
     body.shock->impact_speed = std::max(body.shock->impact_speed, blow.approach);
-    const shock::Obstacle* obstacle = blow.obstacle >= 0 ? &impacts_->obstacles()[blow.obstacle] : nullptr;
-    world_.contact_views.push_back(
-        {body.id, obstacle ? world_.body_of(obstacle->object) : BodyId(), blow.place, -blow.normal, blow.impulse});
+    if (!blow.impulse.isZero(0)) record_contact(blow);
+  }
+}
+
+/// One view for all that an obstacle does to a node: what presses on blows at every microstep.
+void ShockRun::record_contact(const shock::Impacts::Blow& blow) {
+  const NodeId node = nodes_[blow.node];
+  const shock::Obstacle* obstacle = blow.obstacle >= 0 ? &impacts_->obstacles()[blow.obstacle] : nullptr;
+  const ContactView contact{body_of(node).id, obstacle ? world_.body_of(obstacle->object) : BodyId(), blow.place,
+                            -blow.normal, blow.impulse};
+  const auto [view, is_new] = contact_views_.try_emplace({node, blow.obstacle}, world_.contact_views.size());
+  if (is_new) {
+    world_.contact_views.push_back(contact);
+  } else {
+    merge(world_.contact_views[view->second], contact);
   }
 }
 

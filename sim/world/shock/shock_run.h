@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "sim/shock/impacts.h"
@@ -52,6 +54,7 @@ class ShockRun {
   std::vector<shock::CrackSides> cracks_of_bodies() const;
   std::vector<shock::SurfaceSide> surface_of_bodies() const;
   void record_blows();
+  void record_contact(const shock::Impacts::Blow& blow);
   void look();
   void judge(int index);
   void open(const Overload& overload);
@@ -87,8 +90,9 @@ class ShockRun {
   std::vector<TetId> stale_;
   std::vector<int> flagged_;
   Opened opened_;
-  std::vector<Start> starts_;  ///< per node of the solid
-  EnergyAccount first_;        ///< what an account of this build starts from
+  std::vector<Start> starts_;                                    ///< per node of the solid
+  std::map<std::pair<NodeId, int>, std::size_t> contact_views_;  ///< of a node and an obstacle, among the world's
+  EnergyAccount first_;                                          ///< what an account of this build starts from
   double dt_ = 0, time_ = 0, min_speed_ = 0;
   long microsteps_ = 0, looks_made_ = 0;
   bool rebuild_ = false;  ///< the mesh has changed

@@ -141,6 +141,19 @@ double time_to_follow(const WorldState& world) {
   return until;
 }
 
+double microsteps_left(const WorldState& world) {
+  constexpr double kPerMillisecond = 1e4, kMost = 1e9;
+  return std::min(kPerMillisecond * world.model->scene.simulation.step_budget, kMost) - world.report.microsteps;
+}
+
+double stretch_of_shock(const WorldState& world, double left) {
+  constexpr double kShortest = 1.0 / 16;  // of a time step
+  const double time_step = world.model->scene.simulation.time_step,
+               stretch = std::min(left, std::max({kShortest * time_step, time_step - left, time_to_follow(world)})),
+               affordable = microsteps_left(world) / demand_of(world, stretch).microsteps;
+  return std::min(1.0, affordable) * stretch;
+}
+
 namespace {
 
 /// Per scene body: the least index of those in shock that it may meet within `duration` [s], straight or through
@@ -194,8 +207,7 @@ void choose_similarity(WorldState& world, double left) {
   const double budget = 1e3 * world.model->scene.simulation.step_budget;
   const double available = std::max(budget - world.scratch.microstep_work, kMinFraction * budget);
   const Demand demand = demand_of(world, left);
-  const double work = demand.microsteps * kMicrostepWork * demand.tets,
-               followed = std::min(1.0, time_to_follow(world) / left);
+  const double work = demand.microsteps * kMicrostepWork * demand.tets, followed = stretch_of_shock(world, left) / left;
   const bool is_too_much = followed * work > kFractionOfOneShock * available;
   const auto is_scaled = [](const Body& body) { return body.shock && body.shock->similarity < 1; };
   if (!is_too_much && std::ranges::none_of(world.bodies, is_scaled)) return;

@@ -49,4 +49,13 @@ double shock_window(const WorldState& world, const Body& body);
 /// Until the waves of all bodies in shock have been followed, if nothing new happens; 0 without any [s].
 double time_to_follow(const WorldState& world);
 
+/// How many more microsteps the step may take: what rattles for ever between others, far faster than the step, would
+/// never end.
+double microsteps_left(const WorldState& world);
+
+/// How long the next stretch is of a step that has `left` [s] to go: until waves have been followed, but not too short,
+/// as each begins with contacts and with what the microsteps know of the bodies. Where blows prolong a shock, it is as
+/// long as all before [s].
+double stretch_of_shock(const WorldState& world, double left);
+
 }  // namespace griffith
