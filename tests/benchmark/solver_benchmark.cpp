@@ -59,6 +59,7 @@ void assemble_rows(benchmark::State& state) {
   ElementRows rows;
   for (int i = 0; i < body.mesh.node_count(); ++i) body.rows[i] = i;
   for (int i = 0; i < body.mesh.node_count(); ++i) rows.add(body.mesh, NodeId(i), body.rows);
+  rows.allocate();
   for (auto _ : state) rows.assemble({1, 1e-4}, body.law(), body.rest_elements, body.states, body.masses);
   count_tets(state, body);
 }

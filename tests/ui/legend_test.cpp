@@ -32,6 +32,20 @@ TEST(Legend, TicksAreRoundEvenlySpacedAndInside) {
   }
 }
 
+TEST(Legend, NumbersOfTicksDoNotTouch) {
+  constexpr float kText = 13;
+  for (float height = kText; height < 400; height += 7) {
+    for (const double range : {0.7, 1.0, 1.9, 4.9, 8.6}) {
+      const std::vector<double> ticks = legend_ticks(0, range, legend_tick_count(height, kText));
+      for (std::size_t i = 1; i < ticks.size(); ++i)
+        EXPECT_GT((ticks[i] - ticks[i - 1]) / range * height, kText) << height << " pixels for " << range;
+    }
+    if (height > 5 * 1.4f * kText) {
+      EXPECT_EQ(legend_tick_count(height, kText), 5);
+    }
+  }
+}
+
 TEST(Legend, TitleNamesTheUnitOfTheTicks) {
   EXPECT_EQ(legend_title({"stress", "Pa", 0, 3e6, {}, false}), "stress [MPa]");
   EXPECT_EQ(legend_title({"pressure", "Pa", -4e9, 3e6, {}, false}), "pressure [GPa]");

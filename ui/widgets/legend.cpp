@@ -72,10 +72,11 @@ void draw_nan_sample(ImDrawList* list, const Legend& legend, const Fonts& fonts,
 
 void draw_ticks(ImDrawList* list, const Legend& legend, const Fonts& fonts, ImVec2 minimum, ImVec2 maximum,
                 float scale) {
-  const double factor = display_factor(legend);
-  const std::vector<double> ticks = legend_ticks(legend.minimum / factor, legend.maximum / factor, 5);
-  const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : (legend.maximum - legend.minimum) / factor;
   const float size = kSmallText * scale;
+  const double factor = display_factor(legend);
+  const std::vector<double> ticks =
+      legend_ticks(legend.minimum / factor, legend.maximum / factor, legend_tick_count(maximum.y - minimum.y, size));
+  const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : (legend.maximum - legend.minimum) / factor;
   for (const double tick : ticks) {
     const double t = (tick * factor - legend.minimum) / (legend.maximum - legend.minimum);
     const float y = maximum.y - static_cast<float>(t) * (maximum.y - minimum.y);
@@ -98,6 +99,11 @@ std::vector<double> legend_ticks(double minimum, double maximum, int count) {
   const double first = std::ceil(minimum / step - 1e-9), last = std::floor(maximum / step + 1e-9);
   for (double i = first; i <= last && ticks.size() < 1000; ++i) ticks.push_back(i * step);
   return ticks;
+}
+
+int legend_tick_count(float bar_height, float text_height) {
+  constexpr float kLineSpacing = 1.4f, kMost = 5;
+  return static_cast<int>(std::clamp(bar_height / (kLineSpacing * text_height), 1.0f, kMost));
 }
 
 std::string legend_title(const Legend& legend) {

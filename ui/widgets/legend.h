@@ -37,6 +37,9 @@ struct ScreenArea {
 /// Round values inside [minimum, maximum], about `count` of them, ascending. The range must not be empty.
 std::vector<double> legend_ticks(double minimum, double maximum, int count);
 
+/// How many ticks to ask for beside a bar of this height, so that their numbers do not touch. Both in pixels.
+int legend_tick_count(float bar_height, float text_height);
+
 /// "Von Mises stress [MPa]": the title with the unit and the prefix that the ticks are written in.
 std::string legend_title(const Legend& legend);
 
