@@ -53,6 +53,7 @@ std::span<const CommandAction> Editor::command_actions() {
       {CommandId::add_beam, kOnBodies},
       {CommandId::duplicate_body, kOnBodies},
       {CommandId::delete_body, kOnBodies},
+      {CommandId::toggle_gizmo, [](Editor& editor, const ui::Command&) { toggle(editor.state_.show_gizmo); }},
       {CommandId::new_scene, [](Editor& editor, const ui::Command&) { editor.new_scene(); }},
       {CommandId::open_dialog, [](Editor& editor, const ui::Command&) { editor.state_.show_open = true; }},
       {CommandId::open, [](Editor& editor, const ui::Command& command) { editor.open(command.path); }},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "app/picture/bounds_of.h"
@@ -24,6 +25,15 @@ ProjectileBurst first_shot(const Scene& scene) {
   ProjectileBurst shot = scene.projectiles.empty() ? ProjectileBurst{} : scene.projectiles.front();
   shot.count = 1;
   return shot;
+}
+
+ui::ViewCamera view_camera(const render::Camera& camera) {
+  const Mat3 axes = render::view_matrix(camera).topLeftCorner<3, 3>().cast<double>();
+  return {.eye = camera.position.cast<double>(),
+          .right = axes.row(0),
+          .up = axes.row(1),
+          .forward = -axes.row(2),
+          .tangent = std::tan(static_cast<double>(camera.vertical_fov) * std::numbers::pi / 360)};
 }
 
 /// Sets the box round what is elastic, whatever the picture shows of it.
@@ -172,6 +182,7 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
   if (state_.selection.valid()) utilizations_ = history_of_utilizations_.samples(input.frame, state_.selection.node);
   input.utilizations = utilizations_;
   set_bounds(input);
+  input.camera = view_camera(picture_camera());
   input.towards_eye = (camera_.position - camera_.target).cast<double>();
   input.scene_files = scene_files_;
   input.recent_files = recent_.files();

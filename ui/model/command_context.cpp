@@ -52,6 +52,7 @@ bool shows_edges(const CommandContext& context) { return context.state.view.edge
 bool locks_range(const CommandContext& context) { return context.state.view.range.has_value(); }
 bool has_slice(const CommandContext& context) { return context.state.view.slice.has_value(); }
 bool shows_log(const CommandContext& context) { return context.state.log_view.shown; }
+bool shows_gizmo(const CommandContext& context) { return context.state.show_gizmo; }
 bool shows_help(const CommandContext& context) { return context.state.show_help; }
 
 }  // namespace griffith::ui

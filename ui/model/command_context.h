@@ -35,6 +35,7 @@ bool shows_edges(const CommandContext& context);
 bool locks_range(const CommandContext& context);
 bool has_slice(const CommandContext& context);
 bool shows_log(const CommandContext& context);
+bool shows_gizmo(const CommandContext& context);
 bool shows_help(const CommandContext& context);
 
 }  // namespace griffith::ui

@@ -36,6 +36,7 @@ enum class CommandId {
   add_beam,
   duplicate_body,
   delete_body,
+  toggle_gizmo,
   add_surface_dialog,
   add_surface,
   save,

@@ -12,6 +12,7 @@
 #include "sim/scene/scene.h"
 #include "ui/model/commands.h"
 #include "ui/model/edit_history.h"
+#include "ui/model/gizmo.h"
 #include "ui/model/preferences.h"
 #include "ui/model/selection.h"
 #include "ui/model/time_view.h"
@@ -125,6 +126,8 @@ struct EditorState {
   std::array<char, 64> body_filter = {};     ///< what the listed ones have in their name or state
   FieldNote field_note;                      ///< of the last edit, until the next click
   Selection selection;                       ///< picked in the view; follows the material when a body breaks
+  bool show_gizmo = false;                   ///< handles that move and turn the selected body
+  std::optional<GizmoDrag> gizmo_drag;       ///< while one is held
   CameraMotion camera_motion;
   ImVec2 viewport_minimum = {0, 0}, viewport_size = {0, 0};  ///< of the picture, as drawn last [pixels]
   float left_width = 0, right_width = 0;                     ///< of the side panels [pixels]; 0: not laid out yet

@@ -9,6 +9,7 @@
 
 #include "sim/world/frame.h"
 #include "ui/model/editor_state.h"
+#include "ui/model/view_camera.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/labels.h"
 #include "ui/widgets/legend.h"
@@ -21,6 +22,7 @@ struct EditorInput {
   Frame frame;
   Fonts fonts;
   ImTextureID picture = nullptr;                        ///< of the scene, bottom row first
+  ViewCamera camera;                                    ///< of the picture
   std::optional<Legend> legend;                         ///< of the picture
   std::vector<PictureLabel> labels;                     ///< of the picture
   std::span<const UtilizationSample> utilizations;      ///< past of the selected node, oldest first
