@@ -16,9 +16,8 @@ void toggle(bool& value) { value = !value; }
 /// A line for each command of the registry.
 std::span<const CommandAction> Editor::command_actions() {
   static constexpr auto kInTime = [](Editor& editor, const ui::Command& command) { editor.carry_out_in_time(command); };
-  static constexpr auto kOnBodies = [](Editor& editor, const ui::Command& command) {
-    editor.carry_out_on_bodies(command);
-  };
+  static constexpr auto kAddBody = [](Editor& editor, const ui::Command& command) { editor.add_new_body(command); };
+  static constexpr auto kAddEntry = [](Editor& editor, const ui::Command& command) { editor.add_entry(command); };
   static constexpr auto kSaveRun = [](Editor& editor, const ui::Command& command) { editor.save_run(command); };
   static constexpr CommandAction kActions[] = {
       {CommandId::toggle_run, [](Editor& editor, const ui::Command&) { editor.toggle_run(); }},
@@ -45,14 +44,23 @@ std::span<const CommandAction> Editor::command_actions() {
       {CommandId::palette, [](Editor& editor, const ui::Command&) { editor.state_.palette.shown = true; }},
       {CommandId::tour, [](Editor& editor, const ui::Command&) { editor.tour_wanted_ = true; }},
       {CommandId::help, [](Editor& editor, const ui::Command&) { toggle(editor.state_.show_help); }},
-      {CommandId::add_box, kOnBodies},
-      {CommandId::add_plate, kOnBodies},
-      {CommandId::add_pane, kOnBodies},
-      {CommandId::add_cylinder, kOnBodies},
-      {CommandId::add_sphere, kOnBodies},
-      {CommandId::add_beam, kOnBodies},
-      {CommandId::duplicate_body, kOnBodies},
-      {CommandId::delete_body, kOnBodies},
+      {CommandId::add_box, kAddBody},
+      {CommandId::add_plate, kAddBody},
+      {CommandId::add_pane, kAddBody},
+      {CommandId::add_cylinder, kAddBody},
+      {CommandId::add_sphere, kAddBody},
+      {CommandId::add_beam, kAddBody},
+      {CommandId::add_support, kAddEntry},
+      {CommandId::add_load, kAddEntry},
+      {CommandId::add_probe, kAddEntry},
+      {CommandId::add_projectile, kAddEntry},
+      {CommandId::add_camera, [](Editor& editor, const ui::Command&) { editor.add_camera(); }},
+      {CommandId::look_through, [](Editor& editor, const ui::Command&) { editor.look_through(); }},
+      {CommandId::set_camera, [](Editor& editor, const ui::Command&) { editor.set_camera(); }},
+      {CommandId::duplicate, [](Editor& editor, const ui::Command&) { editor.duplicate_entries(); }},
+      {CommandId::remove, [](Editor& editor, const ui::Command&) { editor.remove_entries(); }},
+      {CommandId::rename, [](Editor& editor, const ui::Command&) { editor.begin_renaming(); }},
+      {CommandId::toggle_hidden, [](Editor& editor, const ui::Command&) { editor.toggle_hidden(); }},
       {CommandId::toggle_gizmo, [](Editor& editor, const ui::Command&) { toggle(editor.state_.show_gizmo); }},
       {CommandId::new_scene, [](Editor& editor, const ui::Command&) { editor.new_scene(); }},
       {CommandId::open_dialog, [](Editor& editor, const ui::Command&) { editor.state_.show_open = true; }},

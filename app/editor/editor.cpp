@@ -59,6 +59,9 @@ void Editor::show_scene(Scene scene, std::filesystem::path path, const Scene* ed
   state_.view = (edited ? *edited : scene).view;
   state_.shot = first_shot(edited ? *edited : scene);
   state_.selected_body = 0;
+  state_.entries.clear();
+  state_.hidden_bodies.clear();
+  state_.renamed.reset();
   state_.selection = {};
   state_.last_shot.reset();
   history_ = ui::EditHistory(std::move(scene));
@@ -90,7 +93,15 @@ void Editor::restart() {
 void Editor::update_picture() {
   const Frame frame = world().frame();
   range_.follow(frame, state_.view.quantity);
-  picture_ = draw_scene_from_frame(frame, display_, built_, state_.view, state_.selection, range_.range());
+  picture_ =
+      draw_scene_from_frame(frame, display_, built_, state_.view, state_.selection, range_.range(), hidden_bodies());
+}
+
+HiddenBodies Editor::hidden_bodies() const {
+  HiddenBodies hidden;
+  for (std::size_t i = 0; i < built_.bodies.size(); ++i)
+    if (state_.hidden_bodies.contains(built_.bodies[i].name)) hidden.insert(static_cast<int>(i));
+  return hidden;
 }
 
 void Editor::remember() {
@@ -157,6 +168,7 @@ Editor::PictureKey Editor::picture_key() const {
           laid_out ? static_cast<int>(std::lround(state_.viewport_size.y)) : kFirstHeight,
           state_.view,
           state_.selection,
+          state_.hidden_bodies,
           camera_.position,
           camera_.target};
 }
@@ -213,8 +225,8 @@ void Editor::place_legend(ui::Legend& legend, const ui::Fonts& fonts) {
 }
 
 void Editor::move_camera() {
-  const ui::CameraMotion motion = state_.camera_motion;
-  state_.camera_motion = {};
+  const ui::CameraMotion motion = std::exchange(state_.camera_motion, {});
+  if (motion == ui::CameraMotion{}) return;  // by rounding alone a camera that rests would creep
   camera_ = render::orbit(camera_, motion.yaw, motion.pitch);
   camera_ = render::pan(camera_, motion.pan_right, motion.pan_up);
   camera_ = render::zoom(camera_, motion.zoom);

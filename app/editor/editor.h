@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -73,6 +74,7 @@ class Editor {
   void select_node(NodeId node);
   void log(ui::LogLevel level, std::string text);
 
+  const Scene& scene() const { return history_.scene(); }
   ui::EditorState& state() { return state_; }
   const ui::WidgetTags& tags() const { return tags_; }
   Frame frame() const { return world().frame(); }
@@ -117,12 +119,27 @@ class Editor {
   /// After work that led to no world: what is shown goes on.
   void give_up_work();
   void take_world(WorldLoader::Loaded loaded);
-  void carry_out_on_bodies(const ui::Command& command);
+  void add_new_body(const ui::Command& command);
   void new_scene();
   /// Makes the shot that was fired last a part of the scene.
   void keep_shot();
   void add_body(const std::string& label, BodyDescription body);
-  void delete_body();
+  void add_entry(const ui::Command& command);
+  /// Adds the shot of the projectile tool, fired from the eye at what is looked at.
+  void add_projectile();
+  /// Adds a camera that shows what the view shows.
+  void add_camera();
+  /// Looks through the active entry, where it is a camera.
+  void look_through();
+  /// Lets that camera show what the view shows.
+  void set_camera();
+  void duplicate_entries();
+  void remove_entries();
+  void begin_renaming();
+  /// Hides the chosen bodies, or shows them where all are hidden.
+  void toggle_hidden();
+  /// Of those that the world was built from.
+  HiddenBodies hidden_bodies() const;
   void add_surface();
   void report_surface();
   void fire(const Vec2& cursor);
@@ -188,6 +205,7 @@ class Editor {
     int width = 0, height = 0;
     ViewSettings view;
     ui::Selection selected;
+    std::set<std::string> hidden;
     Eigen::Vector3f position = Eigen::Vector3f::Zero(), target = Eigen::Vector3f::Zero();
     bool operator==(const PictureKey&) const = default;
   };

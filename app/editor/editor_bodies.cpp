@@ -3,17 +3,12 @@
 #include "app/editor/editor.h"
 #include "app/editor/new_body.h"
 #include "app/shared/scene_world.h"
+#include "ui/model/entry_choice.h"
 
 namespace griffith::app {
-using ui::CommandId;
-
-void Editor::carry_out_on_bodies(const ui::Command& command) {
+void Editor::add_new_body(const ui::Command& command) {
   state_.running = false;
-  const Scene& scene = history_.scene();
-  if (command.id == CommandId::delete_body) return delete_body();
-  if (command.id != CommandId::duplicate_body)
-    return add_body("Add " + std::string(ui::command_info(command.id).label), new_body(command.id, scene, frame()));
-  if (!scene.bodies.empty()) add_body("Duplicate body", copy_of_body(scene, state_.selected_body, frame()));
+  add_body("Add " + std::string(ui::command_info(command.id).label), new_body(command.id, history_.scene(), frame()));
 }
 
 void Editor::new_scene() {
@@ -28,15 +23,8 @@ void Editor::new_scene() {
 void Editor::add_body(const std::string& label, BodyDescription body) {
   history_.change(label, [&](Scene& scene) { scene.bodies.push_back(std::move(body)); });
   history_.finish();
-  state_.selection = {};
-  state_.selected_body = static_cast<int>(history_.scene().bodies.size()) - 1;
-}
-
-void Editor::delete_body() {
-  if (history_.scene().bodies.empty()) return;
-  history_.change("Delete body", [&](Scene& scene) { remove_body(scene, state_.selected_body); });
-  history_.finish();
-  state_.selection = {};
+  ui::choose_entries(state_, history_.scene(),
+                     {{ui::EntryKind::body, static_cast<int>(history_.scene().bodies.size()) - 1}});
 }
 
 void Editor::keep_shot() {

@@ -7,6 +7,7 @@
 #include "app/editor/shooting.h"
 #include "app/picture/bulk_bounds.h"
 #include "sim/world/node_report.h"
+#include "ui/model/entry_choice.h"
 #include "ui/model/verdict.h"
 
 namespace griffith::app {
@@ -95,8 +96,8 @@ void Editor::take_world(WorldLoader::Loaded loaded) {
   }
   history_.change("Add body", [&](Scene& scene) { scene.bodies = loaded.scene.bodies; });
   history_.finish();
-  state_.selection = {};
-  state_.selected_body = static_cast<int>(loaded.scene.bodies.size()) - 1;
+  ui::choose_entries(state_, history_.scene(),
+                     {{ui::EntryKind::body, static_cast<int>(loaded.scene.bodies.size()) - 1}});
   restart();
   report_surface();
 }
@@ -138,6 +139,7 @@ void Editor::select_most_loaded() {
 }
 
 void Editor::pick(const Vec2& cursor) {
+  state_.entries.clear();
   const float x = static_cast<float>(cursor.x() * drawn_.width), y = static_cast<float>(cursor.y() * drawn_.height);
   const std::int32_t id = renderer_.id_at(static_cast<int>(x), static_cast<int>(y));
   state_.selection = {};
@@ -145,12 +147,12 @@ void Editor::pick(const Vec2& cursor) {
   const Frame frame = world().frame();
   if (static_cast<std::size_t>(id) >= frame.elements.tets.size()) return;
   const render::Ray ray = render::pixel_ray(picture_camera(), x, y, drawn_.width, drawn_.height);
-  const ShownMesh shown = shown_mesh(frame, state_.view, {});
+  const ShownMesh shown = shown_mesh(frame, state_.view, {}, hidden_bodies());
   select(ui::select(frame, TetId(id), nearest_corner(shown, TetId(id), ray)));
 }
 
 void Editor::frame_all() {
-  const Eigen::AlignedBox3f bulk = bulk_bounds(shown_mesh(world().frame(), state_.view, {}));
+  const Eigen::AlignedBox3f bulk = bulk_bounds(shown_mesh(world().frame(), state_.view, {}, hidden_bodies()));
   look_at(bulk.isEmpty() ? render::bounds(picture_) : bulk);
 }
 

@@ -52,6 +52,10 @@ void Editor::follow_edits() {
   follow_materials();
   if (history_.editing()) return;
   seen_revision_ = revision;  // what an edit was taken back to is looked at next
+  // A body that an undo took away leaves the choice to the one in its place.
+  std::erase_if(state_.entries, [&](const ui::SceneEntry& entry) {
+    return entry.kind == ui::EntryKind::body && !ui::has_entry(history_.scene(), entry);
+  });
   state_.selected_body =
       std::clamp(state_.selected_body, 0, std::max(0, static_cast<int>(history_.scene().bodies.size()) - 1));
   if (start_of(history_.scene()) == start_of(built_)) return;

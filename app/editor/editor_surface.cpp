@@ -27,7 +27,7 @@ SurfaceShape shape_of(const ui::SurfaceRequest& request) {
 BodyDescription standing_body(const SurfaceShape& shape, const Scene& scene, double free_x, const Monitor& monitor) {
   const Eigen::AlignedBox3d box = bounds(read_surface(shape.path, shape.scale, monitor));
   BodyDescription body;
-  body.name = free_name(scene, shape.path.stem().string());
+  body.name = ui::free_name(scene.bodies, shape.path.stem().string());
   body.shape = shape;
   const double x = scene.bodies.empty() ? -box.center().x() : free_x - box.min().x();
   body.position = Vec3(x, (scene.ground ? scene.ground->height : 0) - box.min().y(), -box.center().z());

@@ -5,6 +5,7 @@
 
 #include "sim/scene/body_pose.h"
 #include "sim/world/setup/shapes.h"
+#include "ui/model/scene_entry.h"
 
 namespace griffith::app {
 namespace {
@@ -49,15 +50,6 @@ Eigen::AlignedBox3d placed_bounds(const BodyDescription& body, const Scene& scen
 
 }  // namespace
 
-std::string free_name(const Scene& scene, const std::string& wanted) {
-  const auto taken = [&](const std::string& name) {
-    return std::ranges::find(scene.bodies, name, &BodyDescription::name) != scene.bodies.end();
-  };
-  std::string name = wanted;
-  for (int number = 2; taken(name); ++number) name = wanted + " " + std::to_string(number);
-  return name;
-}
-
 double free_place(const Scene& scene, const Frame& frame, double room) {
   double right = -room;
   for (const Vec3& position : frame.nodes.rest_positions) right = std::max(right, position.x());
@@ -70,7 +62,7 @@ BodyDescription new_body(CommandId command, const Scene& scene, const Frame& fra
   constexpr double kRoom = 0.1;
   const Kind kind = kind_of(command);
   BodyDescription body;
-  body.name = free_name(scene, kind.name);
+  body.name = ui::free_name(scene.bodies, kind.name);
   body.shape = kind.shape;
   body.rotation_degrees = kind.rotation_degrees;
   if (const std::optional<Material> material = find_material_preset(kind.material)) body.material = *material;
@@ -83,16 +75,10 @@ BodyDescription new_body(CommandId command, const Scene& scene, const Frame& fra
 
 BodyDescription copy_of_body(const Scene& scene, int index, const Frame& frame) {
   BodyDescription body = scene.bodies[static_cast<std::size_t>(index)];
-  body.name = free_name(scene, body.name);
+  body.name = ui::free_name(scene.bodies, body.name);
   const Eigen::AlignedBox3d box = placed_bounds(body, scene);
   body.position.x() += free_place(scene, frame, 0.2 * box.sizes().x()) - box.min().x();
   return body;
-}
-
-void remove_body(Scene& scene, int index) {
-  const std::string name = scene.bodies[static_cast<std::size_t>(index)].name;
-  scene.bodies.erase(scene.bodies.begin() + index);
-  std::erase_if(scene.probes, [&](const Probe& probe) { return probe.body == name; });
 }
 
 }  // namespace griffith::app

@@ -1,15 +1,10 @@
 #pragma once
 
-#include <string>
-
 #include "sim/scene/scene.h"
 #include "sim/world/frame.h"
 #include "ui/model/commands.h"
 
 namespace griffith::app {
-
-/// The wanted name, with a number behind it where a body of the scene has it.
-std::string free_name(const Scene& scene, const std::string& wanted);
 
 /// Where what stands to the right of all bodies begins [m]: their end, as the scene starts, and some room. `frame`: of
 /// a world that may lack the last bodies.
@@ -21,8 +16,5 @@ BodyDescription new_body(ui::CommandId command, const Scene& scene, const Frame&
 
 /// A copy of a body of the scene beside all others, by another name.
 BodyDescription copy_of_body(const Scene& scene, int index, const Frame& frame);
-
-/// Takes a body out of a scene, and the probes that look at it.
-void remove_body(Scene& scene, int index);
 
 }  // namespace griffith::app

@@ -27,21 +27,25 @@ bool shows_whole_bodies(const ViewSettings& view) {
 /// Whether a picture shows tets, or what is embedded in them.
 class TetFilter {
  public:
-  TetFilter(const Frame& frame, const EmbeddedDisplay& display, const ViewSettings& view)
-      : frame_(frame), display_(display), embedded_(view.splinters && display.mesh && shows_whole_bodies(view)) {}
+  TetFilter(const ShownMesh& shown, const EmbeddedDisplay& display)
+      : shown_(shown),
+        display_(display),
+        embedded_(shown.view.splinters && display.mesh && shows_whole_bodies(shown.view)) {}
 
   bool shows_embedded() const { return embedded_; }
   /// Whether a face without a neighbour is shown: of a body with a skin, what cracks have laid bare.
   bool shows(std::size_t tet, std::size_t face) const {
+    const Frame& frame = shown_.frame;
+    const BodyId body = frame.elements.bodies[tet];
+    if (shown_.is_hidden(body)) return false;
     if (!embedded_) return true;
-    const auto body = static_cast<std::size_t>(frame_.elements.bodies[tet].value);
-    const auto scene_body = static_cast<std::size_t>(frame_.bodies[body].scene_body);
-    const bool is_crack = !(frame_.elements.first_surface[tet] >> face & 1);
+    const auto scene_body = static_cast<std::size_t>(frame.bodies[body].scene_body);
+    const bool is_crack = !(frame.elements.first_surface[tet] >> face & 1);
     return !display_.splintered[scene_body] && (is_crack || !display_.skinned[scene_body]);
   }
 
  private:
-  const Frame& frame_;
+  const ShownMesh& shown_;
   const EmbeddedDisplay& display_;
   bool embedded_;
 };
@@ -143,7 +147,9 @@ render::EmbeddedSurface embedded_surface(const ShownMesh& shown, const EmbeddedD
   render::EmbeddedSurface surface;
   surface.mesh = display.mesh;
   surface.points.reserve(shown.positions.size());
-  for (const Vec3& position : shown.positions) surface.points.push_back(position.cast<float>());
+  // What hidden bodies carry shrinks to a point.
+  for (const Vec3& position : shown.positions)
+    surface.points.push_back(position.allFinite() ? position.cast<float>().eval() : Eigen::Vector3f(0, 0, 0));
   surface.tets = ordered_tets(frame, display.orders);
   add_carriers(frame, surface.carriers);
   for (const SkinPart& part : display.skin_parts) surface.carriers.push_back(skin_carrier(frame, part).value);
@@ -224,10 +230,10 @@ EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene) {
 
 render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDisplay& display, const Scene& scene,
                                         const ViewSettings& view, const ui::Selection& selection,
-                                        const std::optional<Vec2>& range) {
+                                        const std::optional<Vec2>& range, const HiddenBodies& hidden) {
   render::DrawScene result;
-  const ShownMesh shown = shown_mesh(frame, view, selection);
-  const TetFilter filter(frame, display, view);
+  const ShownMesh shown = shown_mesh(frame, view, selection, hidden);
+  const TetFilter filter(shown, display);
   std::optional<QuantityValues> values;
   if (is_scalar(view.quantity)) {
     values = quantity_values(frame, view.quantity);
@@ -244,7 +250,7 @@ render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDispla
     result.embedded.scalars = std::move(values->values);
   }
   add_layers(shown, result);
-  if (selection.valid()) mark_node(shown, selection.node, result);
+  if (selection.valid() && !shown.is_hidden(shown.body_of(selection.node))) mark_node(shown, selection.node, result);
   add_surroundings(frame, scene, result);
   return result;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/picture/shown_mesh.h"
 #include "app/picture/skin.h"
 #include "renderer/draw_scene.h"
 #include "sim/scene/scene.h"
@@ -34,6 +35,7 @@ EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene);
 /// what suits this frame alone.
 render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDisplay& display, const Scene& scene,
                                         const ViewSettings& view, const ui::Selection& selection,
-                                        const std::optional<Vec2>& range = std::nullopt);
+                                        const std::optional<Vec2>& range = std::nullopt,
+                                        const HiddenBodies& hidden = {});
 
 }  // namespace griffith::app

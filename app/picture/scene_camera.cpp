@@ -1,6 +1,10 @@
 #include "app/picture/scene_camera.h"
 
+#include <array>
+#include <charconv>
+
 #include "sim/core/error.h"
+#include "sim/scene/scene_fields.h"
 
 namespace griffith::app {
 namespace {
@@ -16,7 +20,29 @@ std::string camera_names(const Scene& scene) {
   return names;
 }
 
+/// The double of the fewest decimal digits that is the number where it is rounded to single precision.
+double with_few_digits(float number) {
+  std::array<char, 32> text;
+  const char* end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+  double result = 0;
+  std::from_chars(text.data(), end, result);
+  return result;
+}
+
+Vec3 place_in_limits(const Eigen::Vector3f& place) {
+  const Vec3 exact(with_few_digits(place.x()), with_few_digits(place.y()), with_few_digits(place.z()));
+  return exact.cwiseMax(kPlace.minimum).cwiseMin(kPlace.maximum);
+}
+
 }  // namespace
+
+Camera described(const render::Camera& camera) {
+  Camera result;
+  result.position = place_in_limits(camera.position);
+  result.target = place_in_limits(camera.target);
+  result.field_of_view_degrees = with_few_digits(camera.vertical_fov);
+  return result;
+}
 
 render::Camera scene_camera(const Scene& scene, const std::string& name, const render::DrawScene& picture,
                             float aspect) {

@@ -13,4 +13,7 @@ namespace griffith::app {
 render::Camera scene_camera(const Scene& scene, const std::string& name, const render::DrawScene& picture,
                             float aspect);
 
+/// A camera for scene files that shows what this one shows, with as few digits as that takes.
+Camera described(const render::Camera& camera);
+
 }  // namespace griffith::app

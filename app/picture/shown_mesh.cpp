@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/world/node_report.h"
 
@@ -20,11 +21,13 @@ Vec3 common_center(const Frame& frame) {
   return mass > 0 ? Vec3(moment / mass) : Vec3(Vec3::Zero());
 }
 
-std::vector<Vec3> exploded_offsets(const Frame& frame, double explode) {
+std::vector<Vec3> offsets_of(const Frame& frame, double explode, const HiddenBodies& hidden) {
   std::vector<Vec3> offsets(frame.bodies.size(), Vec3::Zero());
-  if (explode == 0) return offsets;
-  const Vec3 center = common_center(frame);
-  for (std::size_t i = 0; i < offsets.size(); ++i) offsets[i] = explode * (frame.bodies[i].center_of_mass - center);
+  const Vec3 center = explode == 0 ? Vec3(Vec3::Zero()) : common_center(frame);
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    if (explode != 0) offsets[i] = explode * (frame.bodies[i].center_of_mass - center);
+    if (hidden.contains(frame.bodies[i].scene_body)) offsets[i].setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
   return offsets;
 }
 
@@ -39,6 +42,7 @@ double mean_element_size(const Frame& frame) {
 }  // namespace
 
 bool ShownMesh::visible(const Vec3& place) const {
+  if (!place.allFinite()) return false;
   return !view.slice || place.dot(view.slice->normal.normalized()) <= view.slice->offset;
 }
 
@@ -48,16 +52,18 @@ Vec3 ShownMesh::centroid(TetId tet) const {
   return sum / 4;
 }
 
-ShownMesh shown_mesh(const Frame& frame, const ViewSettings& view, const ui::Selection& selection) {
-  ShownMesh shown{frame, view, exploded_offsets(frame, view.explode), {}, 1, selection.node};
+ShownMesh shown_mesh(const Frame& frame, const ViewSettings& view, const ui::Selection& selection,
+                     const HiddenBodies& hidden) {
+  ShownMesh shown{frame, view, offsets_of(frame, view.explode, hidden), {}, 1, selection.node};
   shown.positions.assign(frame.nodes.positions.begin(), frame.nodes.positions.end());
-  if (view.explode != 0) {
+  if (view.explode != 0 || !hidden.empty()) {
     for (std::size_t i = 0; i < shown.positions.size(); ++i)
       shown.positions[i] += shown.offsets[shown.body_of(NodeId(static_cast<std::int64_t>(i)))];
   }
   if (view.layers.empty()) return shown;
   shown.element_size = mean_element_size(frame);
   if (!shown.chosen.valid()) shown.chosen = most_loaded_node(frame);
+  if (shown.chosen.valid() && shown.is_hidden(shown.body_of(shown.chosen))) shown.chosen = {};
   return shown;
 }
 

@@ -118,6 +118,7 @@ void add_probes(const ShownMesh& shown, render::DrawScene& picture) {
   for (const PlacedProbe& probe : shown.frame.probes) {
     if (probe.nodes.empty()) continue;
     const Vec3 place = place_of(probe, shown);
+    if (!place.allFinite()) continue;  // of a hidden body
     picture.glyphs.balls.push_back(ball(place, size, sign_color::kProbe));
     for (const ProbedNode& node : probe.nodes)
       picture.points.push_back(

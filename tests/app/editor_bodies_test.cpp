@@ -6,6 +6,7 @@
 #include "app/editor/new_body.h"
 #include "editor_fixture.h"
 #include "sim/scene/scene_reader.h"
+#include "sim/scene/scene_writer.h"
 
 namespace griffith::app {
 namespace {
@@ -105,7 +106,7 @@ TEST_F(BodiesTest, ASceneMadeFromNothingIsSavedAndReadToTheSameBytes) {
   editor_.execute({.id = CommandId::save, .path = file("b.json"), .replace = true});
   EXPECT_EQ(text_of(file("a.json")), text_of(file("b.json")));
   // Back and forth through the history changes nothing either.
-  for (int i = 0; i < 3; ++i) editor_.execute({.id = CommandId::duplicate_body});
+  for (int i = 0; i < 3; ++i) editor_.execute({.id = CommandId::duplicate});
   settle();
   for (int i = 0; i < 3; ++i) editor_.execute({.id = CommandId::undo});
   settle();
@@ -137,18 +138,53 @@ TEST_F(BodiesTest, AShotCanBecomePartOfTheSceneAndHitsAgain) {
   EXPECT_LT(nearest, 1e-6) << "as it flew before";
 }
 
-TEST(RemoveBody, TakesItsProbesAlong) {
-  Scene scene = small_wall();
-  scene.bodies.push_back(scene.bodies[0]);
-  scene.bodies[1].name = "other";
-  Probe probe;
-  probe.body = "other";
-  scene.probes = {probe};
-  probe.body = scene.bodies[0].name;
-  scene.probes.push_back(probe);
-  remove_body(scene, 1);
-  ASSERT_EQ(scene.probes.size(), 1u);
-  EXPECT_EQ(scene.probes[0].body, scene.bodies[0].name);
+TEST_F(BodiesTest, SupportsLoadsProbesAndShotsAreAddedDuplicatedAndDeleted) {
+  begin();
+  add(CommandId::add_box);
+  const std::string before = scene_to_json(editor_.scene());
+  for (const CommandId id :
+       {CommandId::add_support, CommandId::add_load, CommandId::add_probe, CommandId::add_projectile}) {
+    add(id);
+    EXPECT_FALSE(editor_.state().error) << ui::command_info(id).name;
+  }
+  const auto held = std::ranges::count(editor_.frame().nodes.has_support, 1);
+  EXPECT_EQ(held, 25) << "all nodes of the lower face, and no others";
+  EXPECT_EQ(editor_.frame().probes.size(), 1u);
+  EXPECT_FALSE(editor_.frame().nodes.load_forces.empty());
+  click("probes/0");
+  press_key('D', true);
+  settle();
+  EXPECT_EQ(editor_.frame().probes.size(), 2u);
+  for (const char* tag : {"projectiles/0", "probes/0", "bodies/0/loads/0", "bodies/0/supports/0"}) {
+    click(tag);
+    press_key(ui::key::kDelete);
+    press_key(ui::key::kDelete);  // the next of the kind, and never another kind
+    settle();
+  }
+  EXPECT_EQ(scene_to_json(editor_.scene()), before);
+  EXPECT_EQ(bodies(), 1u);
+}
+
+TEST_F(BodiesTest, AHiddenBodyIsNotDrawnButSimulated) {
+  begin();
+  add(CommandId::add_box);
+  add(CommandId::add_sphere);
+  editor_.execute({.id = CommandId::frame_all});
+  draw(2);
+  const int both = hits_across();
+  click("bodies/1/eye");
+  const int one = hits_across();
+  EXPECT_LT(one, both);
+  EXPECT_GT(one, 0);
+  click("bodies/0/eye");
+  EXPECT_EQ(hits_across(), 0);
+  EXPECT_EQ(bodies(), 2u);
+  const double height = editor_.frame().bodies[1].center_of_mass.y();
+  for (int i = 0; i < 5; ++i) editor_.step();
+  EXPECT_NE(editor_.frame().bodies[1].center_of_mass.y(), height);
+  click("bodies/0/eye");
+  click("bodies/1/eye");
+  EXPECT_EQ(hits_across(), both);
 }
 
 }  // namespace

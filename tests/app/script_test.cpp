@@ -9,6 +9,8 @@
 
 #include "app/editor/script_player.h"
 #include "editor_fixture.h"
+#include "sim/scene/scene_reader.h"
+#include "sim/scene/scene_writer.h"
 
 namespace griffith::app {
 namespace {
@@ -228,6 +230,8 @@ class RandomActions : public EditorTest {
                              'D',
                              'P',
                              'S',
+                             'G',
+                             'H',
                              ui::key::kSpace,
                              ui::key::kEscape,
                              ui::key::kEnter,
@@ -235,6 +239,7 @@ class RandomActions : public EditorTest {
                              ui::key::kHome,
                              ui::key::kLeft,
                              ui::key::kF1,
+                             ui::key::kF1 + 1,
                              ui::key::kTab,
                              ui::key::kUp,
                              ui::key::kDown};
@@ -282,6 +287,7 @@ TEST_F(RandomActions, LeaveAnEditorThatWorks) {
     tidy_up();
     ASSERT_FALSE(editor_.tags().empty());
     for (const Vec3& position : editor_.frame().nodes.positions) ASSERT_TRUE(position.allFinite()) << "action " << i;
+    ASSERT_TRUE(check_scene_text(scene_to_json(editor_.scene()), "scene").empty()) << "action " << i;
   }
   editor_.execute({.id = ui::CommandId::new_scene, .discard_edits = true});
   draw(2);

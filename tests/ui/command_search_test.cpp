@@ -34,7 +34,8 @@ TEST(CommandSearch, EveryCommandOfAMenuIsFoundFirstByItsTitle) {
 TEST(CommandSearch, ABeginningOrAMenuOrAWordOfTheHelpSuffices) {
   EXPECT_EQ(best("und"), "edit.undo");
   EXPECT_EQ(best("add sph"), "add.sphere");
-  EXPECT_EQ(best("projectile"), "simulation.fire");
+  EXPECT_EQ(best("projectile"), "add.projectile");
+  EXPECT_EQ(best("at the cursor"), "simulation.fire");
   EXPECT_EQ(best("qqq"), "nothing");
 }
 

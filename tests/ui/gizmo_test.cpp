@@ -141,10 +141,10 @@ TEST_F(GizmoTest, ADragEndsWhereTheSceneChangesUnderIt) {
 }
 
 TEST_F(GizmoTest, ControlTakesRoundSteps) {
-  ImGui::GetIO().KeyCtrl = true;
+  ui_.queue.key(key::kLeftControl, true);
   ui_.drag("gizmo/move_x", 51);
   ui_.drag("gizmo/turn_y", 33);
-  ImGui::GetIO().KeyCtrl = false;
+  ui_.queue.key(key::kLeftControl, false);
   constexpr double kStep = 0.05;  // bodies are 3.5 m across
   const double steps = body().position.x() / kStep, turns = body().rotation_degrees.y() / 15;
   EXPECT_NEAR(steps, std::round(steps), 1e-9);

@@ -17,6 +17,13 @@ Scene two_walls() {
   return scene;
 }
 
+Probe probe_of(const std::string& body, const std::string& name) {
+  Probe probe;
+  probe.body = body;
+  probe.name = name;
+  return probe;
+}
+
 UiDriver::UiDriver(Scene scene) : history(std::move(scene)) {
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();

@@ -53,5 +53,6 @@ class UiDriver {
 
 /// A scene with two bodies.
 Scene two_walls();
+Probe probe_of(const std::string& body, const std::string& name);
 
 }  // namespace griffith::ui

@@ -1,5 +1,9 @@
 #include "ui/model/command_context.h"
 
+#include <algorithm>
+
+#include "ui/model/entry_choice.h"
+
 namespace griffith::ui {
 namespace {
 
@@ -35,6 +39,24 @@ std::string_view no_body(const CommandContext& context) {
   return unless(!context.history.scene().bodies.empty(), "The scene has no body.");
 }
 
+std::string_view nothing_chosen(const CommandContext& context) {
+  return unless(active_entry(context.state, context.history.scene()).has_value(), "Nothing is chosen in the outliner.");
+}
+
+std::string_view nothing_with_a_name(const CommandContext& context) {
+  const std::optional<SceneEntry> entry = active_entry(context.state, context.history.scene());
+  return unless(entry && has_name(entry->kind), "Nothing is chosen in the outliner that has a name.");
+}
+
+std::string_view no_body_chosen(const CommandContext& context) {
+  return unless(!chosen_bodies(context.state, context.history.scene()).empty(), "No body is chosen in the outliner.");
+}
+
+std::string_view no_camera_chosen(const CommandContext& context) {
+  const std::optional<SceneEntry> entry = active_entry(context.state, context.history.scene());
+  return unless(entry && entry->kind == EntryKind::camera, "No camera is chosen in the outliner.");
+}
+
 std::string_view no_left_edits(const CommandContext& context) {
   return unless(!context.state.left_edits.empty(), "No edits were cut short.");
 }
@@ -51,6 +73,11 @@ bool is_running(const CommandContext& context) { return context.state.running; }
 bool shows_edges(const CommandContext& context) { return context.state.view.edges; }
 bool locks_range(const CommandContext& context) { return context.state.view.range.has_value(); }
 bool has_slice(const CommandContext& context) { return context.state.view.slice.has_value(); }
+bool hides_body(const CommandContext& context) {
+  const std::vector<std::string> bodies = chosen_bodies(context.state, context.history.scene());
+  const auto hidden = [&](const std::string& name) { return context.state.hidden_bodies.contains(name); };
+  return !bodies.empty() && std::ranges::all_of(bodies, hidden);
+}
 bool shows_log(const CommandContext& context) { return context.state.log_view.shown; }
 bool shows_gizmo(const CommandContext& context) { return context.state.show_gizmo; }
 bool shows_help(const CommandContext& context) { return context.state.show_help; }

@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "ui/model/edit_history.h"
 #include "ui/model/gizmo.h"
 #include "ui/model/preferences.h"
+#include "ui/model/scene_entry.h"
 #include "ui/model/selection.h"
 #include "ui/model/time_view.h"
 
@@ -25,6 +27,7 @@ struct CameraMotion {
   float pan_right = 0, pan_up = 0;      ///< of camera and target, in heights of the picture
   float zoom = 1;                       ///< factor on the distance to the target
   float slice_right = 0, slice_up = 0;  ///< of the slice plane, in heights of the picture
+  bool operator==(const CameraMotion&) const = default;
 };
 
 /// What the utilization of a node was at a time.
@@ -122,12 +125,18 @@ struct EditorState {
   ProjectileBurst shot;      ///< what the projectile tool fires; position and direction come from the cursor
   std::optional<ProjectileBurst> last_shot;  ///< as it was fired, and when; until it is part of the scene
   int selected_body = 0;                     ///< index into Scene::bodies
-  bool list_pieces = false;                  ///< the list of bodies holds each piece by itself
-  std::array<char, 64> body_filter = {};     ///< what the listed ones have in their name or state
-  FieldNote field_note;                      ///< of the last edit, until the next click
-  Selection selection;                       ///< picked in the view; follows the material when a body breaks
-  bool show_gizmo = false;                   ///< handles that move and turn the selected body
-  std::optional<GizmoDrag> gizmo_drag;       ///< while one is held
+  std::vector<SceneEntry> entries;           ///< chosen in the outliner, in that order; empty: the selected body
+  std::optional<SceneEntry> listed_entry;    ///< the active one, when the outliner was drawn last
+  std::optional<SceneEntry> renamed;         ///< whose name is being typed
+  std::array<char, 128> new_name = {};
+  std::set<std::string> hidden_bodies;    ///< by name: not drawn
+  bool list_pieces = false;               ///< the list of bodies holds each piece by itself
+  std::array<char, 64> body_filter = {};  ///< what the listed ones have in their name or state
+  FieldNote field_note;                   ///< of the last edit, until the next click
+  Selection selection;                    ///< picked in the view; follows the material when a body breaks
+  bool show_gizmo = false;                ///< handles that move and turn what is chosen
+  std::optional<RegionDrag> region_drag;  ///< while a part of a region is held
+  std::optional<GizmoDrag> gizmo_drag;    ///< while one is held
   CameraMotion camera_motion;
   ImVec2 viewport_minimum = {0, 0}, viewport_size = {0, 0};  ///< of the picture, as drawn last [pixels]
   float left_width = 0, right_width = 0;                     ///< of the side panels [pixels]; 0: not laid out yet

@@ -107,13 +107,6 @@ double distance_to(const HandleShape& shape, const Vec2& point) {
   return nearest;
 }
 
-/// The multiple of `step` next to the value; exact where the step is 1 over a whole number.
-double multiple(double value, double step) {
-  if (step >= 1) return std::round(value / step) * step;
-  const double inverse = std::round(1 / step);
-  return std::round(value * inverse) / inverse;
-}
-
 bool moves(GizmoHandle handle, int axis) { return (handle.kind == Kind::arrow) == (handle.axis == axis); }
 
 /// From where it was grabbed [m].
@@ -132,19 +125,25 @@ void move(GizmoDrag& drag, const ViewRay& ray, double step) {
   if (!offset) return;
   for (int axis = 0; axis < 3; ++axis)
     if (moves(drag.handle, axis))
-      drag.placement.position[axis] = multiple(drag.start.position[axis] + (*offset)[axis], step);
+      drag.placement.position[axis] = multiple_of(drag.start.position[axis] + (*offset)[axis], step);
 }
 
 void turn(GizmoDrag& drag, const ViewRay& ray, double step) {
   const Vec3 axis = axis_of(drag.handle.axis);
   drag.angle += ring_turn(drag.last, ray, drag.start.position, axis, drag.radius);
-  drag.turn_degrees = multiple(drag.angle * kDegreesPerRadian, step);
+  drag.turn_degrees = multiple_of(drag.angle * kDegreesPerRadian, step);
   drag.placement.rotation_degrees =
       drag.turn_degrees == 0 ? drag.start.rotation_degrees
                              : turned_degrees(drag.start.rotation_degrees, axis, drag.turn_degrees / kDegreesPerRadian);
 }
 
 }  // namespace
+
+double multiple_of(double value, double step) {
+  if (step >= 1) return std::round(value / step) * step;
+  const double inverse = std::round(1 / step);
+  return std::round(value * inverse) / inverse;
+}
 
 std::string handle_name(GizmoHandle handle) {
   if (handle.kind == Kind::ring) return std::string("turn_") + kAxisNames[handle.axis];

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/scene/scene.h"
+#include "ui/model/scene_entry.h"
 #include "ui/model/view_camera.h"
 
 namespace griffith::ui {
@@ -38,7 +38,7 @@ const HandleShape* shape_at(const std::vector<HandleShape>& shapes, const Vec2& 
 /// Of the rings there [m].
 double ring_radius(const ViewCamera& camera, const Vec3& place, double size);
 
-/// Where a body stands, as a scene says it.
+/// Where an entry of a scene stands, as the scene says it.
 struct Placement {
   Vec3 position = Vec3::Zero(), rotation_degrees = Vec3::Zero();
   bool operator==(const Placement&) const = default;
@@ -47,15 +47,25 @@ struct Placement {
 /// A handle in the user's hand.
 struct GizmoDrag {
   GizmoHandle handle;
-  int body = 0;                ///< of the scene
+  SceneEntry entry;            ///< of the scene
   std::int64_t revision = 0;   ///< of the scene, as it was grabbed
   Placement start, placement;  ///< as it was grabbed, and as it would be if let go now
   ViewRay grabbed, last;       ///< under the cursor
   double radius = 1;           ///< of rings [m]
   double angle = 0;            ///< that the cursor has gone about the ring [radians]
-  double turn_degrees = 0;     ///< that the body is turned by for it
-  Eigen::AlignedBox3d box;     ///< round the body, in its rest space [m]
+  double turn_degrees = 0;     ///< that the entry is turned by for it
+  Eigen::AlignedBox3d box;     ///< round a body, in its rest space [m]; of others empty
   bool cancelled = false;      ///< until the button is released
+};
+
+/// A part of a region in the user's hand, such as a face of its box.
+struct RegionDrag {
+  SceneEntry entry;           ///< whose region it is
+  std::size_t grip = 0;       ///< which part, by region_grips()
+  std::int64_t revision = 0;  ///< of the scene, as it was grabbed
+  Region start, region;       ///< as it was grabbed, and as it would be if let go now
+  ViewRay grabbed;            ///< under the cursor
+  bool cancelled = false;     ///< until the button is released
 };
 
 /// What coordinates become multiples of [m], and turns [degrees].
@@ -66,6 +76,9 @@ struct DragSteps {
 /// Moves or turns with the cursor's ray. Coordinates that the handle does not move stay as they are to the bit, and so
 /// does all while the ray says nothing.
 void follow_ray(GizmoDrag& drag, const ViewRay& ray, const DragSteps& steps);
+
+/// The multiple of `step` > 0 next to the value; exact where the step is 1 over a whole number.
+double multiple_of(double value, double step);
 
 /// "x 1.25 m (+0.25 m)", "about y +15°".
 std::string drag_text(const GizmoDrag& drag);

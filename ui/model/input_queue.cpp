@@ -49,8 +49,8 @@ bool InputQueue::fits(const Event& event, const Seen& seen) {
   switch (event.kind) {
     case Kind::key:
       return !seen.act && !seen.changed_keys[static_cast<std::size_t>(event.code)];
-    case Kind::button:  // what is dragged sees where it was let go before it is
-      return !seen.act && (event.down || !seen.moved);
+    case Kind::button:  // what is pressed or let go has seen the mouse there before
+      return !seen.act && !seen.moved;
     case Kind::move:
       return !seen.act;
     case Kind::scroll:

@@ -12,11 +12,6 @@ void add(BodyRow& row, const BodyView& piece) {
   row.mass += piece.mass;
 }
 
-bool holds(std::string_view text, std::string_view part) {
-  const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
-  return !std::ranges::search(text, part, same).empty() || part.empty();
-}
-
 /// Compares names: numbers in them count as numbers, so that "brick 2" comes before "brick 10".
 bool comes_before(std::string_view a, std::string_view b) {
   const auto is_digit = [](unsigned char letter) { return std::isdigit(letter) != 0; };
@@ -77,8 +72,14 @@ void sort_rows(std::vector<BodyRow>& rows, BodyColumn column, bool descending) {
                            [&](const BodyRow& a, const BodyRow& b) { return descending ? less(b, a) : less(a, b); });
 }
 
+bool holds_text(std::string_view text, std::string_view part) {
+  const auto same = [](unsigned char a, unsigned char b) { return std::tolower(a) == std::tolower(b); };
+  return !std::ranges::search(text, part, same).empty() || part.empty();
+}
+
 void filter_rows(std::vector<BodyRow>& rows, std::string_view text) {
-  std::erase_if(rows, [text](const BodyRow& row) { return !holds(row.name, text) && !holds(row.state(), text); });
+  std::erase_if(rows,
+                [text](const BodyRow& row) { return !holds_text(row.name, text) && !holds_text(row.state(), text); });
 }
 
 }  // namespace griffith::ui

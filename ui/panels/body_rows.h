@@ -33,6 +33,8 @@ enum class BodyColumn { name, state, pieces, tets, mass };
 /// Equal ones keep their order.
 void sort_rows(std::vector<BodyRow>& rows, BodyColumn column, bool descending);
 
+/// Whether a text holds a part of it, in any case.
+bool holds_text(std::string_view text, std::string_view part);
 /// Keeps the rows whose name or state holds `text`, in any case.
 void filter_rows(std::vector<BodyRow>& rows, std::string_view text);
 

@@ -6,7 +6,10 @@
 #include <string>
 
 #include "sim/scene/body_pose.h"
-#include "ui/model/gizmo_geometry.h"
+#include "ui/model/entry_choice.h"
+#include "ui/model/entry_place.h"
+#include "ui/model/region_outline.h"
+#include "ui/panels/view_drawing.h"
 #include "ui/widgets/field_range.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -17,74 +20,50 @@ namespace {
 constexpr float kArrowLength = 96, kReach = 7;  // design pixels
 constexpr std::array<ImU32, 3> kAxisColors = {IM_COL32(240, 84, 84, 255), IM_COL32(120, 200, 90, 255),
                                               IM_COL32(84, 150, 250, 255)};
-constexpr ImU32 kHeldColor = IM_COL32(255, 214, 92, 255);
 
-bool shows(const Panel& panel) {
-  const auto body = static_cast<std::size_t>(panel.state.selected_body);
-  return panel.state.show_gizmo && panel.input.frame.step == 0 && body < panel.history.scene().bodies.size();
-}
-
-const BodyDescription& chosen_body(const Panel& panel) {
-  return panel.history.scene().bodies[static_cast<std::size_t>(panel.state.selected_body)];
-}
-
-/// As large as the picture is drawn now.
-ViewCamera view_camera(const Panel& panel) {
-  ViewCamera camera = panel.input.camera;
-  camera.width = panel.state.viewport_size.x;
-  camera.height = panel.state.viewport_size.y;
-  return camera;
-}
-
-Vec2 pixel_of(const Panel& panel, ImVec2 mouse) {
-  return {mouse.x - panel.state.viewport_minimum.x, mouse.y - panel.state.viewport_minimum.y};
-}
-
-ImVec2 on_screen(const Panel& panel, const Vec2& pixel) {
-  return {panel.state.viewport_minimum.x + static_cast<float>(pixel.x()),
-          panel.state.viewport_minimum.y + static_cast<float>(pixel.y())};
+/// What the gizmo is of, where an edit of its place would take effect at once; else nothing.
+std::optional<SceneEntry> target_of(const Panel& panel) {
+  if (!panel.state.show_gizmo || panel.input.frame.step != 0) return std::nullopt;
+  const Scene& scene = panel.history.scene();
+  const std::optional<SceneEntry> entry = active_entry(panel.state, scene);
+  return entry && placement_of(scene, *entry) ? entry : std::nullopt;
 }
 
 double arrow_length(const Panel& panel) { return kArrowLength * ui_scale(panel); }
 
-std::vector<HandleShape> shapes_of(const Panel& panel) {
+std::vector<HandleShape> shapes_of(const Panel& panel, const SceneEntry& entry) {
   const std::optional<GizmoDrag>& drag = panel.state.gizmo_drag;
-  const Vec3& place = drag && !drag->cancelled ? drag->placement.position : chosen_body(panel).position;
-  return handle_shapes(view_camera(panel), place, arrow_length(panel));
+  const Placement now = drag && !drag->cancelled ? drag->placement : *placement_of(panel.history.scene(), entry);
+  std::vector<HandleShape> shapes = handle_shapes(view_camera(panel), now.position, arrow_length(panel));
+  if (!can_turn(entry))
+    std::erase_if(shapes, [](const HandleShape& shape) { return shape.handle.kind == GizmoHandle::Kind::ring; });
+  return shapes;
 }
 
-/// Round what the frame has of the body, in the body's rest space.
-Eigen::AlignedBox3d rest_box(const Panel& panel) {
-  const Frame& frame = panel.input.frame;
-  const Pose pose = pose_of(chosen_body(panel));
+/// Round what the frame has of a body, in the body's rest space; empty for another entry.
+Eigen::AlignedBox3d rest_box(const Panel& panel, const SceneEntry& entry) {
   Eigen::AlignedBox3d box;
+  if (entry.kind != EntryKind::body) return box;
+  const Frame& frame = panel.input.frame;
+  const Pose pose = pose_of(panel.history.scene().bodies[static_cast<std::size_t>(entry.index)]);
   for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet) {
-    if (frame.bodies[frame.elements.bodies[TetId(tet)]].scene_body != panel.state.selected_body) continue;
+    if (frame.bodies[frame.elements.bodies[TetId(tet)]].scene_body != entry.index) continue;
     for (const NodeId node : frame.elements.tets[TetId(tet)]) box.extend(pose.to_local(frame.nodes.positions[node]));
   }
   return box;
 }
 
-void grab(Panel& panel, GizmoHandle handle, const ViewRay& ray) {
-  const BodyDescription& body = chosen_body(panel);
-  const Placement start{body.position, body.rotation_degrees};
+void grab(Panel& panel, const SceneEntry& entry, GizmoHandle handle, const ViewRay& ray) {
+  const Placement start = *placement_of(panel.history.scene(), entry);
   panel.state.gizmo_drag = GizmoDrag{.handle = handle,
-                                     .body = panel.state.selected_body,
+                                     .entry = entry,
                                      .revision = panel.history.revision(),
                                      .start = start,
                                      .placement = start,
                                      .grabbed = ray,
                                      .last = ray,
                                      .radius = ring_radius(view_camera(panel), start.position, arrow_length(panel)),
-                                     .box = rest_box(panel)};
-}
-
-/// Round steps that suit the size of all bodies with Ctrl; else as fine as pixels.
-DragSteps drag_steps(const Panel& panel, const Vec3& place) {
-  constexpr double kStepsAcross = 40, kFinest = 1e-9, kSnappedTurn = 15, kFineTurn = 0.1;
-  const double pixel = std::max(view_camera(panel).pixel_length(place), kFinest);
-  if (!ImGui::GetIO().KeyCtrl) return {round_step(pixel), kFineTurn};
-  return {round_step(std::max((panel.input.high - panel.input.low).norm() / kStepsAcross, pixel)), kSnappedTurn};
+                                     .box = rest_box(panel, entry)};
 }
 
 void keep_in_range(Vec3& position) {
@@ -92,21 +71,42 @@ void keep_in_range(Vec3& position) {
   position = position.cwiseMax(range.minimum).cwiseMin(range.maximum);
 }
 
-/// One entry of the history, if the body moved.
+/// What moves with the entry that is dragged: all that is chosen, but for what goes with a chosen body anyway.
+std::vector<SceneEntry> moved_with(const Panel& panel, const SceneEntry& entry) {
+  const Scene& scene = panel.history.scene();
+  std::vector<SceneEntry> moved = chosen_entries(panel.state, scene);
+  const std::vector<SceneEntry> chosen = moved;
+  std::erase_if(moved, [&](const SceneEntry& other) {
+    const std::optional<int> body = body_of(scene, other);
+    const bool carried =
+        body && other.kind != EntryKind::body && std::ranges::count(chosen, SceneEntry{EntryKind::body, *body}) > 0;
+    return other == entry || carried || !placement_of(scene, other);
+  });
+  return moved;
+}
+
+/// One entry of the history, if anything moved.
 void let_go(Panel& panel, const GizmoDrag& drag) {
   if (drag.cancelled || drag.placement == drag.start) return;
-  const std::string verb = drag.handle.kind == GizmoHandle::Kind::ring ? "Turn " : "Move ";
-  panel.history.change(verb + chosen_body(panel).name, [&](Scene& scene) {
-    BodyDescription& body = scene.bodies[static_cast<std::size_t>(drag.body)];
-    body.position = drag.placement.position;
-    body.rotation_degrees = drag.placement.rotation_degrees;
+  const bool turns = drag.handle.kind == GizmoHandle::Kind::ring;
+  const std::vector<SceneEntry> others = turns ? std::vector<SceneEntry>() : moved_with(panel, drag.entry);
+  const std::string name = full_name(panel.history.scene(), drag.entry);
+  const std::string more = others.empty() ? "" : " and " + std::to_string(others.size()) + " more";
+  panel.history.change((turns ? "Turn " : "Move ") + name + more, [&](Scene& scene) {
+    for (const SceneEntry& other : others) {
+      Placement from = *placement_of(scene, other), to = from;
+      to.position += drag.placement.position - drag.start.position;
+      keep_in_range(to.position);
+      move_entry(scene, other, from, to);
+    }
+    move_entry(scene, drag.entry, drag.start, drag.placement);
   });
   panel.history.finish();
 }
 
 void go_on(Panel& panel, GizmoDrag& drag) {
-  const bool lost = !shows(panel) || panel.history.revision() != drag.revision ||
-                    panel.state.selected_body != drag.body || ImGui::IsKeyPressed(key::kEscape, false);
+  const bool lost = target_of(panel) != drag.entry || panel.history.revision() != drag.revision ||
+                    ImGui::IsKeyPressed(key::kEscape, false);
   if (lost) drag.cancelled = true;
   if (!drag.cancelled) {
     follow_ray(drag, view_camera(panel).ray(pixel_of(panel, ImGui::GetIO().MousePos)),
@@ -148,6 +148,7 @@ void draw_shape(const Panel& panel, ImDrawList* list, const HandleShape& shape, 
   std::vector<ImVec2> line;
   for (const Vec2& pixel : shape.outline) line.push_back(on_screen(panel, pixel));
   const int count = static_cast<int>(line.size());
+  list->AddPolyline(line.data(), count, kRimColor, ImDrawFlags_None, width + 2.5f * ui_scale(panel));
   if (shape.handle.kind == GizmoHandle::Kind::arrow) return draw_arrow(list, line, color, width);
   if (shape.handle.kind == GizmoHandle::Kind::plane) {
     constexpr ImU32 kAlpha = 110;
@@ -166,46 +167,30 @@ void tag_shape(Panel& panel, const HandleShape& shape, std::string text) {
                         std::move(text)});
 }
 
-/// The box round the body where it would be if let go now.
+/// What would be there if it were let go now: the box round the body, or the region.
 void draw_outline(const Panel& panel, ImDrawList* list, const GizmoDrag& drag) {
-  if (drag.box.isEmpty()) return;
-  const ViewCamera camera = view_camera(panel);
-  const Pose pose{drag.placement.position, rotation_of(drag.placement.rotation_degrees)};
-  const auto corner = [&](int i) {
-    return camera.pixel(pose.to_world(drag.box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i))));
-  };
-  for (int i = 0; i < 8; ++i)
-    for (const int bit : {1, 2, 4}) {
-      const std::optional<Vec2> a = corner(i), b = corner(i | bit);
-      if (!(i & bit) && a && b)
-        list->AddLine(on_screen(panel, *a), on_screen(panel, *b), kHeldColor, 1.5f * ui_scale(panel));
-    }
-}
-
-/// What the drag comes to, beside the cursor, within the picture.
-void draw_readout(const Panel& panel, ImDrawList* list, const std::string& text) {
-  const float scale = ui_scale(panel), pad = 8 * scale;
-  const ImVec2 extent = ImGui::CalcTextSize(text.c_str()), mouse = ImGui::GetIO().MousePos;
-  const ImVec2 minimum = panel.state.viewport_minimum, size = panel.state.viewport_size;
-  const auto within = [pad](float wanted, float low, float room, float need) {
-    return std::max(low + pad, std::min(wanted, low + room - need - 2 * pad));
-  };
-  const ImVec2 low = {within(mouse.x + 18 * scale, minimum.x, size.x, extent.x),
-                      within(mouse.y + 18 * scale, minimum.y, size.y, extent.y)};
-  list->AddRectFilled({low.x - pad, low.y - pad / 2}, {low.x + extent.x + pad, low.y + extent.y + pad / 2},
-                      IM_COL32(24, 27, 32, 220), 5 * scale);
-  list->AddText(low, palette::kText, text.c_str());
+  if (!drag.box.isEmpty()) {
+    const Pose pose{drag.placement.position, rotation_of(drag.placement.rotation_degrees)};
+    const BoxRegion box{drag.box.min(), drag.box.max()};
+    return draw_world_lines(panel, list, region_lines(box, 0), pose, kHeldColor);
+  }
+  const Scene& scene = panel.history.scene();
+  if (!region_of(scene, drag.entry)) return;
+  Pose pose = pose_of(scene.bodies[static_cast<std::size_t>(*body_of(scene, drag.entry))]);
+  pose.translation += drag.placement.position - drag.start.position;
+  draw_world_lines(panel, list, region_lines(*region_of(scene, drag.entry), region_size(panel)), pose, kHeldColor);
 }
 
 }  // namespace
 
 bool drag_gizmo(Panel& panel) {
   std::optional<GizmoDrag>& drag = panel.state.gizmo_drag;
-  if (!drag && shows(panel) && ImGui::IsItemActivated() && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+  const std::optional<SceneEntry> entry = target_of(panel);
+  if (!drag && entry && ImGui::IsItemActivated() && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
     const ImVec2 mouse = ImGui::GetIO().MouseClickedPos[ImGuiMouseButton_Left];
-    const std::vector<HandleShape> shapes = shapes_of(panel);
+    const std::vector<HandleShape> shapes = shapes_of(panel, *entry);
     if (const HandleShape* shape = pointed_at(panel, shapes, mouse))
-      grab(panel, shape->handle, view_camera(panel).ray(pixel_of(panel, mouse)));
+      grab(panel, *entry, shape->handle, view_camera(panel).ray(pixel_of(panel, mouse)));
   }
   if (!drag) return false;
   go_on(panel, *drag);
@@ -213,10 +198,11 @@ bool drag_gizmo(Panel& panel) {
 }
 
 void draw_gizmo(Panel& panel) {
-  if (!shows(panel)) return;
+  const std::optional<SceneEntry> entry = target_of(panel);
+  if (!entry) return;
   const std::optional<GizmoDrag>& drag = panel.state.gizmo_drag;
   const bool dragging = drag && !drag->cancelled;
-  const std::vector<HandleShape> shapes = shapes_of(panel);
+  const std::vector<HandleShape> shapes = shapes_of(panel, *entry);
   const std::optional<GizmoHandle> lit = lit_handle(panel, shapes);
   ImDrawList* list = ImGui::GetWindowDrawList();
   if (dragging) draw_outline(panel, list, *drag);

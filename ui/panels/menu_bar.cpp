@@ -8,13 +8,6 @@
 namespace griffith::ui {
 namespace {
 
-void command_item(Panel& panel, const CommandInfo& info) {
-  const bool enabled = command_enabled(info.id, panel);
-  const std::string label(info.label), shortcut = shortcut_text(info.shortcut);
-  if (ImGui::MenuItem(label.c_str(), shortcut.c_str(), is_on(info, panel), enabled)) issue(panel, {.id = info.id});
-  tag_last_item(panel.tags, "menu/" + std::string(info.name), label, enabled);
-}
-
 /// A submenu that opens one of the files. `tag`: of its entries.
 void files_menu(Panel& panel, const char* label, const std::string& tag, std::span<const std::filesystem::path> files) {
   const bool open = ImGui::BeginMenu(label, !files.empty());
@@ -36,7 +29,7 @@ void command_items(Panel& panel, Menu menu) {
   for (const CommandInfo& info : command_registry()) {
     if (info.menu != menu) continue;
     if (std::exchange(group, info.group) != info.group) ImGui::Separator();
-    command_item(panel, info);
+    command_menu_item(panel, info, "menu/");
     if (info.id != CommandId::open_dialog) continue;
     files_menu(panel, "Recent", "menu/recent/", panel.input.recent_files);
     files_menu(panel, "Scenes", "menu/scene/", panel.input.scene_files);

@@ -11,11 +11,11 @@ namespace griffith::ui {
 void draw_menu_bar(Panel& panel);
 /// Run, pause, step, reset, slow motion, time.
 void draw_toolbar(Panel& panel);
-/// The list of bodies of the scene, or of pieces, with their state.
-void draw_bodies_panel(Panel& panel);
-/// All that a scene says of the selected body but its material. What it changes starts the simulation again.
-void draw_body_panel(Panel& panel);
-/// What a scene says besides its bodies and the view.
+/// All that the scene holds, or the pieces of its bodies, with their state: to be chosen, named and hidden.
+void draw_outliner_panel(Panel& panel);
+/// The fields of the active entry: of a body its material and what else a scene says of it.
+void draw_entry_panel(Panel& panel);
+/// What a scene says besides its entries and the view.
 void draw_scene_panel(Panel& panel);
 /// The material of the selected body; takes effect in the running simulation at once.
 void draw_material_panel(Panel& panel);

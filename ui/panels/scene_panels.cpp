@@ -1,3 +1,6 @@
+#include <type_traits>
+
+#include "ui/model/entry_choice.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/field_rows.h"
 
@@ -11,49 +14,71 @@ bool header(const Panel& panel, const char* tag, const std::string& text) {
   return open;
 }
 
-/// Another body has the name already, which probes know bodies by.
-bool is_taken(const Scene& scene, const std::string& name, std::size_t by_other_than) {
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-    if (i != by_other_than && scene.bodies[i].name == name) return true;
-  return false;
+/// What the entry was called before the edit that is going on.
+std::string old_name(const EditHistory& history, const SceneEntry& entry) {
+  return full_name(history.editing() ? history.entries().back().before : history.scene(), entry);
 }
 
-/// As it was called before the edit that is going on.
-const std::string& old_name(const EditHistory& history, std::size_t index) {
-  return (history.editing() ? history.entries().back().before : history.scene()).bodies[index].name;
+/// Why the edited entry cannot have its name; empty: it can. Probes follow their body to its new one.
+template <class T>
+std::string take_name(const Scene& scene, const SceneEntry& entry, const T& edited) {
+  if constexpr (requires { edited.name; }) {
+    Scene renamed = scene;
+    return rename_entry(renamed, entry, edited.name);
+  } else {
+    return {};
+  }
 }
 
-/// Probes follow their body to its new name.
-void put_back(Scene& scene, std::size_t index, const BodyDescription& body) {
-  for (Probe& probe : scene.probes)
-    if (probe.body == scene.bodies[index].name) probe.body = body.name;
-  scene.bodies[index] = body;
+/// Draws the rows of an entry and puts what is edited into the scene. `tag`: what their tags begin with.
+template <class T>
+void entry_rows(Panel& panel, const SceneEntry& entry, const std::string& tag, T edited,
+                const std::vector<std::string_view>& hidden) {
+  FieldRows rows(panel, tag, hidden);
+  rows.show(edited);
+  Edit edit = rows.finish();
+  if (edit.changed) {
+    const std::string problem = take_name(panel.history.scene(), entry, edited);
+    if (!problem.empty()) panel.state.field_note = {tag + "/name", problem};
+    edit.changed = problem.empty();
+  }
+  const std::string label = "Set " + rows.edited() + " of " + old_name(panel.history, entry);
+  if (edit.changed) {
+    panel.history.change(label, [&](Scene& scene) {
+      if constexpr (requires { edited.name; }) rename_entry(scene, entry, edited.name);
+      visit_list(scene, entry, [&](auto& list) {
+        auto& item = list[static_cast<std::size_t>(entry.index)];
+        if constexpr (std::is_same_v<std::remove_reference_t<decltype(item)>, T>) item = edited;
+      });
+    });
+  }
+  if (edit.finished) panel.history.finish();
+}
+
+void body_rows_of(Panel& panel, const SceneEntry& entry) {
+  if (!header(panel, "body", "Shape and motion")) return;
+  entry_rows(panel, entry, "body", panel.history.scene().bodies[static_cast<std::size_t>(entry.index)],
+             {"supports", "loads"});
 }
 
 }  // namespace
 
-void draw_body_panel(Panel& panel) {
+void draw_entry_panel(Panel& panel) {
   const Scene& scene = panel.history.scene();
-  if (scene.bodies.empty()) return;
-  const auto index = static_cast<std::size_t>(panel.state.selected_body);
-  if (!header(panel, "body", "Shape, supports and loads")) return;
-  BodyDescription body = scene.bodies[index];
-  FieldRows rows(panel, "body");
-  rows.show(body);
-  Edit edit = rows.finish();
-  if (edit.changed && is_taken(scene, body.name, index)) {
-    panel.state.field_note = {"body/name", "Another body has the name \"" + body.name + "\"."};
-    edit.changed = false;
+  const std::optional<SceneEntry> entry = active_entry(panel.state, scene);
+  if (!entry) return;
+  if (entry->kind == EntryKind::body) {
+    draw_material_panel(panel);
+    return body_rows_of(panel, *entry);
   }
-  const std::string label = "Set " + rows.edited() + " of " + old_name(panel.history, index);
-  if (edit.changed) panel.history.change(label, [&](Scene& edited) { put_back(edited, index, body); });
-  if (edit.finished) panel.history.finish();
+  heading(panel, full_name(scene, *entry).c_str());
+  visit_entry(scene, *entry, [&](const auto& item) { entry_rows(panel, *entry, "entry", item, idle_fields(item)); });
 }
 
 void draw_scene_panel(Panel& panel) {
   if (!header(panel, "scene", "Scene")) return;
   Scene scene = panel.history.scene();
-  FieldRows rows(panel, "scene", {"bodies", "view"});
+  FieldRows rows(panel, "scene", {"bodies", "projectiles", "probes", "cameras", "view"});
   rows.show(scene);
   const Edit edit = rows.finish();
   if (edit.changed) panel.history.change("Set " + rows.edited(), [&](Scene& edited) { edited = std::move(scene); });

@@ -180,26 +180,9 @@ class FieldRows {
     end_part();
   }
 
+  // The outliner lists them.
   template <class T>
-  void draw(const FieldRow& row, std::vector<T>& items, Parts) {
-    if (!begin_part(panel_, row, std::to_string(items.size()))) return;
-    for (std::size_t i = 0; i < items.size(); ++i) {
-      const std::string tag = row.tag + "/" + std::to_string(i);
-      if (!begin_part(panel_, {tag, "Number " + std::to_string(i + 1), ""}, name_of(items[i]))) continue;
-      draw_fields(tag, items[i]);
-      const bool removed = text_button(panel_, (tag + "/remove").c_str(), ("Remove##" + tag).c_str());
-      end_part();
-      if (!removed) continue;
-      items.erase(items.begin() + static_cast<std::ptrdiff_t>(i));
-      note(row, {true, true});
-      break;
-    }
-    if (text_button(panel_, (row.tag + "/add").c_str(), ("Add##" + row.tag).c_str())) {
-      items.push_back(new_item(items));
-      note(row, {true, true});
-    }
-    end_part();
-  }
+  void draw(const FieldRow&, std::vector<T>&, Parts) {}
 
   template <class T>
   void draw(const FieldRow& row, T& value, Parts) {
@@ -240,27 +223,6 @@ class FieldRows {
   static double first_value(const Numbers& numbers) {
     if (numbers.minimum <= 0) return std::clamp(1.0, numbers.minimum, numbers.maximum);
     return std::sqrt(numbers.minimum * numbers.maximum);
-  }
-
-  template <class T>
-  static std::string name_of(const T& item) {
-    if constexpr (requires { item.name; }) return item.name;
-    return "";
-  }
-
-  /// Makes an item with a name that none has; a probe is of the first body.
-  template <class T>
-  T new_item(const std::vector<T>& items) const {
-    T item{};
-    if constexpr (requires { item.body; }) {
-      if (!panel_.history.scene().bodies.empty()) item.body = panel_.history.scene().bodies.front().name;
-    }
-    if constexpr (requires { item.name; }) {
-      const std::string first = item.name;
-      for (int number = 2; std::ranges::find(items, item.name, &T::name) != items.end(); ++number)
-        item.name = first + " " + std::to_string(number);
-    }
-    return item;
   }
 
   Panel& panel_;

@@ -70,6 +70,27 @@ void draw_bow(const Pen& pen, float side) {
   pen.triangle({side * 0.9f, -0.05f}, {side * 0.25f, -0.6f}, {side * 0.25f, 0.5f});
 }
 
+void draw_eye(const Pen& pen, bool open) {
+  constexpr int kParts = 8;
+  for (int i = 0; i < kParts; ++i) {
+    const auto lid = [](int part) { return 0.5f * std::sin(kPi * static_cast<float>(part) / kParts); };
+    const float x = -0.9f + 1.8f * static_cast<float>(i) / kParts, next = x + 1.8f / kParts;
+    pen.line(x, lid(i), next, lid(i + 1));
+    if (open) pen.line(x, -lid(i), next, -lid(i + 1));
+  }
+  if (open) pen.disc(0, 0, 0.3f);
+}
+
+/// A box seen from its corner.
+void draw_box(const Pen& pen) {
+  pen.frame(-0.8f, -0.35f, 0.35f, 0.8f);
+  pen.line(-0.8f, -0.35f, -0.35f, -0.8f);
+  pen.line(-0.35f, -0.8f, 0.8f, -0.8f);
+  pen.line(0.8f, -0.8f, 0.35f, -0.35f);
+  pen.line(0.8f, -0.8f, 0.8f, 0.35f);
+  pen.line(0.8f, 0.35f, 0.35f, 0.8f);
+}
+
 }  // namespace
 
 void draw_icon(ImDrawList* list, Icon icon, ImVec2 center, float size, ImU32 color) {
@@ -127,6 +148,28 @@ void draw_icon(ImDrawList* list, Icon icon, ImVec2 center, float size, ImU32 col
       break;
     case Icon::redo:
       draw_bow(pen, 1);
+      break;
+    case Icon::body:
+      draw_box(pen);
+      break;
+    case Icon::support:
+      pen.triangle({0, -0.6f}, {-0.65f, 0.4f}, {0.65f, 0.4f});
+      pen.line(-0.9f, 0.65f, 0.9f, 0.65f);
+      break;
+    case Icon::load:
+      pen.line(0, -0.9f, 0, 0.1f);
+      pen.triangle({-0.5f, 0}, {0.5f, 0}, {0, 0.8f});
+      break;
+    case Icon::projectile:
+      pen.disc(0, 0, 0.6f);
+      break;
+    case Icon::probe:
+      pen.arc(0.6f, 0, 2 * kPi);
+      pen.disc(0, 0, 0.2f);
+      break;
+    case Icon::eye:
+    case Icon::closed_eye:
+      draw_eye(pen, icon == Icon::eye);
       break;
   }
 }

@@ -19,7 +19,14 @@ enum class Icon {
   frame,
   help,
   undo,
-  redo
+  redo,
+  body,
+  support,
+  load,
+  projectile,
+  probe,
+  eye,
+  closed_eye
 };
 
 /// Draws an icon into a square of `size` pixels around `center`.

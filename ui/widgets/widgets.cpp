@@ -111,6 +111,13 @@ void command_button(Panel& panel, CommandId id, Icon icon, bool with_label, bool
   tooltip(text);
 }
 
+void command_menu_item(Panel& panel, const CommandInfo& info, const char* tag_prefix) {
+  const bool enabled = command_enabled(info.id, panel);
+  const std::string label(info.label), shortcut = shortcut_text(info.shortcut);
+  if (ImGui::MenuItem(label.c_str(), shortcut.c_str(), is_on(info, panel), enabled)) issue(panel, {.id = info.id});
+  tag_last_item(panel.tags, tag_prefix + std::string(info.name), label, enabled);
+}
+
 bool begin_combo(const char* item, const char* preview) {
   if (!ImGui::BeginCombo(item, preview, ImGuiComboFlags_HeightLargest)) return false;
   close_on_escape();

@@ -53,6 +53,9 @@ bool begin_combo(const char* item, const char* preview);
 /// A button for a registered command, tagged "command/<name>"; greyed when the command makes no sense now.
 void command_button(Panel& panel, CommandId id, Icon icon, bool with_label, bool lit = false);
 
+/// An entry for a command in the menu that is being drawn, tagged with the prefix and the command's name.
+void command_menu_item(Panel& panel, const CommandInfo& info, const char* tag_prefix);
+
 /// A drop-down list over the full row. Returns the index chosen in this frame or -1. Entries are tagged "<tag>/<text>".
 int combo_row(Panel& panel, const char* tag, const char* label, std::span<const std::string> entries,
               std::string_view shown);

@@ -1,0 +1,117 @@
+#include "ui/model/scene_entry.h"
+
+namespace griffith::ui {
+namespace {
+
+constexpr bool kHasName[] = {true, false, false, false, true, true};  // by EntryKind
+
+void add_all(std::vector<SceneEntry>& entries, EntryKind kind, std::size_t count, int body = 0) {
+  for (std::size_t i = 0; i < count; ++i) entries.push_back({kind, static_cast<int>(i), body});
+}
+
+/// Probes know bodies by their name.
+void rename_in_probes(Scene& scene, const std::string& from, const std::string& to) {
+  for (Probe& probe : scene.probes)
+    if (probe.body == from) probe.body = to;
+}
+
+}  // namespace
+
+std::vector<SceneEntry> scene_entries(const Scene& scene) {
+  std::vector<SceneEntry> entries;
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    const int body = static_cast<int>(i);
+    entries.push_back({EntryKind::body, body});
+    add_all(entries, EntryKind::support, scene.bodies[i].supports.size(), body);
+    add_all(entries, EntryKind::load, scene.bodies[i].loads.size(), body);
+  }
+  add_all(entries, EntryKind::projectile, scene.projectiles.size());
+  add_all(entries, EntryKind::probe, scene.probes.size());
+  add_all(entries, EntryKind::camera, scene.cameras.size());
+  return entries;
+}
+
+bool has_entry(const Scene& scene, const SceneEntry& entry) {
+  if (is_part_of_body(entry.kind) && static_cast<std::size_t>(entry.body) >= scene.bodies.size()) return false;
+  return visit_list(scene, entry,
+                    [&](const auto& list) { return static_cast<std::size_t>(entry.index) < list.size(); });
+}
+
+bool has_name(EntryKind kind) { return kHasName[static_cast<std::size_t>(kind)]; }
+
+std::string entry_name(const Scene& scene, const SceneEntry& entry) {
+  constexpr const char* kKinds[] = {"Body", "Support", "Load", "Projectile", "Probe", "Camera"};
+  return visit_entry(scene, entry, [&](const auto& item) {
+    if constexpr (requires { item.name; }) {
+      return item.name;
+    } else {
+      return kKinds[static_cast<std::size_t>(entry.kind)] + (" " + std::to_string(entry.index + 1));
+    }
+  });
+}
+
+std::string full_name(const Scene& scene, const SceneEntry& entry) {
+  const std::string name = entry_name(scene, entry);
+  if (!is_part_of_body(entry.kind)) return name;
+  return name + " of " + scene.bodies[static_cast<std::size_t>(entry.body)].name;
+}
+
+std::optional<int> body_of(const Scene& scene, const SceneEntry& entry) {
+  switch (entry.kind) {
+    case EntryKind::body:
+      return entry.index;
+    case EntryKind::support:
+    case EntryKind::load:
+      return entry.body;
+    case EntryKind::probe: {
+      const std::string& name = scene.probes[static_cast<std::size_t>(entry.index)].body;
+      const auto found = std::ranges::find(scene.bodies, name, &BodyDescription::name);
+      if (found == scene.bodies.end()) return std::nullopt;
+      return static_cast<int>(found - scene.bodies.begin());
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
+std::string rename_entry(Scene& scene, const SceneEntry& entry, const std::string& name) {
+  if (name.empty()) return "A name cannot be empty: it stays as it was.";
+  return visit_list(scene, entry, [&](auto& list) -> std::string {
+    auto& item = list[static_cast<std::size_t>(entry.index)];
+    if constexpr (requires { item.name; }) {
+      for (const auto& other : list)
+        if (&other != &item && other.name == name) return "Another one has the name \"" + name + "\".";
+      if (entry.kind == EntryKind::body) rename_in_probes(scene, item.name, name);
+      item.name = name;
+    }
+    return {};
+  });
+}
+
+void remove_entries(Scene& scene, std::vector<SceneEntry> entries) {
+  // From behind, so that indices hold: what belongs to bodies before the bodies themselves.
+  std::ranges::sort(entries, [](const SceneEntry& a, const SceneEntry& b) {
+    if ((a.kind == EntryKind::body) != (b.kind == EntryKind::body)) return b.kind == EntryKind::body;
+    return a > b;
+  });
+  for (const SceneEntry& entry : entries) {
+    if (entry.kind == EntryKind::body) {
+      const std::string name = entry_name(scene, entry);
+      std::erase_if(scene.probes, [&](const Probe& probe) { return probe.body == name; });
+    }
+    visit_list(scene, entry, [&](auto& list) { list.erase(list.begin() + entry.index); });
+  }
+}
+
+SceneEntry append_copy(Scene& scene, const SceneEntry& entry) {
+  SceneEntry copy = entry;
+  visit_list(scene, entry, [&](auto& list) {
+    auto item = list[static_cast<std::size_t>(entry.index)];
+    if constexpr (requires { item.name; }) item.name = free_name(list, item.name);
+    copy.index = static_cast<int>(list.size());
+    list.push_back(std::move(item));
+  });
+  return copy;
+}
+
+}  // namespace griffith::ui

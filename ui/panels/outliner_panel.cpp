@@ -1,0 +1,151 @@
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "ui/model/entry_choice.h"
+#include "ui/panels/outliner_row.h"
+#include "ui/panels/panels.h"
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace griffith::ui {
+namespace {
+
+constexpr std::size_t kMaxShown = 10;  ///< rows before the list scrolls
+
+void apply_sorting(std::vector<BodyRow>& rows) {
+  const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
+  if (!specs || specs->SpecsCount == 0) return;
+  const ImGuiTableColumnSortSpecs& first = specs->Specs[0];
+  sort_rows(rows, static_cast<BodyColumn>(first.ColumnIndex), first.SortDirection == ImGuiSortDirection_Descending);
+}
+
+/// A column of numbers beside the names.
+struct NumberColumn {
+  const char* title;
+  float least;  ///< width, design pixels
+  std::string (*text)(const BodyRow& row);
+};
+
+constexpr std::array<NumberColumn, 4> kNumberColumns = {{
+    {"State", 40, [](const BodyRow& row) { return std::string(row.state()); }},
+    {"Pcs", 26, [](const BodyRow& row) { return std::to_string(row.pieces()); }},
+    {"Tets", 34, [](const BodyRow& row) { return std::to_string(row.tets); }},
+    {"Mass", 46, [](const BodyRow& row) { return mass_text(row.mass); }},
+}};
+
+/// How wide the widest of these texts is, of the first thousand rows.
+template <class Text>
+float widest(const std::vector<BodyRow>& rows, Text text) {
+  constexpr std::size_t kMaxMeasured = 1000;
+  float width = 0;
+  for (std::size_t i = 0; i < std::min(rows.size(), kMaxMeasured); ++i)
+    width = std::max(width, ImGui::CalcTextSize(text(rows[i]).c_str()).x);
+  return width;
+}
+
+/// Names first: where there is no room for all columns, those at the end are left out.
+void begin_columns(const Panel& panel, const std::vector<BodyRow>& rows) {
+  const float scale = ui_scale(panel), line = ImGui::GetTextLineHeight(), arrow = ImGui::GetFontSize();
+  const float gap = 2 * ImGui::GetStyle().CellPadding.x;
+  const float name = line + 8 * scale + widest(rows, [](const BodyRow& row) { return row.name; });
+  float room = ImGui::GetContentRegionAvail().x - std::min(name, 130 * scale) - line - 2 * gap;
+  ImGui::TableSetupScrollFreeze(0, 1);
+  ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
+  for (const NumberColumn& column : kNumberColumns) {
+    const float width =
+        std::max({ImGui::CalcTextSize(column.title).x + arrow, column.least * scale, widest(rows, column.text)});
+    room -= width + gap;
+    ImGui::TableSetupColumn(
+        column.title,
+        ImGuiTableColumnFlags_WidthFixed | (room < 0 ? ImGuiTableColumnFlags_Disabled : ImGuiTableColumnFlags_None),
+        width);
+  }
+  ImGui::TableSetupColumn("##eye", ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_NoSort, line);
+  ImGui::TableHeadersRow();
+}
+
+std::vector<OutlinerRow> shown_rows(const Panel& panel, std::vector<BodyRow> bodies) {
+  const std::string_view filter = panel.state.body_filter.data();
+  if (panel.state.list_pieces) return outliner_piece_rows(std::move(bodies), filter);
+  return outliner_rows(panel.history.scene(), bodies, filter);
+}
+
+/// Scrolls to the active entry where it was chosen elsewhere: in the view, by an edit, to be renamed.
+void follow_active(Panel& panel, const std::vector<OutlinerRow>& rows, float line) {
+  const std::optional<SceneEntry> active = active_entry(panel.state, panel.history.scene());
+  if (std::exchange(panel.state.listed_entry, active) == active || panel.state.list_pieces) return;
+  const auto row = std::ranges::find(rows, active, [](const OutlinerRow& other) { return std::optional(other.entry); });
+  if (row == rows.end()) return;
+  const float top = line * static_cast<float>(row - rows.begin()), room = ImGui::GetWindowHeight() - line;
+  if (top < ImGui::GetScrollY() || top + line > ImGui::GetScrollY() + room) ImGui::SetScrollY(top - room / 2);
+}
+
+void draw_table(Panel& panel, std::vector<BodyRow> bodies, std::size_t lines) {
+  const float line = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
+  const float height = line * static_cast<float>(lines + 1);
+  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_Sortable | ImGuiTableFlags_SortTristate | ImGuiTableFlags_ScrollY |
+                                     ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings;
+  if (!ImGui::BeginTable("##outliner", 6, kFlags, {0, height + 4 * ui_scale(panel)})) return;
+  begin_columns(panel, bodies);
+  apply_sorting(bodies);
+  const std::vector<OutlinerRow> rows = shown_rows(panel, std::move(bodies));
+  follow_active(panel, rows, line);
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(rows.size()));
+  while (clipper.Step())
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+      draw_outliner_row(panel, rows, rows[static_cast<std::size_t>(i)]);
+  ImGui::EndTable();
+}
+
+void add_button(Panel& panel, float width) {
+  if (text_button(panel, "outliner/add", "Add", width)) ImGui::OpenPopup("##add");
+  tooltip("Adds a body, or a support, load or probe of the selected one, a projectile or a camera.");
+  if (!ImGui::BeginPopup("##add")) return;
+  close_on_escape();
+  for (const CommandInfo& info : command_registry())
+    if (info.menu == Menu::add) command_menu_item(panel, info, "outliner/");
+  ImGui::EndPopup();
+}
+
+/// What the list is of, and which of them are shown.
+void filter_row(Panel& panel) {
+  checkbox(panel, "bodies/pieces", "Pieces", panel.state.list_pieces);
+  tooltip("Lists each piece by itself. A click on one selects it in the view.");
+  ImGui::SameLine();
+  const float button = 48 * ui_scale(panel);
+  ImGui::SetNextItemWidth(-button - ImGui::GetStyle().ItemSpacing.x);
+  std::array<char, 64>& text = panel.state.body_filter;
+  ImGui::InputTextWithHint("##filter", "name or state", text.data(), text.size());
+  tag_last_item(panel.tags, "bodies/filter", text.data());
+  tooltip("Lists what has this in its name or is so: elastic, rigid or asleep; fixed, pressure, ...");
+  ImGui::SameLine();
+  add_button(panel, button);
+}
+
+}  // namespace
+
+void draw_outliner_panel(Panel& panel) {
+  heading(panel, "Outliner");
+  const Scene& scene = panel.history.scene();
+  const Frame& frame = panel.input.frame;
+  filter_row(panel);
+  const std::size_t entries = scene_entries(scene).size();
+  if (entries == 0)
+    return hint(panel,
+                "The scene is empty. Add makes a body; File > Open opens a scene, and so does dropping its file here.");
+  const bool pieces = panel.state.list_pieces;
+  // What breaks and what the filter hides moves nothing below the list.
+  const std::size_t lines = pieces ? kMaxShown : std::min(entries, kMaxShown);
+  ImGui::PushFont(panel.input.fonts.small);
+  ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {3 * ui_scale(panel), 2 * ui_scale(panel)});
+  ImGui::PushStyleColor(ImGuiCol_Header, palette::kFieldActive);
+  draw_table(panel, pieces ? piece_rows(scene, frame) : body_rows(scene, frame), lines);
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar();
+  ImGui::PopFont();
+}
+
+}  // namespace griffith::ui

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/panels/outliner_rows.h"
+#include "ui/widgets/panel.h"
+
+namespace griffith::ui {
+
+/// Draws a row of the outliner's table, its cells in the order of BodyColumn and then the eye. `rows`: all that are
+/// listed, over which Shift chooses.
+void draw_outliner_row(Panel& panel, const std::vector<OutlinerRow>& rows, const OutlinerRow& row);
+
+/// "17.1 t".
+std::string mass_text(double mass);
+
+}  // namespace griffith::ui
