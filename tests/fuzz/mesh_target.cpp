@@ -42,7 +42,7 @@ Scene scene_of(const std::filesystem::path& path, const MeshReport& report) {
 class MeshTarget : public Target {
  public:
   std::string name() const override { return "mesh"; }
-  int fraction() const override { return 500; }
+  int fraction() const override { return 470; }
 
   Input make(RandomValues& random) const override {
     const bool odd = chance(random, 0.5);

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/scene_writer.h"
 #include "tests/fuzz/mutate_json.h"
@@ -9,15 +7,6 @@
 
 namespace griffith::fuzz {
 namespace {
-
-/// Limits what a user may ask for and wait for.
-Scene made_quick(Scene scene) {
-  SimulationSettings& settings = scene.simulation;
-  settings.step_budget = std::min(settings.step_budget, 5.0);
-  settings.max_solver_iterations = std::min(settings.max_solver_iterations, 400);
-  settings.max_cracks_per_step = std::min(settings.max_cracks_per_step, 400);
-  return scene;
-}
 
 class SceneTarget : public Target {
  public:

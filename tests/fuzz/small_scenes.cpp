@@ -138,4 +138,12 @@ double work_of(const Scene& scene) {
   return work;
 }
 
+Scene made_quick(Scene scene) {
+  SimulationSettings& settings = scene.simulation;
+  settings.step_budget = std::min(settings.step_budget, 5.0);
+  settings.max_solver_iterations = std::min(settings.max_solver_iterations, 400);
+  settings.max_cracks_per_step = std::min(settings.max_cracks_per_step, 400);
+  return scene;
+}
+
 }  // namespace griffith::fuzz

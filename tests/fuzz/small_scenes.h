@@ -18,4 +18,7 @@ const std::map<std::string, std::string>& small_files();
 /// About how many tets and splinters a world of the scene has, times the substeps that each explicit step takes.
 double work_of(const Scene& scene);
 
+/// Limits what a user may ask for and wait for.
+Scene made_quick(Scene scene);
+
 }  // namespace griffith::fuzz

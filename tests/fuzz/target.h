@@ -44,5 +44,6 @@ std::unique_ptr<Target> make_surface_target();
 std::unique_ptr<Target> make_cells_target();
 std::unique_ptr<Target> make_points_target();
 std::unique_ptr<Target> make_cache_target();
+std::unique_ptr<Target> make_recording_target();
 
 }  // namespace griffith::fuzz

@@ -32,16 +32,18 @@ TEST(Legend, TicksAreRoundEvenlySpacedAndInside) {
   }
 }
 
-TEST(Legend, NumbersOfTicksDoNotTouch) {
-  constexpr float kText = 13;
-  for (float height = kText; height < 400; height += 7) {
-    for (const double range : {0.7, 1.0, 1.9, 4.9, 8.6}) {
-      const std::vector<double> ticks = legend_ticks(0, range, legend_tick_count(height, kText));
-      for (std::size_t i = 1; i < ticks.size(); ++i)
-        EXPECT_GT((ticks[i] - ticks[i - 1]) / range * height, kText) << height << " pixels for " << range;
-    }
-    if (height > 5 * 1.4f * kText) {
-      EXPECT_EQ(legend_tick_count(height, kText), 5);
+TEST(Legend, NumbersOfTicksDoNotTouchAndTellTheScale) {
+  constexpr double kText = 13;
+  for (double height = 1.5 * kText; height < 400; height += 7) {
+    for (const double range : {0.7, 1.0, 1.75, 1.9, 4.9, 8.6}) {
+      for (const double minimum : {0.0, -range / 2, 3 * range}) {
+        const std::vector<double> ticks = legend_ticks(minimum, minimum + range, legend_tick_count(height, kText));
+        ASSERT_GE(ticks.size(), 2u);
+        EXPECT_GE(ticks.front(), minimum - 1e-9);
+        EXPECT_LE(ticks.back(), minimum + range + 1e-9);
+        for (std::size_t i = 1; i < ticks.size(); ++i)
+          EXPECT_GT((ticks[i] - ticks[i - 1]) / range * height, kText) << height << " pixels for " << range;
+      }
     }
   }
 }

@@ -62,6 +62,21 @@ TEST(Remeshing, MomentumIsKeptThroughAnImpactThatCutsABlock) {
   EXPECT_GE(worst_quality(world.frame()), 0.1);
 }
 
+TEST(Remeshing, WhatIsTooSmallToBreakIsNotCut) {
+  Scene scene = remeshed(struck_block(brick(0.1)));
+  scene.simulation.min_fragment_tets = 1000;
+  World world(scene);
+  const std::size_t tets = world.frame().elements.tets.size();
+  ASSERT_LT(tets, 1000u);
+  int suppressed = 0;
+  for (int step = 0; step < 60; ++step) {
+    world.step();
+    suppressed += world.frame().report.cracks_suppressed;
+  }
+  EXPECT_GT(suppressed, 0);
+  EXPECT_EQ(world.frame().elements.tets.size(), tets);
+}
+
 TEST(Remeshing, IsTheSameOnAnyNumberOfThreads) {
   std::vector<std::uint64_t> hashes;
   for (int threads : {1, 2, 4}) {

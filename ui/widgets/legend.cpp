@@ -93,17 +93,20 @@ float bars_width(const Legend& legend, float scale) { return legend.histogram.em
 
 }  // namespace
 
-std::vector<double> legend_ticks(double minimum, double maximum, int count) {
-  const double step = round_step((maximum - minimum) / std::max(count, 1));
-  std::vector<double> ticks;
+std::vector<double> legend_ticks(double minimum, double maximum, double count) {
+  constexpr double kFinest = 10;
+  const double step = round_step((maximum - minimum) / count);
   const double first = std::ceil(minimum / step - 1e-9), last = std::floor(maximum / step + 1e-9);
+  std::vector<double> ticks;
   for (double i = first; i <= last && ticks.size() < 1000; ++i) ticks.push_back(i * step);
-  return ticks;
+  if (ticks.size() > 1 || count >= kFinest) return ticks;
+  ticks = legend_ticks(minimum, maximum, kFinest);  // one number tells no scale: near both ends
+  return {ticks.front(), ticks.back()};
 }
 
-int legend_tick_count(float bar_height, float text_height) {
-  constexpr float kLineSpacing = 1.4f, kMost = 5;
-  return static_cast<int>(std::clamp(bar_height / (kLineSpacing * text_height), 1.0f, kMost));
+double legend_tick_count(double bar_height, double text_height) {
+  constexpr double kLineSpacing = 1.15, kMost = 5;
+  return std::clamp(bar_height / (kLineSpacing * text_height), 1.0, kMost);
 }
 
 std::string legend_title(const Legend& legend) {

@@ -34,11 +34,12 @@ struct ScreenArea {
   ImVec2 minimum, maximum;
 };
 
-/// Round values inside [minimum, maximum], about `count` of them, ascending. The range must not be empty.
-std::vector<double> legend_ticks(double minimum, double maximum, int count);
+/// Round values inside [minimum, maximum], ascending, at least a `count`-th of it apart, two at least. The range must
+/// not be empty; `count` >= 1.
+std::vector<double> legend_ticks(double minimum, double maximum, double count);
 
 /// How many ticks to ask for beside a bar of this height, so that their numbers do not touch. Both in pixels.
-int legend_tick_count(float bar_height, float text_height);
+double legend_tick_count(double bar_height, double text_height);
 
 /// "Von Mises stress [MPa]": the title with the unit and the prefix that the ticks are written in.
 std::string legend_title(const Legend& legend);

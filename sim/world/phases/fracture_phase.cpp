@@ -52,6 +52,13 @@ void append_copy(WorldState& world, const NodeCopy& copy) {
   nodes.separations[copy.original] = {};
 }
 
+/// Whether elements are cut for the body's cracks. One too small to part would be cut on and on, never to break.
+bool is_remeshed(const WorldState& world, const Body& body) {
+  const Scene& scene = world.model->scene;
+  return scene.bodies[body.scene_body].remeshing &&
+         static_cast<int>(body.tets.size()) >= scene.simulation.min_fragment_tets;
+}
+
 /// Cuts the node's star along the plane; which of its tets lie above (1).
 std::vector<std::uint8_t> remesh(WorldState& world, const Body& body, NodeId node, const Vec3& normal, Opened& opened) {
   record_motion(world, body, opened.motions);
@@ -106,7 +113,7 @@ void date_open_faces(WorldState& world, const std::vector<TetId>& parted) {
 bool crack(WorldState& world, NodeId node, Opened& opened) {
   const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
   const Vec3 normal = world.nodes.separations[node].direction;
-  const std::vector<std::uint8_t> above = world.model->scene.bodies[body.scene_body].remeshing
+  const std::vector<std::uint8_t> above = is_remeshed(world, body)
                                               ? remesh(world, body, node, normal, opened)
                                               : tets_above(world.mesh, world.nodes.positions, node, normal);
   CrackEvent event = describe(world, node, above);
