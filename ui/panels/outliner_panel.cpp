@@ -12,7 +12,13 @@
 namespace griffith::ui {
 namespace {
 
-constexpr std::size_t kMaxShown = 10;  ///< rows before the list scrolls
+float line_height() { return ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y; }
+
+/// Rows before the list scrolls: a quarter of the window.
+std::size_t max_shown() {
+  constexpr std::size_t kAtLeast = 10;
+  return std::max(kAtLeast, static_cast<std::size_t>(0.25f * ImGui::GetIO().DisplaySize.y / line_height()));
+}
 
 void apply_sorting(std::vector<BodyRow>& rows) {
   const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
@@ -24,7 +30,7 @@ void apply_sorting(std::vector<BodyRow>& rows) {
 /// A column of numbers beside the names.
 struct NumberColumn {
   const char* title;
-  float least;  ///< width, design pixels
+  float min_width;  ///< design pixels
   std::string (*text)(const BodyRow& row);
 };
 
@@ -55,7 +61,7 @@ void begin_columns(const Panel& panel, const std::vector<BodyRow>& rows) {
   ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
   for (const NumberColumn& column : kNumberColumns) {
     const float width =
-        std::max({ImGui::CalcTextSize(column.title).x + arrow, column.least * scale, widest(rows, column.text)});
+        std::max({ImGui::CalcTextSize(column.title).x + arrow, column.min_width * scale, widest(rows, column.text)});
     room -= width + gap;
     ImGui::TableSetupColumn(
         column.title,
@@ -83,8 +89,7 @@ void follow_active(Panel& panel, const std::vector<OutlinerRow>& rows, float lin
 }
 
 void draw_table(Panel& panel, std::vector<BodyRow> bodies, std::size_t lines) {
-  const float line = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
-  const float height = line * static_cast<float>(lines + 1);
+  const float line = line_height(), height = line * static_cast<float>(lines + 1);
   constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_Sortable | ImGuiTableFlags_SortTristate | ImGuiTableFlags_ScrollY |
                                      ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings;
   if (!ImGui::BeginTable("##outliner", 6, kFlags, {0, height + 4 * ui_scale(panel)})) return;
@@ -137,11 +142,11 @@ void draw_outliner_panel(Panel& panel) {
     return hint(panel,
                 "The scene is empty. Add makes a body; File > Open opens a scene, and so does dropping its file here.");
   const bool pieces = panel.state.list_pieces;
-  // What breaks and what the filter hides moves nothing below the list.
-  const std::size_t lines = pieces ? kMaxShown : std::min(entries, kMaxShown);
   ImGui::PushFont(panel.input.fonts.small);
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {3 * ui_scale(panel), 2 * ui_scale(panel)});
   ImGui::PushStyleColor(ImGuiCol_Header, palette::kFieldActive);
+  // What breaks and what the filter hides moves nothing below the list.
+  const std::size_t lines = pieces ? max_shown() : std::min(entries, max_shown());
   draw_table(panel, pieces ? piece_rows(scene, frame) : body_rows(scene, frame), lines);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
