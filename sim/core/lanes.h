@@ -1,13 +1,14 @@
 #pragma once
 
-// Eight tetrahedra side by side: one single-precision number of each in a vector register, and the transposes between
-// such registers and arrays of nodes. Written with the compiler's vector types, so that it runs wherever it compiles.
+// Eight things side by side, such as tetrahedra: one single-precision number of each in a vector register, and the
+// transposes between such registers and arrays of nodes. Written with the compiler's vector types, so that it runs
+// wherever it compiles.
 
-namespace griffith::shock {
+namespace griffith::simd {
 
 inline constexpr int kLanes = 8;
 
-using Lanes = float __attribute__((vector_size(32)));      ///< one number a tet
+using Lanes = float __attribute__((vector_size(32)));      ///< one number of each
 using Quad = float __attribute__((vector_size(16)));       ///< x, y, z and one more
 using WideQuad = double __attribute__((vector_size(32)));  ///< the same in double precision
 
@@ -49,4 +50,4 @@ inline void scatter(Lanes x, Lanes y, Lanes z, Lanes w, Quad* out, int stride) {
   }
 }
 
-}  // namespace griffith::shock
+}  // namespace griffith::simd

@@ -52,19 +52,32 @@ Mat3 cauchy_stress(const Mat3& frame, const Mat3& stress) {
   return frame * stress * frame.transpose() / std::max(frame.determinant(), kSmallestVolumeRatio);
 }
 
+namespace {
+
+/// What in Green's model depends on the stretch: V [ mu (g_i·g_j) B Bᵀ + (g_iᵀ sigma⁺ g_j) I ].
+void add_green_terms(const ElasticLaw& law, const RestElement& rest, const ElementState& state, int corner,
+                     StiffnessRow& row) {
+  const Mat3 metric = rest.volume * law.mu * state.frame * state.frame.transpose();
+  const Vec3 gradient = rest.shape_gradients.col(corner), traction = rest.volume * state.tensile_stress * gradient;
+  for (int j = 0; j < 4; ++j) {
+    const Vec3 other = rest.shape_gradients.col(j);
+    row.middleCols<3>(3 * j) += gradient.dot(other) * metric;
+    row.middleCols<3>(3 * j).diagonal().array() += traction.dot(other);
+  }
+}
+
+}  // namespace
+
 StiffnessRow stiffness_row(const ElasticLaw& law, const RestElement& rest, const ElementState& state, int corner) {
-  const Corners gradients = state.frame * rest.shape_gradients;
-  const Mat3 metric = law.mu * state.frame * state.frame.transpose();
-  const Vec3 gradient = rest.shape_gradients.col(corner), a = gradients.col(corner);
-  const bool geometric = law.model == ElementModel::green_strain;
-  const Vec3 traction = geometric ? Vec3(state.tensile_stress * gradient) : Vec3(Vec3::Zero());
+  const Corners gradients = rest.volume * state.frame * rest.shape_gradients;
+  const Vec3 a = state.frame * rest.shape_gradients.col(corner);
   StiffnessRow row;
   for (int j = 0; j < 4; ++j) {
-    const Vec3 b = gradients.col(j), other = rest.shape_gradients.col(j);
-    Mat3 block = law.lambda * a * b.transpose() + law.mu * b * a.transpose() + gradient.dot(other) * metric;
-    block.diagonal().array() += traction.dot(other);
-    row.middleCols<3>(3 * j) = rest.volume * block;
+    const Vec3 b = gradients.col(j), scaled = law.mu * b;
+    row.middleCols<3>(3 * j) = law.lambda * a * b.transpose() + scaled * a.transpose();
+    if (law.model == ElementModel::corotational) row.middleCols<3>(3 * j).diagonal().array() += a.dot(scaled);
   }
+  if (law.model == ElementModel::green_strain) add_green_terms(law, rest, state, corner, row);
   return row;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "sim/core/lanes.h"
 #include "sim/elasticity/material.h"
-#include "sim/shock/lanes.h"
 
 namespace griffith::shock {
+
+using namespace simd;
 
 /// Eight linear tetrahedra of one body. Displacements and gradients are seen from a reference placement near the
 /// present one, so that single precision resolves the strains of stiff materials. Symmetric tensors have the entries

@@ -1,5 +1,7 @@
 #include "sim/solver/aggregates.h"
 
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
@@ -111,6 +113,20 @@ std::vector<int> patch_aggregates(const BlockSparseMatrix& matrix, int target_si
   group_the_rest(matrix, target_size, count, aggregates);
   number_without_gaps(aggregates);
   return aggregates;
+}
+
+std::vector<int> elimination_order(const std::vector<std::vector<int>>& neighbours) {
+  const int count = static_cast<int>(neighbours.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int a = 0; a < count; ++a)
+    for (const int other : neighbours[a]) entries.emplace_back(other, a, 1.0);
+  Eigen::SparseMatrix<double> pattern(count, count);
+  pattern.setFromTriplets(entries.begin(), entries.end());
+  Eigen::AMDOrdering<int>::PermutationType old_numbers;
+  Eigen::AMDOrdering<int>()(pattern.selfadjointView<Eigen::Lower>(), old_numbers);
+  std::vector<int> numbers(count);
+  for (int number = 0; number < count; ++number) numbers[old_numbers.indices()[number]] = number;
+  return numbers;
 }
 
 }  // namespace griffith

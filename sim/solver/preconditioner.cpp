@@ -20,6 +20,17 @@ Eigen::MatrixXf with_few_rows(Eigen::MatrixXf modes) {
   return decomposition.matrixQR().topRows(columns).triangularView<Eigen::Upper>();
 }
 
+/// L⁻¹ b.
+Eigen::VectorXf half_solved(const BlockTriangle& triangle, const Eigen::VectorXd& b) {
+  constexpr int kSize = BlockTriangle::kSize;
+  std::vector<simd::Lanes> x(triangle.rows(), simd::Lanes{});
+  for (Eigen::Index i = 0; i < b.size(); ++i) x[i / kSize][i % kSize] = static_cast<float>(b[i]);
+  triangle.solve(x);
+  Eigen::VectorXf solved(b.size());
+  for (Eigen::Index i = 0; i < b.size(); ++i) solved[i] = x[i / kSize][i % kSize];
+  return solved;
+}
+
 }  // namespace
 
 const Eigen::SparseMatrix<double>* CopyableCholesky::factor(const Eigen::SparseMatrix<double>& matrix) {
@@ -29,7 +40,6 @@ const Eigen::SparseMatrix<double>* CopyableCholesky::factor(const Eigen::SparseM
   }
   solver_->factorize(matrix);
   if (solver_->info() != Eigen::Success) return nullptr;
-  order_ = solver_->permutationP();
   return &solver_->matrixL().nestedExpression();
 }
 
@@ -41,8 +51,7 @@ RigidModePreconditioner::RigidModePreconditioner(const BlockSparseMatrix& matrix
 
 std::size_t RigidModePreconditioner::memory() const {
   return aggregates_.size() * (2 * sizeof(int) + sizeof(Vec3) + sizeof(Mat3)) + coarse_slots_.size() * sizeof(int) +
-         static_cast<std::size_t>(coarse_.nonZeros()) * (2 * sizeof(double) + sizeof(int)) +
-         static_cast<std::size_t>(lower_.nonZeros()) * (sizeof(float) + sizeof(int));
+         static_cast<std::size_t>(coarse_.nonZeros()) * (2 * sizeof(double) + sizeof(int)) + triangle_.memory();
 }
 
 void RigidModePreconditioner::patch(const BlockSparseMatrix& matrix, const std::vector<int>& previous_rows,
@@ -77,34 +86,47 @@ void RigidModePreconditioner::update(const BlockSparseMatrix& matrix, const Node
     for (int node : nodes) arms_.col(node) = positions.col(node) - center;
   }
   if (const double square = arms_.squaredNorm(); square > 0) arms_ *= std::sqrt(arms_.cols() / square);
-  if (members_.empty()) return lower_.resize(0, 0);  // every node is held
+  if (members_.empty()) return void(triangle_ = {});  // every node is held
   if (coarse_.cols() != 6 * aggregate_count()) allocate_coarse_matrix();
   assemble_coarse_matrix(matrix);
   factor_coarse_matrix();
 }
 
 void RigidModePreconditioner::build_coarse_pattern(const BlockSparseMatrix& matrix) {
-  std::vector<std::vector<int>> coarse_rows(aggregate_count());
-  coarse_slots_.assign(matrix.columns.size(), -1);
-  for (int a = 0; a < aggregate_count(); ++a) {
-    std::vector<int>& neighbours = coarse_rows[a];
-    const auto visit = [&](const auto& action) {
-      for (int node : members_[a])
-        for (int k = matrix.row_starts[node]; k < matrix.row_starts[node + 1]; ++k)
-          if (const int other = aggregates_[matrix.columns[k]]; other >= a) action(k, other);
-    };
-    visit([&](int, int other) {
-      if (std::find(neighbours.begin(), neighbours.end(), other) == neighbours.end()) neighbours.push_back(other);
-    });
-    std::sort(neighbours.begin(), neighbours.end());
-    visit([&](int k, int other) {
-      coarse_slots_[k] =
-          static_cast<int>(std::lower_bound(neighbours.begin(), neighbours.end(), other) - neighbours.begin());
-    });
+  if (std::vector<std::vector<int>> neighbours = coarse_neighbours(matrix); neighbours != coarse_rows_) {
+    renumber_aggregates(elimination_order(neighbours));
+    coarse_rows_ = coarse_neighbours(matrix);
+    coarse_.resize(0, 0);  // made by the next update: debris never needs one
   }
-  if (coarse_rows == coarse_rows_) return;
-  coarse_rows_ = std::move(coarse_rows);
-  coarse_.resize(0, 0);  // made by the next update: debris never needs one
+  coarse_slots_.assign(matrix.columns.size(), -1);
+  for (int node = 0; node < matrix.rows(); ++node) {
+    const std::vector<int>& rows = coarse_rows_[aggregates_[node]];
+    for (int k = matrix.row_starts[node]; k < matrix.row_starts[node + 1]; ++k)
+      if (const int other = aggregates_[matrix.columns[k]]; other >= aggregates_[node])
+        coarse_slots_[k] = static_cast<int>(std::ranges::lower_bound(rows, other) - rows.begin());
+  }
+}
+
+std::vector<std::vector<int>> RigidModePreconditioner::coarse_neighbours(const BlockSparseMatrix& matrix) const {
+  std::vector<std::vector<int>> neighbours(aggregate_count());
+  for (int a = 0; a < aggregate_count(); ++a) {
+    std::vector<int>& found = neighbours[a];
+    for (const int node : members_[a])
+      for (int k = matrix.row_starts[node]; k < matrix.row_starts[node + 1]; ++k)
+        if (const int other = aggregates_[matrix.columns[k]];
+            other >= a && std::ranges::find(found, other) == found.end())
+          found.push_back(other);
+    std::ranges::sort(found);
+  }
+  return neighbours;
+}
+
+/// `numbers`: the new one of each.
+void RigidModePreconditioner::renumber_aggregates(const std::vector<int>& numbers) {
+  for (int& aggregate : aggregates_) aggregate = numbers[aggregate];
+  std::vector<std::vector<int>> members(members_.size());
+  for (std::size_t a = 0; a < members_.size(); ++a) members[numbers[a]] = std::move(members_[a]);
+  members_ = std::move(members);
 }
 
 void RigidModePreconditioner::allocate_coarse_matrix() {
@@ -161,40 +183,42 @@ void RigidModePreconditioner::factor_coarse_matrix() {
   ++factorizations_;
   const Eigen::SparseMatrix<double>* factors = coarse_factors_.factor(coarse_);
   if (!factors) {
-    lower_.resize(0, 0);
+    triangle_ = {};
     factored_.resize(0);
     return;
   }
-  lower_ = factors->cast<float>();
+  triangle_ = BlockTriangle(*factors);
   factored_ = values;
 }
 
-/// R (Rᵀ A R)⁻¹ Rᵀ r: the six modes of each aggregate.
-Eigen::VectorXd RigidModePreconditioner::solve_coarse(const NodeVectors& r) const {
-  Eigen::VectorXd coarse = Eigen::VectorXd::Zero(6 * aggregate_count());
-  if (!has_coarse_space()) return coarse;
+/// (Rᵀ A R)⁻¹ Rᵀ r: the six modes of each aggregate.
+std::vector<simd::Lanes> RigidModePreconditioner::solve_coarse(const NodeVectors& r) const {
+  std::vector<simd::Lanes> modes(members_.size(), simd::Lanes{});
+  if (!has_coarse_space()) return modes;
   for (int a = 0; a < aggregate_count(); ++a) {
-    Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
+    Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
     for (int node : members_[a]) {
-      sum.head<3>() += r.col(node);
-      sum.tail<3>() += arms_.col(node).cross(r.col(node));
+      force += r.col(node);
+      torque += arms_.col(node).cross(r.col(node));
     }
-    coarse.segment<6>(6 * a) = sum;
+    for (int i = 0; i < 3; ++i) {
+      modes[a][i] = static_cast<float>(force[i]);
+      modes[a][3 + i] = static_cast<float>(torque[i]);
+    }
   }
-  Eigen::VectorXf solved = (coarse_factors_.order() * coarse).cast<float>();
-  lower_.triangularView<Eigen::Lower>().solveInPlace(solved);
-  lower_.transpose().triangularView<Eigen::Upper>().solveInPlace(solved);
-  return coarse_factors_.order().inverse() * solved.cast<double>();
+  triangle_.solve(modes);
+  triangle_.solve_transposed(modes);
+  return modes;
 }
 
 void RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) const {
-  const Eigen::VectorXd coarse = solve_coarse(r);
+  const std::vector<simd::Lanes> coarse = solve_coarse(r);
   z.resize(3, r.cols());
   parallel_for(static_cast<int>(r.cols()), 2048, [&](int begin, int end) {
     for (int node = begin; node < end; ++node) {
-      const int a = aggregates_[node];
-      z.col(node) = inverse_diagonal_[node] * r.col(node) + coarse.segment<3>(6 * a) +
-                    coarse.segment<3>(6 * a + 3).cross(arms_.col(node));
+      const simd::Lanes modes = coarse[aggregates_[node]];
+      const Vec3 shift(modes[0], modes[1], modes[2]), turn(modes[3], modes[4], modes[5]);
+      z.col(node) = inverse_diagonal_[node] * r.col(node) + shift + turn.cross(arms_.col(node));
     }
   });
 }
@@ -213,8 +237,9 @@ Eigen::MatrixXd RigidModePreconditioner::coarse_loads(std::span<const WeightedRo
 PointCompliance RigidModePreconditioner::compliance(std::span<const WeightedRows> points,
                                                     const Eigen::MatrixXd& loads) const {
   PointCompliance compliance = node_compliance(points, inverse_diagonal_);
-  Eigen::MatrixXf half = (coarse_factors_.order() * loads).cast<float>();
-  lower_.triangularView<Eigen::Lower>().solveInPlace(half);
+  Eigen::MatrixXf half(loads.rows(), loads.cols());
+  for (Eigen::Index column = 0; column < loads.cols(); ++column)
+    half.col(column) = half_solved(triangle_, loads.col(column));
   compliance.modes = with_few_rows(std::move(half)).cast<double>();
   return compliance;
 }

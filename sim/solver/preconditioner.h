@@ -7,32 +7,30 @@
 
 #include "sim/core/point_compliance.h"
 #include "sim/solver/block_sparse_matrix.h"
+#include "sim/solver/block_triangle.h"
 
 namespace griffith {
 
-/// Eigen's sparse Cholesky factorisation, as a value: a copy has its order and analyses the pattern anew when it next
-/// factors.
+/// Eigen's sparse Cholesky factorisation in the order that the matrix has, as a value: a copy analyses the pattern anew
+/// when it next factors.
 class CopyableCholesky {
  public:
-  using Solver = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>;
+  using Solver = Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>>;
 
   CopyableCholesky() = default;
   CopyableCholesky(CopyableCholesky&&) noexcept = default;
   CopyableCholesky& operator=(CopyableCholesky&&) noexcept = default;
-  CopyableCholesky(const CopyableCholesky& other) : order_(other.order_) {}
-  CopyableCholesky& operator=(const CopyableCholesky& other) { return *this = CopyableCholesky(other); }
+  CopyableCholesky(const CopyableCholesky&) {}
+  CopyableCholesky& operator=(const CopyableCholesky&) { return *this = CopyableCholesky(); }
 
   /// To be called where the pattern of what factor() takes has changed.
   void forget_pattern() { solver_.reset(); }
   /// The lower triangle of the factors; null where the matrix, of which the lower triangle counts, is not positive
   /// definite. Valid until the next call.
   const Eigen::SparseMatrix<double>* factor(const Eigen::SparseMatrix<double>& matrix);
-  /// P in P A Pᵀ = L Lᵀ, and its inverse.
-  const Eigen::PermutationMatrix<Eigen::Dynamic>& order() const { return order_; }
 
  private:
   std::unique_ptr<Solver> solver_;
-  Eigen::PermutationMatrix<Eigen::Dynamic> order_;
 };
 
 /// z = D⁻¹ r + R (Rᵀ A R)⁻¹ Rᵀ r: block Jacobi and a coarse space of the six rigid-body modes of each aggregate of
@@ -70,10 +68,12 @@ class RigidModePreconditioner {
   void allocate_coarse_matrix();
   void assemble_coarse_matrix(const BlockSparseMatrix& matrix);
   void factor_coarse_matrix();
-  Eigen::VectorXd solve_coarse(const NodeVectors& r) const;
+  void renumber_aggregates(const std::vector<int>& numbers);
+  std::vector<std::vector<int>> coarse_neighbours(const BlockSparseMatrix& matrix) const;
+  std::vector<simd::Lanes> solve_coarse(const NodeVectors& r) const;
   Eigen::MatrixXd coarse_loads(std::span<const WeightedRows> points) const;
   PointCompliance compliance(std::span<const WeightedRows> points, const Eigen::MatrixXd& loads) const;
-  bool has_coarse_space() const { return lower_.rows() > 0; }
+  bool has_coarse_space() const { return triangle_.rows() > 0; }
 
   std::vector<int> aggregates_;            // per node
   std::vector<std::vector<int>> members_;  // per aggregate: its nodes, ascending
@@ -83,8 +83,8 @@ class RigidModePreconditioner {
   std::vector<int> coarse_slots_;              // per block of the matrix: index into the column's coarse_rows_, or -1
   Eigen::SparseMatrix<double> coarse_;         // Rᵀ A R: the lower triangle, by 6×6 blocks
   CopyableCholesky coarse_factors_;
-  Eigen::SparseMatrix<float> lower_;  // their triangle, for apply(), which need not be more exact; empty without any
-  Eigen::ArrayXd factored_;           // values of the coarse matrix when it was factored
+  BlockTriangle triangle_;   // of the factors, for apply(), which need not be more exact; empty without any
+  Eigen::ArrayXd factored_;  // values of the coarse matrix when it was factored
   int factorizations_ = 0;
 };
 
