@@ -40,6 +40,7 @@ std::span<const CommandAction> Editor::command_actions() {
       {CommandId::toggle_slice, [](Editor& editor, const ui::Command&) { editor.toggle_slice(); }},
       {CommandId::select_most_loaded, [](Editor& editor, const ui::Command&) { editor.select_most_loaded(); }},
       {CommandId::log, [](Editor& editor, const ui::Command&) { toggle(editor.state_.log_view.shown); }},
+      {CommandId::toggle_plots, [](Editor& editor, const ui::Command&) { toggle(editor.state_.plots.shown); }},
       {CommandId::preferences, [](Editor& editor, const ui::Command&) { editor.state_.show_preferences = true; }},
       {CommandId::palette, [](Editor& editor, const ui::Command&) { editor.state_.palette.shown = true; }},
       {CommandId::tour, [](Editor& editor, const ui::Command&) { editor.tour_wanted_ = true; }},
@@ -78,8 +79,12 @@ std::span<const CommandAction> Editor::command_actions() {
        [](Editor& editor, const ui::Command& command) {
          editor.ask_where_to_save_run(ui::SavedKind::bug_report, command.path);
        }},
+      {CommandId::save_plots_dialog,
+       [](Editor& editor,
+          const ui::Command& command) { editor.ask_where_to_save_run(ui::SavedKind::plots, command.path); }},
       {CommandId::save_recording, kSaveRun},
       {CommandId::save_report, kSaveRun},
+      {CommandId::save_plots, kSaveRun},
       {CommandId::recover, [](Editor& editor, const ui::Command&) { editor.recover(); }},
       {CommandId::discard_copy, [](Editor& editor, const ui::Command&) { editor.discard_copy(); }},
       {CommandId::leave_copy, [](Editor& editor, const ui::Command&) { editor.leave_copy(); }},

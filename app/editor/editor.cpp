@@ -81,6 +81,7 @@ void Editor::restart() {
   built_ = history_.scene();
   seen_revision_ = -1;
   history_of_utilizations_.clear();
+  run_history_.restart(world().frame());
   forget_stop();
   remember();
   pacer_.reset();
@@ -107,6 +108,7 @@ HiddenBodies Editor::hidden_bodies() const {
 void Editor::remember() {
   const Frame frame = world().frame();
   history_of_utilizations_.record(frame);
+  run_history_.record(timeline_);
   select(ui::follow(state_.selection, frame));
 }
 
@@ -200,6 +202,8 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
   input.recent_files = recent_.files();
   input.scene_path = path_;
   input.time = time_view();
+  input.series = run_history_.series();
+  if (state_.plots.shown) input.curves = run_history_.curves(timeline_, state_.plots.chosen);
   input.time_step = history_.scene().simulation.time_step;
   input.step_milliseconds = 1000 * step_seconds_;
   input.frames_per_second = picture_seconds_ > 0 ? 1 / picture_seconds_ : 0;

@@ -9,6 +9,7 @@
 
 #include "app/editor/autosave.h"
 #include "app/editor/recent_files.h"
+#include "app/editor/run_history.h"
 #include "app/editor/step_pacer.h"
 #include "app/editor/utilization_history.h"
 #include "app/editor/world_loader.h"
@@ -147,8 +148,10 @@ class Editor {
   void save(const ui::Command& command);
   void ask_where_to_save(std::filesystem::path proposed = {});
   void ask_where_to_save_run(ui::SavedKind kind, std::filesystem::path proposed);
-  /// Writes the recording, or asks for the picture of a bug report.
+  /// Writes the recording or the plotted series, or asks for the picture of a bug report.
   void save_run(const ui::Command& command);
+  void write_recorded_run(const std::filesystem::path& path);
+  void write_plots(const std::filesystem::path& path);
   /// The present branch. Throws InputError where files of its scene have changed since the world was built.
   Recording recorded_run() const;
   /// Where the scene stands on disk, absolute; empty when nowhere.
@@ -237,6 +240,7 @@ class Editor {
   ui::LegendCorner legend_corner_ = {};
   PictureKey legend_placed_;  ///< for which picture it was
   PictureKey drawn_;
+  RunHistory run_history_;
   UtilizationHistory history_of_utilizations_;
   std::vector<ui::UtilizationSample> utilizations_;  ///< of the selected node
   StepPacer pacer_;

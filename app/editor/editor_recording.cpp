@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/editor/curve_table.h"
 #include "app/editor/editor.h"
 #include "app/output/bug_report.h"
 #include "app/shared/scene_files.h"
@@ -18,6 +19,7 @@ namespace {
 fs::path file_of_run(const std::string& scene, ui::SavedKind kind) {
   std::string name = scene.empty() ? "run" : scene;
   std::ranges::replace(name, '/', '-');
+  if (kind == ui::SavedKind::plots) return name + ".csv";
   return name + (kind == ui::SavedKind::recording ? "" : " report") + ".tar.zst";
 }
 
@@ -67,13 +69,27 @@ void Editor::save_run(const ui::Command& command) {
     return;
   }
   check_replaceable(command.path);
-  if (command.id == ui::CommandId::save_report) {
-    wanted_report_ = command.path;
-    return;
+  switch (command.id) {
+    case ui::CommandId::save_report:
+      wanted_report_ = command.path;
+      return;
+    case ui::CommandId::save_plots:
+      return write_plots(command.path);
+    default:
+      return write_recorded_run(command.path);
   }
+}
+
+void Editor::write_recorded_run(const fs::path& path) {
   const Recording recording = recorded_run();
-  write_recording(recording, command.path);
-  log(ui::LogLevel::info, "Recorded " + std::to_string(recording.steps()) + " steps in " + command.path.string());
+  write_recording(recording, path);
+  log(ui::LogLevel::info, "Recorded " + std::to_string(recording.steps()) + " steps in " + path.string());
+}
+
+void Editor::write_plots(const fs::path& path) {
+  const ui::RunCurves curves = run_history_.curves(timeline_, state_.plots.chosen);
+  replace_file(path, curve_table(curves));
+  log(ui::LogLevel::info, "Wrote " + std::to_string(curves.steps.size()) + " steps to " + path.string());
 }
 
 std::optional<fs::path> Editor::take_report_request() { return std::exchange(wanted_report_, std::nullopt); }

@@ -28,8 +28,8 @@ void read_names(const Place& place, std::vector<std::string>& names) {
 /// Whether a picture may be of what a command does: none that reads or writes files, or leaves.
 bool is_for_pictures(ui::CommandId id) {
   using enum ui::CommandId;
-  constexpr std::array kOthers = {open,        save,           recover,     discard_copy, leave_copy,
-                                  add_surface, save_recording, save_report, screenshot,   quit};
+  constexpr std::array kOthers = {open,           save,        recover,    discard_copy, leave_copy, add_surface,
+                                  save_recording, save_report, save_plots, screenshot,   quit};
   return std::ranges::find(kOthers, id) == kOthers.end();
 }
 

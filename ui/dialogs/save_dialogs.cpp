@@ -41,6 +41,8 @@ SavedWords words_of(SavedKind kind) {
       return {"Save the scene as", CommandId::save, CommandId::save_dialog};
     case SavedKind::recording:
       return {"Save the recording as", CommandId::save_recording, CommandId::save_recording_dialog};
+    case SavedKind::plots:
+      return {"Save the plots as", CommandId::save_plots, CommandId::save_plots_dialog};
     default:
       return {"Save the bug report as", CommandId::save_report, CommandId::save_report_dialog};
   }
@@ -48,7 +50,7 @@ SavedWords words_of(SavedKind kind) {
 
 /// The dialog that asks for another file than the command has.
 CommandId dialog_of(CommandId save) {
-  for (const SavedKind kind : {SavedKind::recording, SavedKind::bug_report})
+  for (const SavedKind kind : {SavedKind::recording, SavedKind::bug_report, SavedKind::plots})
     if (words_of(kind).save == save) return words_of(kind).dialog;
   return CommandId::save_dialog;
 }
@@ -69,7 +71,9 @@ SaveTarget save_target(const std::filesystem::path& file, SavedKind kind) {
 
 std::filesystem::path file_of(const SaveTarget& target) {
   std::filesystem::path file = target.folder / target.name.data();
-  const std::string_view ending = target.kind == SavedKind::scene ? ".json" : ".tar.zst";
+  const std::string_view ending = target.kind == SavedKind::scene   ? ".json"
+                                  : target.kind == SavedKind::plots ? ".csv"
+                                                                    : ".tar.zst";
   if (!file.string().ends_with(ending)) file += ending;
   return file.lexically_normal();
 }

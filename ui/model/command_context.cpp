@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/model/entry_choice.h"
+#include "ui/model/plot_view.h"
 
 namespace griffith::ui {
 namespace {
@@ -65,6 +66,10 @@ std::string_view no_surface_named(const CommandContext& context) {
   return unless(context.state.surface.path[0] != '\0', "No file of a surface is named.");
 }
 
+std::string_view nothing_plotted(const CommandContext& context) {
+  return unless(count_series(context.state.plots.chosen) > 0, "No series is chosen in the plots.");
+}
+
 std::string_view no_colour_range(const CommandContext& context) {
   return unless(context.state.view.range || context.has_legend, "The picture is not coloured by a quantity.");
 }
@@ -78,6 +83,7 @@ bool hides_body(const CommandContext& context) {
   const auto hidden = [&](const std::string& name) { return context.state.hidden_bodies.contains(name); };
   return !bodies.empty() && std::ranges::all_of(bodies, hidden);
 }
+bool shows_plots(const CommandContext& context) { return context.state.plots.shown; }
 bool shows_log(const CommandContext& context) { return context.state.log_view.shown; }
 bool shows_gizmo(const CommandContext& context) { return context.state.show_gizmo; }
 bool shows_help(const CommandContext& context) { return context.state.show_help; }

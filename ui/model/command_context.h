@@ -31,6 +31,7 @@ std::string_view no_body_chosen(const CommandContext& context);
 std::string_view no_camera_chosen(const CommandContext& context);
 std::string_view no_left_edits(const CommandContext& context);
 std::string_view no_surface_named(const CommandContext& context);
+std::string_view nothing_plotted(const CommandContext& context);
 std::string_view no_colour_range(const CommandContext& context);
 
 // Whether what a command toggles is on.
@@ -39,6 +40,7 @@ bool shows_edges(const CommandContext& context);
 bool locks_range(const CommandContext& context);
 bool has_slice(const CommandContext& context);
 bool hides_body(const CommandContext& context);
+bool shows_plots(const CommandContext& context);
 bool shows_log(const CommandContext& context);
 bool shows_gizmo(const CommandContext& context);
 bool shows_help(const CommandContext& context);

@@ -15,6 +15,7 @@
 #include "ui/model/edit_history.h"
 #include "ui/model/gizmo.h"
 #include "ui/model/preferences.h"
+#include "ui/model/run_curves.h"
 #include "ui/model/scene_entry.h"
 #include "ui/model/selection.h"
 #include "ui/model/time_view.h"
@@ -52,7 +53,7 @@ struct SurfaceRequest {
 };
 
 /// What a dialog asks a place for.
-enum class SavedKind { scene, recording, bug_report };
+enum class SavedKind { scene, recording, bug_report, plots };
 
 /// Where something is to be saved, as the dialog for it has it.
 struct SaveTarget {
@@ -63,7 +64,7 @@ struct SaveTarget {
 };
 /// Proposes the file's folder and name.
 SaveTarget save_target(const std::filesystem::path& file, SavedKind kind = SavedKind::scene);
-/// The file; ends as files of its kind do, in .json or .tar.zst, whether that was typed or not.
+/// The file; ends as files of its kind do, in .json, .tar.zst or .csv, whether that was typed or not.
 std::filesystem::path file_of(const SaveTarget& target);
 
 /// A save that would lose what another has written.
@@ -160,6 +161,7 @@ struct EditorState {
   double wanted_scale = 0;  ///< being dragged in the preferences; 0: not shown yet
   Palette palette;
   LogView log_view;
+  PlotsState plots;
   std::optional<Caption> caption;
   std::vector<LogLine> log;
   std::size_t log_seen = 0;              ///< so many of the lines are older than the last thing that the user did

@@ -26,6 +26,9 @@ struct TimeView {
   std::vector<TimeTick> ticks;  ///< of the branch, by step
 };
 
+/// "step 12, 0.2 s".
+std::string step_text(const TimeView& time, std::int64_t step);
+
 /// When the simulation stops by itself: in the state before the step in which one of these comes true.
 struct Breakpoints {
   enum class Where { nowhere, anywhere, body, node };

@@ -12,7 +12,7 @@
 namespace griffith::ui {
 namespace {
 
-constexpr float kLogHeight = 180, kMinimumLog = 90;  // design pixels
+constexpr float kLogHeight = 180, kPlotsHeight = 230, kMinimumDock = 90;  // design pixels
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
@@ -94,28 +94,45 @@ void draw_bars(Panel& panel, const Layout& layout) {
   ImGui::PopStyleVar();
 }
 
-/// The panel of messages, below the view; its upper border can be dragged. Returns its height.
-float draw_log(Panel& panel, const Layout& layout) {
-  LogView& view = panel.state.log_view;
-  if (!view.shown) return 0;
+/// A panel below the view.
+struct Dock {
+  const char* window;
+  float first_height;  ///< [design pixels]
+  void (*draw)(Panel& panel);
+};
+
+/// Draws the panel, whose upper border can be dragged, above the `covered` pixels that others take. Returns its height.
+float draw_dock(Panel& panel, const Layout& layout, const Dock& dock, float& height, float covered) {
   const float scale = ui_scale(panel), left = layout.corner.x + panel.state.left_width;
   const float width = layout.end.x - panel.state.right_width - left;
-  const ImGuiCond once = view.height == 0 ? ImGuiCond_Always : ImGuiCond_Once;
-  if (view.height == 0) view.height = kLogHeight * scale;
-  ImGui::SetNextWindowSize({width, view.height}, once);
-  ImGui::SetNextWindowSizeConstraints({width, kMinimumLog * scale}, {width, (layout.bottom() - layout.top()) / 2});
-  ImGui::SetNextWindowPos({left, layout.bottom() - view.height});
-  ImGui::Begin("##log", nullptr, kFixed);
-  view.height = ImGui::GetWindowHeight();
-  draw_log_panel(panel);
+  const ImGuiCond once = height == 0 ? ImGuiCond_Always : ImGuiCond_Once;
+  if (height == 0) height = dock.first_height * scale;
+  const float room = layout.bottom() - layout.top() - covered;
+  ImGui::SetNextWindowSize({width, height}, once);
+  ImGui::SetNextWindowSizeConstraints({width, kMinimumDock * scale}, {width, room / 2});
+  ImGui::SetNextWindowPos({left, layout.bottom() - covered - height});
+  ImGui::Begin(dock.window, nullptr, kFixed);
+  height = ImGui::GetWindowHeight();
+  dock.draw(panel);
   ImGui::End();
-  return view.height;
+  return height;
 }
 
-void draw_center(Panel& panel, const Layout& layout, float log_height) {
+/// Plots and messages, below the view. Returns the height of both.
+float draw_docks(Panel& panel, const Layout& layout) {
+  PlotsState& plots = panel.state.plots;
+  LogView& log = panel.state.log_view;
+  float covered = 0;
+  if (plots.shown)
+    covered += draw_dock(panel, layout, {"##plots", kPlotsHeight, draw_plot_panel}, plots.height, covered);
+  if (log.shown) covered += draw_dock(panel, layout, {"##log", kLogHeight, draw_log_panel}, log.height, covered);
+  return covered;
+}
+
+void draw_center(Panel& panel, const Layout& layout, float docks_height) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   begin_fixed("##view", {layout.corner.x + panel.state.left_width, layout.top()},
-              {layout.end.x - panel.state.right_width, layout.bottom() - log_height},
+              {layout.end.x - panel.state.right_width, layout.bottom() - docks_height},
               kBar | ImGuiWindowFlags_NoScrollWithMouse, palette::kWindow);
   ImGui::PopStyleVar();
   draw_viewport(panel);
@@ -138,7 +155,7 @@ std::vector<Command> draw_editor(const EditorInput& input, EditorState& state, E
   draw_bars(panel, layout);
   draw_left(panel, layout);
   draw_right(panel, layout);
-  draw_center(panel, layout, draw_log(panel, layout));
+  draw_center(panel, layout, draw_docks(panel, layout));
   draw_dialogs(panel);
   draw_caption(panel);
   const bool acted = !commands.empty() || history.revision() != revision || (had_error && !state.error);

@@ -31,6 +31,8 @@ void draw_statistics_panel(Panel& panel);
 void draw_viewport(Panel& panel);
 /// The recorded past, to go back to; where the simulation is to stop by itself.
 void draw_time_bar(Panel& panel);
+/// How the chosen series went over time; a click or a drag goes to a step.
+void draw_plot_panel(Panel& panel);
 /// All messages, by level and text.
 void draw_log_panel(Panel& panel);
 /// The colour that messages of a level are written in.

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <string>
 
-#include "ui/model/units.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -12,11 +11,6 @@ namespace griffith::ui {
 namespace {
 
 constexpr std::array<const char*, 4> kCrackPlaces = {"none", "any", "of the selected body", "at the selected node"};
-
-std::string step_text(const Panel& panel, std::int64_t step) {
-  const double time = static_cast<double>(step) * panel.input.time.time_step;
-  return "step " + std::to_string(step) + ", " + format_quantity(time, "s", 4);
-}
 
 /// What happened in the steps that the cursor points at.
 std::string ticks_text(const TimeView& time, std::int64_t first, std::int64_t last) {
@@ -79,7 +73,7 @@ void draw_bar(Panel& panel, float width) {
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
     const std::int64_t reach =
         std::max<std::int64_t>(0, std::llround(3 * scale / (bar.high.x - bar.low.x) * bar.steps));
-    ImGui::SetTooltip("%s%s", step_text(panel, pointed).c_str(),
+    ImGui::SetTooltip("%s%s", step_text(time, pointed).c_str(),
                       ticks_text(time, pointed - reach, pointed + reach).c_str());
   }
 }

@@ -32,6 +32,8 @@ struct EditorInput {
   std::span<const std::filesystem::path> recent_files;  ///< opened or saved last, newest first
   std::filesystem::path scene_path;                     ///< of the scene being edited, may be empty
   TimeView time;                                        ///< the recorded past
+  std::span<const RunSeries> series;                    ///< that can be plotted
+  RunCurves curves;                                     ///< those that are, while plots are shown
   double time_step = 0;                                 ///< in force [s]
   double step_milliseconds = 0;                         ///< of a step, smoothed
   double frames_per_second = 0;                         ///< drawn

@@ -1,0 +1,103 @@
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "editor_fixture.h"
+
+namespace griffith::app {
+namespace {
+
+using ::testing::HasSubstr;
+using ui::CommandId;
+
+class EditorPlots : public EditorTest {
+ protected:
+  void make_steps(int count) {
+    for (int i = 0; i < count; ++i) editor_.step();
+    draw();
+  }
+
+  std::string text_of(const std::filesystem::path& file) const {
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+};
+
+TEST_F(EditorPlots, PShowsThemAndAClickInThemGoesBack) {
+  make_steps(20);
+  EXPECT_FALSE(ui::find_tag(editor_.tags(), "plots/strip/0"));
+  press_key('P');
+  draw(3);
+  EXPECT_THAT(value("plots/strip/0"), HasSubstr("Kinetic, Elastic ["));
+  click("plots/strip/0");
+  EXPECT_GT(editor_.frame().step, 5);
+  EXPECT_LT(editor_.frame().step, 15);
+  EXPECT_EQ(editor_.timeline().last_step(), 20);
+  press_key('P');
+  EXPECT_FALSE(ui::find_tag(editor_.tags(), "plots/strip/0"));
+}
+
+TEST_F(EditorPlots, AreSavedAsWhatTheyShow) {
+  make_steps(6);
+  const auto file = test_folder() / "run.csv";
+  std::filesystem::remove(file);
+  editor_.state().plots.chosen = {"pieces", "", "energy.gravity"};
+  editor_.execute({.id = CommandId::save_plots, .path = file});
+  std::istringstream lines(text_of(file));
+  std::string line, last;
+  int rows = 0;
+  std::getline(lines, line);
+  EXPECT_EQ(line, "step,time [s],pieces,energy.gravity [J]");
+  while (std::getline(lines, line)) last = line, ++rows;
+  EXPECT_EQ(rows, 7);
+  double step = 0, time = 0, pieces = 0, gravity = 0;
+  ASSERT_EQ(std::sscanf(last.c_str(), "%lf,%lf,%lf,%lf", &step, &time, &pieces, &gravity), 4) << last;
+  EXPECT_EQ(step, 6);
+  EXPECT_EQ(time, editor_.frame().time);
+  EXPECT_EQ(pieces, static_cast<double>(editor_.frame().bodies.size()));
+  EXPECT_EQ(gravity, editor_.frame().energy.gravity);
+}
+
+TEST_F(EditorPlots, NoFileIsReplacedUnasked) {
+  const auto file = test_folder() / "mine.csv";
+  std::ofstream(file) << "mine";
+  editor_.execute({.id = CommandId::save_plots, .path = file});
+  ASSERT_TRUE(editor_.state().replacement);
+  EXPECT_EQ(text_of(file), "mine");
+  draw(3);
+  click("replace/cancel");
+  draw(3);
+  ASSERT_TRUE(editor_.state().save_as) << "another name is asked for";
+  EXPECT_EQ(editor_.state().save_as->kind, ui::SavedKind::plots);
+}
+
+TEST_F(EditorPlots, TheButtonAsksForACsvFile) {
+  press_key('P');
+  draw(3);
+  click("plots/save");
+  draw(3);
+  EXPECT_THAT(value("save/path"), ::testing::EndsWith(".csv"));
+}
+
+TEST_F(EditorPlots, AFolderThatCannotBeWrittenToIsSaid) {
+  editor_.execute({.id = CommandId::save_plots, .path = "/nowhere/run.csv"});
+  ASSERT_TRUE(editor_.state().error);
+  EXPECT_THAT(editor_.state().error->where, HasSubstr("/nowhere"));
+}
+
+TEST_F(EditorPlots, AnotherWorldBeginsAnew) {
+  press_key('P');
+  make_steps(5);
+  click("command/simulation.reset");
+  wait_for_work();
+  make_steps(2);
+  const auto file = test_folder() / "again.csv";
+  std::filesystem::remove(file);
+  editor_.execute({.id = CommandId::save_plots, .path = file});
+  const std::string csv = text_of(file);
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 4) << csv;
+}
+
+}  // namespace
+}  // namespace griffith::app

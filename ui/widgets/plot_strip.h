@@ -1,0 +1,20 @@
+#pragma once
+
+#include "ui/model/plot_view.h"
+#include "ui/widgets/panel.h"
+
+namespace griffith::ui {
+
+/// The colour of a slot of PlotChoice.
+ImU32 plot_color(std::size_t slot);
+
+/// Draws the curves of a unit over the full width, `height` [pixels] high, with the numbers of their axis, their names,
+/// the present step and the one at which the mouse points. Returns where things are in it. It is an item of `tag`.
+PlotView draw_plot_strip(Panel& panel, const std::string& tag, const PlotStrip& strip, float height);
+
+/// Draws the numbers of time below strips, over the full width.
+void draw_plot_times(Panel& panel);
+/// How high they are [pixels].
+float plot_times_height(const Panel& panel);
+
+}  // namespace griffith::ui
