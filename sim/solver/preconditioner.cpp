@@ -20,6 +20,19 @@ Eigen::MatrixXf with_few_rows(Eigen::MatrixXf modes) {
   return decomposition.matrixQR().topRows(columns).triangularView<Eigen::Upper>();
 }
 
+/// The neighbours of each aggregate that have a higher number, and itself, by other numbers.
+std::vector<std::vector<int>> renumbered(const std::vector<std::vector<int>>& neighbours,
+                                         const std::vector<int>& numbers) {
+  std::vector<std::vector<int>> result(neighbours.size());
+  for (std::size_t a = 0; a < neighbours.size(); ++a)
+    for (const int other : neighbours[a]) {
+      const auto [low, high] = std::minmax(numbers[a], numbers[other]);
+      result[low].push_back(high);
+    }
+  for (std::vector<int>& rows : result) std::ranges::sort(rows);
+  return result;
+}
+
 /// L⁻¹ b.
 Eigen::VectorXf half_solved(const BlockTriangle& triangle, const Eigen::VectorXd& b) {
   constexpr int kSize = BlockTriangle::kSize;
@@ -93,9 +106,10 @@ void RigidModePreconditioner::update(const BlockSparseMatrix& matrix, const Node
 }
 
 void RigidModePreconditioner::build_coarse_pattern(const BlockSparseMatrix& matrix) {
-  if (std::vector<std::vector<int>> neighbours = coarse_neighbours(matrix); neighbours != coarse_rows_) {
-    renumber_aggregates(elimination_order(neighbours));
-    coarse_rows_ = coarse_neighbours(matrix);
+  if (const std::vector<std::vector<int>> neighbours = coarse_neighbours(matrix); neighbours != coarse_rows_) {
+    const std::vector<int> numbers = elimination_order(neighbours);
+    renumber_aggregates(numbers);
+    coarse_rows_ = renumbered(neighbours, numbers);
     coarse_.resize(0, 0);  // made by the next update: debris never needs one
   }
   coarse_slots_.assign(matrix.columns.size(), -1);

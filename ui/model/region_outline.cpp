@@ -96,7 +96,7 @@ std::vector<RegionGrip> region_grips(const Region& region) {
   return grips;
 }
 
-Region drag_grip(Region region, std::size_t grip, double distance, double least) {
+Region drag_grip(Region region, std::size_t grip, double distance, double min_radius) {
   if (auto* box = std::get_if<BoxRegion>(&region)) {
     const auto axis = static_cast<Eigen::Index>(grip / 2);
     double &low = box->minimum[axis], &high = box->maximum[axis];
@@ -107,7 +107,7 @@ Region drag_grip(Region region, std::size_t grip, double distance, double least)
     }
   }
   if (auto* sphere = std::get_if<SphereRegion>(&region))
-    sphere->radius = std::max(least, tidy_sum(sphere->radius, distance));
+    sphere->radius = std::max(min_radius, tidy_sum(sphere->radius, distance));
   if (auto* half_space = std::get_if<HalfSpaceRegion>(&region))
     half_space->point = tidy_sum(half_space->point, distance * half_space->normal.stableNormalized());
   keep_in_limits(region);

@@ -23,8 +23,8 @@ struct RegionGrip {
 std::vector<RegionGrip> region_grips(const Region& region);
 
 /// The region with that grip so much farther out [m]; a box is left no thinner than nothing, a sphere no smaller than
-/// `least` [m], and all of it where scene files can have it.
-Region drag_grip(Region region, std::size_t grip, double distance, double least);
+/// `min_radius` [m], and all of it where scene files can have it.
+Region drag_grip(Region region, std::size_t grip, double distance, double min_radius);
 
 /// The middle of a box or sphere, the point of a half-space. Of nodes: their origin.
 Vec3 region_place(const Region& region);

@@ -16,7 +16,7 @@ namespace griffith::ui {
 namespace {
 
 constexpr float kGripSize = 5;  // half an edge, design pixels
-constexpr double kLeastRadius = 1e-6;
+constexpr double kMinRadius = 1e-6;
 
 /// A region that is shown, and where its body stands.
 struct ShownRegion {
@@ -71,7 +71,7 @@ void follow_cursor(Panel& panel, RegionDrag& drag, const Pose& pose) {
   if (!way) return;
   // The coordinate of a face becomes round, not the way that it has gone.
   const double step = drag_steps(panel, pose.to_world(grip.place)).length, along = grip.place.dot(grip.direction);
-  drag.region = drag_grip(drag.start, drag.grip, multiple_of(along + *way, step) - along, kLeastRadius);
+  drag.region = drag_grip(drag.start, drag.grip, multiple_of(along + *way, step) - along, kMinRadius);
 }
 
 void let_region_go(Panel& panel, const RegionDrag& drag) {

@@ -13,7 +13,7 @@ namespace {
 constexpr float kPadding = 12;  // design pixels between the card's edge and what is on it
 
 /// 1, 2, 2.5 or 5 times a power of ten, at least `wanted`.
-double round_step(double wanted) {
+double tick_step(double wanted) {
   const double power = std::pow(10, std::floor(std::log10(wanted)));
   for (const double factor : {1.0, 2.0, 2.5, 5.0}) {
     if (factor * power >= wanted * (1 - 1e-9)) return factor * power;
@@ -95,7 +95,7 @@ float bars_width(const Legend& legend, float scale) { return legend.histogram.em
 
 std::vector<double> legend_ticks(double minimum, double maximum, double count) {
   constexpr double kFinest = 10;
-  const double step = round_step((maximum - minimum) / count);
+  const double step = tick_step((maximum - minimum) / count);
   const double first = std::ceil(minimum / step - 1e-9), last = std::floor(maximum / step + 1e-9);
   std::vector<double> ticks;
   for (double i = first; i <= last && ticks.size() < 1000; ++i) ticks.push_back(i * step);
