@@ -26,9 +26,9 @@ BodyId body_of(const Frame& frame, int part) {
   return frame.elements.bodies[frame.splinters.splinters[frame.splinters.parts[part].splinter].owner];
 }
 
-void add_splinters(PieceSurface& surface, const Frame& frame, BodyId body) {
+void add_splinters(PieceSurface& surface, const Frame& frame, BodyId body, bool walls_only) {
   for (const SplinterFace& face : frame.splinters.faces) {
-    if (body_of(frame, face.part) != body) continue;
+    if (body_of(frame, face.part) != body || (walls_only && face.beyond < 0)) continue;
     if (face.beyond >= 0 && body_of(frame, face.beyond) == body) continue;
     const TetId tet = carrier(frame.splinters.splinters, frame.splinters.parts, frame.splinters.attached, face.part);
     std::vector<Vec3> points;
@@ -53,17 +53,15 @@ void add_tets(PieceSurface& surface, const Frame& frame, BodyId body, bool crack
 }
 
 void add_skin(PieceSurface& surface, const Frame& frame, BodyId body, const Skin& skin) {
-  for (std::size_t i = 0; i < skin.corners.size(); i += 3) {
-    if (frame.elements.bodies[skin.corners[i].part.triangle_tet] != body) continue;
-    std::array<Vec3, 3> points;
-    for (std::size_t k = 0; k < 3; ++k) {
-      points[k] = skin_position(frame, skin.corners[i + k]);
-      if (skin.has_uvs) surface.uvs.push_back(skin.corners[i + k].uv);
+  for (int i = 0; i < skin.polygons(); ++i) {
+    if (frame.elements.bodies[skin.polygon(i).front().part.owner] != body) continue;
+    std::vector<Vec3> points;
+    for (const SkinCorner& corner : skin.polygon(i)) {
+      points.push_back(skin_position(frame, corner));
+      if (skin.has_uvs) surface.uvs.push_back(corner.uv);
     }
     add_polygon(surface, points);
   }
-  add_tets(surface, frame, body, true);
-  if (skin.has_uvs) surface.uvs.resize(surface.points.size(), Vec2::Zero());
 }
 
 bool has_splinters(const Frame& frame, int scene_body) {
@@ -100,23 +98,31 @@ PieceSurface piece_surface(const Frame& frame, BodyId body, std::span<const Skin
   PieceSurface surface;
   const int scene_body = frame.bodies[body].scene_body;
   const auto skin = std::ranges::find(skins, scene_body, &Skin::scene_body);
+  const bool is_skinned = skin != skins.end();
+  if (is_skinned) add_skin(surface, frame, body, *skin);
   if (has_splinters(frame, scene_body)) {
-    add_splinters(surface, frame, body);
-  } else if (skin != skins.end()) {
-    add_skin(surface, frame, body, *skin);
+    add_splinters(surface, frame, body, is_skinned);
   } else {
-    add_tets(surface, frame, body, false);
+    add_tets(surface, frame, body, is_skinned);
   }
+  if (!surface.uvs.empty()) surface.uvs.resize(surface.points.size(), Vec2::Zero());
   return surface;
 }
 
-void export_pieces(const std::filesystem::path& folder, const Frame& frame, std::span<const Skin> skins) {
+PieceShapes piece_shapes(const Frame& frame, const Scene& scene) {
+  PieceShapes shapes{Shards(frame, scene), {}};
+  shapes.skins = make_skins(frame, scene, shapes.shards.bodies());
+  return shapes;
+}
+
+void export_pieces(const std::filesystem::path& folder, const Frame& frame, const PieceShapes& shapes) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!std::filesystem::is_directory(folder))
     throw InputError(folder.string(), "is no folder and cannot be made one", "name a folder that may be written to");
+  const FrameWithShards sharded(frame, shapes.shards);
   for (const BodyView& body : frame.bodies) {
-    const PieceSurface surface = piece_surface(frame, body.id, skins);
+    const PieceSurface surface = piece_surface(sharded.frame(), body.id, shapes.skins);
     if (surface.polygons.empty()) continue;  // tets too small to own a splinter
     char name[32];
     std::snprintf(name, sizeof name, "body_%04d.obj", body.id.value);

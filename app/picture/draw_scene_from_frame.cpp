@@ -27,10 +27,10 @@ bool shows_whole_bodies(const ViewSettings& view) {
 /// Whether a picture shows tets, or what is embedded in them.
 class TetFilter {
  public:
-  TetFilter(const ShownMesh& shown, const EmbeddedDisplay& display)
+  TetFilter(const ShownMesh& shown, const EmbeddedPieces& pieces)
       : shown_(shown),
-        display_(display),
-        embedded_(shown.view.splinters && display.mesh && shows_whole_bodies(shown.view)) {}
+        pieces_(pieces),
+        embedded_(shown.view.splinters && pieces.mesh && shows_whole_bodies(shown.view)) {}
 
   bool shows_embedded() const { return embedded_; }
   /// Whether a face without a neighbour is shown: of a body with a skin, what cracks have laid bare.
@@ -41,18 +41,18 @@ class TetFilter {
     if (!embedded_) return true;
     const auto scene_body = static_cast<std::size_t>(frame.bodies[body].scene_body);
     const bool is_crack = !(frame.elements.first_surface[tet] >> face & 1);
-    return !display_.splintered[scene_body] && (is_crack || !display_.skinned[scene_body]);
+    return !pieces_.splintered[scene_body] && (is_crack || !pieces_.skinned[scene_body]);
   }
 
  private:
   const ShownMesh& shown_;
-  const EmbeddedDisplay& display_;
+  const EmbeddedPieces& pieces_;
   bool embedded_;
 };
 
-void color_plainly(render::DrawScene& picture, const Frame& frame, const EmbeddedDisplay& display) {
+void color_plainly(render::DrawScene& picture, const Frame& frame, const EmbeddedPieces& pieces) {
   if (!picture.embedded.mesh) return;
-  picture.embedded.piece_colors.assign(frame.splinters.splinters.size() + display.skin_parts.size(),
+  picture.embedded.piece_colors.assign(frame.splinters.splinters.size() + pieces.skin_parts.size(),
                                        picture.surface.color);
 }
 
@@ -61,7 +61,7 @@ render::Rgb tet_color(const Frame& frame, std::int32_t tet, const ViewSettings& 
   return id_color(view.quantity == "tet" ? tet : frame.elements.bodies[tet].value);
 }
 
-void color_by_id(render::DrawScene& picture, const Frame& frame, const EmbeddedDisplay& display,
+void color_by_id(render::DrawScene& picture, const Frame& frame, const EmbeddedPieces& pieces,
                  const ViewSettings& view) {
   for (const std::int32_t tet : picture.surface.ids) picture.surface.colors.push_back(tet_color(frame, tet, view));
   if (!picture.embedded.mesh) return;
@@ -70,8 +70,8 @@ void color_by_id(render::DrawScene& picture, const Frame& frame, const EmbeddedD
     picture.embedded.piece_colors.push_back(view.quantity == "splinter" ? id_color(static_cast<std::int32_t>(i))
                                                                         : tet_color(frame, owner, view));
   }
-  for (const SkinPart& part : display.skin_parts)
-    picture.embedded.piece_colors.push_back(tet_color(frame, part.triangle_tet.value, view));
+  for (const SkinPart& part : pieces.skin_parts)
+    picture.embedded.piece_colors.push_back(tet_color(frame, part.owner.value, view));
 }
 
 void color_by_material(render::DrawScene& picture, const Frame& frame) {
@@ -130,29 +130,30 @@ void add_elements(const ShownMesh& shown, const TetFilter& filter, const Quantit
 }
 
 /// Colours of what has no scalar.
-void add_colors(render::DrawScene& picture, const Frame& frame, const EmbeddedDisplay& display,
+void add_colors(render::DrawScene& picture, const Frame& frame, const EmbeddedPieces& pieces,
                 const ViewSettings& view) {
   if (view.quantity == "material" || view.quantity == "texture") {
     picture.embedded.checker = view.quantity == "texture";
     color_by_material(picture, frame);
   } else if (view.quantity == "plain") {
-    color_plainly(picture, frame, display);
+    color_plainly(picture, frame, pieces);
   } else if (!is_scalar(view.quantity)) {
-    color_by_id(picture, frame, display, view);
+    color_by_id(picture, frame, pieces, view);
   }
 }
 
-render::EmbeddedSurface embedded_surface(const ShownMesh& shown, const EmbeddedDisplay& display) {
+render::EmbeddedSurface embedded_surface(const ShownMesh& shown, const EmbeddedPieces& pieces,
+                                         std::span<const std::array<int, 4>> orders) {
   const Frame& frame = shown.frame;
   render::EmbeddedSurface surface;
-  surface.mesh = display.mesh;
+  surface.mesh = pieces.mesh;
   surface.points.reserve(shown.positions.size());
   // What hidden bodies carry shrinks to a point.
   for (const Vec3& position : shown.positions)
     surface.points.push_back(position.allFinite() ? position.cast<float>().eval() : Eigen::Vector3f(0, 0, 0));
-  surface.tets = ordered_tets(frame, display.orders);
+  surface.tets = ordered_tets(frame, orders);
   add_carriers(frame, surface.carriers);
-  for (const SkinPart& part : display.skin_parts) surface.carriers.push_back(skin_carrier(frame, part).value);
+  for (const SkinPart& part : pieces.skin_parts) surface.carriers.push_back(skin_carrier(frame, part).value);
   surface.opened.assign(frame.splinters.open_walls.begin(), frame.splinters.open_walls.end());
   return surface;
 }
@@ -205,35 +206,36 @@ void add_surroundings(const Frame& frame, const Scene& scene, render::DrawScene&
   picture.ground = ground;
 }
 
-}  // namespace
-
-EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene) {
-  EmbeddedDisplay display;
-  display.splintered.resize(scene.bodies.size(), 0);
-  display.skinned.resize(scene.bodies.size(), 0);
-  for (const Splinter& splinter : frame.splinters.splinters)
-    display.splintered[static_cast<std::size_t>(splinter.scene_body)] = 1;
+EmbeddedPieces embedded_pieces(const Frame& frame, std::size_t scene_bodies, std::span<const Skin> skins) {
+  EmbeddedPieces pieces;
+  pieces.splintered.resize(scene_bodies, 0);
+  pieces.skinned.resize(scene_bodies, 0);
+  for (const Splinter& splinter : frame.splinters.splinters) pieces.splintered[splinter.scene_body] = 1;
+  for (const Skin& skin : skins) pieces.skinned[skin.scene_body] = 1;
   auto mesh = std::make_shared<render::EmbeddedMesh>();
-  add_splinters(frame, *mesh);
-  for (const Skin& skin : make_skins(frame, scene)) {
-    const auto parts = static_cast<int>(display.skin_parts.size());
+  add_splinters(frame, pieces.skinned, *mesh);
+  for (const Skin& skin : skins) {
+    const auto parts = static_cast<int>(pieces.skin_parts.size());
     add_skin(frame, skin, static_cast<int>(frame.splinters.parts.size()) + parts,
              static_cast<int>(frame.splinters.splinters.size()) + parts, *mesh);
-    for (const SkinCorner& corner : skin.corners) display.skin_parts.push_back(corner.part);
-    display.skinned[static_cast<std::size_t>(skin.scene_body)] = 1;
+    for (const SkinCorner& corner : skin.corners) pieces.skin_parts.push_back(corner.part);
   }
-  if (mesh->polygons.empty()) return display;
-  display.mesh = std::move(mesh);
-  display.orders = summation_orders(frame);
-  return display;
+  if (!mesh->polygons.empty()) pieces.mesh = std::move(mesh);
+  return pieces;
 }
 
-render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDisplay& display, const Scene& scene,
-                                        const ViewSettings& view, const ui::Selection& selection,
-                                        const std::optional<Vec2>& range, const HiddenBodies& hidden) {
+/// Values belong to elements, which shards have nothing to do with.
+bool shows_shards(const ViewSettings& view) {
+  return view.splinters && view.quantity != "tet" && !is_scalar(view.quantity) && shows_whole_bodies(view);
+}
+
+/// As draw_scene_from_frame(), with the pieces of that frame.
+render::DrawScene drawn(const Frame& frame, const EmbeddedPieces& pieces, std::span<const std::array<int, 4>> orders,
+                        const Scene& scene, const ViewSettings& view, const ui::Selection& selection,
+                        const std::optional<Vec2>& range, const HiddenBodies& hidden) {
   render::DrawScene result;
   const ShownMesh shown = shown_mesh(frame, view, selection, hidden);
-  const TetFilter filter(shown, display);
+  const TetFilter filter(shown, pieces);
   std::optional<QuantityValues> values;
   if (is_scalar(view.quantity)) {
     values = quantity_values(frame, view.quantity);
@@ -241,10 +243,10 @@ render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDispla
         scalar_style(view, *values, range ? *range : automatic_range(frame, view.quantity, *values));
   }
   add_elements(shown, filter, values ? &*values : nullptr, selection.tet, result);
-  if (filter.shows_embedded()) result.embedded = embedded_surface(shown, display);
+  if (filter.shows_embedded()) result.embedded = embedded_surface(shown, pieces, orders);
   result.embedded.materials = natural_materials(scene);
   result.embedded.selected_tet = selection.tet.value;
-  add_colors(result, frame, display, view);
+  add_colors(result, frame, pieces, view);
   if (values && filter.shows_embedded()) {
     result.embedded.scalars_per_point = values->place == ValuePlace::node;
     result.embedded.scalars = std::move(values->values);
@@ -253,6 +255,31 @@ render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDispla
   if (selection.valid() && !shown.is_hidden(shown.body_of(selection.node))) mark_node(shown, selection.node, result);
   add_surroundings(frame, scene, result);
   return result;
+}
+
+}  // namespace
+
+EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene, const Monitor& monitor) {
+  EmbeddedDisplay display;
+  display.authored = embedded_pieces(frame, scene.bodies.size(), make_skins(frame, scene));
+  display.natural = display.authored;
+  display.shards = Shards(frame, scene, monitor);
+  if (!display.shards.empty()) {
+    const FrameWithShards sharded(frame, display.shards);
+    display.natural = embedded_pieces(sharded.frame(), scene.bodies.size(),
+                                      make_skins(sharded.frame(), scene, display.shards.bodies()));
+  }
+  display.orders = summation_orders(frame);
+  return display;
+}
+
+render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDisplay& display, const Scene& scene,
+                                        const ViewSettings& view, const ui::Selection& selection,
+                                        const std::optional<Vec2>& range, const HiddenBodies& hidden) {
+  if (display.shards.empty() || !shows_shards(view))
+    return drawn(frame, display.authored, display.orders, scene, view, selection, range, hidden);
+  const FrameWithShards sharded(frame, display.shards);
+  return drawn(sharded.frame(), display.natural, display.orders, scene, view, selection, range, hidden);
 }
 
 }  // namespace griffith::app

@@ -15,24 +15,30 @@
 
 namespace griffith::app {
 
-/// What a world's pictures show in place of tets, found in its first frame: splinters, and the surfaces that bodies
-/// were made from.
-struct EmbeddedDisplay {
+/// What stands for tets in a picture: splinters, and the surfaces that bodies were made from.
+struct EmbeddedPieces {
   std::shared_ptr<const render::EmbeddedMesh> mesh;  ///< null where no body has any
   std::vector<std::uint8_t> splintered;              ///< per scene body: 1 when it has splinters
-  std::vector<std::uint8_t> skinned;       ///< per scene body: 1 when it has the surface that it was made from
-  std::vector<SkinPart> skin_parts;        ///< numbered after the parts of splinters
+  std::vector<std::uint8_t> skinned;  ///< per scene body: 1 when it has the surface that it was made from
+  std::vector<SkinPart> skin_parts;   ///< numbered after the parts of splinters
+};
+
+/// What a world's pictures show in place of tets, found in its first frame.
+struct EmbeddedDisplay {
+  EmbeddedPieces authored;                 ///< as the scene has it: for values, which belong to elements
+  EmbeddedPieces natural;                  ///< with shards for bodies that have no splinters
+  Shards shards;                           ///< none where `natural` is `authored`
   std::vector<std::array<int, 4>> orders;  ///< per tet: summation_orders() of the first frame
 };
 
-/// Throws InputError when a surface cannot be read.
-EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene);
+/// Throws InputError when a surface cannot be read, Cancelled when the monitor says so.
+EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene, const Monitor& monitor = {});
 
 /// The picture of a frame: bodies as view.elements says, coloured by view.quantity (natural colours for "material", one
 /// for each body, element or splinter for "body", "tet" and "splinter"), cracks and the selection marked, the view's
-/// layers, projectiles, ground. Bodies with splinters or a surface of their own show them if view.splinters says so. A
-/// triangle's id is its tet. `range`: of the colours where the view leaves it automatic, as SteadyRange has it; none:
-/// what suits this frame alone.
+/// layers, projectiles, ground. Bodies with splinters or a surface of their own show them if view.splinters says so,
+/// and shards where there are no values to be shown. A triangle's id is its tet. `range`: of the colours where the view
+/// leaves it automatic, as SteadyRange has it; none: what suits this frame alone.
 render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDisplay& display, const Scene& scene,
                                         const ViewSettings& view, const ui::Selection& selection,
                                         const std::optional<Vec2>& range = std::nullopt,

@@ -74,6 +74,8 @@ render::EmbeddedMaterial material_of(const BodyDescription& body, const NaturalL
 
 }  // namespace
 
+std::string_view preset_alike(const Material& material) { return look_of(material).preset; }
+
 std::vector<render::EmbeddedMaterial> natural_materials(const Scene& scene) {
   std::vector<render::EmbeddedMaterial> materials;
   for (const BodyDescription& body : scene.bodies) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "renderer/embedded_surface.h"
 #include "sim/scene/scene.h"
 
@@ -11,6 +13,9 @@ inline constexpr int kLooks = 3;
 
 /// Which material of a picture's splinters shows that look of a scene body.
 inline int look_index(int scene_body, Look look) { return kLooks * scene_body + static_cast<int>(look); }
+
+/// The key of the preset that a material is most like, by which it is seen.
+std::string_view preset_alike(const Material& material);
 
 /// The natural look of all bodies, by look_index(): of the preset that is most alike, with fibres
 /// along the grain of splinters that have one and noise in proportion to their size.

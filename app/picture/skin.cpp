@@ -1,65 +1,145 @@
 #include "app/picture/skin.h"
 
-#include "app/picture/placed_tets.h"
-#include "sim/core/file_path.h"
+#include <algorithm>
+#include <unordered_set>
+
+#include "app/picture/placed_surface.h"
 #include "sim/meshing/embedding.h"
-#include "sim/scene/body_pose.h"
+#include "sim/meshing/tet_locator.h"
+#include "sim/splinters/convex_polyhedron.h"
 
 namespace griffith::app {
 namespace {
 
-TriangleSurface placed_surface(const Scene& scene, const BodyDescription& body) {
-  const SurfaceShape& shape = std::get<SurfaceShape>(body.shape);
-  TriangleSurface surface = read_surface(file_path(scene.folder, shape.path), shape.scale);
-  const Pose pose = pose_of(body);
-  for (Vec3& point : surface.points) point = pose.to_world(point);
-  for (std::array<Vec3, 3>& normals : surface.normals)
-    for (Vec3& normal : normals) normal = pose.rotation * normal;
-  return surface;
+/// A body's surface where it stands, and the body's tets below it.
+struct SurfaceOnTets {
+  TriangleSurface surface;
+  std::vector<std::array<Vec3, 3>> normals;  ///< per triangle and corner
+  PlacedTets placed;
+  TetLocator locator{placed.soup};
+
+  SkinCorner corner(const Vec3& place, int owner) const {
+    const EmbeddedPoint point = locator.locate(place);
+    SkinCorner corner;
+    corner.part = {placed.tets[point.tet], placed.tets[owner]};
+    corner.weights = point.weights;
+    corner.owner_weights = locator.weights_in(owner, place);
+    corner.rest = place;
+    return corner;
+  }
+
+  /// What a corner has of triangle `t` where it has these barycentric coordinates in it.
+  void dress(SkinCorner& corner, std::size_t t, const Vec3& weights) const {
+    for (int i = 0; i < 3; ++i) {
+      corner.normal += weights[i] * normals[t][i];
+      if (!surface.uvs.empty()) corner.uv += weights[i] * surface.uvs[t][i];
+    }
+    corner.normal.stableNormalize();
+  }
+};
+
+Skin whole_skin(const SurfaceOnTets& body, int scene_body) {
+  Skin skin{scene_body, !body.surface.uvs.empty(), {0}, {}};
+  for (std::size_t t = 0; t < body.surface.triangles.size(); ++t) {
+    Vec3 middle = Vec3::Zero();
+    for (const int point : body.surface.triangles[t]) middle += body.surface.points[point] / 3;
+    const int owner = body.locator.locate(middle).tet;
+    for (int i = 0; i < 3; ++i) {
+      skin.corners.push_back(body.corner(body.surface.points[body.surface.triangles[t][i]], owner));
+      body.dress(skin.corners.back(), t, Vec3::Unit(i));
+    }
+    skin.first_corner.push_back(static_cast<int>(skin.corners.size()));
+  }
+  return skin;
 }
 
-Skin make_skin(const Frame& frame, const Scene& scene, int scene_body) {
-  const TriangleSurface surface = placed_surface(scene, scene.bodies[scene_body]);
-  const PlacedTets placed = placed_tets(frame, scene_body);
-  const Embedding embedding = embed(surface, placed.soup);
-  const std::vector<std::array<Vec3, 3>> normals = smooth_normals(surface);
-  Skin skin{scene_body, !surface.uvs.empty(), {}};
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    for (int i = 0; i < 3; ++i) {
-      const int index = surface.triangles[t][i];
-      const EmbeddedPoint& point = embedding.points[index];
-      const EmbeddedTriangle& triangle = embedding.triangles[t];
-      SkinCorner& corner = skin.corners.emplace_back();
-      corner.part = {placed.tets[point.tet], placed.tets[triangle.tet]};
-      corner.weights = point.weights;
-      corner.triangle_weights = triangle.weights[i];
-      corner.rest = surface.points[index];
-      corner.normal = normals[t][i];
-      if (skin.has_uvs) corner.uv = surface.uvs[t][i];
-    }
+/// The tet that owns what is in a cell near a place: that of the cell's splinter there, else of one in the tet there.
+int owner_near(const BodyShards& shards, const TetLocator& locator, int cell, const Vec3& place) {
+  const EmbeddedPoint point = locator.locate(place);
+  const std::vector<int>& of_cell = shards.set.parts_of_cell[cell];
+  const std::vector<int>& parts = of_cell.empty() ? shards.set.parts_of_tet[point.tet] : of_cell;
+  const auto depth = [&](int part) {
+    return std::ranges::min(locator.weights_in(shards.set.parts[part].tet.value, place));
+  };
+  const int nearest = *std::ranges::max_element(parts, {}, depth);
+  return shards.set.splinters[shards.set.parts[nearest].splinter].owner.value;
+}
+
+Vec3 barycentric(const std::array<Vec3, 3>& triangle, const Vec3& place) {
+  const Vec3 normal = (triangle[1] - triangle[0]).cross(triangle[2] - triangle[0]);
+  Vec3 weights;
+  for (int i = 0; i < 3; ++i)
+    weights[i] = (triangle[(i + 1) % 3] - place).cross(triangle[(i + 2) % 3] - place).dot(normal);
+  return weights / normal.squaredNorm();
+}
+
+/// Hands every part of a triangle to `add(cell, polygon)`: from the cell in its middle to all that it reaches into.
+template <class Add>
+void part(const std::array<Vec3, 3>& triangle, const CellPartition& cells, int& start, const Add& add) {
+  constexpr double kSmallest = 1e-9;  // of its area
+  const std::vector<Vec3> whole(triangle.begin(), triangle.end());
+  const double area = area_vector(whole).norm();
+  start = locate(cells, (triangle[0] + triangle[1] + triangle[2]) / 3, start);
+  std::vector<int> waiting = {start};
+  std::unordered_set<int> seen = {start};
+  while (!waiting.empty()) {
+    const int cell = waiting.back();
+    waiting.pop_back();
+    std::vector<Vec3> polygon = whole;
+    for (const CellWall& wall : cells[cell].walls) polygon = clipped(polygon, wall.inside);
+    if (polygon.size() < 3 || area_vector(polygon).norm() <= kSmallest * area) continue;
+    add(cell, polygon);
+    for (const CellWall& wall : cells[cell].walls)
+      if (wall.neighbour >= 0 && seen.insert(wall.neighbour).second) waiting.push_back(wall.neighbour);
+  }
+}
+
+Skin parted_skin(const SurfaceOnTets& body, const BodyShards& shards) {
+  Skin skin{shards.scene_body, !body.surface.uvs.empty(), {0}, {}};
+  int start = 0;
+  for (std::size_t t = 0; t < body.surface.triangles.size(); ++t) {
+    std::array<Vec3, 3> triangle;
+    for (int i = 0; i < 3; ++i) triangle[i] = body.surface.points[body.surface.triangles[t][i]];
+    part(triangle, shards.cells, start, [&](int cell, const std::vector<Vec3>& polygon) {
+      Vec3 middle = Vec3::Zero();
+      for (const Vec3& place : polygon) middle += place / static_cast<double>(polygon.size());
+      const int owner = owner_near(shards, body.locator, cell, middle);
+      for (const Vec3& place : polygon) {
+        skin.corners.push_back(body.corner(place, owner));
+        body.dress(skin.corners.back(), t, barycentric(triangle, place));
+      }
+      skin.first_corner.push_back(static_cast<int>(skin.corners.size()));
+    });
+  }
   return skin;
+}
+
+Skin make_skin(const Frame& frame, const Scene& scene, int scene_body, std::span<const BodyShards> shards) {
+  TriangleSurface surface = placed_surface(scene, scene.bodies[scene_body]);
+  std::vector<std::array<Vec3, 3>> normals = smooth_normals(surface);
+  const SurfaceOnTets body{std::move(surface), std::move(normals), placed_tets(frame, scene_body)};
+  const auto found = std::ranges::find(shards, scene_body, &BodyShards::scene_body);
+  return found == shards.end() ? whole_skin(body, scene_body) : parted_skin(body, *found);
 }
 
 }  // namespace
 
 TetId skin_carrier(const Frame& frame, const SkinPart& part) {
-  return frame.elements.bodies[part.tet] == frame.elements.bodies[part.triangle_tet] ? part.tet : part.triangle_tet;
+  return frame.elements.bodies[part.tet] == frame.elements.bodies[part.owner] ? part.tet : part.owner;
 }
 
 Vec3 skin_position(const Frame& frame, const SkinCorner& corner) {
   const TetId tet = skin_carrier(frame, corner.part);
-  const std::array<double, 4>& weights = tet == corner.part.tet ? corner.weights : corner.triangle_weights;
+  const std::array<double, 4>& weights = tet == corner.part.tet ? corner.weights : corner.owner_weights;
   Vec3 position = Vec3::Zero();
   for (int i = 0; i < 4; ++i) position += weights[i] * frame.nodes.positions[frame.elements.tets[tet][i]];
   return position;
 }
 
-std::vector<Skin> make_skins(const Frame& frame, const Scene& scene) {
+std::vector<Skin> make_skins(const Frame& frame, const Scene& scene, std::span<const BodyShards> shards) {
   std::vector<Skin> skins;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    const BodyDescription& body = scene.bodies[i];
-    if (std::holds_alternative<SurfaceShape>(body.shape) && !body.splinters && !body.remeshing)
-      skins.push_back(make_skin(frame, scene, static_cast<int>(i)));
+    if (shows_surface(scene.bodies[i])) skins.push_back(make_skin(frame, scene, static_cast<int>(i), shards));
   }
   return skins;
 }

@@ -28,25 +28,24 @@ void add_skin(const Frame& frame, const Skin& skin, int first_part, int first_pi
   render::EmbeddedStyle style;
   style.material = look_index(skin.scene_body, Look::outside);
   style.textured = skin.has_uvs;
-  for (std::size_t i = 0; i < skin.corners.size(); ++i) {
-    const SkinCorner& corner = skin.corners[i];
-    const auto [tet, other] = corner.part;
-    if (i % 3 == 0) {
-      mesh.outer.push_back(static_cast<std::int32_t>(mesh.polygons.size()));
-      mesh.polygons.push_back({static_cast<std::int32_t>(mesh.corners.size()), 3});
+  for (int polygon = 0; polygon < skin.polygons(); ++polygon) {
+    mesh.outer.push_back(static_cast<std::int32_t>(mesh.polygons.size()));
+    mesh.polygons.push_back(
+        {static_cast<std::int32_t>(mesh.corners.size()), static_cast<std::int32_t>(skin.polygon(polygon).size())});
+    for (const SkinCorner& corner : skin.polygon(polygon)) {
+      const auto [tet, owner] = corner.part;
+      render::EmbeddedCorner drawn{corner.rest.cast<float>(),
+                                   ordered(single(corner.weights), orders[tet]),
+                                   ordered(single(corner.owner_weights), orders[owner]),
+                                   tet.value,
+                                   first_part++,
+                                   first_piece++,
+                                   style.packed()};
+      drawn.normal = carried_normal(frame, corner.normal, tet, orders[tet]);
+      drawn.other_normal = carried_normal(frame, corner.normal, owner, orders[owner]);
+      drawn.uv = corner.uv.cast<float>();
+      mesh.corners.push_back(drawn);
     }
-    const int part = static_cast<int>(i);
-    render::EmbeddedCorner drawn{corner.rest.cast<float>(),
-                                 ordered(single(corner.weights), orders[tet]),
-                                 ordered(single(corner.triangle_weights), orders[other]),
-                                 tet.value,
-                                 first_part + part,
-                                 first_piece + part,
-                                 style.packed()};
-    drawn.normal = carried_normal(frame, corner.normal, tet, orders[tet]);
-    drawn.other_normal = carried_normal(frame, corner.normal, other, orders[other]);
-    drawn.uv = corner.uv.cast<float>();
-    mesh.corners.push_back(drawn);
   }
 }
 

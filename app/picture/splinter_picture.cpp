@@ -23,16 +23,16 @@ render::EmbeddedStyle style_of(const Frame& frame, const SplinterFace& face, con
 
 }  // namespace
 
-void add_splinters(const Frame& frame, render::EmbeddedMesh& mesh) {
+void add_splinters(const Frame& frame, std::span<const std::uint8_t> skinned, render::EmbeddedMesh& mesh) {
   const std::vector<std::array<int, 4>> orders = summation_orders(frame);
   mesh.corners.reserve(frame.splinters.corners.size());
   for (const SplinterFace& face : frame.splinters.faces) {
     const SplinterPart& part = frame.splinters.parts[static_cast<std::size_t>(face.part)];
-    const TetId owner = frame.splinters.splinters[static_cast<std::size_t>(part.splinter.value)].owner;
+    const auto& [owner, scene_body, first_part, parts, volume] = frame.splinters.splinters[part.splinter];
     const std::array<int, 4>& order = orders[static_cast<std::size_t>(part.tet.value)];
     const std::array<int, 4>& owner_order = orders[static_cast<std::size_t>(owner.value)];
     const std::int32_t style = style_of(frame, face, order).packed();
-    if (face.beyond < 0) mesh.outer.push_back(static_cast<std::int32_t>(mesh.polygons.size()));
+    if (face.beyond < 0 && !skinned[scene_body]) mesh.outer.push_back(static_cast<std::int32_t>(mesh.polygons.size()));
     mesh.polygons.push_back({face.first_corner, face.corners});
     for (int i = face.first_corner; i < face.first_corner + face.corners; ++i) {
       const SplinterCorner& corner = frame.splinters.corners[static_cast<std::size_t>(i)];

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/geometry/half_space.h"
+#include "sim/mesh/tet_mesh.h"
 #include "sim/splinters/splinter_pattern.h"
 
 namespace griffith {
@@ -55,6 +56,17 @@ struct TooManyCells {};
 
 /// The Voronoi cells of any different points, those that matter within `bounds`; coincident points count once.
 CellPartition voronoi_cells(std::vector<Vec3> points, const Eigen::AlignedBox3d& bounds);
+
+/// Cells of the size of tets, whatever that is: how shards lie round them.
+struct ShardPattern {
+  double jitter = 0.6;         ///< 0: each tet's shard grows from its middle, 1: from anywhere in it
+  int seed = 1;                ///< >= 0; another number, another pattern
+  Vec3 grain = Vec3(0, 1, 0);  ///< direction along which they are long; any length but 0
+  double elongation = 1;       ///< how many times longer than across, >= 1
+};
+
+/// The Voronoi cells of a point in each tet of a mesh in rest space.
+CellPartition make_shard_cells(const TetMesh& mesh, const ShardPattern& pattern);
 
 /// The cell that holds a point, from a walk that starts at cell `start`.
 int locate(const CellPartition& cells, const Vec3& point, int start);

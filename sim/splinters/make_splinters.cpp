@@ -60,6 +60,7 @@ class Builder {
     const int count = groups_.empty() ? 0 : 1 + *std::ranges::max_element(groups_);
     set_.splinters.resize(count);
     set_.parts_of_tet.resize(mesh_.tets.size());
+    set_.parts_of_cell.resize(cells_.size());
     part_of_.resize(fragments_.size());
     order_.resize(fragments_.size());
     std::iota(order_.begin(), order_.end(), 0);
@@ -75,6 +76,7 @@ class Builder {
       }
       set_.parts.back().volume += fragments_[i].volume;
       part_of_[i] = static_cast<int>(set_.parts.size()) - 1;
+      set_.parts_of_cell[fragments_[i].cell].push_back(part_of_[i]);
     }
   }
 

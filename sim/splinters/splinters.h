@@ -63,7 +63,8 @@ struct SplinterSet {
   std::vector<int> first_link;      ///< per splinter, and the end
   std::vector<SplinterFace> faces;  ///< by part
   std::vector<SplinterCorner> corners;
-  std::vector<std::vector<int>> parts_of_tet;  ///< per tet of the mesh
+  std::vector<std::vector<int>> parts_of_tet;   ///< per tet of the mesh
+  std::vector<std::vector<int>> parts_of_cell;  ///< per cell that they were made from; append() leaves it out
 };
 
 /// The splinters that cells make of a body. `mesh` is in rest space. Pieces of a splinter that hang together through no

@@ -10,11 +10,21 @@ namespace griffith {
 namespace {
 
 /// Turns the grain to z and shrinks what lies along it.
-Mat3 compression(const VoronoiSplinters& pattern) {
-  const Vec3 grain = pattern.grain.normalized(), across = grain.unitOrthogonal();
+Mat3 compression(const Vec3& any_grain, double elongation) {
+  const Vec3 grain = any_grain.normalized(), across = grain.unitOrthogonal();
   Mat3 rows;
-  rows << across.transpose(), grain.cross(across).transpose(), grain.transpose() / pattern.elongation;
+  rows << across.transpose(), grain.cross(across).transpose(), grain.transpose() / elongation;
   return rows;
+}
+
+/// Cells of compressed space as they are in rest space.
+CellPartition decompressed(CellPartition cells, const Mat3& compression) {
+  for (ConvexCell& cell : cells)
+    for (CellWall& wall : cell.walls) {
+      const Vec3 normal = compression.transpose() * wall.inside.normal;
+      wall.inside = {normal.normalized(), wall.inside.offset / normal.norm()};
+    }
+  return cells;
 }
 
 Eigen::AlignedBox3d transformed(const Mat3& map, const Eigen::AlignedBox3d& box) {
@@ -42,6 +52,17 @@ std::vector<Vec3> jittered_lattice(const VoronoiSplinters& pattern, const Eigen:
         points.push_back(pattern.size * point);
       }
   return points;
+}
+
+/// A point of a tet between its middle and anywhere in it, where all places are as likely.
+Vec3 place_in(const TetMesh& mesh, TetId tet, const ShardPattern& pattern) {
+  std::array<double, 4> weights;
+  double sum = 0;
+  for (int i = 0; i < 4; ++i) sum += weights[i] = -std::log1p(-random_unit(pattern.seed, tet.value, i));
+  Vec3 place = Vec3::Zero();
+  for (int i = 0; i < 4; ++i)
+    place += std::lerp(0.25, weights[i] / sum, pattern.jitter) * mesh.rest_positions[mesh.tets[tet][i]];
+  return place;
 }
 
 /// Which points' Voronoi cells touch, per point: found by Voro++ (Rycroft 2009), whose tolerance is made for points
@@ -100,15 +121,18 @@ CellPartition voronoi_cells(std::vector<Vec3> points, const Eigen::AlignedBox3d&
 }
 
 CellPartition make_voronoi_cells(const VoronoiSplinters& pattern, const Eigen::AlignedBox3d& bounds) {
-  const Mat3 map = compression(pattern);
+  const Mat3 map = compression(pattern.grain, pattern.elongation);
   const Eigen::AlignedBox3d compressed = transformed(map, bounds);
-  CellPartition cells = voronoi_cells(jittered_lattice(pattern, compressed), compressed);
-  for (ConvexCell& cell : cells)
-    for (CellWall& wall : cell.walls) {
-      const Vec3 normal = map.transpose() * wall.inside.normal;
-      wall.inside = {normal.normalized(), wall.inside.offset / normal.norm()};
-    }
-  return cells;
+  return decompressed(voronoi_cells(jittered_lattice(pattern, compressed), compressed), map);
+}
+
+CellPartition make_shard_cells(const TetMesh& mesh, const ShardPattern& pattern) {
+  const Mat3 map = compression(pattern.grain, pattern.elongation);
+  Eigen::AlignedBox3d bounds;
+  for (const Vec3& position : mesh.rest_positions) bounds.extend(Vec3(map * position));
+  std::vector<Vec3> points;
+  for (TetId tet(0); tet < mesh.tet_count(); ++tet.value) points.push_back(map * place_in(mesh, tet, pattern));
+  return decompressed(voronoi_cells(std::move(points), bounds), map);
 }
 
 }  // namespace griffith

@@ -125,7 +125,7 @@ TEST(SkinPicture, TheSurfaceStandsWhereItsTetsAreAndNoTriangleSpansTwoBodies) {
   const Scene scene = cube_of_surface(0.02);
   World world(scene);
   const EmbeddedDisplay display = embedded_display(world.frame(), scene);
-  ASSERT_EQ(display.skin_parts.size(), 36u);
+  ASSERT_EQ(display.authored.skin_parts.size(), 36u);
   const auto drawn = [&] { return draw_scene_from_frame(world.frame(), display, scene, {}, {}); };
   EXPECT_TRUE(drawn().surface.ids.empty());
   const render::DrawScene start = drawn();
@@ -138,8 +138,8 @@ TEST(SkinPicture, TheSurfaceStandsWhereItsTetsAreAndNoTriangleSpansTwoBodies) {
   for (int i = 0; i < 30; ++i) world.step();
   const Frame frame = world.frame();
   ASSERT_GT(frame.fragments, 0);
-  for (const SkinPart& part : display.skin_parts)
-    EXPECT_EQ(frame.elements.bodies[skin_carrier(frame, part)], frame.elements.bodies[part.triangle_tet]);
+  for (const SkinPart& part : display.authored.skin_parts)
+    EXPECT_EQ(frame.elements.bodies[skin_carrier(frame, part)], frame.elements.bodies[part.owner]);
   EXPECT_FALSE(drawn().surface.ids.empty());  // cracks are laid bare
 }
 
@@ -172,12 +172,14 @@ TEST(SkinPicture, TextureCoordinatesAreDrawnAndExported) {
   const EmbeddedDisplay display = embedded_display(world.frame(), scene);
   const render::DrawScene drawn = draw_scene_from_frame(world.frame(), display, scene, scene.view, {});
   EXPECT_TRUE(drawn.embedded.checker);
-  for (std::size_t i = 0; i < skins[0].corners.size(); ++i)
-    EXPECT_EQ(drawn.embedded.mesh->corners[i].uv, skins[0].corners[i].uv.cast<float>());
+  const std::vector<Skin> parted = make_skins(world.frame(), scene, display.shards.bodies());
+  const std::size_t first = display.shards.set().corners.size();  // of those of the skin
+  for (std::size_t i = 0; i < parted[0].corners.size(); ++i)
+    EXPECT_EQ(drawn.embedded.mesh->corners[first + i].uv, parted[0].corners[i].uv.cast<float>());
   for (int i = 0; i < 30; ++i) world.step();
   const std::filesystem::path folder = test_folder() / "textured";
   std::filesystem::remove_all(folder);  // what an earlier run left there
-  export_pieces(folder, world.frame(), skins);
+  export_pieces(folder, world.frame(), {{}, skins});
   double area = 0;  // of the texture, which each of the six sides shows once
   int pieces = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

@@ -1,0 +1,263 @@
+#include "app/picture/shards.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "app/output/export_pieces.h"
+#include "app/picture/draw_scene_from_frame.h"
+#include "program.h"
+#include "sim/meshing/surface.h"
+#include "sim/splinters/convex_polyhedron.h"
+#include "sim/world/world.h"
+#include "tests/world/scenes.h"
+
+namespace griffith::app {
+namespace {
+
+/// A wall that a ball breaks into many pieces, or does not.
+Scene wall(double strength) { return testing::shot_wall(Vec3(2, 2, 0.5), 0.5, testing::brick(strength)); }
+
+World broken(const Scene& scene) {
+  World world(scene);
+  for (int i = 0; i < 30; ++i) world.step();
+  EXPECT_GT(world.frame().fragments, 10);
+  return world;
+}
+
+/// By the divergence theorem.
+double enclosed_volume(const PieceSurface& surface) {
+  double volume = 0;
+  for (const std::vector<int>& polygon : surface.polygons)
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+      volume += surface.points[polygon[0]].dot(surface.points[polygon[i - 1]].cross(surface.points[polygon[i]])) / 6;
+  return volume;
+}
+
+/// Twice the sum of all area vectors: zero for a closed surface.
+double openness(const PieceSurface& surface) {
+  Vec3 sum = Vec3::Zero();
+  double area = 0;
+  for (const std::vector<int>& polygon : surface.polygons) {
+    std::vector<Vec3> corners;
+    for (const int point : polygon) corners.push_back(surface.points[point]);
+    sum += area_vector(corners);
+    area += area_vector(corners).norm();
+  }
+  return sum.norm() / area;
+}
+
+/// An icosphere of radius 1, each triangle parted into four `rounds` times.
+std::string sphere_obj(int rounds) {
+  std::vector<Vec3> points;
+  std::vector<std::array<int, 3>> triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
+                                               {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+  for (int i = 0; i < 3; ++i)
+    for (const double sign : {1.0, -1.0}) points.push_back(sign * Vec3::Unit(i));
+  for (int round = 0; round < rounds; ++round) {
+    std::map<std::pair<int, int>, int> middles;
+    const auto middle = [&](int a, int b) {
+      const auto [found, is_new] = middles.try_emplace(std::minmax(a, b), static_cast<int>(points.size()));
+      if (is_new) points.push_back((points[a] + points[b]).normalized());
+      return found->second;
+    };
+    std::vector<std::array<int, 3>> finer;
+    for (const auto& [a, b, c] : triangles) {
+      const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+      finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+    }
+    triangles = std::move(finer);
+  }
+  std::ostringstream text;
+  text.precision(12);
+  for (const Vec3& point : points) text << "v " << point.transpose() << '\n';
+  for (const auto& [a, b, c] : triangles) text << "f " << a + 1 << ' ' << b + 1 << ' ' << c + 1 << '\n';
+  return text.str();
+}
+
+/// A ball of a surface with 512 triangles in elements that are much larger.
+Scene ball(double strength) {
+  test_file("ball.obj", sphere_obj(3));
+  Scene scene = wall(strength);
+  scene.folder = test_folder();
+  SurfaceShape shape;
+  shape.path = "ball.obj";
+  shape.meshing.method = MeshingMethod::volumetric;
+  shape.meshing.element_size = 0.5;
+  scene.bodies[0].shape = shape;
+  scene.bodies[0].position = Vec3(0, 1, 0);
+  scene.bodies[0].supports = {{HalfSpaceRegion{Vec3(0, -0.7, 0), -Vec3::UnitY()}}};
+  return scene;
+}
+
+TEST(Shards, AreOneATetAndFillTheBody) {
+  const Scene scene = wall(1);
+  const World world(scene);
+  const Shards shards(world.frame(), scene);
+  ASSERT_EQ(shards.bodies().size(), 1u);
+  const SplinterSet& set = shards.set();
+  std::set<TetId> owners;
+  double volume = 0;
+  for (const Splinter& shard : set.splinters) owners.insert(shard.owner), volume += shard.volume;
+  EXPECT_NEAR(volume, 2, 1e-9);
+  const auto tets = static_cast<double>(world.frame().elements.tets.size());
+  EXPECT_GT(static_cast<double>(owners.size()), 0.9 * tets);
+  EXPECT_LE(static_cast<double>(set.splinters.size()), 1.5 * tets);
+}
+
+TEST(Shards, BodiesWithSplintersOrRemeshingHaveNone) {
+  Scene scene = wall(1);
+  scene.bodies[0].splinters = BrickSplinters();
+  EXPECT_TRUE(Shards(World(scene).frame(), scene).empty());
+  scene.bodies[0].splinters.reset();
+  scene.bodies[0].remeshing = true;
+  EXPECT_TRUE(Shards(World(scene).frame(), scene).empty());
+}
+
+TEST(Shards, AreLongAlongTheGrainOfWood) {
+  Scene scene = wall(1);
+  const auto extents = [&] {
+    const World world(scene);
+    const Shards shards(world.frame(), scene);
+    Vec3 sum = Vec3::Zero();
+    for (const Splinter& shard : shards.set().splinters) {
+      Eigen::AlignedBox3f box;
+      for (const SplinterPart& part : std::span(shards.set().parts).subspan(shard.first_part, shard.parts))
+        for (const SplinterFace& face : std::span(shards.set().faces).subspan(part.first_face, part.faces))
+          for (int i = 0; i < face.corners; ++i) box.extend(shards.set().corners[face.first_corner + i].rest);
+      if (!box.isEmpty()) sum += box.sizes().cast<double>();
+    }
+    return sum;
+  };
+  const Vec3 stone = extents();
+  scene.bodies[0].material = *find_material_preset("wood_along_grain");
+  scene.bodies[0].weakness = Weakness{WeaknessKind::grain, Vec3::UnitX(), 0.1};
+  const Vec3 wood = extents();
+  EXPECT_LT(stone.x(), 1.3 * stone.y());
+  EXPECT_GT(wood.x(), 2 * wood.y());
+}
+
+/// Cracks are followed from the first frame to any other at once; a world follows them one by one.
+TEST(Shards, AnyFrameShowsWhatFollowingAllCracksGives) {
+  Scene authored = wall(0.02);
+  authored.bodies[0].splinters = VoronoiSplinters{.size = 0.3};
+  World world(authored);
+  const std::vector<std::array<TetId, 4>> neighbours(world.frame().elements.neighbours.begin(),
+                                                     world.frame().elements.neighbours.end());
+  TetMesh mesh;
+  mesh.rest_positions.assign(world.frame().nodes.rest_positions.begin(), world.frame().nodes.rest_positions.end());
+  mesh.tets.assign(world.frame().elements.tets.begin(), world.frame().elements.tets.end());
+  mesh.neighbours = neighbours;
+  Eigen::AlignedBox3d box;
+  for (Vec3& point : mesh.rest_positions) point -= authored.bodies[0].position, box.extend(point);
+  const SplinterSet set = make_splinters(mesh, make_cells(*authored.bodies[0].splinters, box));
+  ASSERT_EQ(set.faces.size(), world.frame().splinters.faces.size());
+  for (int i = 0; i < 30; ++i) {
+    world.step();
+    const Frame frame = world.frame();
+    std::vector<TetId> cracked;
+    for (TetId tet(0); tet < std::ssize(neighbours); ++tet.value)
+      if (frame.elements.neighbours[tet] != neighbours[tet]) cracked.push_back(tet);
+    SplinterState state = intact_state(set);
+    follow_cracks(set, frame.elements.neighbours, cracked, state);
+    EXPECT_TRUE(std::ranges::equal(state.attached, frame.splinters.attached)) << i;
+    std::vector<int> open(frame.splinters.open_walls.begin(), frame.splinters.open_walls.end());
+    std::ranges::sort(open);
+    std::ranges::sort(state.open_walls);
+    EXPECT_EQ(state.open_walls, open) << i;
+  }
+}
+
+TEST(Shards, PiecesShareOutTheBody) {
+  const Scene scene = wall(0.02);
+  const World start(scene);
+  const PieceShapes shapes = piece_shapes(start.frame(), scene);
+  const World world = broken(scene);
+  const Frame frame = world.frame();
+  const FrameWithShards sharded(frame, shapes.shards);
+  double sum = 0, mass_unseen = 0, mass = 0;
+  for (const BodyView& body : frame.bodies) {
+    const PieceSurface surface = piece_surface(sharded.frame(), body.id);
+    sum += enclosed_volume(surface);
+    mass += body.mass;
+    if (surface.polygons.empty()) mass_unseen += body.mass;
+  }
+  EXPECT_NEAR(sum, 2, 0.04);  // tets are stretched a little
+  EXPECT_LT(mass_unseen, 0.03 * mass);
+}
+
+TEST(Shards, NoTetIsSeenButWithValues) {
+  Scene scene = wall(0.02);
+  const World start(scene);
+  const EmbeddedDisplay display = embedded_display(start.frame(), scene);
+  const World world = broken(scene);
+  for (const char* quantity : {"material", "body", "plain", "splinter"}) {
+    scene.view.quantity = quantity;
+    const render::DrawScene drawn = draw_scene_from_frame(world.frame(), display, scene, scene.view, {});
+    EXPECT_TRUE(drawn.surface.ids.empty()) << quantity;
+    EXPECT_FALSE(drawn.embedded.opened.empty()) << quantity;
+  }
+  for (const char* quantity : {"von_mises", "utilization", "tet", "crack_age"}) {
+    scene.view.quantity = quantity;
+    const render::DrawScene drawn = draw_scene_from_frame(world.frame(), display, scene, scene.view, {});
+    EXPECT_FALSE(drawn.surface.ids.empty()) << quantity;
+    EXPECT_TRUE(drawn.embedded.opened.empty()) << quantity;
+  }
+  scene.view.quantity = "material";
+  scene.view.splinters = false;
+  EXPECT_FALSE(draw_scene_from_frame(world.frame(), display, scene, scene.view, {}).surface.ids.empty());
+}
+
+TEST(Shards, PartASurfaceWithoutGapOrOverlap) {
+  const Scene scene = ball(1);
+  const World world(scene);
+  const Frame frame = world.frame();
+  const Shards shards(frame, scene);
+  const std::vector<Skin> whole = make_skins(frame, scene), parted = make_skins(frame, scene, shards.bodies());
+  const auto area = [](const Skin& skin) {
+    double sum = 0;
+    for (int i = 0; i < skin.polygons(); ++i) {
+      std::vector<Vec3> corners;
+      for (const SkinCorner& corner : skin.polygon(i)) corners.push_back(corner.rest);
+      sum += area_vector(corners).norm();
+    }
+    return sum;
+  };
+  EXPECT_GT(parted[0].polygons(), 2 * whole[0].polygons());
+  EXPECT_NEAR(area(parted[0]), area(whole[0]), 1e-6 * area(whole[0]));
+  for (const SkinCorner& corner : parted[0].corners) {
+    EXPECT_LT((skin_position(frame, corner) - corner.rest).norm(), 1e-5);
+    EXPECT_GT(corner.normal.dot((corner.rest - Vec3(0, 1, 0)).normalized()), 0.97);
+  }
+}
+
+/// Shards of a ball have round outsides and walls that end there.
+TEST(Shards, OfASurfaceAreClosed) {
+  const Scene scene = ball(0.01);
+  const World start(scene);
+  const PieceShapes shapes = piece_shapes(start.frame(), scene);
+  const double all =
+      enclosed_volume(piece_surface(FrameWithShards(start.frame(), shapes.shards).frame(), BodyId(0), shapes.skins));
+  const World world = broken(scene);
+  const Frame frame = world.frame();
+  const FrameWithShards sharded(frame, shapes.shards);
+  double sum = 0, worst = 0, area_weighted = 0;
+  int pieces = 0;
+  for (const BodyView& body : frame.bodies) {
+    const PieceSurface surface = piece_surface(sharded.frame(), body.id, shapes.skins);
+    if (surface.polygons.empty()) continue;
+    const double open = openness(surface);
+    worst = std::max(worst, open), area_weighted += open, ++pieces;
+    sum += enclosed_volume({surface.points, {}, surface.polygons});
+  }
+  EXPECT_NEAR(sum, all, 0.03 * all);
+  EXPECT_LT(area_weighted / pieces, 0.01);
+  EXPECT_LT(worst, 0.1);
+}
+
+}  // namespace
+}  // namespace griffith::app
