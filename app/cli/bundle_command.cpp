@@ -41,15 +41,17 @@ bool is_compressed(const std::filesystem::path& path) {
   return beginning == std::array<char, 4>{'\x28', '\xB5', '\x2F', '\xFD'};
 }
 
-/// Draws the world as `griffith render` does, or says in `parts` why it cannot. Returns what drew it.
-std::string add_picture(const World& world, const Scene& scene, ReportParts& parts) try {
+/// Draws a world that began as `first` as `griffith render` does, or says in `parts` why it cannot. Returns what drew
+/// it.
+std::string add_picture(const World& first, const World& world, const Scene& scene, ReportParts& parts) try {
   constexpr int kWidth = 1280, kHeight = 720, kSamples = 4;
   const render::EglContext context(std::nullopt);
   const Frame frame = world.frame();
   SteadyRange range;
   range.follow(frame, scene.view.quantity);
-  const render::DrawScene drawn =
-      draw_scene_from_frame(frame, embedded_display(frame, scene), scene, scene.view, {}, range.range());
+  EmbeddedDisplay display = embedded_display(first.frame(), scene);
+  follow_first_cracks(display, frame, scene);
+  const render::DrawScene drawn = draw_scene_from_frame(frame, display, scene, scene.view, {}, range.range());
   render::Renderer renderer;
   const render::Camera camera = scene_camera(scene, "", drawn, static_cast<float>(kWidth) / kHeight);
   renderer.render(drawn, camera, picture_options(kWidth, kHeight, kSamples, scene.view));
@@ -63,7 +65,8 @@ std::string add_picture(const World& world, const Scene& scene, ReportParts& par
 /// Runs the scene, to its end or to what ended it.
 Recording recorded_run(const BundleOptions& options, ReportParts& parts) {
   const Scene scene = read_scene(options.input);
-  World world = make_world(scene, options.input);
+  const World first = make_world(scene, options.input);
+  World world = first;
   Recording recording = begin_recording(world);
   for (const InputError& finding : world.findings()) parts.log += std::string("warning: ") + finding.what() + "\n";
   RunStatistics statistics(world.frame(), scene.simulation.time_step, options.threads);
@@ -80,7 +83,7 @@ Recording recorded_run(const BundleOptions& options, ReportParts& parts) {
     parts.log += "step " + std::to_string(recording.steps() + 1) + " failed: " + error.what() + "\n";
   }
   parts.log += statistics.summary(world.frame(), world.state_hash());
-  recording.versions.emplace_back("graphics", add_picture(world, scene, parts));
+  recording.versions.emplace_back("graphics", add_picture(first, world, scene, parts));
   return recording;
 }
 
@@ -88,13 +91,14 @@ Recording recorded_run(const BundleOptions& options, ReportParts& parts) {
 Recording replayed(const BundleOptions& options, ReportParts& parts) {
   Recording recording = read_recording(options.input);
   Replay replay(recording);
+  const World first = replay.world();
   Progress progress("Replaying", static_cast<int>(std::max<std::int64_t>(recording.steps(), 1)));
   while (!replay.at_end()) {
     replay.advance();
     progress.update(static_cast<int>(replay.world().frame().step));
   }
   parts.log += "replayed for this report: " + replay_report(recording, replay);
-  parts.log += "picture drawn by: " + add_picture(replay.world(), replay.scene(), parts) + "\n";
+  parts.log += "picture drawn by: " + add_picture(first, replay.world(), replay.scene(), parts) + "\n";
   return recording;
 }
 

@@ -57,8 +57,8 @@ void simulate(const SimulateOptions& options) {
   if (!options.energy.empty()) energy.emplace(world.frame());
   std::optional<Recording> recording;
   if (!options.record.empty()) recording = begin_recording(world);
-  PieceShapes shapes;
-  if (!options.export_pieces.empty()) shapes = piece_shapes(world.frame(), scene);
+  Shards shards;
+  if (!options.export_pieces.empty()) shards = Shards(world.frame(), scene);
   RunTally tally;
   RunStatistics statistics(world.frame(), scene.simulation.time_step, options.threads);
   {
@@ -80,7 +80,8 @@ void simulate(const SimulateOptions& options) {
   if (recording) outputs.write([&] { write_recording(*recording, options.record); });
   if (!options.events.empty()) outputs.write([&] { replace_file(options.events, crack_events_json(frame)); });
   if (!options.export_file.empty()) outputs.write([&] { export_frame(options.export_file, frame); });
-  if (!options.export_pieces.empty()) outputs.write([&] { export_pieces(options.export_pieces, frame, shapes); });
+  shards.follow(frame, scene);
+  if (!options.export_pieces.empty()) outputs.write([&] { export_pieces(options.export_pieces, frame, shards); });
   if (!options.outcomes.empty())
     outputs.write([&] { replace_file(options.outcomes, record_json({outcomes_of(frame, tally), {}})); });
   if (options.stats.empty()) {

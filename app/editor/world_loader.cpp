@@ -23,7 +23,7 @@ WorldLoader::Loaded WorldLoader::build(const Order& order, const std::shared_ptr
   Scene scene = order.make_scene(monitor);
   if (const double tets = expected_tets(scene, monitor); tets > order.max_tets) throw LargeMesh(tets);
   World world = make_world(scene, order.path, monitor);
-  EmbeddedDisplay display = embedded_display(world.frame(), scene);
+  EmbeddedDisplay display = embedded_display(world.frame(), scene, monitor);
   return {order.reason, std::move(scene), order.path, std::move(world), std::move(display), started};
 }
 

@@ -109,20 +109,14 @@ PieceSurface piece_surface(const Frame& frame, BodyId body, std::span<const Skin
   return surface;
 }
 
-PieceShapes piece_shapes(const Frame& frame, const Scene& scene) {
-  PieceShapes shapes{Shards(frame, scene), {}};
-  shapes.skins = make_skins(frame, scene, shapes.shards.bodies());
-  return shapes;
-}
-
-void export_pieces(const std::filesystem::path& folder, const Frame& frame, const PieceShapes& shapes) {
+void export_pieces(const std::filesystem::path& folder, const Frame& frame, const Shards& shards) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!std::filesystem::is_directory(folder))
     throw InputError(folder.string(), "is no folder and cannot be made one", "name a folder that may be written to");
-  const FrameWithShards sharded(frame, shapes.shards);
+  const FrameWithShards sharded(frame, shards);
   for (const BodyView& body : frame.bodies) {
-    const PieceSurface surface = piece_surface(sharded.frame(), body.id, shapes.skins);
+    const PieceSurface surface = piece_surface(sharded.frame(), body.id, shards.skins());
     if (surface.polygons.empty()) continue;  // tets too small to own a splinter
     char name[32];
     std::snprintf(name, sizeof name, "body_%04d.obj", body.id.value);

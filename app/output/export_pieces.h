@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "app/picture/skin.h"
+#include "app/picture/shards.h"
 
 namespace griffith::app {
 
@@ -15,21 +15,12 @@ struct PieceSurface {
   std::vector<std::vector<int>> polygons;  ///< indices into `points`, counter-clockwise seen from outside
 };
 
-/// What pieces look like that show neither the scene's splinters nor their tets.
-struct PieceShapes {
-  Shards shards;
-  std::vector<Skin> skins;
-};
-
-/// Of a world's first frame. Throws InputError when a surface cannot be read.
-PieceShapes piece_shapes(const Frame& frame, const Scene& scene);
-
 /// The surface of a body as it is seen: what it has of its scene body's skin, and of the splinters that it owns,
 /// without the walls between them, or else of its tets' faces. `frame`: with the shards, where there are any.
 PieceSurface piece_surface(const Frame& frame, BodyId body, std::span<const Skin> skins = {});
 
-/// Writes each body of a frame as Wavefront OBJ into a folder, made if need be: body_0000.obj, ... Throws InputError
-/// when a file cannot be written.
-void export_pieces(const std::filesystem::path& folder, const Frame& frame, const PieceShapes& shapes = {});
+/// Writes each body of a frame as Wavefront OBJ into a folder, made if need be: body_0000.obj, ... `shards`: of the
+/// world's first frame, having followed this one. Throws InputError when a file cannot be written.
+void export_pieces(const std::filesystem::path& folder, const Frame& frame, const Shards& shards = {});
 
 }  // namespace griffith::app

@@ -206,22 +206,28 @@ void add_surroundings(const Frame& frame, const Scene& scene, render::DrawScene&
   picture.ground = ground;
 }
 
-EmbeddedPieces embedded_pieces(const Frame& frame, std::size_t scene_bodies, std::span<const Skin> skins) {
+EmbeddedPieces embedded_pieces(const Frame& frame, std::span<const std::array<int, 4>> orders, std::size_t scene_bodies,
+                               std::span<const Skin> skins) {
   EmbeddedPieces pieces;
   pieces.splintered.resize(scene_bodies, 0);
   pieces.skinned.resize(scene_bodies, 0);
   for (const Splinter& splinter : frame.splinters.splinters) pieces.splintered[splinter.scene_body] = 1;
   for (const Skin& skin : skins) pieces.skinned[skin.scene_body] = 1;
   auto mesh = std::make_shared<render::EmbeddedMesh>();
-  add_splinters(frame, pieces.skinned, *mesh);
+  add_splinters(frame, orders, pieces.skinned, *mesh);
   for (const Skin& skin : skins) {
     const auto parts = static_cast<int>(pieces.skin_parts.size());
-    add_skin(frame, skin, static_cast<int>(frame.splinters.parts.size()) + parts,
+    add_skin(frame, orders, skin, static_cast<int>(frame.splinters.parts.size()) + parts,
              static_cast<int>(frame.splinters.splinters.size()) + parts, *mesh);
     for (const SkinCorner& corner : skin.corners) pieces.skin_parts.push_back(corner.part);
   }
   if (!mesh->polygons.empty()) pieces.mesh = std::move(mesh);
   return pieces;
+}
+
+EmbeddedPieces natural_pieces(const Frame& frame, const EmbeddedDisplay& display) {
+  const FrameWithShards sharded(frame, display.shards);
+  return embedded_pieces(sharded.frame(), display.orders, display.authored.splintered.size(), display.shards.skins());
 }
 
 /// Values belong to elements, which shards have nothing to do with.
@@ -261,16 +267,16 @@ render::DrawScene drawn(const Frame& frame, const EmbeddedPieces& pieces, std::s
 
 EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene, const Monitor& monitor) {
   EmbeddedDisplay display;
-  display.authored = embedded_pieces(frame, scene.bodies.size(), make_skins(frame, scene));
+  display.orders = summation_orders(frame);
+  display.authored = embedded_pieces(frame, display.orders, scene.bodies.size(), make_skins(frame, scene));
   display.natural = display.authored;
   display.shards = Shards(frame, scene, monitor);
-  if (!display.shards.empty()) {
-    const FrameWithShards sharded(frame, display.shards);
-    display.natural = embedded_pieces(sharded.frame(), scene.bodies.size(),
-                                      make_skins(sharded.frame(), scene, display.shards.bodies()));
-  }
-  display.orders = summation_orders(frame);
+  if (!display.shards.empty()) display.natural = natural_pieces(frame, display);
   return display;
+}
+
+void follow_first_cracks(EmbeddedDisplay& display, const Frame& frame, const Scene& scene) {
+  if (display.shards.follow(frame, scene)) display.natural = natural_pieces(frame, display);
 }
 
 render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDisplay& display, const Scene& scene,

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/picture/shards.h"
 #include "app/picture/shown_mesh.h"
 #include "app/picture/skin.h"
 #include "renderer/draw_scene.h"
@@ -33,6 +34,8 @@ struct EmbeddedDisplay {
 
 /// Throws InputError when a surface cannot be read, Cancelled when the monitor says so.
 EmbeddedDisplay embedded_display(const Frame& frame, const Scene& scene, const Monitor& monitor = {});
+/// To be called before a frame is drawn: some shards lie round the first crack.
+void follow_first_cracks(EmbeddedDisplay& display, const Frame& frame, const Scene& scene);
 
 /// The picture of a frame: bodies as view.elements says, coloured by view.quantity (natural colours for "material", one
 /// for each body, element or splinter for "body", "tet" and "splinter"), cracks and the selection marked, the view's

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <span>
 #include <vector>
 
 #include "sim/mesh/tet_mesh.h"
@@ -13,6 +15,9 @@ struct PlacedTets {
   std::vector<TetId> tets;  ///< per tet of the soup
 };
 
+/// `frame`: before anything broke.
 PlacedTets placed_tets(const Frame& frame, int scene_body);
+/// Of any frame, with the corners that all tets had in the first one. The body is not remeshed.
+PlacedTets placed_tets(const Frame& frame, std::span<const std::array<NodeId, 4>> first_tets, int scene_body);
 
 }  // namespace griffith::app

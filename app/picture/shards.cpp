@@ -1,50 +1,13 @@
 #include "app/picture/shards.h"
 
-#include <Eigen/Geometry>
+#include <algorithm>
 
-#include "app/picture/fit_walls.h"
-#include "app/picture/natural_materials.h"
 #include "app/picture/placed_surface.h"
-#include "sim/mesh/topology.h"
 
 namespace griffith::app {
 namespace {
 
-/// Along the grain where the scene tells it, else along the longest edge of the body's box.
-Vec3 grain_of(const TetSoup& soup, const std::optional<Weakness>& weakness) {
-  if (weakness && weakness->kind == WeaknessKind::grain) return weakness->direction;
-  Eigen::AlignedBox3d box;
-  for (const Vec3& point : soup.points) box.extend(point);
-  int longest = 0;
-  box.sizes().maxCoeff(&longest);
-  return Vec3::Unit(longest);
-}
-
-ShardPattern shard_pattern(const Frame& frame, int scene_body, const TetSoup& soup) {
-  constexpr double kWoodElongation = 4;
-  ShardPattern pattern;
-  pattern.seed = scene_body + 1;
-  if (!preset_alike(frame.materials[scene_body]).starts_with("wood")) return pattern;
-  pattern.grain = grain_of(soup, frame.weaknesses[scene_body]);
-  pattern.elongation = kWoodElongation;
-  return pattern;
-}
-
-bool may_have_shards(const BodyDescription& body) { return !body.splinters && !body.remeshing; }
-
-BodyShards shards_of(const Frame& frame, const Scene& scene, int scene_body, const Monitor& monitor) {
-  BodyShards shards;
-  shards.scene_body = scene_body;
-  shards.placed = placed_tets(frame, scene_body);
-  const TetMesh mesh = build_mesh(shards.placed.soup);
-  shards.cells = make_shard_cells(mesh, shard_pattern(frame, scene_body, shards.placed.soup));
-  shards.set = make_splinters(mesh, shards.cells, monitor);
-  if (const BodyDescription& body = scene.bodies[scene_body]; shows_surface(body))
-    fit_walls(shards.set, shards.placed, placed_surface(scene, body));
-  return shards;
-}
-
-/// The splinters of a frame, for others to follow them; cracks are followed by the frame.
+/// The splinters of a frame without what follows their cracks: the frame does.
 SplinterSet set_of(const Frame::Splinters& splinters) {
   SplinterSet set;
   set.splinters.assign(splinters.splinters.begin(), splinters.splinters.end());
@@ -58,12 +21,42 @@ SplinterSet set_of(const Frame::Splinters& splinters) {
 }  // namespace
 
 Shards::Shards(const Frame& frame, const Scene& scene, const Monitor& monitor)
-    : neighbours_(frame.elements.neighbours.begin(), frame.elements.neighbours.end()) {
-  if (std::ssize(frame.elements.tets) > kMaxTets) return;
-  for (int i = 0; i < std::ssize(scene.bodies); ++i)
-    if (may_have_shards(scene.bodies[i])) bodies_.push_back(shards_of(frame, scene, i, monitor));
-  set_ = set_of(frame.splinters);
-  for (const BodyShards& body : bodies_) append(set_, body.set, body.placed.tets.front(), body.scene_body);
+    : neighbours_(frame.elements.neighbours.begin(), frame.elements.neighbours.end()),
+      tets_(frame.elements.tets.begin(), frame.elements.tets.end()),
+      centers_(scene.bodies.size()) {
+  if (std::ssize(tets_) <= kMaxTets && std::ranges::any_of(scene.bodies, may_have_shards))
+    make(frame, scene, monitor);
+  else
+    skins_ = make_skins(frame, scene);
+}
+
+void Shards::make(const Frame& frame, const Scene& scene, const Monitor& monitor) {
+  SplinterSet set = set_of(frame.splinters);
+  std::vector<Skin> skins;
+  std::vector<int> radial;
+  for (int i = 0; i < std::ssize(scene.bodies); ++i) {
+    if (!may_have_shards(scene.bodies[i])) continue;
+    const BodyShards body = make_body_shards(frame, scene, i, placed_tets(frame, tets_, i), centers_[i], monitor);
+    append(set, body.set, body.placed.tets.front(), i);
+    if (shows_surface(scene.bodies[i])) skins.push_back(make_skin(scene, body));
+    if (breaks_radially(frame, i, body.placed.soup)) radial.push_back(i);
+  }
+  set_ = std::move(set);
+  skins_ = std::move(skins);
+  radial_ = std::move(radial);
+}
+
+bool Shards::follow(const Frame& frame, const Scene& scene) {
+  if (radial_.empty()) return false;
+  const FirstCracks cracks = first_cracks(frame, scene.bodies.size());
+  bool moved = false;
+  for (const int body : radial_) {
+    if (!cracks[body] || centers_[body] == cracks[body]) continue;
+    centers_[body] = cracks[body];
+    moved = true;
+  }
+  if (moved) make(frame, scene, {});
+  return moved;
 }
 
 SplinterState Shards::state(const Frame& frame) const {

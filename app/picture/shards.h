@@ -1,12 +1,11 @@
 #pragma once
 
 #include <array>
-#include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
-#include "app/picture/placed_tets.h"
+#include "app/picture/body_shards.h"
+#include "app/picture/skin.h"
 #include "sim/core/monitor.h"
 #include "sim/scene/scene.h"
 #include "sim/splinters/splinters.h"
@@ -14,37 +13,38 @@
 
 namespace griffith::app {
 
-/// The shards of a body for which the scene has no splinters.
-struct BodyShards {
-  int scene_body = 0;
-  PlacedTets placed;    ///< the body at rest
-  CellPartition cells;  ///< in the placed rest space
-  SplinterSet set;      ///< tets are numbered as those of `placed`; walls end on the surface that the body shows
-};
-
-/// Splinters for pictures of bodies for which the scene has none, one a tet and about as large, so that what breaks
-/// shows shards in place of tets. Wood's are long. The simulation knows nothing of them. Bodies that are remeshed have
-/// none, nor have scenes of more than kMaxTets.
+/// Splinters for pictures of bodies for which the scene has none, about one a tet, so that what breaks shows shards in
+/// place of tets: long ones of wood, sectors and rings round the first crack of flat glass. The simulation knows
+/// nothing of them. Bodies that are remeshed have none, nor have scenes of more than kMaxTets.
 class Shards {
  public:
-  static constexpr int kMaxTets = 30'000;
+  static constexpr int kMaxTets = 10'000;
 
   Shards() = default;
   /// `frame`: before anything broke. Throws InputError when a surface cannot be read, Cancelled when the monitor says
   /// so.
   Shards(const Frame& frame, const Scene& scene, const Monitor& monitor = {});
 
-  std::span<const BodyShards> bodies() const { return bodies_; }
-  bool empty() const { return bodies_.empty(); }
+  bool empty() const { return set_.splinters.empty(); }
   /// The splinters of the frame that they were made in, then all shards.
   const SplinterSet& set() const { return set_; }
+  /// The surfaces that bodies were made from, parted by the shards of those that have them.
+  const std::vector<Skin>& skins() const { return skins_; }
   /// What cracks have done to them. `frame`: any of the world's.
   SplinterState state(const Frame& frame) const;
+  /// Makes those anew that lie round another crack than the frame's first one; whether there were any. `frame`: any of
+  /// the world's.
+  bool follow(const Frame& frame, const Scene& scene);
 
  private:
-  std::vector<BodyShards> bodies_;
-  SplinterSet set_;
+  void make(const Frame& frame, const Scene& scene, const Monitor& monitor);
+
   std::vector<std::array<TetId, 4>> neighbours_;  ///< of the first frame's tets
+  std::vector<std::array<NodeId, 4>> tets_;       ///< their corners then
+  FirstCracks centers_;                           ///< per scene body whose shards lie round its first crack
+  std::vector<int> radial_;                       ///< these bodies
+  SplinterSet set_;
+  std::vector<Skin> skins_;
 };
 
 /// A frame whose splinters are the scene's and the shards, if there are any. `frame` and `shards` must outlive it.

@@ -15,8 +15,13 @@ namespace {
 struct SurfaceOnTets {
   TriangleSurface surface;
   std::vector<std::array<Vec3, 3>> normals;  ///< per triangle and corner
-  PlacedTets placed;
+  const PlacedTets& placed;
   TetLocator locator{placed.soup};
+
+  SurfaceOnTets(const Scene& scene, int scene_body, const PlacedTets& placed_tets)
+      : surface(placed_surface(scene, scene.bodies[scene_body])),
+        normals(smooth_normals(surface)),
+        placed(placed_tets) {}
 
   SkinCorner corner(const Vec3& place, int owner) const {
     const EmbeddedPoint point = locator.locate(place);
@@ -94,7 +99,22 @@ void part(const std::array<Vec3, 3>& triangle, const CellPartition& cells, int& 
   }
 }
 
-Skin parted_skin(const SurfaceOnTets& body, const BodyShards& shards) {
+}  // namespace
+
+TetId skin_carrier(const Frame& frame, const SkinPart& part) {
+  return frame.elements.bodies[part.tet] == frame.elements.bodies[part.owner] ? part.tet : part.owner;
+}
+
+Vec3 skin_position(const Frame& frame, const SkinCorner& corner) {
+  const TetId tet = skin_carrier(frame, corner.part);
+  const std::array<double, 4>& weights = tet == corner.part.tet ? corner.weights : corner.owner_weights;
+  Vec3 position = Vec3::Zero();
+  for (int i = 0; i < 4; ++i) position += weights[i] * frame.nodes.positions[frame.elements.tets[tet][i]];
+  return position;
+}
+
+Skin make_skin(const Scene& scene, const BodyShards& shards) {
+  const SurfaceOnTets body(scene, shards.scene_body, shards.placed);
   Skin skin{shards.scene_body, !body.surface.uvs.empty(), {0}, {}};
   int start = 0;
   for (std::size_t t = 0; t < body.surface.triangles.size(); ++t) {
@@ -114,32 +134,12 @@ Skin parted_skin(const SurfaceOnTets& body, const BodyShards& shards) {
   return skin;
 }
 
-Skin make_skin(const Frame& frame, const Scene& scene, int scene_body, std::span<const BodyShards> shards) {
-  TriangleSurface surface = placed_surface(scene, scene.bodies[scene_body]);
-  std::vector<std::array<Vec3, 3>> normals = smooth_normals(surface);
-  const SurfaceOnTets body{std::move(surface), std::move(normals), placed_tets(frame, scene_body)};
-  const auto found = std::ranges::find(shards, scene_body, &BodyShards::scene_body);
-  return found == shards.end() ? whole_skin(body, scene_body) : parted_skin(body, *found);
-}
-
-}  // namespace
-
-TetId skin_carrier(const Frame& frame, const SkinPart& part) {
-  return frame.elements.bodies[part.tet] == frame.elements.bodies[part.owner] ? part.tet : part.owner;
-}
-
-Vec3 skin_position(const Frame& frame, const SkinCorner& corner) {
-  const TetId tet = skin_carrier(frame, corner.part);
-  const std::array<double, 4>& weights = tet == corner.part.tet ? corner.weights : corner.owner_weights;
-  Vec3 position = Vec3::Zero();
-  for (int i = 0; i < 4; ++i) position += weights[i] * frame.nodes.positions[frame.elements.tets[tet][i]];
-  return position;
-}
-
-std::vector<Skin> make_skins(const Frame& frame, const Scene& scene, std::span<const BodyShards> shards) {
+std::vector<Skin> make_skins(const Frame& frame, const Scene& scene) {
   std::vector<Skin> skins;
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    if (shows_surface(scene.bodies[i])) skins.push_back(make_skin(frame, scene, static_cast<int>(i), shards));
+  for (int i = 0; i < std::ssize(scene.bodies); ++i) {
+    if (!shows_surface(scene.bodies[i])) continue;
+    const PlacedTets placed = placed_tets(frame, i);
+    skins.push_back(whole_skin(SurfaceOnTets(scene, i, placed), i));
   }
   return skins;
 }

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "app/picture/shards.h"
+#include "app/picture/body_shards.h"
 #include "sim/scene/scene.h"
 #include "sim/world/frame.h"
 
@@ -44,9 +44,12 @@ struct Skin {
 /// Where a corner is in this frame [m].
 Vec3 skin_position(const Frame& frame, const SkinCorner& corner);
 
-/// The skins of all bodies that have one: filled from a surface, without splinters, and not remeshed, which would take
-/// the tets away from under it. Those of bodies that have shards are parted by them. `frame`: before anything broke.
-/// Throws InputError when a file cannot be read.
-std::vector<Skin> make_skins(const Frame& frame, const Scene& scene, std::span<const BodyShards> shards = {});
+/// The skins of all bodies that have one, their triangles whole: filled from a surface, without splinters, and not
+/// remeshed, which would take the tets away from under it. `frame`: before anything broke. Throws InputError when a
+/// file cannot be read.
+std::vector<Skin> make_skins(const Frame& frame, const Scene& scene);
+
+/// The skin of a body that has one, parted by the body's shards. Throws InputError when the file cannot be read.
+Skin make_skin(const Scene& scene, const BodyShards& shards);
 
 }  // namespace griffith::app

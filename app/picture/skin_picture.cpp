@@ -23,8 +23,8 @@ render::CarriedNormal carried_normal(const Frame& frame, const Vec3& normal, Tet
 
 }  // namespace
 
-void add_skin(const Frame& frame, const Skin& skin, int first_part, int first_piece, render::EmbeddedMesh& mesh) {
-  const std::vector<std::array<int, 4>> orders = summation_orders(frame);
+void add_skin(const Frame& frame, std::span<const std::array<int, 4>> orders, const Skin& skin, int first_part,
+              int first_piece, render::EmbeddedMesh& mesh) {
   render::EmbeddedStyle style;
   style.material = look_index(skin.scene_body, Look::outside);
   style.textured = skin.has_uvs;

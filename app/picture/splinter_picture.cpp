@@ -23,8 +23,8 @@ render::EmbeddedStyle style_of(const Frame& frame, const SplinterFace& face, con
 
 }  // namespace
 
-void add_splinters(const Frame& frame, std::span<const std::uint8_t> skinned, render::EmbeddedMesh& mesh) {
-  const std::vector<std::array<int, 4>> orders = summation_orders(frame);
+void add_splinters(const Frame& frame, std::span<const std::array<int, 4>> orders,
+                   std::span<const std::uint8_t> skinned, render::EmbeddedMesh& mesh) {
   mesh.corners.reserve(frame.splinters.corners.size());
   for (const SplinterFace& face : frame.splinters.faces) {
     const SplinterPart& part = frame.splinters.parts[static_cast<std::size_t>(face.part)];

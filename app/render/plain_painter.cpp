@@ -76,6 +76,7 @@ class PlainPainter : public Painter {
 
   void step() override {
     world_.step();
+    follow_first_cracks(display_, world_.frame(), scene_);
     for (auto& [names, viewpoint] : viewpoints_) viewpoint.range.follow(world_.frame(), viewpoint.view.quantity);
   }
 

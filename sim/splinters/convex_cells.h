@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,9 @@ CellPartition make_cells(const SplinterPattern& pattern, const Eigen::AlignedBox
 
 // One maker a pattern, behind make_cells().
 CellPartition make_voronoi_cells(const VoronoiSplinters& pattern, const Eigen::AlignedBox3d& bounds);
-CellPartition make_radial_cells(const RadialSplinters& pattern, const Eigen::AlignedBox3d& bounds);
+/// Rings do not become wider than `largest` [m], and rays branch where splinters would.
+CellPartition make_radial_cells(const RadialSplinters& pattern, const Eigen::AlignedBox3d& bounds,
+                                double largest = std::numeric_limits<double>::infinity());
 CellPartition make_brick_cells(const BrickSplinters& pattern, const Eigen::AlignedBox3d& bounds);
 /// Places are rounded to a millionth of the body's size. Throws InputError when the file cannot be read or all of its
 /// points lie far from `bounds`.

@@ -172,14 +172,14 @@ TEST(SkinPicture, TextureCoordinatesAreDrawnAndExported) {
   const EmbeddedDisplay display = embedded_display(world.frame(), scene);
   const render::DrawScene drawn = draw_scene_from_frame(world.frame(), display, scene, scene.view, {});
   EXPECT_TRUE(drawn.embedded.checker);
-  const std::vector<Skin> parted = make_skins(world.frame(), scene, display.shards.bodies());
+  const std::vector<Skin>& parted = display.shards.skins();
   const std::size_t first = display.shards.set().corners.size();  // of those of the skin
   for (std::size_t i = 0; i < parted[0].corners.size(); ++i)
     EXPECT_EQ(drawn.embedded.mesh->corners[first + i].uv, parted[0].corners[i].uv.cast<float>());
   for (int i = 0; i < 30; ++i) world.step();
   const std::filesystem::path folder = test_folder() / "textured";
   std::filesystem::remove_all(folder);  // what an earlier run left there
-  export_pieces(folder, world.frame(), {{}, skins});
+  export_pieces(folder, world.frame(), display.shards);
   double area = 0;  // of the texture, which each of the six sides shows once
   int pieces = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

@@ -129,6 +129,31 @@ TEST(FragmentAbuse, SizeDoesNotMatter) {
   }
 }
 
+/// Rays branch where sectors would become too wide: still neither gap nor overlap, nor a cell that is larger.
+TEST(Patterns, BranchingRaysFillTheBody) {
+  const TetMesh mesh = build_mesh(make_box(Vec3(1, 1, 0.02), Vec3(0.1, 0.1, 0.02), BoxPattern::five_tet));
+  RadialSplinters rings;
+  rings.center = Vec3(0.2, -0.1, 0);
+  rings.sectors = 5;
+  rings.first_ring = 0.02;
+  const double largest = 0.08;
+  const CellPartition cells = make_radial_cells(rings, testing::bounds(mesh), largest);
+  EXPECT_GT(cells.size(), make_radial_cells(rings, testing::bounds(mesh)).size());
+  for (int i = 0; i < std::ssize(cells); ++i)
+    for (const CellWall& wall : cells[i].walls) {
+      const auto& beyond = cells[wall.neighbour].walls;
+      const auto back = std::ranges::find(beyond, i, &CellWall::neighbour);
+      ASSERT_NE(back, beyond.end()) << i;
+      EXPECT_EQ(back->inside.normal, -wall.inside.normal);
+      EXPECT_EQ(back->inside.offset, -wall.inside.offset);
+    }
+  double sum = 0;
+  for (const Fragment& fragment : make_fragments(mesh, cells)) sum += fragment.volume;
+  EXPECT_NEAR(sum, 0.02, 1e-12);
+  for (const Splinter& splinter : make_splinters(mesh, cells).splinters)
+    EXPECT_LT(splinter.volume, 3 * largest * largest * 0.02);
+}
+
 TEST(Patterns, TooManyCellsAreRefused) {
   const Eigen::AlignedBox3d bounds(Vec3(-1, -1, -1), Vec3(1, 1, 1));
   VoronoiSplinters shards;
