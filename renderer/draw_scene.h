@@ -25,6 +25,7 @@ enum TriangleFlag : std::uint8_t {
   kCrackFace = 1 << 3,  ///< made by fracture: darker and warmer where no scalar is shown
   kSelected = 1 << 4,   ///< highlighted
   kPlain = 1 << 5,      ///< in its plain colour although the surface has scalars
+  kClear = 1 << 6,      ///< lets light through, from standard quality on
 };
 
 /// How Surface::scalars become colours, and what the legend says about them.
@@ -46,7 +47,8 @@ struct Surface {
   std::vector<std::uint8_t> flags;         ///< 1 per triangle: TriangleFlag bits; none if empty
   ScalarStyle scalar_style;
   Rgb color = {0.74f, 0.77f, 0.80f};
-  float opacity = 1;  ///< of this and of the embedded surface, 0..1; what is selected stays opaque
+  float clear_depth = 0.1f;  ///< of kClear triangles: how far light comes before it has their colour [m], > 0
+  float opacity = 1;         ///< of this and of the embedded surface, 0..1; what is selected stays opaque
 };
 
 /// Part of the space: the points x with normal · x <= offset.

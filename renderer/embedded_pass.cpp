@@ -9,7 +9,7 @@ namespace griffith::render {
 namespace {
 
 static_assert(sizeof(EmbeddedCorner) == 21 * sizeof(float), "uploaded as it is");
-static_assert(sizeof(EmbeddedMaterial) == 10 * sizeof(float), "uploaded as it is");
+static_assert(sizeof(EmbeddedMaterial) == 11 * sizeof(float), "uploaded as it is");
 
 const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
@@ -55,7 +55,8 @@ EmbeddedPass::EmbeddedPass()
     : program_("embedded surface", shaders::embedded_vert, fragment_source(Output::opaque).c_str()),
       transparent_program_("transparent embedded surface", shaders::embedded_vert,
                            fragment_source(Output::transparent).c_str()),
-      shadow_program_("embedded shadow", shaders::embedded_vert, shaders::depth_frag) {
+      glass_program_("clear embedded surface", shaders::embedded_vert, fragment_source(Output::glass).c_str()),
+      depth_program_("embedded depth", shaders::embedded_vert, shaders::embedded_depth_frag) {
   glBindVertexArray(vertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, corners_.id());
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_.id());
@@ -113,17 +114,19 @@ void EmbeddedPass::upload_opened(const std::vector<std::int32_t>& opened) {
   opened_ = opened;
 }
 
-void EmbeddedPass::draw_shadow() const {
+void EmbeddedPass::draw_depth(bool skips_clear) const {
   if (!mesh_) return;
-  shadow_program_.use();
-  shadow_program_.set("scalar_kind", 0);
+  depth_program_.use();
+  depth_program_.set("skips_clear", skips_clear);
+  depth_program_.set("scalar_kind", 0);
   draw_triangles();
 }
 
 void EmbeddedPass::draw(const EmbeddedSurface& surface, const ScalarStyle& style, const ColorTables& color_tables,
-                        const RenderOptions& options, float opacity, Output output, DrawnPart part) const {
+                        const RenderOptions& options, const Background& sky, float opacity, Output output,
+                        DrawnPart part) const {
   if (!mesh_) return;
-  const ShaderProgram& program = output == Output::opaque ? program_ : transparent_program_;
+  const ShaderProgram& program = program_for(output);
   program.use();
   program.set("scalar_kind", scalar_kind(surface));
   program.set("scalar_range", style.minimum, style.maximum);
@@ -134,10 +137,17 @@ void EmbeddedPass::draw(const EmbeddedSurface& surface, const ScalarStyle& style
   program.set("unlit", options.unlit_scalars);
   program.set("selected_tet", surface.selected_tet);
   program.set("opacity", opacity);
+  program.set("sky_top", sky.top);
+  program.set("sky_bottom", sky.bottom);
   program.set("drawn_part", static_cast<int>(part));
   program.set("checker", surface.checker);
   color_tables.bind(style.color_map);
   draw_triangles();
+}
+
+const ShaderProgram& EmbeddedPass::program_for(Output output) const {
+  if (output == Output::glass) return glass_program_;
+  return output == Output::opaque ? program_ : transparent_program_;
 }
 
 void EmbeddedPass::draw_triangles() const {

@@ -16,17 +16,19 @@ class EmbeddedPass {
  public:
   EmbeddedPass();
   void upload(const EmbeddedSurface& surface);
-  void draw_shadow() const;
+  /// `skips_clear`: what lets light through is left out.
+  void draw_depth(bool skips_clear) const;
   void draw(const EmbeddedSurface& surface, const ScalarStyle& style, const ColorTables& color_tables,
-            const RenderOptions& options, float opacity, Output output, DrawnPart part) const;
+            const RenderOptions& options, const Background& sky, float opacity, Output output, DrawnPart part) const;
 
  private:
   void upload_mesh();
   void append_triangles(std::span<const std::int32_t> polygons);
   void upload_opened(const std::vector<std::int32_t>& opened);
+  const ShaderProgram& program_for(Output output) const;
   void draw_triangles() const;
 
-  ShaderProgram program_, transparent_program_, shadow_program_;
+  ShaderProgram program_, transparent_program_, glass_program_, depth_program_;
   VertexArray vertices_;
   Buffer corners_, triangles_;
   StreamTexture points_{GL_R32F}, tets_{GL_R32I}, carriers_{GL_R32I}, scalars_{GL_R32F}, colors_{GL_R32F},

@@ -72,6 +72,7 @@ struct EmbeddedMaterial {
   float roughness = 0;                              ///< how far the normal is turned about, as a slope
   float noise_size = 0.05f;                         ///< of mottle and roughness [m]
   Eigen::Vector3f fibre = Eigen::Vector3f::Zero();  ///< direction times √(1 − 1/stretch) of noise along it
+  float clear_depth = 0;  ///< how far light comes through before it has the colour [m]; 0: not at all
 };
 
 /// Embedded polygons as they are now. Nothing is drawn without a mesh.

@@ -32,6 +32,10 @@ struct TextureKind {
   static void create(GLuint* id) { glGenTextures(1, id); }
   static void destroy(GLuint* id) { glDeleteTextures(1, id); }
 };
+struct SamplerKind {
+  static void create(GLuint* id) { glGenSamplers(1, id); }
+  static void destroy(GLuint* id) { glDeleteSamplers(1, id); }
+};
 struct BufferKind {
   static void create(GLuint* id) { glGenBuffers(1, id); }
   static void destroy(GLuint* id) { glDeleteBuffers(1, id); }
@@ -54,6 +58,7 @@ struct ProgramKind {
 };
 
 using Texture = GlObject<TextureKind>;
+using Sampler = GlObject<SamplerKind>;
 using Buffer = GlObject<BufferKind>;
 using Framebuffer = GlObject<FramebufferKind>;
 using Renderbuffer = GlObject<RenderbufferKind>;

@@ -8,8 +8,10 @@
 #include "renderer/background_pass.h"
 #include "renderer/blend_target.h"
 #include "renderer/embedded_pass.h"
+#include "renderer/glass_target.h"
 #include "renderer/glyph_pass.h"
 #include "renderer/ground_pass.h"
+#include "renderer/occlusion_map.h"
 #include "renderer/shadow_map.h"
 #include "renderer/sphere_pass.h"
 #include "renderer/stroke_pass.h"
@@ -42,13 +44,28 @@ Eigen::AlignedBox3f visible_box(const DrawScene& scene, const Focus& focus, Eige
   return box;
 }
 
+/// What a quality asks for.
+struct Effects {
+  float penumbra = 0;          ///< width over the distance of what casts the shadow; 0: plain light, hard shadows
+  int shadow_samples = 0;      ///< of a penumbra
+  int occlusion_samples = 0;   ///< 0: no ambient occlusion
+  int occlusion_fraction = 1;  ///< width and height of the picture over those of its occlusion map
+};
+
+Effects effects_of(Quality quality) {
+  if (quality == Quality::standard) return {0.07f, 16, 12, 2};
+  if (quality == Quality::high) return {0.07f, 48, 32, 1};
+  return {};
+}
+
 ViewBlock picture_view(const Camera& camera, const Eigen::AlignedBox3f& box, const Target& target,
-                       const ViewBlock& shadow_view) {
+                       const ViewBlock& shadow_view, const Effects& effects) {
   const float width = static_cast<float>(target.width()), height = static_cast<float>(target.height());
   ViewBlock block = shadow_view;
   block.view_projection = projection_matrix(camera, width / height, box) * view_matrix(camera);
   block.eye << camera.position, 1;
   block.viewport << width, height, static_cast<float>(target.samples()), 0;
+  block.effects << effects.penumbra, static_cast<float>(effects.shadow_samples), effects.occlusion_samples > 0, 0;
   return block;
 }
 
@@ -58,6 +75,21 @@ Vec4 visible_plane(const DrawScene& scene, float radius) {
   if (!scene.visible) return Vec4::UnitW();
   const auto& [normal, offset] = *scene.visible;
   return {normal.x(), normal.y(), normal.z(), offset + kSlack * (radius + std::abs(offset))};
+}
+
+/// Whether light comes through some of what is drawn.
+bool has_glass(const DrawScene& scene, const RenderOptions& options) {
+  if (options.quality == Quality::draft || scene.surface.opacity < 1) return false;
+  const EmbeddedSurface& embedded = scene.embedded;
+  const bool natural = embedded.mesh && embedded.scalars.empty() && embedded.piece_colors.empty();
+  return (natural && std::ranges::any_of(embedded.materials, [](const auto& m) { return m.clear_depth > 0; })) ||
+         std::ranges::any_of(scene.surface.flags, [](std::uint8_t flags) { return flags & kClear; });
+}
+
+/// What is drawn as opaque.
+DrawnPart opaque_part(const DrawScene& scene, bool glass) {
+  if (glass) return DrawnPart::not_clear;
+  return scene.surface.opacity < 1 ? DrawnPart::selected : DrawnPart::all;
 }
 
 /// Everything the passes rely on, whoever drew before.
@@ -88,15 +120,22 @@ struct Renderer::Passes {
   StrokePass strokes;
   GroundPass ground;
   Target target{1, 1};
-  std::unique_ptr<BlendTarget> blend;  // of the target; none until something is transparent
-  int requested_samples = 1;           // target.samples() may be fewer
+  std::unique_ptr<OcclusionMap> occlusion;  // none until something is occluded
+  std::unique_ptr<BlendTarget> blend;       // of the target; none until something is transparent
+  std::unique_ptr<GlassTarget> glass;       // of the target; none until something is clear
+  int requested_samples = 1;                // target.samples() may be fewer
 
   void resize(const RenderOptions& options);
   void upload(const DrawScene& scene, float pixel_scale);
   void draw_surfaces(const DrawScene& scene, const RenderOptions& options, Output output, DrawnPart part) const;
+  void add_up_glass(const DrawScene& scene, const RenderOptions& options);
   void draw_transparent(const DrawScene& scene, const RenderOptions& options);
-  /// `opaque`: surfaces cast shadows too.
-  void draw_shadow_map(const ViewBlock& view, bool shadows, bool opaque) const;
+  /// Depth alone, of what light does not come through.
+  void draw_depths(const DrawScene& scene, const RenderOptions& options) const;
+  void draw_shadow_map(const DrawScene& scene, const ViewBlock& view, const RenderOptions& options) const;
+  void draw_occlusion_map(const DrawScene& scene, const Camera& camera, const Focus& focus, const Mat4& view_projection,
+                          const RenderOptions& options);
+  void draw_ground(const DrawScene& scene, const Camera& camera, const Focus& focus) const;
   void draw_picture(const DrawScene& scene, const Camera& camera, const Focus& focus, const RenderOptions& options);
 };
 
@@ -106,6 +145,7 @@ void Renderer::Passes::resize(const RenderOptions& options) {
     return;
   }
   blend.reset();
+  glass.reset();
   target = Target(options.width, options.height, options.samples);
   requested_samples = options.samples;
 }
@@ -118,70 +158,104 @@ void Renderer::Passes::upload(const DrawScene& scene, float pixel_scale) {
   strokes.upload(scene, pixel_scale);
 }
 
-void Renderer::Passes::draw_shadow_map(const ViewBlock& view, bool shadows, bool opaque) const {
-  shadow_map.begin();
-  if (!shadows) return;
-  shadow_view.bind(view);
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(1.5f, 2);  // against self-shadowing
-  if (opaque) {
+void Renderer::Passes::draw_depths(const DrawScene& scene, const RenderOptions& options) const {
+  if (scene.surface.opacity == 1) {
+    const bool skips_clear = has_glass(scene, options);
     glEnable(GL_CLIP_DISTANCE0);
-    surface.draw_shadow();
-    embedded.draw_shadow();
+    surface.draw_depth(skips_clear);
+    embedded.draw_depth(skips_clear);
     glDisable(GL_CLIP_DISTANCE0);
   }
   spheres.draw_shadow();
+}
+
+void Renderer::Passes::draw_shadow_map(const DrawScene& scene, const ViewBlock& view,
+                                       const RenderOptions& options) const {
+  shadow_map.begin();
+  if (!options.shadows) return;
+  shadow_view.bind(view);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(1.5f, 2);  // against self-shadowing
+  draw_depths(scene, options);
   glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void Renderer::Passes::draw_ground(const DrawScene& scene, const Camera& camera, const Focus& focus) const {
+  if (!scene.ground) return;
+  const bool from_below = camera.position.y() < scene.ground->height;
+  ground.draw(*scene.ground, grid_level(height_at_target(camera)), focus.center, ground_radius(focus), from_below);
+}
+
+void Renderer::Passes::draw_occlusion_map(const DrawScene& scene, const Camera& camera, const Focus& focus,
+                                          const Mat4& view_projection, const RenderOptions& options) {
+  constexpr float kReach = 0.15f;  // [radii of the focus]
+  const Effects effects = effects_of(options.quality);
+  if (effects.occlusion_samples == 0) return;
+  const int width = (target.width() + effects.occlusion_fraction - 1) / effects.occlusion_fraction;
+  const int height = (target.height() + effects.occlusion_fraction - 1) / effects.occlusion_fraction;
+  if (!occlusion || occlusion->width() != width || occlusion->height() != height)
+    occlusion = std::make_unique<OcclusionMap>(width, height);
+  occlusion->begin();
+  draw_depths(scene, options);
+  draw_ground(scene, camera, focus);
+  occlusion->finish(view_projection, kReach * focus.radius, effects.occlusion_samples);
 }
 
 void Renderer::Passes::draw_surfaces(const DrawScene& scene, const RenderOptions& options, Output output,
                                      DrawnPart part) const {
   glEnable(GL_CLIP_DISTANCE0);
-  surface.draw(scene.surface, color_tables, options, output, part);
-  embedded.draw(scene.embedded, scene.surface.scalar_style, color_tables, options, scene.surface.opacity, output, part);
+  surface.draw(scene.surface, color_tables, options, scene.background, output, part);
+  embedded.draw(scene.embedded, scene.surface.scalar_style, color_tables, options, scene.background,
+                scene.surface.opacity, output, part);
   glDisable(GL_CLIP_DISTANCE0);
 }
 
 void Renderer::Passes::draw_picture(const DrawScene& scene, const Camera& camera, const Focus& focus,
                                     const RenderOptions& options) {
-  const bool see_through = scene.surface.opacity < 1;
+  const bool see_through = scene.surface.opacity < 1, clear = has_glass(scene, options);
   target.bind();
   target.clear(scene.background.bottom);
   shadow_map.bind();
   background.draw(scene.background);
   glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);  // the picture is opaque; alpha only blends
-  draw_surfaces(scene, options, Output::opaque, see_through ? DrawnPart::selected : DrawnPart::all);
+  draw_surfaces(scene, options, Output::opaque, opaque_part(scene, clear));
   spheres.draw();
   glyphs.draw(Output::opaque);
-  if (scene.ground) {
-    const bool from_below = camera.position.y() < scene.ground->height;
-    ground.draw(*scene.ground, grid_level(height_at_target(camera)), focus.center, ground_radius(focus), from_below);
-  }
+  draw_ground(scene, camera, focus);
   strokes.draw();
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  if (see_through || glyphs.has_transparent()) {
+  if (see_through || clear || glyphs.has_transparent()) {
     draw_transparent(scene, options);
   } else {
     target.resolve();
   }
 }
 
+void Renderer::Passes::add_up_glass(const DrawScene& scene, const RenderOptions& options) {
+  if (!glass) glass = std::make_unique<GlassTarget>(target);
+  glass->begin();
+  draw_surfaces(scene, options, Output::glass, DrawnPart::clear);
+  glass->end();
+}
+
 void Renderer::Passes::draw_transparent(const DrawScene& scene, const RenderOptions& options) {
-  const bool see_through = scene.surface.opacity < 1;
+  const bool see_through = scene.surface.opacity < 1, clear = has_glass(scene, options);
   if (!blend) blend = std::make_unique<BlendTarget>(target);
   blend->begin();
   if (see_through) draw_surfaces(scene, options, Output::transparent, DrawnPart::unselected);
   glyphs.draw(Output::transparent);
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
-  if (see_through) {  // what is seen through can be picked all the same
+  if (clear) add_up_glass(scene, options);
+  if (see_through || clear) {  // what is seen through can be picked all the same
     target.bind();
     glColorMaski(0, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    draw_surfaces(scene, options, Output::opaque, DrawnPart::unselected);
+    draw_surfaces(scene, options, Output::opaque, clear ? DrawnPart::clear : DrawnPart::unselected);
     glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   }
   target.resolve();
   blend->end();
+  if (clear) glass->blend();
 }
 
 Renderer::Renderer() : passes_(std::make_unique<Passes>()) {}
@@ -196,8 +270,11 @@ void Renderer::render(const DrawScene& scene, const Camera& camera, const Render
   set_state();
   passes_->resize(options);
   passes_->upload(scene, options.pixel_scale);
-  passes_->draw_shadow_map(shadow_view, options.shadows, scene.surface.opacity == 1);
-  passes_->picture_view.bind(picture_view(camera, visible_box(scene, focus, box), passes_->target, shadow_view));
+  passes_->draw_shadow_map(scene, shadow_view, options);
+  const ViewBlock view =
+      picture_view(camera, visible_box(scene, focus, box), passes_->target, shadow_view, effects_of(options.quality));
+  passes_->picture_view.bind(view);
+  passes_->draw_occlusion_map(scene, camera, focus, view.view_projection, options);
   passes_->draw_picture(scene, camera, focus, options);
 }
 

@@ -9,11 +9,19 @@
 
 namespace griffith::render {
 
+/// How much light takes. Scalars without shading are the same in each.
+enum class Quality {
+  draft,     ///< plain light, hard shadows, nothing is clear
+  standard,  ///< light of the sky with ambient occlusion, soft shadows, clear matter
+  high,      ///< the same from more samples
+};
+
 struct RenderOptions {
   int width = 1280, height = 720;  ///< [pixels]
   int samples = 1;                 ///< per pixel; 4 on screen, 1 for reproducible headless images
   bool edges = true;               ///< draw the edges that Surface::flags marks
   bool shadows = true;
+  Quality quality = Quality::draft;
   bool unlit_scalars = false;  ///< a scalar's pixel is the legend's colour to the byte: no shading, no shadow
   float edge_width = 1.1f;     ///< [pixels]
   float pixel_scale = 1;       ///< factor on the widths of edges and lines and the diameters of points

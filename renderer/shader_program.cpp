@@ -19,9 +19,10 @@ std::string read_log(GLuint object, GetParameter get_parameter, GetLog get_log) 
 }
 
 void attach_stage(GLuint program, GLenum stage, const std::string& name, const char* source) {
-  const char* parts[] = {"#version 330 core\n", shaders::common_glsl, "#line 1 1\n", source};
+  const char* parts[] = {"#version 330 core\n", shaders::common_glsl,
+                         stage == GL_FRAGMENT_SHADER ? shaders::light_glsl : "", "#line 1 1\n", source};
   const GLuint shader = glCreateShader(stage);
-  glShaderSource(shader, 4, parts, nullptr);
+  glShaderSource(shader, 5, parts, nullptr);
   glCompileShader(shader);
   GLint compiled = 0;
   glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
@@ -37,6 +38,7 @@ void attach_stage(GLuint program, GLenum stage, const std::string& name, const c
 }  // namespace
 
 std::string with_output(const std::string& fragment_source, Output output) {
+  if (output == Output::glass) return "#define GLASS\n" + std::string(shaders::glass_glsl) + fragment_source;
   const char* prefix = output == Output::transparent ? "#define TRANSPARENT\n" : "";
   return prefix + std::string(shaders::output_glsl) + fragment_source;
 }
@@ -65,7 +67,15 @@ ShaderProgram::ShaderProgram(const std::string& name, const char* vertex_source,
                                                   {"carriers", kCarriersUnit},
                                                   {"materials", kMaterialsUnit},
                                                   {"color_sums", kColorSumsUnit},
-                                                  {"weight_sums", kWeightSumsUnit}};
+                                                  {"weight_sums", kWeightSumsUnit},
+                                                  {"shadow_depth", kShadowDepthUnit},
+                                                  {"occlusion_map", kOcclusionUnit},
+                                                  {"scene_depth", kOcclusionUnit},
+                                                  {"raw_occlusion", kOcclusionUnit},
+                                                  {"opaque_picture", kOpaqueUnit},
+                                                  {"depth_sums", kColorSumsUnit},
+                                                  {"light_sums", kWeightSumsUnit},
+                                                  {"slope_sums", kSlopeSumsUnit}};
   for (const auto& [sampler, unit] : samplers) set(sampler, unit);
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "renderer/camera.h"
 #include "renderer/color.h"
 #include "renderer/gl_objects.h"
 
@@ -20,18 +21,23 @@ enum TextureUnit : int {
   kCarriersUnit,
   kMaterialsUnit,
   kColorSumsUnit,
-  kWeightSumsUnit
+  kWeightSumsUnit,
+  kShadowDepthUnit,
+  kOcclusionUnit,
+  kOpaqueUnit,
+  kSlopeSumsUnit
 };
 
-/// Where a fragment shader that calls emit() of shaders/output.glsl writes: into a Target or into a BlendTarget.
-enum class Output { opaque, transparent };
+/// Where a fragment shader writes that calls emit() of shaders/output.glsl, or emit_glass() of glass.glsl: into a
+/// Target, a BlendTarget or a GlassTarget.
+enum class Output { opaque, transparent, glass };
 std::string with_output(const std::string& fragment_source, Output output);
 
 /// Which part of a surface is drawn.
-enum class DrawnPart : int { all, selected, unselected };
+enum class DrawnPart : int { all, selected, unselected, not_clear, clear };
 
-/// A vertex and a fragment shader, each preceded by shaders/common.glsl, linked. Throws RenderError with `name`, the
-/// stage and the driver's log if one is rejected.
+/// A vertex and a fragment shader, each preceded by shaders/common.glsl, the latter by light.glsl too, linked. Throws
+/// RenderError with `name`, the stage and the driver's log if one is rejected.
 class ShaderProgram {
  public:
   ShaderProgram(const std::string& name, const char* vertex_source, const char* fragment_source);
@@ -43,6 +49,9 @@ class ShaderProgram {
   void set(const char* uniform, float value) const { glUniform1f(location(uniform), value); }
   void set(const char* uniform, float x, float y) const { glUniform2f(location(uniform), x, y); }
   void set(const char* uniform, const Rgb& color) const { glUniform3f(location(uniform), color.r, color.g, color.b); }
+  void set(const char* uniform, const Mat4& matrix) const {
+    glUniformMatrix4fv(location(uniform), 1, GL_FALSE, matrix.data());
+  }
   void set(const char* uniform, float x, float y, float z) const { glUniform3f(location(uniform), x, y, z); }
 
  private:

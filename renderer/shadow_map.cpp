@@ -14,6 +14,11 @@ constexpr int kSize = 2048;  // [texels]
 }  // namespace
 
 ShadowMap::ShadowMap() {
+  glSamplerParameteri(depth_values_.id(), GL_TEXTURE_COMPARE_MODE, GL_NONE);
+  glSamplerParameteri(depth_values_.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glSamplerParameteri(depth_values_.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  glSamplerParameteri(depth_values_.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glSamplerParameteri(depth_values_.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   glActiveTexture(GL_TEXTURE0 + kShadowUnit);
   glBindTexture(GL_TEXTURE_2D, depth_.id());
   glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kSize, kSize, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
@@ -39,8 +44,11 @@ void ShadowMap::begin() const {
 }
 
 void ShadowMap::bind() const {
-  glActiveTexture(GL_TEXTURE0 + kShadowUnit);
-  glBindTexture(GL_TEXTURE_2D, depth_.id());
+  for (const int unit : {kShadowUnit, kShadowDepthUnit}) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, depth_.id());
+  }
+  glBindSampler(kShadowDepthUnit, depth_values_.id());
 }
 
 ViewBlock ShadowMap::view(const Focus& focus) {

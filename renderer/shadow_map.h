@@ -29,6 +29,7 @@ class ShadowMap {
 
  private:
   Texture depth_;
+  Sampler depth_values_;  ///< for depths as they are, not compared
   Framebuffer framebuffer_;
 };
 

@@ -32,7 +32,8 @@ std::string fragment_source(Output output) {
 SurfacePass::SurfacePass()
     : program_("surface", shaders::surface_vert, fragment_source(Output::opaque).c_str()),
       transparent_program_("transparent surface", shaders::surface_vert, fragment_source(Output::transparent).c_str()),
-      shadow_program_("surface shadow", shaders::surface_vert, shaders::depth_frag) {
+      glass_program_("clear surface", shaders::surface_vert, fragment_source(Output::glass).c_str()),
+      depth_program_("surface depth", shaders::surface_vert, shaders::surface_depth_frag) {
   glBindVertexArray(vertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, positions_.id());
   glEnableVertexAttribArray(0);
@@ -47,17 +48,19 @@ void SurfacePass::upload(const Surface& surface) {
   colors_.upload(surface.colors, 3);
   ids_.upload(surface.ids);
   flags_.upload(surface.flags);
+  has_flags_ = !surface.flags.empty();
 }
 
-void SurfacePass::draw_shadow() const {
-  shadow_program_.use();
+void SurfacePass::draw_depth(bool skips_clear) const {
+  depth_program_.use();
+  depth_program_.set("skips_clear", skips_clear && has_flags_);
   draw_triangles();
 }
 
 void SurfacePass::draw(const Surface& surface, const ColorTables& color_tables, const RenderOptions& options,
-                       Output output, DrawnPart part) const {
+                       const Background& sky, Output output, DrawnPart part) const {
   const ScalarStyle& style = surface.scalar_style;
-  const ShaderProgram& program = output == Output::opaque ? program_ : transparent_program_;
+  const ShaderProgram& program = program_for(output);
   program.use();
   program.set("scalars_per_triangle", scalars_per_triangle(surface));
   program.set("scalar_range", style.minimum, style.maximum);
@@ -70,9 +73,17 @@ void SurfacePass::draw(const Surface& surface, const ColorTables& color_tables, 
   program.set("edge_width", options.edge_width * options.pixel_scale);
   program.set("unlit", options.unlit_scalars);
   program.set("opacity", surface.opacity);
+  program.set("clear_depth", surface.clear_depth);
+  program.set("sky_top", sky.top);
+  program.set("sky_bottom", sky.bottom);
   program.set("drawn_part", static_cast<int>(part));
   color_tables.bind(style.color_map);
   draw_triangles();
+}
+
+const ShaderProgram& SurfacePass::program_for(Output output) const {
+  if (output == Output::glass) return glass_program_;
+  return output == Output::opaque ? program_ : transparent_program_;
 }
 
 void SurfacePass::draw_triangles() const {

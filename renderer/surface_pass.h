@@ -13,18 +13,21 @@ class SurfacePass {
  public:
   SurfacePass();
   void upload(const Surface& surface);
-  void draw_shadow() const;
-  void draw(const Surface& surface, const ColorTables& color_tables, const RenderOptions& options, Output output,
-            DrawnPart part) const;
+  /// `skips_clear`: what lets light through is left out.
+  void draw_depth(bool skips_clear) const;
+  void draw(const Surface& surface, const ColorTables& color_tables, const RenderOptions& options,
+            const Background& sky, Output output, DrawnPart part) const;
 
  private:
+  const ShaderProgram& program_for(Output output) const;
   void draw_triangles() const;
 
-  ShaderProgram program_, transparent_program_, shadow_program_;
+  ShaderProgram program_, transparent_program_, glass_program_, depth_program_;
   VertexArray vertices_;
   StreamBuffer positions_;
   StreamTexture scalars_{GL_R32F}, colors_{GL_R32F}, ids_{GL_R32I}, flags_{GL_R8UI};
   GLsizei corners_ = 0;
+  bool has_flags_ = false;
 };
 
 }  // namespace griffith::render

@@ -39,7 +39,7 @@ vec4 noise(vec3 place) {
   return sum;
 }
 
-float material(int index) { return texelFetch(materials, 10 * (labels.w & 0xffff) + index).r; }
+float material(int index) { return texelFetch(materials, 11 * (labels.w & 0xffff) + index).r; }
 
 // Bump (xyz) and change of brightness (w) of the material here.
 vec4 texture_here() {
@@ -86,10 +86,19 @@ vec3 checked(vec3 color) {
   return color * mix(0.55, 1.0, 0.5 + 0.5 * side.x * side.y);
 }
 
+#ifdef GLASS
+void main() {
+  if (labels.x == selected_tet || material(10) == 0.0) discard;
+  bool inner = ((labels.w >> 20) & 1) != 0;
+  vec4 here = texture_here();
+  emit_glass(material_color(0.0), material(10), position, normalize(normal_here() + here.xyz), inner);
+}
+#else
 void main() {
   bool inner = ((labels.w >> 20) & 1) != 0;
   bool selected = labels.x == selected_tet;
   bool is_scalar = scalar_kind != 0;
+  bool clear = !selected && material(10) > 0.0;
   float edge = face_edge();
   vec4 here = is_scalar || (has_piece_colors && !inner) ? vec4(0.0) : texture_here();
   vec3 color = is_scalar ? value_color() : has_piece_colors ? piece_color(inner) : material_color(here.w);
@@ -98,6 +107,7 @@ void main() {
     color = shade(selected ? mix(color, kSelectionColor, 0.45) : color, position, normal_here(), here.xyz, is_scalar);
   }
   color = mix(color, selected ? kSelectionColor : kEdgeColor, (selected ? 1.0 : 0.6) * edge);
-  if (!is_drawn(selected)) discard;
+  if (!is_drawn(selected, clear)) discard;
   emit(color, opacity, labels.x);
 }
+#endif

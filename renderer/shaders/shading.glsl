@@ -2,9 +2,12 @@
 const vec3 kCrackTint = vec3(0.80, 0.66, 0.55), kEdgeColor = vec3(0.09, 0.10, 0.12);
 const vec3 kSelectionColor = vec3(1.0, 0.55, 0.10);
 
-// What is drawn in this pass: 0 everything, 1 only what is selected, 2 only what is not.
+// What is drawn in this pass, a DrawnPart.
 uniform int drawn_part;
-bool is_drawn(bool selected) { return drawn_part == 0 || (drawn_part == 1) == selected; }
+bool is_drawn(bool selected, bool clear) {
+  if (drawn_part >= 3) return (drawn_part == 4) == clear;
+  return drawn_part == 0 || (drawn_part == 1) == selected;
+}
 
 uniform sampler2D color_table;
 uniform vec2 scalar_range;
@@ -37,7 +40,8 @@ vec3 flat_normal(vec3 position) {
 // A plain colour takes the whole range of light, a scalar's colour only its upper part so that values stay comparable.
 vec3 shade(vec3 color, vec3 position, vec3 normal, vec3 bump, bool is_scalar) {
   float visibility = light_visibility(position, flat_normal(position));
-  float light_here = illumination(normalize(normal + bump), visibility);
-  float factor = is_scalar ? mix(0.62, 1.0, min(light_here, 1.0)) : light_here;
+  vec3 bumped = normalize(normal + bump);
+  vec3 factor = is_scalar ? vec3(mix(0.62, 1.0, min(illumination(bumped, visibility), 1.0)))
+                          : colored_illumination(bumped, visibility, ambient_openness(position));
   return srgb_from_linear(linear_from_srgb(color) * factor);
 }

@@ -18,7 +18,7 @@ void main() {
   vec4 clip = view_projection * vec4(center + surface, 1.0);
   gl_FragDepth = clamp(0.5 + 0.5 * clip.z / clip.w, 0.0, 1.0);
   vec3 normal = normalize(surface);
-  float light_here = illumination(normal, light_visibility(center + surface, normal));
+  vec3 light_here = colored_illumination(normal, light_visibility(center + surface, normal), ambient_openness(center + surface));
   float gleam = pow(max(dot(reflect(direction, normal), light.xyz), 0.0), 40.0);
   pixel_color = vec4(srgb_from_linear(linear_from_srgb(color) * light_here + 0.12 * gleam), coverage);
   pixel_id = id;

@@ -1,4 +1,4 @@
-const int kCrackFace = 8, kSelected = 16, kPlain = 32;  // TriangleFlag; bits 0 to 2 are the edges
+const int kCrackFace = 8, kSelected = 16, kPlain = 32, kClear = 64;  // TriangleFlag; bits 0 to 2 are the edges
 
 uniform samplerBuffer scalars, colors;
 uniform isamplerBuffer ids;
@@ -6,7 +6,7 @@ uniform usamplerBuffer flags;
 uniform int scalars_per_triangle;
 uniform bool has_colors, has_ids, has_flags, draw_edges, unlit;
 uniform vec3 plain_color;
-uniform float opacity;
+uniform float opacity, clear_depth;
 in vec3 position;
 in vec3 barycentric;
 in float scalar;
@@ -20,9 +20,17 @@ vec3 triangle_color(int triangle_flags, bool is_scalar) {
   return (triangle_flags & kCrackFace) != 0 ? color * kCrackTint : color;
 }
 
+#ifdef GLASS
+void main() {
+  int triangle_flags = has_flags ? int(texelFetch(flags, gl_PrimitiveID).r) : 0;
+  if ((triangle_flags & kClear) == 0 || (triangle_flags & kSelected) != 0) discard;
+  emit_glass(triangle_color(0, false), clear_depth, position, flat_normal(position), (triangle_flags & kCrackFace) != 0);
+}
+#else
 void main() {
   int triangle_flags = has_flags ? int(texelFetch(flags, gl_PrimitiveID).r) : 0;
   bool selected = (triangle_flags & kSelected) != 0;
+  bool clear = !selected && (triangle_flags & kClear) != 0;
   bool is_scalar = scalars_per_triangle != 0 && (triangle_flags & kPlain) == 0;
   vec3 color = triangle_color(triangle_flags, is_scalar);
   vec3 marked = vec3(triangle_flags & 1, (triangle_flags >> 1) & 1, (triangle_flags >> 2) & 1);
@@ -32,6 +40,7 @@ void main() {
                   is_scalar);
   }
   color = mix(color, selected ? kSelectionColor : kEdgeColor, (selected ? 1.0 : 0.6) * edge);
-  if (!is_drawn(selected)) discard;
+  if (!is_drawn(selected, clear)) discard;
   emit(color, opacity, has_ids ? texelFetch(ids, gl_PrimitiveID).r : -1);
 }
+#endif

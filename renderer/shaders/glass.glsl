@@ -1,0 +1,29 @@
+// What clear matter does to light, as sums that need no order: optical depth adds up along the line of sight (Beer and
+// Lambert), as do shares of reflected light where they are small. glass_blend.frag makes the picture of them.
+const float kMatShare = 0.45;  // of light from the rough of a crack
+
+uniform vec3 sky_top, sky_bottom;  // the background's colours
+layout(location = 0) out vec4 depth_sum;  // rgb: optical depth, entered faces negative; a: reflected shares
+layout(location = 1) out vec4 light_sum;  // rgb: reflected light; a: 1 for each face
+layout(location = 2) out vec2 slope_sum;  // of the faces, across the line of sight
+
+vec3 mirrored_light(vec3 direction) {
+  vec3 sky = linear_from_srgb(mix(sky_bottom, sky_top, smoothstep(-0.2, 1.0, direction.y)));
+  return sky + 6.0 * pow(max(dot(direction, light.xyz), 0.0), 300.0);
+}
+
+// `color`: of light that has come `clear_depth` far [m] through the matter.
+void emit_glass(vec3 color, float clear_depth, vec3 position, vec3 normal, bool rough) {
+  vec3 ray = -towards_eye(position);
+  float away = eye.w == 0.0 ? dot(ray, position) : length(eye.xyz - position);
+  vec3 absorption = -log(max(linear_from_srgb(color), 1e-3)) / clear_depth;
+  float share = 0.04 + 0.96 * pow(1.0 - min(abs(dot(normal, ray)), 1.0), 5.0);  // Schlick 1994
+  vec3 mirrored = mirrored_light(reflect(ray, normal));
+  if (rough) {
+    mirrored = mix(mirrored, linear_from_srgb(sqrt(color)) * colored_illumination(normal, 1.0, 1.0), 0.7);
+    share = max(share, kMatShare);
+  }
+  depth_sum = vec4(absorption * (gl_FrontFacing ? -away : away), share);
+  light_sum = vec4(mirrored * share, 1.0);
+  slope_sum = (view_projection * vec4(normal + ray * dot(ray, normal), 0.0)).xy;
+}

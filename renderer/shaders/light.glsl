@@ -1,0 +1,89 @@
+// What light falls on a point; all fragment shaders have it.
+const vec3 kSkyLight = vec3(0.43, 0.48, 0.55), kGroundLight = vec3(0.30, 0.28, 0.25), kLampLight = vec3(0.73, 0.70, 0.64);
+const float kNarrowest = 8e-4, kWidest = 0.03;  // penumbras, in widths of the shadow map
+
+uniform sampler2DShadow shadow_map;
+uniform sampler2D shadow_depth;   // the depths in shadow_map
+uniform sampler2D occlusion_map;  // openness to the sky, distance from the eye
+
+// One of `count` points that cover the unit disc evenly (Vogel 1979).
+vec2 disc_point(int i, int count) {
+  float angle = 2.3999632 * float(i);
+  return sqrt((float(i) + 0.5) / float(count)) * vec2(cos(angle), sin(angle));
+}
+
+// The average of 3×3 bilinear samples.
+float hard_visibility(vec3 place) {
+  vec2 texel = 1.3 / vec2(textureSize(shadow_map, 0));
+  float sum = 0.0;
+  for (int i = -1; i <= 1; ++i) {
+    for (int j = -1; j <= 1; ++j) sum += texture(shadow_map, vec3(place.xy + vec2(i, j) * texel, place.z));
+  }
+  return sum / 9.0;
+}
+
+// The penumbra is as wide as what casts the shadow is far away (Fernando 2005, "Percentage-closer soft shadows").
+// `slope`: of the lit plane's depth.
+float soft_visibility(vec3 place, vec2 slope) {
+  int count = int(effects.y);
+  float sum = 0.0, blockers = 0.0;
+  for (int i = 0; i < count / 2; ++i) {
+    vec2 offset = kWidest * disc_point(i, count / 2);
+    float there = textureLod(shadow_depth, place.xy + offset, 0.0).r;
+    if (there < place.z + dot(slope, offset) - 1e-3) {
+      sum += there;
+      blockers += 1.0;
+    }
+  }
+  if (blockers == 0.0) return texture(shadow_map, place);
+  float penumbra = clamp(effects.x * (place.z - sum / blockers), kNarrowest, kWidest);
+  float lit = 0.0;
+  for (int i = 0; i < count; ++i) {
+    vec2 offset = penumbra * disc_point(i, count);
+    lit += texture(shadow_map, place + vec3(offset, dot(slope, offset)));
+  }
+  return lit / float(count);
+}
+
+// Share of the lamp's light that arrives. Moving off the surface avoids self-shadowing.
+float light_visibility(vec3 position, vec3 normal) {
+  vec3 place = (shadow_matrix * vec4(position + 2.0 * light.w * normal, 1.0)).xyz;
+  if (effects.x == 0.0) return hard_visibility(place);
+  vec3 turned = normalize(mat3(shadow_matrix) * normal);
+  if (turned.z >= 0.0) return 0.0;  // turned away
+  return soft_visibility(place, turned.xy / max(-turned.z, 0.2));
+}
+
+// Share of the sky that what stands near leaves open: the map's four nearest values, those about as far away as the
+// point before others.
+float ambient_openness(vec3 position) {
+  if (effects.z == 0.0) return 1.0;
+  float away = (view_projection * vec4(position, 1.0)).w;
+  ivec2 last = textureSize(occlusion_map, 0) - 1;
+  vec2 place = gl_FragCoord.xy / viewport.xy * vec2(last + 1) - 0.5;
+  ivec2 first = ivec2(floor(place));
+  vec2 t = place - vec2(first);
+  float sum = 0.0, weights = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    ivec2 corner = ivec2(i & 1, i >> 1);
+    vec2 there = texelFetch(occlusion_map, clamp(first + corner, ivec2(0), last), 0).rg;
+    vec2 share = mix(1.0 - t, t, vec2(corner)) + 1e-3;
+    float weight = share.x * share.y / (1e-3 + abs(there.y / away - 1.0));
+    sum += weight * there.x;
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+// Light from a bright sky, a dimmer ground and one lamp; about 1 for a face turned to the lamp.
+float illumination(vec3 normal, float visibility) {
+  float sky = mix(0.27, 0.47, 0.5 + 0.5 * normal.y);
+  return sky + 0.68 * max(dot(normal, light.xyz), 0.0) * visibility;
+}
+
+// The same in colour: a blue sky, as far as it is open, a warm lamp. Plain light has none.
+vec3 colored_illumination(vec3 normal, float visibility, float openness) {
+  if (effects.x == 0.0) return vec3(illumination(normal, visibility));
+  vec3 sky = mix(kGroundLight, kSkyLight, 0.5 + 0.5 * normal.y) * openness;
+  return sky + kLampLight * max(dot(normal, light.xyz), 0.0) * visibility;
+}

@@ -1,0 +1,127 @@
+#include <cmath>
+
+#include "tests/renderer/renderer_fixture.h"
+
+namespace griffith::render {
+namespace {
+
+using Eigen::Vector3f;
+
+constexpr std::int32_t kFront = 3, kBack = 4, kBehind = 9;
+
+class GlassTest : public RendererFixture {
+ protected:
+  static RenderOptions clear_options(int samples = 1) {
+    RenderOptions how = options(samples);
+    how.quality = Quality::standard;
+    how.edges = false;
+    return how;
+  }
+};
+
+/// A sheet of clear matter that thick [m] across the line of sight, and a grey square behind it.
+DrawScene sheet(const Camera& camera, const Rgb& color, float thickness) {
+  DrawScene scene;
+  const auto add = [&](std::vector<Vector3f> corners, std::int32_t id, bool clear, bool turned) {
+    if (turned) std::swap(corners[1], corners[2]), std::swap(corners[4], corners[5]);
+    for (const Vector3f& corner : corners) scene.surface.positions.push_back(corner);
+    for (int i = 0; i < 2; ++i) {
+      scene.surface.ids.push_back(id);
+      scene.surface.flags.push_back(clear ? kClear : 0);
+      scene.surface.colors.push_back(clear ? color : Rgb{0.6f, 0.6f, 0.6f});
+    }
+  };
+  add(filling_square(camera, -0.5f), kBehind, false, false);
+  add(filling_square(camera, 0.5f), kFront, true, false);
+  add(filling_square(camera, 0.5f - thickness), kBack, true, true);
+  scene.surface.clear_depth = 0.1f;
+  scene.background = {{0, 0, 0}, {0, 0, 0}};  // nothing to mirror
+  return scene;
+}
+
+double linear(int byte) {
+  const double value = byte / 255.0;
+  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+}
+
+/// Light that comes through the middle, by channel.
+std::array<double, 3> middle(const Image& image) {
+  const auto pixel = image.pixel(image.width / 2, image.height / 2);
+  return {linear(pixel[0]), linear(pixel[1]), linear(pixel[2])};
+}
+
+TEST_F(GlassTest, AbsorptionGrowsWithThicknessAsBeerAndLambertSay) {
+  const Rgb color = {0.55f, 0.8f, 0.7f};
+  const auto through = [&](float thickness) {
+    return middle(picture(sheet(camera(), color, thickness), clear_options()));
+  };
+  const auto thin = through(1e-3f);
+  for (const float thickness : {0.05f, 0.1f, 0.2f}) {
+    const auto seen = through(thickness);
+    const double channels[] = {color.r, color.g, color.b};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double expected =
+          std::pow(linear(static_cast<int>(std::lround(255 * channels[i]))), (thickness - 1e-3) / 0.1);
+      EXPECT_NEAR(seen[i] / thin[i], expected, 0.02) << thickness << ", channel " << i;
+    }
+  }
+}
+
+TEST_F(GlassTest, TheOrderOfTrianglesMakesNoDifference) {
+  const DrawScene scene = sheet(camera(), {0.5f, 0.8f, 0.8f}, 0.1f);
+  DrawScene turned = scene;
+  Surface& surface = turned.surface;
+  for (std::size_t i = 0; i < surface.ids.size() / 2; ++i) {
+    const std::size_t j = surface.ids.size() - 1 - i;
+    std::swap(surface.ids[i], surface.ids[j]);
+    std::swap(surface.flags[i], surface.flags[j]);
+    std::swap(surface.colors[i], surface.colors[j]);
+    for (std::size_t k = 0; k < 3; ++k) std::swap(surface.positions[3 * i + k], surface.positions[3 * j + k]);
+  }
+  for (const int samples : {1, 4})
+    EXPECT_EQ(off_fraction(picture(scene, clear_options(samples)), picture(turned, clear_options(samples))), 0);
+}
+
+TEST_F(GlassTest, WhatIsSeenThroughIsPicked) {
+  for (const int samples : {1, 4}) {
+    picture(sheet(camera(), {0.5f, 0.8f, 0.8f}, 0.1f), clear_options(samples));
+    EXPECT_EQ(renderer_->id_at(kWidth / 2, kHeight / 2), kFront);
+  }
+}
+
+TEST_F(GlassTest, DraftShowsItOpaque) {
+  RenderOptions draft = clear_options();
+  draft.quality = Quality::draft;
+  DrawScene scene = sheet(camera(), {0.5f, 0.8f, 0.8f}, 0.1f);
+  const Image opaque = picture(scene, draft);
+  for (std::uint8_t& flags : scene.surface.flags) flags = 0;
+  EXPECT_EQ(picture(scene, draft), opaque);
+}
+
+TEST_F(GlassTest, CracksInItAreBrighterThanItsSides) {
+  DrawScene scene = sheet(camera(), {0.5f, 0.8f, 0.8f}, 0.1f);
+  const auto smooth = middle(picture(scene, clear_options()));
+  scene.surface.flags[2] |= kCrackFace;
+  scene.surface.flags[3] |= kCrackFace;
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_GT(middle(picture(scene, clear_options()))[i], 1.1 * smooth[i]);
+}
+
+TEST_F(GlassTest, ItCastsNoShadow) {
+  DrawScene scene;
+  scene.ground = Ground{0};
+  scene.surface.positions = {{-1, 0.8f, -1}, {1, 0.8f, -1}, {0, 0.8f, 1}};
+  scene.surface.flags = {kClear};
+  scene.surface.colors = {{0.5f, 0.8f, 0.8f}};
+  const auto darkened = [&](std::uint8_t flags) {
+    scene.surface.flags = {flags};
+    RenderOptions how = clear_options();
+    const Image shaded = picture(scene, how);
+    how.shadows = false;
+    return off_fraction(shaded, picture(scene, how));
+  };
+  EXPECT_GT(darkened(0), 0.01);
+  EXPECT_EQ(darkened(kClear), 0);
+}
+
+}  // namespace
+}  // namespace griffith::render
