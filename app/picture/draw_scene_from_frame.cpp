@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/picture/carried_points.h"
+#include "app/picture/crack_lines.h"
 #include "app/picture/element_picture.h"
 #include "app/picture/layer_picture.h"
 #include "app/picture/natural_materials.h"
@@ -12,6 +13,7 @@
 #include "app/picture/splinter_picture.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/scene/view_quantity.h"
+#include "ui/model/units.h"
 #include "ui/model/view_layers.h"
 
 namespace griffith::app {
@@ -79,7 +81,11 @@ void color_by_material(render::DrawScene& picture, const Frame& frame) {
     const BodyId body = frame.elements.bodies[picture.surface.ids[i]];
     const Look look = picture.surface.flags[i] & render::kCrackFace ? Look::inside : Look::outside;
     const auto index = static_cast<std::size_t>(look_index(frame.bodies[body].scene_body, look));
-    picture.surface.colors.push_back(picture.embedded.materials[index].color);
+    const render::EmbeddedMaterial& material = picture.embedded.materials[index];
+    picture.surface.colors.push_back(material.color);
+    if (material.clear_depth == 0) continue;
+    picture.surface.flags[i] |= render::kClear;
+    picture.surface.clear_depth = material.clear_depth;
   }
 }
 
@@ -118,6 +124,7 @@ void add_elements(const ShownMesh& shown, const TetFilter& filter, const Quantit
       shrunken
           ? element_triangles(shown)
           : surface_triangles(shown.frame, [&](std::size_t tet, std::size_t face) { return filter.shows(tet, face); });
+  if (!shrunken && !is_scalar(view.quantity)) picture.lines = crack_lines(triangles, shown);
   if (view.slice && !shrunken) {
     picture.visible = visible_half(*view.slice);
     const std::vector<PictureTriangle> caps = cap_triangles(shown);
@@ -164,6 +171,17 @@ void mark_node(const ShownMesh& shown, NodeId node, render::DrawScene& picture) 
   picture.points.push_back({place, 9, {1.0f, 0.55f, 0.10f}, render::kNoId});
   picture.points.push_back({place, 13, {0.10f, 0.11f, 0.13f}, render::kNoId});
   picture.labels.push_back({place, "node " + std::to_string(node.value), 1.4f});
+}
+
+/// Says above the bodies how much more than in truth they are drawn deformed.
+void tell_deformation(const ShownMesh& shown, render::DrawScene& picture) {
+  const double scale = shown.view.deformation_scale;
+  Eigen::AlignedBox3d box;
+  for (const Vec3& place : shown.positions)
+    if (shown.visible(place)) box.extend(place);
+  if (scale == 1 || box.isEmpty()) return;
+  const Vec3 top(box.center().x(), box.max().y(), box.center().z());
+  picture.labels.push_back({top.cast<float>(), "deformation × " + ui::format_quantity(scale, "-"), 1.4f});
 }
 
 /// Makes room for one more triangle that is no part of a body.
@@ -259,6 +277,7 @@ render::DrawScene drawn(const Frame& frame, const EmbeddedPieces& pieces, std::s
   }
   add_layers(shown, result);
   if (selection.valid() && !shown.is_hidden(shown.body_of(selection.node))) mark_node(shown, selection.node, result);
+  tell_deformation(shown, result);
   add_surroundings(frame, scene, result);
   return result;
 }

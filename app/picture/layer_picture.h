@@ -7,7 +7,8 @@ namespace griffith::app {
 /// Draws what the view's layers ask for besides the bodies.
 void add_layers(const ShownMesh& shown, render::DrawScene& picture);
 
-// The layers, by what they show. Sizes of signs go by the mean element size and the view's glyph_scale.
+// The layers, by what they show. Sizes of signs go by the mean element size, those of nodes and places by the
+// body's, and the view's glyph_scale.
 
 /// stress_axes, stress_ellipsoids: of every element.
 void add_stress_axes(const ShownMesh& shown, render::DrawScene& picture);

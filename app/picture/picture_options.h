@@ -15,6 +15,12 @@ inline float writing_scale(int width, int height) {
                   kMinScale);
 }
 
+/// The renderer's name of a quality.
+inline render::Quality picture_quality(PictureQuality quality) {
+  if (quality == PictureQuality::high) return render::Quality::high;
+  return quality == PictureQuality::standard ? render::Quality::standard : render::Quality::draft;
+}
+
 /// How to draw a picture of this size [pixels] and view: lines are as thick in proportion to the picture's height,
 /// whatever its resolution, as long as they can be seen.
 inline render::RenderOptions picture_options(int width, int height, int samples, const ViewSettings& view) {
@@ -23,6 +29,7 @@ inline render::RenderOptions picture_options(int width, int height, int samples,
   options.width = width;
   options.height = height;
   options.samples = samples;
+  options.quality = picture_quality(view.quality);
   options.edges = view.edges;
   options.unlit_scalars = !view.shading;
   options.edge_width = static_cast<float>(view.edge_width);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/picture/exaggeration.h"
 #include "sim/world/node_report.h"
 
 namespace griffith::app {
@@ -39,6 +40,21 @@ double mean_element_size(const Frame& frame) {
              : std::cbrt(6 * volume / static_cast<double>(frame.elements.rest_elements.size()));
 }
 
+/// Fine meshes have signs larger than their elements, in proportion to the largest body, but not so large that those
+/// of neighbours cover each other.
+double sign_size(const Frame& frame, double element_size) {
+  constexpr double kShare = 1.0 / 30, kMaxElements = 4;
+  std::vector<Eigen::AlignedBox3d> boxes(frame.materials.size());
+  for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet)
+    for (const NodeId corner : frame.elements.tets[tet])
+      boxes[static_cast<std::size_t>(frame.bodies[frame.elements.bodies[tet]].scene_body)].extend(
+          frame.nodes.rest_positions[corner]);
+  double extent = 0;
+  for (const Eigen::AlignedBox3d& box : boxes)
+    if (!box.isEmpty()) extent = std::max(extent, box.diagonal().norm());
+  return std::clamp(kShare * extent, element_size, kMaxElements * element_size);
+}
+
 }  // namespace
 
 bool ShownMesh::visible(const Vec3& place) const {
@@ -54,14 +70,20 @@ Vec3 ShownMesh::centroid(TetId tet) const {
 
 ShownMesh shown_mesh(const Frame& frame, const ViewSettings& view, const ui::Selection& selection,
                      const HiddenBodies& hidden) {
-  ShownMesh shown{frame, view, offsets_of(frame, view.explode, hidden), {}, 1, selection.node};
-  shown.positions.assign(frame.nodes.positions.begin(), frame.nodes.positions.end());
+  ShownMesh shown{frame,
+                  view,
+                  offsets_of(frame, view.explode, hidden),
+                  exaggerated_positions(frame, view.deformation_scale),
+                  1,
+                  1,
+                  selection.node};
   if (view.explode != 0 || !hidden.empty()) {
     for (std::size_t i = 0; i < shown.positions.size(); ++i)
       shown.positions[i] += shown.offsets[shown.body_of(NodeId(static_cast<std::int64_t>(i)))];
   }
   if (view.layers.empty()) return shown;
   shown.element_size = mean_element_size(frame);
+  shown.sign_size = sign_size(frame, shown.element_size);
   if (!shown.chosen.valid()) shown.chosen = most_loaded_node(frame);
   if (shown.chosen.valid() && shown.is_hidden(shown.body_of(shown.chosen))) shown.chosen = {};
   return shown;

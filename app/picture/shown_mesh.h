@@ -22,9 +22,10 @@ struct ShownMesh {
   const ViewSettings& view;
   std::vector<Vec3> offsets;    ///< per body: how far it is drawn from where it is [m]
   std::vector<Vec3> positions;  ///< per node, as drawn [m]
-  double element_size =
-      1;          ///< edge of the cubes that six of the tets would fill, mean [m]: what the signs of layers go by
-  NodeId chosen;  ///< whose forces and plane are shown; invalid where there is none
+  /// Edge of the cubes that six of the tets would fill, mean [m]: what signs of elements go by.
+  double element_size = 1;
+  double sign_size = 1;  ///< what signs at nodes and places go by [m]: a share of the largest body
+  NodeId chosen;         ///< whose forces and plane are shown; invalid where there is none
 
   /// Whether a place is drawn: on that side of the slice plane, and of no hidden body.
   bool visible(const Vec3& place) const;

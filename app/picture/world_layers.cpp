@@ -17,7 +17,7 @@ void add_node_arrows(const ShownMesh& shown, std::span<const Vec3> vectors, cons
   double largest = 0;
   for (const Vec3& vector : vectors)
     if (vector.allFinite()) largest = std::max(largest, vector.norm());
-  const double reach = 1.5 * shown.element_size * shown.view.glyph_scale;
+  const double reach = 1.5 * shown.sign_size * shown.view.glyph_scale;
   for (std::size_t i = 0; i < vectors.size() && largest > 0; ++i) {
     const Vec3 way = reach / largest * vectors[i];
     if (!shown.visible(shown.positions[i]) || way.norm() < 0.01 * reach) continue;
@@ -34,7 +34,7 @@ Vec3 contact_offset(const ShownMesh& shown, const ContactView& contact) {
 void add_support(const ShownMesh& shown, std::size_t node, render::DrawScene& picture) {
   const NodeConstraint& constraint = shown.frame.nodes.constraints[node];
   const Vec3& place = shown.positions[node];
-  const double size = 0.1 * shown.element_size * shown.view.glyph_scale;
+  const double size = 0.1 * shown.sign_size * shown.view.glyph_scale;
   if (constraint.is_held()) {
     picture.glyphs.boxes.push_back(
         {place.cast<float>(), (size * Mat3::Identity()).cast<float>(), sign_color::kSupport});
@@ -61,7 +61,7 @@ Vec3 place_of(const PlacedProbe& probe, const ShownMesh& shown) {
 void add_contacts(const ShownMesh& shown, render::DrawScene& picture) {
   double largest = 0;
   for (const ContactView& contact : shown.frame.contacts) largest = std::max(largest, contact.impulse.norm());
-  const double reach = 2 * shown.element_size * shown.view.glyph_scale;
+  const double reach = 2 * shown.sign_size * shown.view.glyph_scale;
   for (const ContactView& contact : shown.frame.contacts) {
     const Vec3 place = contact.position + contact_offset(shown, contact);
     if (!shown.visible(place)) continue;
@@ -114,7 +114,7 @@ void add_loads(const ShownMesh& shown, render::DrawScene& picture) {
 }
 
 void add_probes(const ShownMesh& shown, render::DrawScene& picture) {
-  const double size = 0.2 * shown.element_size * shown.view.glyph_scale;
+  const double size = 0.2 * shown.sign_size * shown.view.glyph_scale;
   for (const PlacedProbe& probe : shown.frame.probes) {
     if (probe.nodes.empty()) continue;
     const Vec3 place = place_of(probe, shown);

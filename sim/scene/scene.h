@@ -111,6 +111,13 @@ enum class ElementStyle {
   shrunken,   ///< each tet by itself, drawn smaller
 };
 
+/// How much a picture takes to be beautiful. Colours of scalars without shading are the same in each.
+enum class PictureQuality {
+  draft,     ///< plain light and hard shadows: the fastest
+  standard,  ///< soft shadows, ambient occlusion, see-through glass
+  high,      ///< the same with more samples
+};
+
 /// What can be drawn besides the bodies; view_layers() has the names and what they mean, in this order.
 enum class ViewLayer {
   stress_axes,
@@ -140,12 +147,14 @@ struct ViewSettings {
   std::string quantity = "von_mises";   ///< one of view_quantities()
   std::string color_map = "automatic";  ///< one of color_map_names()
   std::optional<Vec2> range;            ///< in the quantity's unit; automatic when absent
-  bool shading = true;                  ///< off: a scalar's pixel has the legend's colour to the byte
-  bool symmetric = false;               ///< the automatic range reaches as far below 0 as above
+  PictureQuality quality = PictureQuality::standard;
+  bool shading = true;     ///< off: a scalar's pixel has the legend's colour to the byte
+  bool symmetric = false;  ///< the automatic range reaches as far below 0 as above
   bool edges = true;
   double edge_width = 1.1;  ///< of element edges, in pixels of a picture 720 pixels high, 0.25..10
   bool splinters = true;    ///< shown in place of tets where a body has them
   ElementStyle elements = ElementStyle::surface;
+  double deformation_scale = 1;     ///< pieces are drawn deformed this many times as much as they are, 0..1e6
   double explode = 0;               ///< pieces are drawn this much farther from the middle, 0..20; 0: where they are
   double opacity = 1;               ///< of bodies, 0.05..1
   std::optional<SlicePlane> slice;  ///< bodies are drawn cut by it

@@ -333,13 +333,16 @@ void describe(Archive& archive, ViewSettings& view) {
   quantities.renamed = {{"margin", "utilization"}};
   OneOf layers;
   for (const ViewLayerInfo& layer : view_layers()) layers.names.push_back(layer.key);
-  const auto maps = color_map_names(), styles = element_style_names();
+  const auto maps = color_map_names(), styles = element_style_names(), qualities = picture_quality_names();
   archive.field("quantity", view.quantity, quantities, "What the colours show");
   archive.field("color_map", view.color_map, OneOf{{maps.begin(), maps.end()}},
                 "Colours from low to high; automatic: coolwarm about 0 for what has a sign, else viridis");
   archive.field("range", view.range, range,
                 "Values at the two ends of the colours, in the quantity's unit; null: automatic");
   archive.field("symmetric", view.symmetric, Flag{}, "Whether the automatic range reaches as far below 0 as above");
+  archive.field("quality", view.quality, OneOf{{qualities.begin(), qualities.end()}},
+                "Light and effects: draft is the fastest; standard and high have soft shadows, ambient occlusion and "
+                "see-through glass");
   archive.field("shading", view.shading, Flag{},
                 "Whether light falls on scalars; without, a pixel has exactly the legend's colour");
   archive.field("edges", view.edges, Flag{}, "Whether element edges are drawn");
@@ -349,6 +352,8 @@ void describe(Archive& archive, ViewSettings& view) {
                 "Whether splinters and surfaces are drawn in place of the tetrahedra");
   archive.field("elements", view.elements, OneOf{{styles.begin(), styles.end()}},
                 "How tetrahedra are drawn: the surface, all edges, or each one by itself and smaller");
+  archive.field("deformation_scale", view.deformation_scale, between(0, 1e6, "-"),
+                "How many times as much as they are pieces are drawn deformed");
   archive.field("explode", view.explode, between(0, 20, "-"),
                 "How much farther from the middle pieces are drawn than they are");
   archive.field("opacity", view.opacity, between(0.05, 1, "-"), "How opaque bodies are drawn");

@@ -64,6 +64,11 @@ std::span<const std::string_view> element_style_names() {
   return kNames;
 }
 
+std::span<const std::string_view> picture_quality_names() {
+  static constexpr std::array<std::string_view, 3> kNames = {"draft", "standard", "high"};
+  return kNames;
+}
+
 std::span<const std::string_view> color_map_names() {
   static constexpr std::array<std::string_view, 4> kNames = {"automatic", "viridis", "coolwarm", "cividis"};
   return kNames;

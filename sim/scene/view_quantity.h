@@ -27,6 +27,8 @@ std::span<const ViewLayerInfo> view_layers();
 std::span<const ViewQuantity> view_quantities();
 /// All ways to draw elements, by ElementStyle.
 std::span<const std::string_view> element_style_names();
+/// All qualities of pictures, by PictureQuality.
+std::span<const std::string_view> picture_quality_names();
 /// All colour maps' names, in the order in which menus show them; first "automatic", which is the one that suits.
 std::span<const std::string_view> color_map_names();
 

@@ -26,6 +26,13 @@ void quantity_row(Panel& panel) {
   panel.state.view.range.reset();
 }
 
+void quality_row(Panel& panel) {
+  const std::vector<std::string> names(picture_quality_names().begin(), picture_quality_names().end());
+  PictureQuality& quality = panel.state.view.quality;
+  const int chosen = combo_row(panel, "view/quality", "Quality", names, names[static_cast<std::size_t>(quality)]);
+  if (chosen >= 0) quality = static_cast<PictureQuality>(chosen);
+}
+
 void color_map_row(Panel& panel) {
   const std::vector<std::string> names(color_map_names().begin(), color_map_names().end());
   const int chosen = combo_row(panel, "view/color_map", "Colours", names, panel.state.view.color_map);
@@ -120,6 +127,7 @@ void element_rows(Panel& panel) {
   const int chosen =
       combo_row(panel, "view/elements", "Elements", styles, styles[static_cast<std::size_t>(view.elements)]);
   if (chosen >= 0) view.elements = static_cast<ElementStyle>(chosen);
+  view_row(panel, "deformation_scale", "Deformation", view.deformation_scale, 0, 1000);
   view_row(panel, "explode", "Explode", view.explode, 0, 5);
   view_row(panel, "opacity", "Opacity", view.opacity);
   slice_rows(panel);
@@ -161,6 +169,7 @@ void draw_view_panel(Panel& panel) {
   quantity_row(panel);
   color_map_row(panel);
   range_part(panel);
+  quality_row(panel);
   checkbox(panel, "view/shading", "Shading", panel.state.view.shading);
   tooltip("Without, a pixel has exactly the colour that the legend gives to its value.");
   checkbox(panel, "view/edges", "Element edges", panel.state.view.edges);
