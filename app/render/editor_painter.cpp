@@ -49,7 +49,8 @@ class EditorPainter : public Painter {
 
  private:
   render::Image image() {
-    for (int i = 0; i < kFramesToLayOut; ++i) {
+    // A picture waits for what its commands began to build.
+    for (int quiet = 0; quiet < kFramesToLayOut; quiet = editor_.state().work.empty() ? quiet + 1 : 0) {
       editor_.draw_picture(job_.samples);
       imgui_.begin_frame(job_.width, job_.height);
       editor_.draw_panels(imgui_.fonts());
