@@ -30,7 +30,7 @@ World broken(const Scene& scene) {
 }
 
 /// By the divergence theorem.
-double enclosed_volume(const PieceSurface& surface) {
+double volume_within(const PieceSurface& surface) {
   double volume = 0;
   for (const std::vector<int>& polygon : surface.polygons)
     for (std::size_t i = 2; i < polygon.size(); ++i)
@@ -181,7 +181,7 @@ TEST(Shards, PiecesShareOutTheBody) {
   double sum = 0, mass_unseen = 0, mass = 0;
   for (const BodyView& body : frame.bodies) {
     const PieceSurface surface = piece_surface(sharded.frame(), body.id);
-    sum += enclosed_volume(surface);
+    sum += volume_within(surface);
     mass += body.mass;
     if (surface.polygons.empty()) mass_unseen += body.mass;
   }
@@ -240,7 +240,7 @@ TEST(Shards, OfASurfaceAreClosed) {
   const World start(scene);
   const Shards shards(start.frame(), scene);
   const double all =
-      enclosed_volume(piece_surface(FrameWithShards(start.frame(), shards).frame(), BodyId(0), shards.skins()));
+      volume_within(piece_surface(FrameWithShards(start.frame(), shards).frame(), BodyId(0), shards.skins()));
   const World world = broken(scene);
   const Frame frame = world.frame();
   const FrameWithShards sharded(frame, shards);
@@ -251,7 +251,7 @@ TEST(Shards, OfASurfaceAreClosed) {
     if (surface.polygons.empty()) continue;
     const double open = openness(surface);
     worst = std::max(worst, open), area_weighted += open, ++pieces;
-    sum += enclosed_volume({surface.points, {}, surface.polygons});
+    sum += volume_within({surface.points, {}, surface.polygons});
   }
   EXPECT_NEAR(sum, all, 0.03 * all);
   EXPECT_LT(area_weighted / pieces, 0.01);
@@ -308,7 +308,7 @@ TEST(Shards, OfGlassShareOutThePane) {
   double sum = 0, unseen = 0, mass = 0;
   for (const BodyView& body : frame.bodies) {
     const PieceSurface surface = piece_surface(sharded.frame(), body.id);
-    sum += enclosed_volume(surface);
+    sum += volume_within(surface);
     mass += body.mass;
     if (surface.polygons.empty()) unseen += body.mass;
   }
