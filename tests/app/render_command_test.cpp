@@ -133,8 +133,12 @@ TEST(RenderCommand, PanelsOfSeveralViewsDoNotKeepTheViewBefore) {
 }
 
 TEST(RenderCommand, WithoutBackgroundEveryPixelIsTheObjectsOrNothing) {
-  files_of_render("clear", "--frame 4 --transparent --no-legend --samples 1 --view body --records");
-  files_of_render("full", "--frame 4 --no-legend --samples 1 --view body");
+  // A draft of the tets: what shades the ground shades what stands on it, too, and edges between shards are a matter of
+  // rounding in depth, which the ground changes.
+  const std::string common =
+      "--frame 4 --no-legend --samples 1 --view body --set view/quality=draft --set view/splinters=false";
+  files_of_render("clear", common + " --transparent --records");
+  files_of_render("full", common);
   const render::Image clear = render::load_png(test_folder() / "clear/w.png");
   const render::Image full = render::load_png(test_folder() / "full/w.png");
   int opaque = 0, empty = 0;

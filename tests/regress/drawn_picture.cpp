@@ -25,6 +25,7 @@ Drawing drawing_of_wall(const std::string& view, const std::string& color_map, d
   const Frame frame = world.frame();
   use_named_view(scene.view, view, frame, Vec3::UnitZ());
   scene.view.color_map = color_map;
+  scene.view.splinters = false;
   const NodeId node(3);
   const ui::Selection selection = ui::select(frame, frame.nodes.stars[node].front(), node);
   Drawing drawing;
