@@ -29,28 +29,30 @@ PrincipalBox principal_box(const TetSoup& soup) {
   return {axes, box.sizes(), axes * box.center()};
 }
 
-bool is_flat(const PrincipalBox& box) { return box.sizes[0] < 0.2 * box.sizes[1]; }
-
-/// Along the grain where the scene tells it, else along the body.
-Vec3 grain_of(const TetSoup& soup, const std::optional<Weakness>& weakness) {
-  if (weakness && weakness->kind == WeaknessKind::grain) return weakness->direction;
-  return principal_box(soup).axes.col(2);
+bool breaks_radially(const Material& material, const PrincipalBox& box) {
+  const std::string_view preset = preset_alike(material);
+  return (preset == "soda_lime_glass" || preset == "acrylic") && box.sizes[0] < 0.2 * box.sizes[1];
 }
 
-ShardPattern shard_pattern(const Frame& frame, int scene_body, const TetSoup& soup) {
+/// Along the grain where the scene tells it, else along the body.
+Vec3 grain_of(const PrincipalBox& box, const std::optional<Weakness>& weakness) {
+  if (weakness && weakness->kind == WeaknessKind::grain) return weakness->direction;
+  return box.axes.col(2);
+}
+
+ShardPattern shard_pattern(const Frame& frame, int scene_body, const PrincipalBox& box) {
   constexpr double kWoodElongation = 4;
   ShardPattern pattern;
   pattern.seed = scene_body + 1;
   if (!preset_alike(frame.materials[scene_body]).starts_with("wood")) return pattern;
-  pattern.grain = grain_of(soup, frame.weaknesses[scene_body]);
+  pattern.grain = grain_of(box, frame.weaknesses[scene_body]);
   pattern.elongation = kWoodElongation;
   return pattern;
 }
 
 /// Sectors and rings round the first crack, about as many as there are tets.
-CellPartition radial_cells(const TetMesh& mesh, const TetSoup& soup, int scene_body,
+CellPartition radial_cells(const TetMesh& mesh, const PrincipalBox& box, int scene_body,
                            const std::optional<Vec3>& first_crack) {
-  const PrincipalBox box = principal_box(soup);
   const double size = 0.8 * std::sqrt(box.sizes[1] * box.sizes[2] / mesh.tet_count());
   RadialSplinters rings;
   rings.center = first_crack.value_or(box.center);
@@ -75,22 +77,19 @@ FirstCracks first_cracks(const Frame& frame, std::size_t scene_bodies) {
   return cracks;
 }
 
-bool breaks_radially(const Frame& frame, int scene_body, const TetSoup& rest) {
-  const std::string_view preset = preset_alike(frame.materials[scene_body]);
-  return (preset == "soda_lime_glass" || preset == "acrylic") && is_flat(principal_box(rest));
-}
-
 BodyShards make_body_shards(const Frame& frame, const Scene& scene, int scene_body, PlacedTets placed,
                             const std::optional<Vec3>& first_crack, const Monitor& monitor) {
   BodyShards shards{scene_body, std::move(placed), {}, {}};
-  const TetSoup& soup = shards.placed.soup;
-  const TetMesh mesh = build_mesh(soup);
-  shards.cells = breaks_radially(frame, scene_body, soup)
-                     ? radial_cells(mesh, soup, scene_body, first_crack)
-                     : make_shard_cells(mesh, shard_pattern(frame, scene_body, soup));
+  const TetMesh mesh = build_mesh(shards.placed.soup);
+  const PrincipalBox box = principal_box(shards.placed.soup);
+  shards.is_radial = breaks_radially(frame.materials[scene_body], box);
+  shards.cells = shards.is_radial ? radial_cells(mesh, box, scene_body, first_crack)
+                                  : make_shard_cells(mesh, shard_pattern(frame, scene_body, box));
   shards.set = make_splinters(mesh, shards.cells, monitor);
-  if (const BodyDescription& body = scene.bodies[scene_body]; shows_surface(body))
-    fit_walls(shards.set, shards.placed, placed_surface(scene, body));
+  if (const BodyDescription& body = scene.bodies[scene_body]; shows_surface(body)) {
+    shards.surface = placed_surface(scene, body);
+    fit_walls(shards.set, shards.placed, *shards.surface);
+  }
   return shards;
 }
 

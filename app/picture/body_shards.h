@@ -6,6 +6,7 @@
 
 #include "app/picture/placed_tets.h"
 #include "sim/core/monitor.h"
+#include "sim/meshing/surface.h"
 #include "sim/scene/scene.h"
 #include "sim/splinters/splinters.h"
 #include "sim/world/frame.h"
@@ -15,9 +16,11 @@ namespace griffith::app {
 /// The shards of a body for which the scene has no splinters.
 struct BodyShards {
   int scene_body = 0;
-  PlacedTets placed;    ///< the body at rest
-  CellPartition cells;  ///< in the placed rest space
-  SplinterSet set;      ///< tets are numbered as those of `placed`; walls end on the surface that the body shows
+  PlacedTets placed;                            ///< the body at rest
+  CellPartition cells;                          ///< in the placed rest space
+  SplinterSet set;                              ///< tets are numbered as those of `placed`; walls end on `surface`
+  std::optional<TriangleSurface> surface = {};  ///< that the body shows, where it stands; none: its tets'
+  bool is_radial = false;                       ///< round the body's first crack: panes and plates of glass
 };
 
 /// Whether pictures may part a body into shards: it has no splinters, and keeps its tets.
@@ -26,9 +29,6 @@ bool may_have_shards(const BodyDescription& body);
 /// Where the first crack of each scene body opened, in the placed rest space [m].
 using FirstCracks = std::vector<std::optional<Vec3>>;
 FirstCracks first_cracks(const Frame& frame, std::size_t scene_bodies);
-
-/// Whether a body's shards lie round its first crack: panes and plates of glass.
-bool breaks_radially(const Frame& frame, int scene_body, const TetSoup& rest);
 
 /// Makes them. `first_crack`: of that body, as far as it is known. Throws InputError when a surface cannot be read,
 /// Cancelled when the monitor says so.

@@ -1,6 +1,6 @@
 #include "app/picture/exaggeration.h"
 
-#include <Eigen/SVD>
+#include "sim/elasticity/polar_decomposition.h"
 
 namespace griffith::app {
 namespace {
@@ -22,13 +22,6 @@ double fit_weight(const Frame& frame, std::size_t node) {
 BodyId piece_of(const Frame& frame, std::size_t node) {
   const std::vector<TetId>& star = frame.nodes.stars[node];
   return star.empty() ? BodyId() : frame.elements.bodies[star.front()];
-}
-
-/// The rotation that brings the rest shape nearest to the present one (Kabsch 1976).
-Mat3 nearest_rotation(const Mat3& covariance) {
-  const Eigen::JacobiSVD<Mat3> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-  return svd.matrixU() * Vec3(1, 1, sign).asDiagonal() * svd.matrixV().transpose();
 }
 
 std::vector<RigidFit> rigid_fits(const Frame& frame) {
@@ -53,7 +46,7 @@ std::vector<RigidFit> rigid_fits(const Frame& frame) {
     fit.covariance +=
         weight * (frame.nodes.positions[i] - fit.now) * (frame.nodes.rest_positions[i] - fit.rest).transpose();
   });
-  for (RigidFit& fit : fits) fit.rotation = nearest_rotation(fit.covariance);
+  for (RigidFit& fit : fits) fit.rotation = polar_rotation(fit.covariance);  // the nearest one (Kabsch 1976)
   return fits;
 }
 

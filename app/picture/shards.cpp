@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "app/picture/placed_surface.h"
-
 namespace griffith::app {
 namespace {
 
@@ -38,8 +36,8 @@ void Shards::make(const Frame& frame, const Scene& scene, const Monitor& monitor
     if (!may_have_shards(scene.bodies[i])) continue;
     const BodyShards body = make_body_shards(frame, scene, i, placed_tets(frame, tets_, i), centers_[i], monitor);
     append(set, body.set, body.placed.tets.front(), i);
-    if (shows_surface(scene.bodies[i])) skins.push_back(make_skin(scene, body));
-    if (breaks_radially(frame, i, body.placed.soup)) radial.push_back(i);
+    if (body.surface) skins.push_back(make_skin(body));
+    if (body.is_radial) radial.push_back(i);
   }
   set_ = std::move(set);
   skins_ = std::move(skins);

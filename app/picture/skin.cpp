@@ -13,15 +13,10 @@ namespace {
 
 /// A body's surface where it stands, and the body's tets below it.
 struct SurfaceOnTets {
-  TriangleSurface surface;
-  std::vector<std::array<Vec3, 3>> normals;  ///< per triangle and corner
+  const TriangleSurface& surface;
   const PlacedTets& placed;
+  std::vector<std::array<Vec3, 3>> normals = smooth_normals(surface);  ///< per triangle and corner
   TetLocator locator{placed.soup};
-
-  SurfaceOnTets(const Scene& scene, int scene_body, const PlacedTets& placed_tets)
-      : surface(placed_surface(scene, scene.bodies[scene_body])),
-        normals(smooth_normals(surface)),
-        placed(placed_tets) {}
 
   SkinCorner corner(const Vec3& place, int owner) const {
     const EmbeddedPoint point = locator.locate(place);
@@ -113,8 +108,8 @@ Vec3 skin_position(const Frame& frame, const SkinCorner& corner) {
   return position;
 }
 
-Skin make_skin(const Scene& scene, const BodyShards& shards) {
-  const SurfaceOnTets body(scene, shards.scene_body, shards.placed);
+Skin make_skin(const BodyShards& shards) {
+  const SurfaceOnTets body{*shards.surface, shards.placed};
   Skin skin{shards.scene_body, !body.surface.uvs.empty(), {0}, {}};
   int start = 0;
   for (std::size_t t = 0; t < body.surface.triangles.size(); ++t) {
@@ -138,8 +133,9 @@ std::vector<Skin> make_skins(const Frame& frame, const Scene& scene) {
   std::vector<Skin> skins;
   for (int i = 0; i < std::ssize(scene.bodies); ++i) {
     if (!shows_surface(scene.bodies[i])) continue;
+    const TriangleSurface surface = placed_surface(scene, scene.bodies[i]);
     const PlacedTets placed = placed_tets(frame, i);
-    skins.push_back(whole_skin(SurfaceOnTets(scene, i, placed), i));
+    skins.push_back(whole_skin(SurfaceOnTets{surface, placed}, i));
   }
   return skins;
 }

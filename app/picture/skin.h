@@ -49,7 +49,7 @@ Vec3 skin_position(const Frame& frame, const SkinCorner& corner);
 /// file cannot be read.
 std::vector<Skin> make_skins(const Frame& frame, const Scene& scene);
 
-/// The skin of a body that has one, parted by the body's shards. Throws InputError when the file cannot be read.
-Skin make_skin(const Scene& scene, const BodyShards& shards);
+/// The surface that a body shows, which `shards` has, parted by them.
+Skin make_skin(const BodyShards& shards);
 
 }  // namespace griffith::app

@@ -38,6 +38,15 @@ std::filesystem::path test_file(const std::string& name, const std::string& text
   return path;
 }
 
+void fill_surface(Scene& scene, const std::string& file) {
+  scene.folder = test_folder();
+  SurfaceShape shape;
+  shape.path = file;
+  shape.meshing.method = MeshingMethod::volumetric;
+  shape.meshing.element_size = 0.5;
+  scene.bodies[0].shape = shape;
+}
+
 Scene small_wall() {
   BodyDescription wall;
   wall.name = "wall";

@@ -7,6 +7,7 @@
 
 #include "app/output/export_pieces.h"
 #include "app/picture/draw_scene_from_frame.h"
+#include "enclosed_volume.h"
 #include "program.h"
 #include "renderer/egl_context.h"
 #include "renderer/renderer.h"
@@ -108,12 +109,7 @@ Scene cube_of_surface(double strength) {
             "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv -1 2 -1\nv 1 2 -1\nv 1 2 1\nv -1 2 1\n"
             "f 1 2 3 4\nf 8 7 6 5\nf 1 5 6 2\nf 2 6 7 3\nf 3 7 8 4\nf 4 8 5 1\n");
   Scene scene = bricks(strength);
-  scene.folder = test_folder();
-  SurfaceShape shape;
-  shape.path = "cube.obj";
-  shape.meshing.method = MeshingMethod::volumetric;
-  shape.meshing.element_size = 0.5;
-  scene.bodies[0].shape = shape;
+  fill_surface(scene, "cube.obj");
   scene.bodies[0].splinters.reset();
   scene.bodies[0].position.setZero();
   scene.bodies[0].rotation_degrees = Vec3(0, 30, 0);
@@ -189,15 +185,6 @@ TEST(SkinPicture, TextureCoordinatesAreDrawnAndExported) {
   }
   EXPECT_GT(pieces, 1);
   EXPECT_NEAR(area, 6, 1e-5);
-}
-
-/// By the divergence theorem.
-double enclosed_volume(const PieceSurface& surface) {
-  double volume = 0;
-  for (const std::vector<int>& polygon : surface.polygons)
-    for (std::size_t i = 2; i < polygon.size(); ++i)
-      volume += surface.points[polygon[0]].dot(surface.points[polygon[i - 1]].cross(surface.points[polygon[i]])) / 6;
-  return volume;
 }
 
 TEST(ExportPieces, AnIntactBodyEnclosesItsVolume) {
