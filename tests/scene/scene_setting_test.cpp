@@ -2,12 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "sim/core/error.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/scene_writer.h"
+#include "tests/files/test_folder.h"
 
 namespace griffith {
 namespace {
@@ -20,11 +18,7 @@ constexpr char kText[] = R"({"version": 1,
              {"name": "b", "shape": {"box": {"size": [1, 2, 3], "element_size": 0.5}}, "material": "soda_lime_glass"}],
   "projectiles": [{"speed": 30}]})";
 
-fs::path scene_file() {
-  const fs::path path = fs::path(::testing::TempDir()) / "griffith_scene_setting.json";
-  std::ofstream(path) << kText;
-  return path;
-}
+fs::path scene_file() { return testing::written(testing::empty_folder() / "scene.json", kText); }
 
 Scene with(const std::vector<std::string>& texts) {
   std::vector<SceneSetting> settings;

@@ -6,6 +6,7 @@
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/write_mesh.h"
 #include "sim/scene/body_pose.h"
+#include "tests/files/test_folder.h"
 #include "tests/random_values.h"
 #include "tests/world/loading.h"
 
@@ -22,8 +23,7 @@ MeshFileShape bar_on_a_rough_mesh(BoxPattern pattern, int cells) {
     const Vec3 distance = Vec3(kLength, 1, 1) / 2 - point.cwiseAbs();
     if (distance.minCoeff() > 1e-9) point += random.vector(0.1 / cells);
   }
-  const auto path = std::filesystem::temp_directory_path() /
-                    ("bar_" + std::to_string(static_cast<int>(pattern)) + "_" + std::to_string(cells) + ".msh");
+  const std::filesystem::path path = empty_folder() / "bar.msh";
   write_gmsh(path, bar);
   return {path};
 }
