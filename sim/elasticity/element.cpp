@@ -42,6 +42,8 @@ ElementState element_state(const ElasticLaw& law, const ElementDeformation& defo
   state.stress = 2 * law.mu * strain;
   state.stress.diagonal().array() += law.lambda * strain.trace();
   state.tensile_stress = tensile_part(state.stress);
+  state.tension = cauchy_stress(state.frame, state.tensile_stress);
+  state.tension_norm = state.tension.norm();
   state.energy_density = 0.5 * state.stress.cwiseProduct(strain).sum();
   state.inverted = deformation.inverted;
   return state;

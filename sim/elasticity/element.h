@@ -48,6 +48,8 @@ struct ElementState {
   Mat3 frame = Mat3::Identity();  ///< B
   Mat3 stress = Mat3::Zero();
   Mat3 tensile_stress = Mat3::Zero();  ///< tensile_part() of the stress
+  Mat3 tension = Mat3::Zero();         ///< the tensile part as Cauchy stress in the world frame [Pa]
+  double tension_norm = 0;             ///< Frobenius norm of `tension` [Pa]
   double energy_density = 0;           ///< ½ sigma : epsilon per rest volume [J/m³]
   bool inverted = false;
 };

@@ -47,11 +47,10 @@ StarSums sum_star(const SeparationInput& input, NodeId node, const Vec3& normal)
     const RestElement& rest = input.rest_elements[tet];
     const ElementState& state = input.states[tet];
     const Vec3 face = cofactor(state.frame) * rest.shape_gradients.col(local_corner(input, tet, node));
-    const Mat3 tensile_stress = cauchy_stress(state.frame, state.tensile_stress);
     sums.area += 0.5 * rest.volume * std::abs(face.dot(normal));
     sums.volume += rest.volume;
-    sums.tension += rest.volume * tensile_stress;
-    sums.largest = std::max(sums.largest, tensile_stress.norm());
+    sums.tension += rest.volume * state.tension;
+    sums.largest = std::max(sums.largest, state.tension_norm);
   }
   return sums;
 }
@@ -112,8 +111,7 @@ CandidatePlane candidate_plane(const SeparationInput& input, NodeId node, const 
 double tension_fraction(const SeparationInput& input, TetId tet, NodeId node, const CandidatePlane& plane) {
   if (!counts(input, tet, node)) return 0;
   const ElementState& state = input.states[tet];
-  const Mat3 tension = cauchy_stress(state.frame, state.tensile_stress);
-  return input.rest_elements[tet].volume / plane.volume * plane.normal.dot(tension * plane.normal);
+  return input.rest_elements[tet].volume / plane.volume * plane.normal.dot(state.tension * plane.normal);
 }
 
 DirectionalStrength strength_at(const SeparationInput& input, NodeId node, const Weakness& weakness) {

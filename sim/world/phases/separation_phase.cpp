@@ -15,6 +15,12 @@ double element_size_at(const WorldState& world, NodeId node) {
   return std::cbrt(6 * volume / static_cast<double>(world.mesh.stars[node].size()));
 }
 
+double resistance_at(const WorldState& world, const Material& material, NodeId node) {
+  const bool at_front = world.nodes.at_crack_front[node] != 0;
+  return resistance(material, at_front, at_front ? element_size_at(world, node) : 0,
+                    world.nodes.strength_factors[node]);
+}
+
 NodeSeparation evaluate_node(const WorldState& world, const SeparationInput& input, const Body& body, NodeId node,
                              bool averaged) {
   const Material& material = world.material_of(body);
@@ -27,9 +33,7 @@ NodeSeparation evaluate_node(const WorldState& world, const SeparationInput& inp
   separation.eigenvalue = plane.eigenvalue;
   separation.direction = plane.normal;
   separation.stress = averaged ? 0.5 * (plane.stress + world.nodes.separations[node].stress) : plane.stress;
-  separation.resistance =
-      strength.fraction(plane.normal) * resistance(material, world.nodes.at_crack_front[node] != 0,
-                                                   element_size_at(world, node), world.nodes.strength_factors[node]);
+  separation.resistance = strength.fraction(plane.normal) * resistance_at(world, material, node);
   const double load = material.criterion == FractureCriterion::strength ? separation.stress : separation.eigenvalue;
   separation.utilization = load / separation.resistance;
   return separation;

@@ -12,6 +12,9 @@ void evaluate_separation(WorldState& world, bool averaged);
 void evaluate_separation(WorldState& world, const Body& body);
 /// Edge length of the cells round a node: that of a cube of six of its tets [m].
 double element_size_at(const WorldState& world, NodeId node);
+/// What a node of that material withstands, across the planes of uniform strength [Pa], or [N] with the force
+/// criterion.
+double resistance_at(const WorldState& world, const Material& material, NodeId node);
 /// The separation of one node of a body under the states of its elements now.
 NodeSeparation evaluate_node(const WorldState& world, const SeparationInput& input, const Body& body, NodeId node,
                              bool averaged);

@@ -2,7 +2,6 @@
 #include <map>
 
 #include "sim/core/parallel.h"
-#include "sim/fracture/resistance.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/phases/separation_phase.h"
 #include "sim/world/shock/shock_run.h"
@@ -44,8 +43,7 @@ void ShockRun::update_threshold(int index) {
   target.threshold = std::numeric_limits<float>::infinity();
   if (!world_.model->scene.simulation.fracture) return;
   if (world_.mesh.stars[node].size() == 1 && world_.nodes.has_support[node] == 0) return;  // a tip: nothing to part
-  double minimum = resistance(material, world_.nodes.at_crack_front[node] != 0, element_size_at(world_, node),
-                              world_.nodes.strength_factors[node]);
+  double minimum = resistance_at(world_, material, node);
   if (const auto& weakness = world_.model->weaknesses[body.scene_body]) minimum *= weakness->strength_ratio;
   if (material.criterion == FractureCriterion::separation_force) {
     double area = 0;  // v⁺ is at most half the sum of the tensile forces
