@@ -16,7 +16,6 @@
 namespace griffith::app {
 namespace {
 
-constexpr double kSmoothing = 0.1;
 constexpr std::size_t kMaxLogLines = 5000;
 /// The picture's size before the panels were laid out [pixels].
 constexpr int kFirstWidth = 640, kFirstHeight = 480;
@@ -134,31 +133,6 @@ void Editor::use_view(const std::string& names) {
   use_named_view(state_.view, names, world().frame(), (camera_.position - camera_.target).cast<double>());
 }
 
-void Editor::advance(double elapsed) {
-  if (elapsed > 0) picture_seconds_ += kSmoothing * (elapsed - picture_seconds_);
-  if (!state_.running) return;
-  const int steps = pacer_.steps_due(elapsed, state_.speed, history_.scene().simulation.time_step, step_seconds_);
-  for (int i = 0; i < steps && state_.running; ++i) step();
-}
-
-void Editor::step() {
-  const bool watches = state_.breakpoints.any() && !passes_stop_;
-  std::optional<World> before;
-  timeline_.advance(watches ? &before : nullptr);
-  if (before && stop_before_step(std::move(*before))) return;
-  forget_stop();
-  adopt_materials();  // of a past that is gone through again
-  remember();
-  const Frame frame = world().frame();
-  range_.follow(frame, state_.view.quantity);
-  const double seconds = frame.report.milliseconds.step / 1000;
-  step_seconds_ = step_seconds_ == 0 ? seconds : step_seconds_ + kSmoothing * (seconds - step_seconds_);
-  if (frame.report.non_finite_values > 0) {
-    log(ui::LogLevel::error,
-        "Step " + std::to_string(frame.step) + ": values are not finite or substeps too short, bodies were frozen.");
-  }
-}
-
 Editor::PictureKey Editor::picture_key() const {
   const Frame frame = world().frame();
   const bool laid_out = state_.viewport_size.x > 0;
@@ -207,6 +181,7 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
   if (state_.plots.shown) input.curves = run_history_.curves(timeline_, state_.plots.chosen);
   input.time_step = history_.scene().simulation.time_step;
   input.step_milliseconds = 1000 * step_seconds_;
+  input.step_in_progress = background_.age();
   input.frames_per_second = picture_seconds_ > 0 ? 1 / picture_seconds_ : 0;
   input.reached_speed = pacer_.reached_speed();
   input.falling_behind = pacer_.falling_behind();

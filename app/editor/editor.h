@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/editor/autosave.h"
+#include "app/editor/background_step.h"
 #include "app/editor/recent_files.h"
 #include "app/editor/run_history.h"
 #include "app/editor/step_pacer.h"
@@ -43,6 +44,9 @@ class Editor {
 
   /// Makes the time steps that are due after `elapsed` [s] of real time, if the simulation runs.
   void advance(double elapsed);
+  /// From now on advance() lets a step that takes long go on in the background while the window draws. Which pictures
+  /// there are depends on that, no step does.
+  void step_in_background() { waits_for_steps_ = false; }
   /// Makes one time step.
   void step();
 
@@ -191,6 +195,15 @@ class Editor {
   void explain_holding();
   ui::TimeView time_view() const;
   void remember();
+  /// What a step in the background would begin with now.
+  BackgroundStep::Start step_start() const { return {world_count_, timeline_.revision()}; }
+  bool watches() const { return state_.breakpoints.any() && !passes_stop_; }
+  void begin_background_step();
+  /// Ends the step in the background; whether it is made by then. It is forgotten if something else was done meanwhile.
+  bool end_background_step(BackgroundStep::Clock::time_point deadline);
+  void take_step(World stepped);
+  /// After a step. `before`: the world before it, where breakpoints are watched.
+  void follow_step(std::optional<World> before);
   /// Makes the picture of the world as it is.
   void update_picture();
   void move_slice(const ui::CameraMotion& motion);
@@ -244,6 +257,8 @@ class Editor {
   UtilizationHistory history_of_utilizations_;
   std::vector<ui::UtilizationSample> utilizations_;  ///< of the selected node
   StepPacer pacer_;
+  BackgroundStep background_;
+  bool waits_for_steps_ = true;
   NodeId stopped_at_;                              ///< about to crack; invalid: none
   std::int64_t arrivals_ = 0;                      ///< how often another time was gone to
   bool passes_stop_ = false;                       ///< the next step is made although a breakpoint is met in it

@@ -10,6 +10,9 @@ class StepPacer {
   /// time between two smooth pictures, given that one takes `step_cost` [s], but at least one when one is due.
   int steps_due(double elapsed, double speed, double time_step, double step_cost);
 
+  /// After `elapsed` [s] of real time in which a step was on its way and no other could be made.
+  void wait(double elapsed, double speed, double time_step);
+
   /// Simulated seconds per second, smoothed.
   double reached_speed() const { return reached_speed_; }
   /// Whether steps had to be dropped lately.
@@ -19,6 +22,8 @@ class StepPacer {
   void reset() { *this = {}; }
 
  private:
+  void follow(double elapsed, double made, bool dropped);
+
   double debt_ = 0;  ///< simulated seconds that are due
   double reached_speed_ = 0, shortage_ = 0;
 };

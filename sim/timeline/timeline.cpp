@@ -66,14 +66,27 @@ std::vector<StateHashes> Timeline::hashes() const {
 void Timeline::advance(std::optional<World>* before) {
   redo_inputs();
   if (before) before->emplace(world_);
-  const bool repeats = step_ < last_step();
-  make_step();
-  if (repeats && step_ == last_step()) redo_inputs();  // the present is as it was left
+  const std::size_t cracks_before = world_.frame().crack_events.size();
+  world_.step();
+  finish_step(cracks_before);
+}
+
+World Timeline::before_step() {
+  redo_inputs();
+  return world_;
+}
+
+World Timeline::take_step(World stepped) {
+  const std::size_t cracks_before = world_.frame().crack_events.size();
+  std::swap(world_, stepped);
+  finish_step(cracks_before);
+  return stepped;
 }
 
 void Timeline::take_back(World before) {
   world_ = std::move(before);
   --step_;
+  ++revision_;
   inputs_done_ = inputs_before_;
   line_ = line_before_;
 }
@@ -86,6 +99,7 @@ void Timeline::set_material(int scene_body, const Material& material) {
 /// Does it to the world first: what that refuses is no input.
 void Timeline::do_input(WorldInput input) {
   apply(world_, input);
+  ++revision_;
   enter_line();
   if (step_ < last_step() || inputs_done_ < branches_[line_].inputs.size()) begin_branch();
   branches_[branch_].inputs.push_back(std::move(input));
@@ -121,13 +135,17 @@ void Timeline::redo_inputs() {
     apply(world_, inputs[inputs_done_]);
 }
 
-void Timeline::make_step() {
+/// Goes on to the step that the world has just made.
+void Timeline::finish_step(std::size_t cracks_before) {
   inputs_before_ = inputs_done_;
   line_before_ = line_;
-  const std::size_t cracks_before = world_.frame().crack_events.size();
-  world_.step();
+  const bool repeats = step_ < last_step();
   ++step_;
-  if (step_ <= last_step()) return;
+  ++revision_;
+  if (repeats) {
+    if (step_ == last_step()) redo_inputs();  // the present is as it was left
+    return;
+  }
   branches_[branch_].last_step = step_;
   branches_[branch_].hashes.push_back(world_.state_hashes());
   mark_step(cracks_before);
@@ -162,6 +180,7 @@ void Timeline::thin_out() {
 
 void Timeline::go_to(int branch, std::int64_t step) {
   step = std::clamp(step, first_step(), branches_[branch].last_step);
+  ++revision_;
   if (branch != branch_ || step < step_ || nearest_copy(branch, step).first > step_) {
     const auto [at, line] = nearest_copy(branch, step);
     world_ = *copies_[line].at(at).world;

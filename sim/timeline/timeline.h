@@ -60,6 +60,12 @@ class Timeline {
   /// Makes a step: the one that was made before, where there is one. `before`, if any, becomes a copy of the world as
   /// it was before the step, with all that was done to it.
   void advance(std::optional<World>* before = nullptr);
+  /// The same in two parts, between which the step may be made elsewhere: a copy of the world with all that was to be
+  /// done before its next step,
+  World before_step();
+  /// and what a step has made of such a copy, to which the timeline goes on. Nothing else may have been done since.
+  /// Returns the world as it was before the step.
+  World take_step(World stepped);
   /// Takes the step back that advance() has just made, which gave `before`. It stays known.
   void take_back(World before);
   /// As World has them; a branch begins where steps or inputs after this one are known.
@@ -68,6 +74,9 @@ class Timeline {
   /// Goes to a step of a branch, between first_step() and the branch's last. Others are clamped.
   void go_to(int branch, std::int64_t step);
   void go_to(std::int64_t step) { go_to(branch_, step); }
+
+  /// Changes whenever the world does.
+  std::int64_t revision() const { return revision_; }
 
   /// How many steps are between copies of the world.
   std::int64_t interval() const { return interval_; }
@@ -86,7 +95,7 @@ class Timeline {
   void begin_branch();
   void enter_line();
   void redo_inputs();
-  void make_step();
+  void finish_step(std::size_t cracks_before);
   void mark_step(std::size_t cracks_before);
   void keep_copy();
   void thin_out();
@@ -99,7 +108,7 @@ class Timeline {
   std::vector<Branch> branches_;
   std::vector<std::map<std::int64_t, Copy>> copies_;  ///< per branch, by step: before its inputs of that step
   int branch_ = 0, line_ = 0;  ///< the second: it, or the ancestor to which the next step belongs
-  std::int64_t step_ = 0;
+  std::int64_t step_ = 0, revision_ = 0;
   std::size_t inputs_done_ = 0;  ///< of the line
   int line_before_ = 0;          ///< both, before the last step
   std::size_t inputs_before_ = 0;

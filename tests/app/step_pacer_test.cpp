@@ -35,6 +35,33 @@ TEST(StepPacer, CostlyStepsAreDroppedAndTheWarningSaysSo) {
   EXPECT_NEAR(pacer.reached_speed(), 1, 0.05);
 }
 
+TEST(StepPacer, AStepThatTakesManyFramesIsFollowedByOneAlone) {
+  StepPacer pacer;
+  int steps = 0;
+  for (int step = 0; step < 50; ++step) {
+    steps += pacer.steps_due(1.0 / 60, 1, 1.0 / 120, 0.1);
+    for (int frame = 0; frame < 5; ++frame) pacer.wait(1.0 / 60, 1, 1.0 / 120);
+  }
+  EXPECT_EQ(steps, 50);
+  EXPECT_TRUE(pacer.falling_behind());
+  EXPECT_NEAR(pacer.reached_speed(), 1.0 / 12, 0.05);
+  // Slow enough for what a step costs, nothing is lost: 50 steps in 300 frames.
+  StepPacer slow;
+  double left = 0;
+  steps = 0;
+  for (int frame = 0; frame < 3000; ++frame) {
+    if (left > 0) {
+      left -= 1.0 / 60;
+      slow.wait(1.0 / 60, 0.05, 1.0 / 120);
+    } else if (const int made = slow.steps_due(1.0 / 60, 0.05, 1.0 / 120, 0.1)) {
+      steps += made;
+      left = 0.1;
+    }
+  }
+  EXPECT_NEAR(steps, 3000 / 60.0 * 0.05 * 120, 1);
+  EXPECT_FALSE(slow.falling_behind());
+}
+
 TEST(StepPacer, AClockThatStandsOrRunsBackMakesNoSteps) {
   StepPacer pacer;
   EXPECT_EQ(pacer.steps_due(0, 1, 0.01, 0), 0);

@@ -62,6 +62,18 @@ bool text_before(const Panel& panel, float end, ImU32 color, const char* text) {
   return fits;
 }
 
+/// Tells of a step that keeps one waiting. Whether there is one.
+bool long_step(const Panel& panel, float end) {
+  constexpr double kLong = 0.5;  // [s]
+  if (panel.input.step_in_progress < kLong) return false;
+  char text[64];
+  std::snprintf(text, sizeof text, "step %lld: %.1f s so far", static_cast<long long>(panel.input.frame.step + 1),
+                panel.input.step_in_progress);
+  text_before(panel, end, palette::kTextDim, text);
+  tag_last_item(panel.tags, "toolbar/step_in_progress", text);
+  return true;
+}
+
 void pace_warning(const Panel& panel, float end) {
   if (!panel.state.running || !panel.input.falling_behind) return;
   char text[64];
@@ -89,7 +101,7 @@ void draw_toolbar(Panel& panel) {
   clock(panel);
   const float button = 1.25f * ImGui::GetFrameHeight(), spacing = ImGui::GetStyle().ItemSpacing.x;
   const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - 5 * button - 4 * spacing;
-  pace_warning(panel, right - spacing);
+  if (!long_step(panel, right - spacing)) pace_warning(panel, right - spacing);
   times(panel, right - spacing);
   ImGui::SameLine(right);
   const std::pair<CommandId, Icon> tools[] = {{CommandId::undo, Icon::undo},

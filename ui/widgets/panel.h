@@ -36,6 +36,7 @@ struct EditorInput {
   RunCurves curves;                                     ///< those that are, while plots are shown
   double time_step = 0;                                 ///< in force [s]
   double step_milliseconds = 0;                         ///< of a step, smoothed
+  double step_in_progress = 0;                          ///< how long the present step has taken so far [s]
   double frames_per_second = 0;                         ///< drawn
   double reached_speed = 0;     ///< simulated seconds per second, smoothed; of interest while running
   bool falling_behind = false;  ///< steps take longer than the wanted speed allows

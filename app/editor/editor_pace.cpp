@@ -1,0 +1,78 @@
+#include <algorithm>
+#include <utility>
+
+#include "app/editor/editor.h"
+
+namespace griffith::app {
+namespace {
+
+/// Weight of the newest frame or step in a mean.
+constexpr double kNewest = 0.1;
+
+/// What steps may take of the time of a frame before the rest goes on in the background.
+std::chrono::duration<double> time_for_steps(double elapsed) {
+  constexpr double kShortest = 0.004, kLongest = 0.04;  // [s]
+  return std::chrono::duration<double>(std::clamp(elapsed / 2, kShortest, kLongest));
+}
+
+}  // namespace
+
+void Editor::advance(double elapsed) {
+  if (elapsed > 0) picture_seconds_ += kNewest * (elapsed - picture_seconds_);
+  if (!state_.running) return;
+  using Clock = BackgroundStep::Clock;
+  const double time_step = history_.scene().simulation.time_step;
+  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(time_for_steps(elapsed));
+  if (background_.pending() && !end_background_step(Clock::now())) return pacer_.wait(elapsed, state_.speed, time_step);
+  const int steps = pacer_.steps_due(elapsed, state_.speed, time_step, step_seconds_);
+  for (int i = 0; i < steps && state_.running; ++i) {
+    if (waits_for_steps_) {
+      step();
+    } else if (begin_background_step(); !end_background_step(deadline)) {
+      return;
+    }
+  }
+}
+
+void Editor::begin_background_step() {
+  World next = timeline_.before_step();
+  adopt_materials();  // of a past that is gone through again
+  background_.begin(std::move(next), step_start());
+}
+
+bool Editor::end_background_step(BackgroundStep::Clock::time_point deadline) {
+  if (!background_.wait_until(deadline)) return false;
+  const bool fits = background_.fits(step_start());
+  World stepped = background_.take();
+  if (fits) take_step(std::move(stepped));
+  return true;
+}
+
+void Editor::step() {
+  if (background_.fits(step_start())) return take_step(background_.take());
+  std::optional<World> before;
+  timeline_.advance(watches() ? &before : nullptr);
+  follow_step(std::move(before));
+}
+
+void Editor::take_step(World stepped) {
+  World before = timeline_.take_step(std::move(stepped));
+  follow_step(watches() ? std::optional(std::move(before)) : std::nullopt);
+}
+
+void Editor::follow_step(std::optional<World> before) {
+  if (before && stop_before_step(std::move(*before))) return;
+  forget_stop();
+  adopt_materials();
+  remember();
+  const Frame frame = world().frame();
+  range_.follow(frame, state_.view.quantity);
+  const double seconds = frame.report.milliseconds.step / 1000;
+  step_seconds_ = step_seconds_ == 0 ? seconds : step_seconds_ + kNewest * (seconds - step_seconds_);
+  if (frame.report.non_finite_values > 0) {
+    log(ui::LogLevel::error,
+        "Step " + std::to_string(frame.step) + ": values are not finite or substeps too short, bodies were frozen.");
+  }
+}
+
+}  // namespace griffith::app

@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "editor_fixture.h"
+
+namespace griffith::app {
+namespace {
+
+using ui::CommandId;
+
+/// A wall of 5,120 tetrahedra, of which a step takes longer than it may in a short frame.
+Scene slow_wall() {
+  Scene scene = small_wall();
+  std::get<BoxShape>(scene.bodies[0].shape).element_size = Vec3::Constant(1.0 / 8);
+  return scene;
+}
+
+/// The editor as its window has it: steps that take long go on while it draws.
+class PaceTest : public EditorTest {
+ protected:
+  PaceTest() : EditorTest(slow_wall()) { editor_.step_in_background(); }
+
+  /// A frame so short that a step that begins in it hardly ever ends in it.
+  void begin_step() {
+    editor_.state().running = true;
+    editor_.state().speed = 20;
+    editor_.advance(1e-3);
+  }
+  /// Lets short frames pass until that step is there.
+  void run_to(std::int64_t step) {
+    begin_step();
+    for (int i = 0; i < 60'000 && editor_.frame().step < step && editor_.state().running; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      editor_.advance(1e-3);
+    }
+    editor_.state().running = false;
+    draw();
+  }
+  std::uint64_t hash() const { return editor_.timeline().world().state_hash(); }
+  void fire() {
+    editor_.state().shot.speed = 60;
+    editor_.execute({.id = CommandId::fire});
+  }
+  std::int64_t step() const { return editor_.frame().step; }
+};
+
+TEST_F(PaceTest, StepsInTheBackgroundLeaveWhatStepsInTurnLeave) {
+  World world(slow_wall());
+  run_to(12);
+  while (world.frame().step < step()) world.step();
+  EXPECT_GE(step(), 12);
+  EXPECT_EQ(hash(), world.state_hash());
+}
+
+TEST_F(PaceTest, AShotMeanwhileComesBeforeTheStepThatWasOnItsWay) {
+  run_to(3);
+  begin_step();
+  fire();
+  editor_.state().running = false;
+  const std::int64_t fired_at = step();
+  ASSERT_EQ(editor_.timeline().inputs().back().step, fired_at);
+  run_to(fired_at + 4);
+  World world(slow_wall());
+  while (world.frame().step < fired_at) world.step();
+  world.fire(std::get<ProjectileBurst>(editor_.timeline().inputs().back().action));
+  while (world.frame().step < step()) world.step();
+  EXPECT_EQ(hash(), world.state_hash());
+}
+
+TEST_F(PaceTest, GoingBackMeanwhileIsNotUndoneByTheStepThatEnds) {
+  run_to(8);
+  begin_step();
+  editor_.execute({.id = CommandId::go_to_step, .step = 2});
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  draw(3);
+  EXPECT_EQ(step(), 2);
+  editor_.step();
+  EXPECT_EQ(step(), 3);
+  run_to(8);
+  World world(slow_wall());
+  while (world.frame().step < step()) world.step();
+  EXPECT_EQ(hash(), world.state_hash());
+}
+
+TEST_F(PaceTest, AnotherSceneMeanwhileIsNotGivenTheStepOfTheLast) {
+  run_to(4);
+  begin_step();
+  editor_.open(small_wall_file());
+  wait_for_work();
+  EXPECT_EQ(step(), 0);
+  run_to(4);
+  World world(small_wall());
+  while (world.frame().step < step()) world.step();
+  EXPECT_EQ(hash(), world.state_hash());
+}
+
+TEST_F(PaceTest, StopsBeforeACrackAllTheSame) {
+  editor_.state().breakpoints.crack = ui::Breakpoints::Where::anywhere;
+  run_to(200);
+  ASSERT_FALSE(editor_.state().stopped.empty());
+  EXPECT_TRUE(editor_.frame().crack_events.empty());
+  World world(slow_wall());
+  while (world.frame().step < step()) world.step();
+  EXPECT_EQ(hash(), world.state_hash());
+  EXPECT_TRUE(world.frame().crack_events.empty());
+  world.step();
+  EXPECT_FALSE(world.frame().crack_events.empty());
+}
+
+TEST(BackgroundStep, ALongStepKeepsNobodyWaiting) {
+  using Clock = BackgroundStep::Clock;
+  const World world(slow_wall());
+  World stepped = world;
+  const auto start = Clock::now();
+  stepped.step();
+  const auto cost = Clock::now() - start;
+  BackgroundStep background;
+  EXPECT_FALSE(background.pending());
+  EXPECT_EQ(background.age(), 0);
+  const auto begun = Clock::now();
+  background.begin(world, {1, 7});
+  const bool at_once = background.wait_until(Clock::now());
+  EXPECT_TRUE(at_once || Clock::now() - begun < cost) << "the step was waited for";
+  EXPECT_TRUE(background.fits({1, 7}));
+  EXPECT_FALSE(background.fits({1, 8}));
+  EXPECT_FALSE(background.fits({2, 7}));
+  EXPECT_TRUE(background.wait_until(Clock::time_point::max()));
+  EXPECT_EQ(background.age(), 0);
+  EXPECT_EQ(background.take().state_hash(), stepped.state_hash());
+  EXPECT_FALSE(background.pending());
+}
+
+}  // namespace
+}  // namespace griffith::app
