@@ -112,6 +112,53 @@ TEST(EditorLayout, APresetWhoseValuesWereEditedIsCalledSo) {
   EXPECT_EQ(ui.value("material/preset"), "mine");
 }
 
+TEST(EditorLayout, AClickOnTheLabelTakesAValueBackToThePreset) {
+  UiDriver ui(two_walls());
+  const double density = material(ui).density;
+  ui.click("label/Density");
+  EXPECT_EQ(ui.history.scene(), two_walls()) << "nothing to take back";
+  ui.drag("material/density", 40);
+  ASSERT_NE(material(ui).density, density);
+  ui.click("label/Density");
+  EXPECT_EQ(material(ui).density, density);
+  EXPECT_EQ(ui.value("material/preset"), "brick");
+  ui.history.undo();
+  EXPECT_NE(material(ui).density, density) << "one entry of the history";
+}
+
+TEST(EditorLayout, AMaterialIsKeptUnderANameForOtherBodies) {
+  UiDriver ui(two_walls());
+  ui.drag("material/density", 40);
+  const Material edited = material(ui);
+  ui.click("material/keep_as");
+  ui.type("heavy brick");
+  EXPECT_EQ(ui.value("material/preset"), "heavy brick");
+  ASSERT_EQ(ui.history.scene().materials.size(), 1u);
+  EXPECT_EQ(ui.history.scene().materials[0].density, edited.density);
+  ui.click("bodies/1");
+  ui.click("material/preset");
+  ui.click("material/preset/heavy brick");
+  EXPECT_EQ(material(ui, 1), ui.history.scene().materials[0]);
+  ui.drag("material/density", -60);
+  EXPECT_EQ(ui.value("material/preset"), "heavy brick (edited)");
+  ui.click("label/Density");
+  EXPECT_EQ(material(ui, 1), ui.history.scene().materials[0]);
+  ui.click("material/forget");
+  EXPECT_TRUE(ui.history.scene().materials.empty());
+  EXPECT_EQ(material(ui, 1).density, edited.density) << "bodies keep theirs";
+}
+
+TEST(EditorLayout, APresetsNameIsNotTakenForAnotherMaterial) {
+  UiDriver ui(two_walls());
+  const Scene before = ui.history.scene();
+  for (const std::string name : {"granite", "soda_lime_glass"}) {
+    ui.click("material/keep_as");
+    ui.type(name);
+    EXPECT_EQ(ui.history.scene(), before);
+    EXPECT_NE(ui.state.field_note.text.find(name), std::string::npos);
+  }
+}
+
 TEST(EditorLayout, CriterionChoosesItsOwnResistance) {
   UiDriver ui(two_walls());
   ui.click("material/criterion");

@@ -20,6 +20,15 @@ void keep(Panel& panel, const Edit& edit, const std::string& label, const Materi
   if (edit.finished) panel.history.finish();
 }
 
+/// What a material of that name is: one of the scene's own, or else a preset. Null where there is none.
+const Material* original_of(const Scene& scene, const Material& material) {
+  if (const auto own = std::ranges::find(scene.materials, material.name, &Material::name); own != scene.materials.end())
+    return &*own;
+  for (const MaterialPreset& preset : material_presets())
+    if (preset.material.name == material.name) return &preset.material;
+  return nullptr;
+}
+
 /// A property of the material as a slider.
 struct Row {
   const char* name;  ///< in a scene file
@@ -29,32 +38,93 @@ struct Row {
   const char* tooltip = "";
 };
 
-void number_row(Panel& panel, Material& material, const Row& row, double& value) {
+void number_row(Panel& panel, Material& material, const Row& row, double& value,
+                std::optional<double> original = std::nullopt) {
   NumberField field = {.tag = std::string("material/") + row.name,
                        .label = row.label,
                        .numbers = range_of<Material>(row.name),
                        .tooltip = row.tooltip,
-                       .logarithmic = row.logarithmic};
+                       .logarithmic = row.logarithmic,
+                       .original = original};
   if (row.low < row.high) field.low = row.low, field.high = row.high;
   const Edit edit = number_slider(panel, field, value);
   keep(panel, edit, std::string("Set ") + row.label, material);
 }
 
-/// "brick", or "brick (edited)" where it is that preset no more.
-std::string preset_text(const Material& material) {
-  const auto is_edited = [&](const MaterialPreset& preset) {
-    return preset.material.name == material.name && preset.material != material;
-  };
-  return material.name + (std::ranges::any_of(material_presets(), is_edited) ? " (edited)" : "");
+void number_row(Panel& panel, Material& material, const Row& row, double Material::*member) {
+  const Material* original = original_of(panel.history.scene(), material);
+  number_row(panel, material, row, material.*member, original ? std::optional(original->*member) : std::nullopt);
 }
 
+/// "brick", or "brick (edited)" where it is no more what has that name.
+std::string preset_text(const Scene& scene, const Material& material) {
+  const Material* original = original_of(scene, material);
+  return material.name + (original && *original != material ? " (edited)" : "");
+}
+
+/// Where a preset's numbers come from.
+std::string source_text(const Material& material) {
+  for (const MaterialPreset& preset : material_presets())
+    if (preset.material.name == material.name) return "Numbers of the preset: " + std::string(preset.source);
+  return "";
+}
+
+/// Presets and the scene's own materials.
 void preset_row(Panel& panel, Material& material) {
+  const Scene& scene = panel.history.scene();
+  std::vector<Material> offered = scene.materials;
+  for (const MaterialPreset& preset : material_presets())
+    if (std::ranges::find(scene.materials, preset.material.name, &Material::name) == scene.materials.end())
+      offered.push_back(preset.material);
   std::vector<std::string> names;
-  for (const MaterialPreset& preset : material_presets()) names.push_back(preset.material.name);
-  const int chosen = combo_row(panel, "material/preset", "Preset", names, preset_text(material));
+  for (const Material& one : offered) names.push_back(one.name);
+  const int chosen = combo_row(panel, "material/preset", "Preset", names, preset_text(scene, material));
+  field_tooltip(panel, "material/preset", source_text(material));
   if (chosen < 0) return;
-  material = material_presets()[static_cast<std::size_t>(chosen)].material;
+  material = offered[static_cast<std::size_t>(chosen)];
   keep(panel, {true, true}, "Set material " + material.name, material);
+}
+
+/// Makes the body's material one of the scene's own under that name, in place of what had it.
+void keep_as(Panel& panel, Material material, const std::string& name) {
+  const auto has_name = [&](const MaterialPreset& preset) {
+    return preset.key == name || preset.material.name == name;
+  };
+  if (std::ranges::any_of(material_presets(), has_name)) {
+    panel.state.field_note = {"material/keep_as", "\"" + name + "\" is a preset: choose another name."};
+    return;
+  }
+  material.name = name;
+  const auto body = static_cast<std::size_t>(panel.state.selected_body);
+  panel.history.change("Keep material " + name, [&](Scene& scene) {
+    scene.bodies[body].material = material;
+    const auto own = std::ranges::find(scene.materials, name, &Material::name);
+    if (own == scene.materials.end()) {
+      scene.materials.push_back(material);
+    } else {
+      *own = material;
+    }
+  });
+  panel.history.finish();
+}
+
+/// Materials of the scene's own: a name keeps the body's one, which other bodies may have then too.
+void library_rows(Panel& panel, const Material& material) {
+  const Scene& scene = panel.history.scene();
+  std::array<char, 64> name = {};
+  row_label(panel, "Keep as");
+  const bool entered = ImGui::InputTextWithHint("##material/keep_as", "a name, then Enter", name.data(), name.size(),
+                                                ImGuiInputTextFlags_EnterReturnsTrue);
+  tag_last_item(panel.tags, "material/keep_as", "");
+  field_tooltip(panel, "material/keep_as",
+                "The scene keeps this material under the name, for its other bodies too; it is saved with the scene.");
+  if (entered && name[0] != 0) keep_as(panel, material, name.data());
+  if (std::ranges::find(scene.materials, material.name, &Material::name) == scene.materials.end()) return;
+  if (!text_button(panel, "material/forget", ("Forget " + material.name).c_str())) return;
+  panel.history.change("Forget material " + material.name, [&](Scene& changed) {
+    std::erase_if(changed.materials, [&](const Material& own) { return own.name == material.name; });
+  });
+  panel.history.finish();
 }
 
 void criterion_row(Panel& panel, Material& material) {
@@ -73,17 +143,17 @@ void fracture_rows(Panel& panel, Material& material) {
                {"separation_toughness", "Sep. toughness", 1, 1e12, true,
                 "τ: a node separates when the largest eigenvalue of its separation tensor exceeds it. Depends on the "
                 "element size."},
-               material.separation_toughness);
+               &Material::separation_toughness);
     return;
   }
   number_row(panel, material,
              {"tensile_strength", "Tensile strength", 1, 1e10, true,
               "A node separates when its mesh-independent separation stress exceeds it."},
-             material.tensile_strength);
+             &Material::tensile_strength);
   number_row(panel, material,
              {"fracture_toughness", "Toughness K_Ic", 1, 1e9, true,
               "Lowers the resistance at the front of a crack: small values let a crack, once started, run."},
-             material.fracture_toughness);
+             &Material::fracture_toughness);
 }
 
 void element_model_row(Panel& panel, Material& material) {
@@ -107,17 +177,17 @@ void yield_rows(Panel& panel, Material& material) {
              *material.yield_strength);
   number_row(panel, material,
              {"plastic_limit", "Plastic limit", 0, 0, false, "The norm of the plastic strain at which flow ends."},
-             material.plastic_limit);
+             &Material::plastic_limit);
 }
 
 void damping_rows(Panel& panel, Material& material) {
-  number_row(panel, material, {"friction", "Friction", 0, 2}, material.friction);
-  number_row(panel, material, {"restitution", "Restitution"}, material.restitution);
+  number_row(panel, material, {"friction", "Friction", 0, 2}, &Material::friction);
+  number_row(panel, material, {"restitution", "Restitution"}, &Material::restitution);
   number_row(panel, material,
              {"stiffness_damping", "Damping β", 0, 1e-2, false, "Rayleigh's β: damps fast vibrations."},
-             material.stiffness_damping);
+             &Material::stiffness_damping);
   number_row(panel, material, {"mass_damping", "Damping α", 0, 10, false, "Rayleigh's α: damps all motion."},
-             material.mass_damping);
+             &Material::mass_damping);
 }
 
 }  // namespace
@@ -133,12 +203,12 @@ void draw_material_panel(Panel& panel) {
   number_row(panel, material,
              {"young_modulus", "Young's modulus", 1e3, 1e12, true,
               "E: stiffness. Right-click to type a value with its unit, such as 20 GPa."},
-             material.young_modulus);
+             &Material::young_modulus);
   number_row(panel, material,
              {"poisson_ratio", "Poisson ratio", 0, 0, false,
               "ν: sideways contraction over extension. 0.5 would be incompressible and is out of reach."},
-             material.poisson_ratio);
-  number_row(panel, material, {"density", "Density", 1, 25000, true, "ρ"}, material.density);
+             &Material::poisson_ratio);
+  number_row(panel, material, {"density", "Density", 1, 25000, true, "ρ"}, &Material::density);
   fracture_rows(panel, material);
   element_model_row(panel, material);
   yield_rows(panel, material);
@@ -147,6 +217,7 @@ void draw_material_panel(Panel& panel) {
     damping_rows(panel, material);
     ImGui::TreePop();
   }
+  library_rows(panel, material);
 }
 
 }  // namespace griffith::ui

@@ -141,11 +141,23 @@ Edit typed_or(Panel& panel, const NumberField& field, double& value,
   return edit;
 }
 
+/// Tells at the label what the value was; whether it is to be that again.
+bool offers_original(const NumberField& field) {
+  if (!ImGui::IsItemHovered()) return false;
+  const std::string original = format_quantity(*field.original, unit_symbol(field.numbers));
+  ImGui::SetTooltip("Was %s. Click to take it back to that.", original.c_str());
+  return ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+}
+
 }  // namespace
 
 Edit number_slider(Panel& panel, const NumberField& field, double& value) {
-  row_label(panel, field.label.c_str());
-  return typed_or(panel, field, value, dragged_slider);
+  const bool is_edited = field.original && *field.original != value;
+  row_label(panel, field.label.c_str(), is_edited ? palette::kAccent : palette::kTextDim);
+  const bool is_reset = is_edited && offers_original(field);
+  if (is_reset) value = *field.original;
+  const Edit edit = typed_or(panel, field, value, dragged_slider);
+  return is_reset ? Edit{true, true} : edit;
 }
 
 Edit number_drag(Panel& panel, const NumberField& field, double& value) {

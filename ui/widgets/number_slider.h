@@ -16,6 +16,7 @@ struct NumberField {
   std::string tooltip = {};
   double low = numbers.minimum, high = numbers.maximum;  ///< ends of the slider; beyond them values can be typed
   bool logarithmic = false;                              ///< equal distances are equal ratios; needs low > 0
+  std::optional<double> original = {};  ///< a click on the label brings it back, which is bright while there is another
   std::optional<SiPrefix> prefix = {};  ///< of a row of several numbers, which says the unit once; none: its own
 };
 

@@ -34,10 +34,10 @@ void heading(const Panel& panel, const char* text) {
   ImGui::Dummy({0, ui_scale(panel)});
 }
 
-void row_label(const Panel& panel, const char* label) {
+void row_label(const Panel& panel, const char* label, ImU32 color) {
   const float column = std::max(124 * ui_scale(panel), 0.42f * ImGui::GetWindowWidth());
   const bool fits = ImGui::GetCursorPosX() + ImGui::CalcTextSize(label).x + 4 * ui_scale(panel) <= column;
-  wide_row_label(panel, label);
+  wide_row_label(panel, label, color);
   if (fits) {
     ImGui::SameLine(column);
   } else {
@@ -46,9 +46,9 @@ void row_label(const Panel& panel, const char* label) {
   ImGui::SetNextItemWidth(-FLT_MIN);
 }
 
-void wide_row_label(const Panel& panel, const char* label) {
+void wide_row_label(const Panel& panel, const char* label, ImU32 color) {
   ImGui::AlignTextToFramePadding();
-  ImGui::PushStyleColor(ImGuiCol_Text, palette::kTextDim);
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
   ImGui::TextUnformatted(label);
   ImGui::PopStyleColor();
   panel.tags.push_back({std::string("label/") + label, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), label});

@@ -8,6 +8,7 @@
 #include "ui/widgets/bubble.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/panel.h"
+#include "ui/widgets/style.h"
 
 namespace griffith::ui {
 
@@ -28,10 +29,10 @@ void heading(const Panel& panel, const char* text);
 
 /// Begins a row "label: widget" of a panel: label on the left, the next widget fills the rest; below a label that is
 /// too long for that. Labels are tagged "label/<text>".
-void row_label(const Panel& panel, const char* label);
+void row_label(const Panel& panel, const char* label, ImU32 color = palette::kTextDim);
 
 /// A label with a line of its own.
-void wide_row_label(const Panel& panel, const char* label);
+void wide_row_label(const Panel& panel, const char* label, ImU32 color = palette::kTextDim);
 
 /// A row "label: value" of plain text.
 void value_row(const Panel& panel, const char* label, const std::string& value, ImU32 color);
