@@ -28,6 +28,7 @@ std::span<const CommandAction> Editor::command_actions() {
       {CommandId::go_to_step, kInTime},
       {CommandId::go_to_branch, kInTime},
       {CommandId::explain_holding, kInTime},
+      {CommandId::toggle_comparison, [](Editor& editor, const ui::Command&) { editor.toggle_comparison(); }},
       {CommandId::reset, [](Editor& editor, const ui::Command&) { editor.follow(); }},
       {CommandId::fire, [](Editor& editor, const ui::Command& command) { editor.fire(command.cursor); }},
       {CommandId::keep_shot, [](Editor& editor, const ui::Command&) { editor.keep_shot(); }},
@@ -76,9 +77,8 @@ std::span<const CommandAction> Editor::command_actions() {
          editor.ask_where_to_save_run(ui::SavedKind::recording, command.path);
        }},
       {CommandId::save_report_dialog,
-       [](Editor& editor, const ui::Command& command) {
-         editor.ask_where_to_save_run(ui::SavedKind::bug_report, command.path);
-       }},
+       [](Editor& editor,
+          const ui::Command& command) { editor.ask_where_to_save_run(ui::SavedKind::bug_report, command.path); }},
       {CommandId::save_plots_dialog,
        [](Editor& editor,
           const ui::Command& command) { editor.ask_where_to_save_run(ui::SavedKind::plots, command.path); }},

@@ -83,6 +83,8 @@ void Editor::restart() {
   run_history_.restart(world().frame());
   forget_stop();
   remember();
+  compared_.reset();
+  state_.comparison.branch.reset();
   pacer_.reset();
   step_seconds_ = 0;
   ++world_count_;
@@ -143,6 +145,7 @@ Editor::PictureKey Editor::picture_key() const {
           frame.projectiles.size(),
           laid_out ? static_cast<int>(std::lround(state_.viewport_size.x)) : kFirstWidth,
           laid_out ? static_cast<int>(std::lround(state_.viewport_size.y)) : kFirstHeight,
+          state_.comparison.branch.value_or(-1),
           state_.view,
           state_.selection,
           state_.hidden_bodies,
@@ -153,11 +156,13 @@ Editor::PictureKey Editor::picture_key() const {
 void Editor::draw_picture(int samples) {
   receive_world();  // before the picture, which else would be of another world than the panels
   frame_for_layout();
+  follow_comparison();
   const PictureKey key = picture_key();
   if (key == drawn_) return;
   drawn_ = key;
   update_picture();
   renderer_.render(picture_, picture_camera(), picture_options(key.width, key.height, samples, state_.view));
+  draw_comparison(key, samples);
 }
 
 void Editor::draw_panels(const ui::Fonts& fonts) {
@@ -177,6 +182,7 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
   input.recent_files = recent_.files();
   input.scene_path = path_;
   input.time = time_view();
+  input.comparison = comparison_view();
   input.series = run_history_.series();
   if (state_.plots.shown) input.curves = run_history_.curves(timeline_, state_.plots.chosen);
   input.time_step = history_.scene().simulation.time_step;

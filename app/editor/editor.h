@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <set>
 #include <span>
@@ -9,6 +10,7 @@
 
 #include "app/editor/autosave.h"
 #include "app/editor/background_step.h"
+#include "app/editor/compared_branch.h"
 #include "app/editor/recent_files.h"
 #include "app/editor/run_history.h"
 #include "app/editor/step_pacer.h"
@@ -194,6 +196,11 @@ class Editor {
   /// Tells how much stronger the material would have to be for the node to stand that is about to crack.
   void explain_holding();
   ui::TimeView time_view() const;
+  /// Compares with the branch that this one came from, or the newest; or no longer.
+  void toggle_comparison();
+  /// Brings the compared branch to the step that is shown.
+  void follow_comparison();
+  std::optional<ui::ComparisonView> comparison_view() const;
   void remember();
   /// What a step in the background would begin with now.
   BackgroundStep::Start step_start() const { return {world_count_, timeline_.revision()}; }
@@ -219,6 +226,7 @@ class Editor {
     std::int64_t world = -1, step = -1, revision = -1, arrivals = 0;
     std::size_t projectiles = 0;
     int width = 0, height = 0;
+    int compared = -1;  ///< branch; -1: none
     ViewSettings view;
     ui::Selection selected;
     std::set<std::string> hidden;
@@ -226,6 +234,7 @@ class Editor {
     bool operator==(const PictureKey&) const = default;
   };
   PictureKey picture_key() const;
+  void draw_comparison(const PictureKey& key, int samples);
 
   ui::EditHistory history_;
   ui::EditorState state_;
@@ -254,6 +263,8 @@ class Editor {
   PictureKey legend_placed_;  ///< for which picture it was
   PictureKey drawn_;
   RunHistory run_history_;
+  std::unique_ptr<ComparedBranch> compared_;
+  std::string difference_;  ///< of the compared branch
   UtilizationHistory history_of_utilizations_;
   std::vector<ui::UtilizationSample> utilizations_;  ///< of the selected node
   StepPacer pacer_;

@@ -29,7 +29,10 @@ void Editor::carry_out_in_time(const ui::Command& command) {
 
 void Editor::go_to(int branch, std::int64_t step) {
   history_.finish();
-  if (branch != timeline_.branch()) history_of_utilizations_.clear();
+  if (branch != timeline_.branch()) {
+    history_of_utilizations_.clear();
+    if (state_.comparison.branch == branch) state_.comparison.branch = timeline_.branch();  // the two change places
+  }
   timeline_.go_to(branch, step);
   arrive();
 }

@@ -28,6 +28,11 @@ std::string_view no_future(const CommandContext& context) {
   return unless(context.step < context.time.last_step, "This is the newest step.");
 }
 
+std::string_view one_branch_alone(const CommandContext& context) {
+  return unless(context.time.branches.size() > 1,
+                "There is one branch alone: do something else in the past for another.");
+}
+
 std::string_view not_stopped_before_a_crack(const CommandContext& context) {
   return unless(context.state.can_explain, "The simulation has not stopped before a crack: see Stop before.");
 }
@@ -83,6 +88,8 @@ bool hides_body(const CommandContext& context) {
   const auto hidden = [&](const std::string& name) { return context.state.hidden_bodies.contains(name); };
   return !bodies.empty() && std::ranges::all_of(bodies, hidden);
 }
+bool compares(const CommandContext& context) { return context.state.comparison.branch.has_value(); }
+
 bool shows_plots(const CommandContext& context) { return context.state.plots.shown; }
 bool shows_log(const CommandContext& context) { return context.state.log_view.shown; }
 bool shows_gizmo(const CommandContext& context) { return context.state.show_gizmo; }

@@ -21,6 +21,7 @@ enum class CommandId {
   go_to_step,
   go_to_branch,
   explain_holding,
+  toggle_comparison,
   reset,
   fire,
   keep_shot,

@@ -12,6 +12,7 @@
 
 #include "sim/scene/scene.h"
 #include "ui/model/commands.h"
+#include "ui/model/comparison.h"
 #include "ui/model/edit_history.h"
 #include "ui/model/gizmo.h"
 #include "ui/model/preferences.h"
@@ -162,6 +163,7 @@ struct EditorState {
   Palette palette;
   LogView log_view;
   PlotsState plots;
+  Comparison comparison;
   std::optional<Caption> caption;
   std::vector<LogLine> log;
   std::size_t log_seen = 0;              ///< so many of the lines are older than the last thing that the user did

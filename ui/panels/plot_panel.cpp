@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 #include <string>
 
 #include "ui/model/plot_view.h"
@@ -55,18 +56,36 @@ void plots_bar(Panel& panel) {
   if (text_button(panel, "plots/close", "Close")) issue(panel, {.id = CommandId::toggle_plots});
 }
 
+/// Which of the recorded steps it is; nothing where it is none.
+std::optional<std::size_t> row_of(const RunCurves& curves, std::int64_t step) {
+  const auto row = std::ranges::lower_bound(curves.steps, step);
+  if (row == curves.steps.end() || *row != step) return std::nullopt;
+  return static_cast<std::size_t>(row - curves.steps.begin());
+}
+
+/// The value of a curve at a step, and that of the compared branch behind it.
+std::string value_text(const Panel& panel, std::size_t curve, std::int64_t step) {
+  const auto text_in = [&](const RunCurves& curves) {
+    const std::optional<std::size_t> row = row_of(curves, step);
+    if (!row || curve >= curves.curves.size()) return std::string("-");
+    return format_quantity(curves.curves[curve].values[*row], curves.curves[curve].series.unit, 4);
+  };
+  const std::string text = text_in(panel.input.curves);
+  if (!panel.input.comparison) return text;
+  return text + " | branch " + std::to_string(panel.input.comparison->branch) + ": " +
+         text_in(panel.input.comparison->curves);
+}
+
 /// The values of all curves at a step, beside the mouse.
 void values_tooltip(Panel& panel, std::int64_t step) {
   const RunCurves& curves = panel.input.curves;
-  const auto row = std::ranges::lower_bound(curves.steps, step);
-  const bool recorded = row != curves.steps.end() && *row == step;
+  const bool recorded = row_of(curves, step).has_value();
   ImGui::BeginTooltip();
   ImGui::TextUnformatted((step_text(panel.input.time, step) + (recorded ? "" : ": not recorded")).c_str());
   tag_last_item(panel.tags, "plots/step", std::to_string(step));
-  for (const RunCurve& curve : curves.curves) {
-    if (!recorded) break;
-    const double value = curve.values[static_cast<std::size_t>(row - curves.steps.begin())];
-    const std::string text = format_quantity(value, curve.series.unit, 4);
+  for (std::size_t i = 0; recorded && i < curves.curves.size(); ++i) {
+    const RunCurve& curve = curves.curves[i];
+    const std::string text = value_text(panel, i, step);
     ImGui::TextColored(as_vec4(plot_color(curve.slot)), "%s: %s", curve.series.label.c_str(), text.c_str());
     tag_last_item(panel.tags, "plots/value/" + curve.series.key, text);
   }
@@ -97,8 +116,12 @@ void draw_plot_panel(Panel& panel) {
   if (strips.empty()) return hint(panel, "Choose in the list what is to be plotted.");
   ImGui::BeginChild("##strips");
   const float height = strip_height(panel, strips.size());
-  for (std::size_t i = 0; i < strips.size(); ++i)
-    follow_mouse(panel, draw_plot_strip(panel, "plots/strip/" + std::to_string(i), strips[i], height));
+  std::vector<PlotStrip> compared;
+  if (panel.input.comparison) compared = plot_strips(panel.input.comparison->curves);
+  for (std::size_t i = 0; i < strips.size(); ++i) {
+    const PlotStrip* other = i < compared.size() ? &compared[i] : nullptr;
+    follow_mouse(panel, draw_plot_strip(panel, "plots/strip/" + std::to_string(i), strips[i], other, height));
+  }
   draw_plot_times(panel);
   ImGui::EndChild();
 }

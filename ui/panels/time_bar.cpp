@@ -112,6 +112,41 @@ void branch_list(Panel& panel) {
   if (!open) tooltip("What was done otherwise in the past goes on beside what was.");
 }
 
+/// With which branch the shown one is compared, and how.
+void comparison_fields(Panel& panel) {
+  Comparison& comparison = panel.state.comparison;
+  const auto choice = [&](const std::string& text, const char* name, std::optional<int> branch) {
+    if (ImGui::RadioButton(text.c_str(), comparison.branch == branch)) comparison.branch = branch;
+    tag_last_item(panel.tags, std::string("compare/") + name, comparison.branch == branch ? "on" : "off");
+  };
+  choice("no other branch", "none", std::nullopt);
+  for (int i = 0; i < static_cast<int>(panel.input.time.branches.size()); ++i)
+    if (i != panel.input.time.branch) choice(branch_text(panel.input.time, i), std::to_string(i).c_str(), i);
+  ImGui::Separator();
+  checkbox(panel, "compare/ghost", "as a ghost", comparison.as_ghost);
+  tooltip("One picture through the other, in place of both side by side with a border to drag.");
+}
+
+void comparison_button(Panel& panel) {
+  const std::optional<int> branch = panel.state.comparison.branch;
+  if (branch) ImGui::PushStyleColor(ImGuiCol_Text, palette::kAccent);
+  if (ImGui::Button("Compare…")) ImGui::OpenPopup("##compare");
+  if (branch) ImGui::PopStyleColor();
+  tag_last_item(panel.tags, "time/compare", branch ? "with branch " + std::to_string(*branch) : "off");
+  const ImVec2 corner(ImGui::GetItemRectMax().x, ImGui::GetItemRectMin().y - 4 * ui_scale(panel));
+  ImGui::SetNextWindowPos(corner, ImGuiCond_Appearing, {1, 1});
+  if (!ImGui::BeginPopup("##compare")) return;
+  close_on_escape();
+  comparison_fields(panel);
+  ImGui::EndPopup();
+}
+
+/// How wide a button with that text is, with the gap behind it.
+float button_room(const char* text) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  return ImGui::CalcTextSize(text).x + 2 * style.FramePadding.x + style.ItemSpacing.x;
+}
+
 /// A number that belongs to a check box.
 template <class T>
 void limit_field(Panel& panel, const char* tag, const char* format, T& value, T low, T high) {
@@ -167,8 +202,8 @@ void draw_time_bar(Panel& panel) {
   ImGui::SameLine();
   const TimeView& time = panel.input.time;
   const float scale = ui_scale(panel), spacing = ImGui::GetStyle().ItemSpacing.x;
-  const float branches = time.branches.size() > 1 ? 110 * scale + spacing : 0;
-  const float stop = ImGui::CalcTextSize("Stop before…").x + 2 * ImGui::GetStyle().FramePadding.x + spacing;
+  const float branches = time.branches.size() > 1 ? 110 * scale + spacing + button_room("Compare…") : 0;
+  const float stop = button_room("Stop before…");
   const float end = 1.25f * ImGui::GetFrameHeight() + spacing;
   draw_bar(panel, std::max(40 * scale, ImGui::GetContentRegionAvail().x - branches - stop - end));
   ImGui::SameLine();
@@ -176,6 +211,8 @@ void draw_time_bar(Panel& panel) {
   ImGui::SameLine();
   if (branches > 0) {
     branch_list(panel);
+    ImGui::SameLine();
+    comparison_button(panel);
     ImGui::SameLine();
   }
   breakpoint_button(panel);

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "ui/panels/comparison_overlay.h"
 #include "ui/panels/gizmo_overlay.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/region_overlay.h"
@@ -119,6 +120,7 @@ void draw_viewport(Panel& panel) {
   if (!drag_region(panel) && !drag_gizmo(panel)) mouse_input(panel);
   ImDrawList* list = ImGui::GetWindowDrawList();
   if (panel.input.picture) list->AddImage(panel.input.picture, state.viewport_minimum, end, {0, 1}, {1, 0});
+  draw_comparison(panel);
   draw_labels(list, panel.input.labels, panel.input.fonts, state.viewport_minimum, end, ui_scale(panel));
   draw_region(panel);
   draw_gizmo(panel);

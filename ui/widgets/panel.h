@@ -34,6 +34,7 @@ struct EditorInput {
   TimeView time;                                        ///< the recorded past
   std::span<const RunSeries> series;                    ///< that can be plotted
   RunCurves curves;                                     ///< those that are, while plots are shown
+  std::optional<ComparisonView> comparison;             ///< with another branch, at the same step
   double time_step = 0;                                 ///< in force [s]
   double step_milliseconds = 0;                         ///< of a step, smoothed
   double step_in_progress = 0;                          ///< how long the present step has taken so far [s]

@@ -55,13 +55,16 @@ void draw_axis(const Panel& panel, const PlotView& view, const SiPrefix& prefix)
   }
 }
 
+/// A colour behind which another of its kind is seen.
+ImU32 paler(ImU32 color) { return (color & ~IM_COL32_A_MASK) | IM_COL32(0, 0, 0, 110); }
+
 /// A line through the columns, each as high as its values reach.
-void draw_curve(const Panel& panel, const PlotView& view, const RunCurve& curve) {
+void draw_curve(const Panel& panel, const PlotView& view, const RunCurve& curve, std::span<const double> times,
+                ImU32 color) {
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const ImU32 color = plot_color(curve.slot);
   const float width = 1.5f * ui_scale(panel);
   std::optional<ImVec2> end;
-  for (const PlotColumn& column : plot_columns(panel.input.curves.times, curve.values, view.span())) {
+  for (const PlotColumn& column : plot_columns(times, curve.values, view.span())) {
     const double x = view.left + column.column + 0.5;
     if (end && !column.begins) list->AddLine(*end, as_place(x, view.y(column.first)), color, width);
     list->AddLine(as_place(x, view.y(column.low) + 0.5), as_place(x, view.y(column.high) - 0.5), color, width);
@@ -103,8 +106,11 @@ ImU32 plot_color(std::size_t slot) {
   return kColors[slot];
 }
 
-PlotView draw_plot_strip(Panel& panel, const std::string& tag, const PlotStrip& strip, float height) {
-  const PlotRange range = plot_range(strip.curves);
+PlotView draw_plot_strip(Panel& panel, const std::string& tag, const PlotStrip& strip, const PlotStrip* compared,
+                         float height) {
+  std::vector<const RunCurve*> all = strip.curves;
+  if (compared) all.insert(all.end(), compared->curves.begin(), compared->curves.end());
+  const PlotRange range = plot_range(all);
   const SiPrefix prefix = axis_prefix(range, strip.unit);
   const std::string unit = axis_unit(strip.unit, prefix);
   ImGui::InvisibleButton(tag.c_str(), {ImGui::GetContentRegionAvail().x, height});
@@ -116,7 +122,11 @@ PlotView draw_plot_strip(Panel& panel, const std::string& tag, const PlotStrip& 
                                             palette::kField);
   draw_axis(panel, view, prefix);
   draw_step_line(view, panel.input.frame.step, palette::kText, scale);
-  for (const RunCurve* curve : strip.curves) draw_curve(panel, view, *curve);
+  if (compared)
+    for (const RunCurve* curve : compared->curves)
+      draw_curve(panel, view, *curve, panel.input.comparison->curves.times, paler(plot_color(curve->slot)));
+  for (const RunCurve* curve : strip.curves)
+    draw_curve(panel, view, *curve, panel.input.curves.times, plot_color(curve->slot));
   draw_names(panel, view, strip, unit);
   ImGui::PopFont();
   const float mouse = ImGui::GetIO().MousePos.x;

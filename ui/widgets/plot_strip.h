@@ -10,7 +10,9 @@ ImU32 plot_color(std::size_t slot);
 
 /// Draws the curves of a unit over the full width, `height` [pixels] high, with the numbers of their axis, their names,
 /// the present step and the one at which the mouse points. Returns where things are in it. It is an item of `tag`.
-PlotView draw_plot_strip(Panel& panel, const std::string& tag, const PlotStrip& strip, float height);
+/// `compared`: the same curves of another branch, drawn paler behind them; or null.
+PlotView draw_plot_strip(Panel& panel, const std::string& tag, const PlotStrip& strip, const PlotStrip* compared,
+                         float height);
 
 /// Draws the numbers of time below strips, over the full width.
 void draw_plot_times(Panel& panel);

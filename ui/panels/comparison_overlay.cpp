@@ -1,0 +1,85 @@
+#include "ui/panels/comparison_overlay.h"
+
+#include <algorithm>
+#include <string>
+
+#include "ui/widgets/style.h"
+#include "ui/widgets/widgets.h"
+
+namespace griffith::ui {
+namespace {
+
+constexpr ImU32 kGhost = IM_COL32(255, 255, 255, 115);
+
+/// The part of the view right of `border`, 0..1 of its width.
+void draw_right_part(const Panel& panel, float border, ImU32 tint) {
+  const ImVec2 low = panel.state.viewport_minimum, size = panel.state.viewport_size;
+  ImGui::GetWindowDrawList()->AddImage(panel.input.comparison->picture, {low.x + border * size.x, low.y},
+                                       {low.x + size.x, low.y + size.y}, {border, 1}, {1, 0}, tint);
+}
+
+/// The border between the pictures: a line with a grip, to be dragged.
+void drag_border(Panel& panel) {
+  EditorState& state = panel.state;
+  const ImVec2 low = state.viewport_minimum, size = state.viewport_size;
+  const float scale = ui_scale(panel), reach = 6 * scale, x = low.x + state.comparison.border * size.x;
+  ImGui::SetCursorScreenPos({x - reach, low.y});
+  ImGui::InvisibleButton("##border", {2 * reach, size.y});
+  tag_last_item(panel.tags, "compare/border", std::to_string(std::lround(100 * state.comparison.border)) + " %");
+  const bool is_held = ImGui::IsItemActive();
+  if (is_held) state.comparison.border = std::clamp((ImGui::GetIO().MousePos.x - low.x) / size.x, 0.02f, 0.98f);
+  if (is_held || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddLine({x, low.y}, {x, low.y + size.y}, palette::kAccent, 2 * scale);
+  list->AddCircleFilled({x, low.y + size.y / 2}, 5 * scale, palette::kAccent);
+}
+
+void draw_card_text(const Panel& panel, ImVec2 corner, float width, const std::string& text) {
+  const float scale = ui_scale(panel), padding = 8 * scale;
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width);
+  ImDrawList* list = ImGui::GetWindowDrawList();
+  list->AddRectFilled({corner.x - padding, corner.y - padding / 2},
+                      {corner.x + size.x + padding, corner.y + size.y + padding / 2}, IM_COL32(24, 27, 32, 200),
+                      6 * scale);
+  list->AddText(nullptr, 0, corner, palette::kText, text.c_str(), nullptr, width);
+}
+
+/// Which branch is on which side of the border.
+void draw_names(const Panel& panel) {
+  const float scale = ui_scale(panel), gap = 16 * scale;
+  const ImVec2 low = panel.state.viewport_minimum;
+  const float x = low.x + panel.state.comparison.border * panel.state.viewport_size.x, y = low.y + 18 * scale;
+  const std::string left = "branch " + std::to_string(panel.input.time.branch);
+  const std::string right = "branch " + std::to_string(panel.input.comparison->branch);
+  draw_card_text(panel, {x - gap - ImGui::CalcTextSize(left.c_str()).x, y}, 0, left);
+  draw_card_text(panel, {x + gap, y}, 0, right);
+}
+
+/// Where the branches differ, above the hints.
+void draw_difference(Panel& panel) {
+  const std::string& text = panel.input.comparison->text;
+  const ImVec2 low = panel.state.viewport_minimum, size = panel.state.viewport_size;
+  const float scale = ui_scale(panel), margin = 22 * scale, width = size.x - 2 * margin;
+  const float height = ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y;
+  draw_card_text(panel, {low.x + margin, low.y + size.y - 58 * scale - height}, width, text);
+  panel.tags.push_back({"compare/difference",
+                        {low.x + margin, low.y + size.y - 58 * scale - height},
+                        {low.x + margin + width, low.y + size.y - 58 * scale},
+                        text});
+}
+
+}  // namespace
+
+void draw_comparison(Panel& panel) {
+  if (!panel.input.comparison) return;
+  if (panel.state.comparison.as_ghost) {
+    draw_right_part(panel, 0, kGhost);
+  } else {
+    draw_right_part(panel, panel.state.comparison.border, IM_COL32_WHITE);
+    drag_border(panel);
+    draw_names(panel);
+  }
+  draw_difference(panel);
+}
+
+}  // namespace griffith::ui
