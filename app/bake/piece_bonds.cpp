@@ -47,7 +47,7 @@ std::vector<OpenedFace> opened_faces(const BondInput& input) {
   std::vector<OpenedFace> faces;
   for (TetId tet(0); tet < std::ssize(input.last.elements.tets); ++tet.value)
     for (int face = 0; face < 4; ++face)
-      if (input.last.elements.opened[tet][face] > input.start) faces.push_back(opened_face(input, tet, face));
+      if (input.last.elements.opened[tet][face] > input.opened_before) faces.push_back(opened_face(input, tet, face));
   return faces;
 }
 

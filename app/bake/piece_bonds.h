@@ -20,7 +20,7 @@ struct BondInput {
   const MeshHistory& history;
   std::span<const double> strength_factors;  ///< per node of state 0
   std::span<const int> thing_of_body;        ///< per BodyId of `last`
-  double start = 0;                          ///< of the first baked frame [s]: what opened until then was no bond
+  double opened_before = 0;                  ///< faces that opened until then held nothing in the first frame [s]
 };
 
 /// Finds the faces through which pieces held together at the start, by what cracks have opened since. Where remeshing

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/bake/baked_materials.h"
 #include "app/bake/piece_bonds.h"
@@ -34,6 +35,15 @@ double rate_of(std::span<const double> times, double time_step) {
   return whole > 0 && std::abs(rate - whole) < 1e-6 * whole ? whole : rate;
 }
 
+/// When the last crack so far opened; minus infinity: there is none.
+double last_crack_time(const Frame& frame) {
+  double last = -std::numeric_limits<double>::infinity();
+  for (const std::array<double, 4>& tet : frame.elements.opened)
+    for (const double opened : tet)
+      if (opened > last) last = opened;
+  return last;
+}
+
 /// Surfaces of the last frame's bodies with its nodes elsewhere. A piece that owns no splinter, since splinters are
 /// larger than it, has the faces of its tets. What its neighbours' splinters show of the same matter stays theirs: at
 /// rest the two overlap by no more than the piece.
@@ -63,6 +73,7 @@ RunBaker::RunBaker(const Frame& start, const Scene& scene)
       meshes_{mesh_of(start)} {}
 
 void RunBaker::follow(const Frame& frame) {
+  if (times_.empty()) opened_before_ = last_crack_time(frame);
   meshes_.push_back(mesh_of(frame));
   times_.push_back(frame.time);
   std::vector<Pose>& poses = projectiles_.emplace_back();
@@ -85,7 +96,7 @@ Bake RunBaker::finish(const Frame& last, bool deformed) {
   add_pieces(bake, last, history, pieces, stems);
   if (deformed) add_deformed_points(bake, last, history, pieces);
   add_projectiles(bake, last, stems.back());
-  bake.bonds = piece_bonds({last, history, strength_factors_, thing_of_body, times_.front()});
+  bake.bonds = piece_bonds({last, history, strength_factors_, thing_of_body, opened_before_});
   set_break_times(bake);
   return bake;
 }

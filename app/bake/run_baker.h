@@ -37,6 +37,7 @@ class RunBaker {
   std::vector<double> strength_factors_;  ///< per node of the start
   std::vector<MeshState> meshes_;         ///< of the start, then of the baked frames
   std::vector<double> times_;
+  double opened_before_ = 0;  ///< when the last crack opened that the first baked frame has [s]
   std::vector<std::vector<Pose>> projectiles_;  ///< per baked frame
 };
 
