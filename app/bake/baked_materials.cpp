@@ -14,9 +14,7 @@ double linear(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((s
 BakedMaterial baked(const render::EmbeddedMaterial& material, const std::string& name) {
   const bool is_clear = material.clear_depth > 0;
   const render::Rgb color = material.color;
-  return {name,
-          Vec3(linear(color.r), linear(color.g), linear(color.b)),
-          is_clear ? 1.0 / 3 : 1.0,
+  return {name, Vec3(linear(color.r), linear(color.g), linear(color.b)), is_clear ? 1.0 / 3 : 1.0,
           is_clear ? 0.05 : std::min(1.0, 0.4 + 2 * double(material.roughness))};
 }
 

@@ -34,7 +34,8 @@ OpenedFace opened_face(const BondInput& input, TetId tet, int face) {
   const Frame& last = input.last;
   const Corners then = input.history.corners(1, tet);
   const BodyId body = last.elements.bodies[tet];
-  OpenedFace opened{input.thing_of_body[body], last.bodies[body].scene_body, {}, {}, last.elements.opened[tet][face], 0};
+  OpenedFace opened{
+      input.thing_of_body[body], last.bodies[body].scene_body, {}, {}, last.elements.opened[tet][face], 0};
   for (int i = 0; i < 3; ++i) {
     opened.rest[i] = last.nodes.rest_positions[last.elements.tets[tet][kTetFaces[face][i]]];
     opened.first[i] = then.col(kTetFaces[face][i]);
@@ -62,7 +63,8 @@ bool lies_on(const OpenedFace& face, const OpenedFace& other) {
   if (area.dot(area_vector(face.rest)) >= 0) return false;
   if (std::abs(area.dot(place - other.rest[0])) > kTolerance * size * length) return false;
   for (int i = 0; i < 3; ++i)
-    if (area_vector({other.rest[i], other.rest[(i + 1) % 3], place}).dot(area) < -kTolerance * size * size) return false;
+    if (area_vector({other.rest[i], other.rest[(i + 1) % 3], place}).dot(area) < -kTolerance * size * size)
+      return false;
   return true;
 }
 
@@ -124,8 +126,8 @@ std::vector<BakedBond> piece_bonds(const BondInput& input) {
   for (std::size_t i = 0; i < faces.size(); ++i) {
     if (partner[i] < 0 || faces[i].thing == faces[partner[i]].thing) continue;
     const std::pair<int, int> pair = std::minmax(faces[i].thing, faces[partner[i]].thing);
-    BakedBond& bond = found.try_emplace(pair, BakedBond{pair.first, pair.second, 0, Vec3::Zero(), Vec3::Zero(), 0, {}})
-                          .first->second;
+    BakedBond& bond =
+        found.try_emplace(pair, BakedBond{pair.first, pair.second, 0, Vec3::Zero(), Vec3::Zero(), 0, {}}).first->second;
     add_face(bond, faces[i]);
   }
   std::vector<BakedBond> bonds;

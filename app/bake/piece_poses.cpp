@@ -7,8 +7,8 @@ namespace {
 
 /// Sums over the tets of a piece, weighted by their volume: all of it has one density.
 struct PieceSums {
-  double volume = 0;              ///< [m³]
-  Vec3 center = Vec3::Zero();     ///< times volume
+  double volume = 0;               ///< [m³]
+  Vec3 center = Vec3::Zero();      ///< times volume
   Mat3 covariance = Mat3::Zero();  ///< of places now with places at first relative to their center
 };
 

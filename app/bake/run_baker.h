@@ -16,8 +16,8 @@ namespace griffith::app {
 /// were all along.
 class RunBaker {
  public:
-  /// `start`: the world's first frame. `scene`: of the world; must outlive this. Throws InputError when a surface cannot
-  /// be read.
+  /// `start`: the world's first frame. `scene`: of the world; must outlive this. Throws InputError when a surface
+  /// cannot be read.
   RunBaker(const Frame& start, const Scene& scene);
 
   /// Adds a frame to those that are baked, later than all before.
@@ -37,7 +37,7 @@ class RunBaker {
   std::vector<double> strength_factors_;  ///< per node of the start
   std::vector<MeshState> meshes_;         ///< of the start, then of the baked frames
   std::vector<double> times_;
-  double opened_before_ = 0;  ///< when the last crack opened that the first baked frame has [s]
+  double opened_before_ = 0;                    ///< when the last crack opened that the first baked frame has [s]
   std::vector<std::vector<Pose>> projectiles_;  ///< per baked frame
 };
 

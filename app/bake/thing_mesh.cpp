@@ -29,11 +29,21 @@ struct Icosphere {
 
 Icosphere icosahedron() {
   const double g = (1 + std::sqrt(5.0)) / 2;
-  Icosphere sphere{{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-                    {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}},
-                   {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-                    {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-                    {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}};
+  Icosphere sphere{{{-1, g, 0},
+                    {1, g, 0},
+                    {-1, -g, 0},
+                    {1, -g, 0},
+                    {0, -1, g},
+                    {0, 1, g},
+                    {0, -1, -g},
+                    {0, 1, -g},
+                    {g, 0, -1},
+                    {g, 0, 1},
+                    {-g, 0, -1},
+                    {-g, 0, 1}},
+                   {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                    {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                    {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
   for (Vec3& point : sphere.points) point.normalize();
   return sphere;
 }
@@ -80,8 +90,10 @@ BakedMesh piece_mesh(const PieceSurface& surface, const Vec3& origin) {
     const bool inside = surface.inside[i];
     for (const int point : surface.polygons[i]) {
       const bool is_smooth = !surface.normals.empty() && surface.normals[point] != Vec3::Zero();
-      if (is_smooth) mesh.normals[point] = surface.normals[point];
-      else if (flat != Vec3::Zero()) mesh.normals[point] = flat;
+      if (is_smooth)
+        mesh.normals[point] = surface.normals[point];
+      else if (flat != Vec3::Zero())
+        mesh.normals[point] = flat;
       mesh.uvs[point] =
           surface.uvs.empty() || inside ? box_projection(surface.points[point], flat) : surface.uvs[point];
     }

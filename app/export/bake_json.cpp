@@ -20,12 +20,8 @@ Json thing_json(const BakedThing& thing) {
 }
 
 Json bond_json(const Bake& bake, const BakedBond& bond) {
-  return {{"a", bake.things[bond.a].name},
-          {"b", bake.things[bond.b].name},
-          {"area", bond.area},
-          {"center", json(bond.center)},
-          {"normal", json(bond.normal)},
-          {"strength", bond.strength},
+  return {{"a", bake.things[bond.a].name},      {"b", bake.things[bond.b].name}, {"area", bond.area},
+          {"center", json(bond.center)},        {"normal", json(bond.normal)},   {"strength", bond.strength},
           {"break_time", json(bond.break_time)}};
 }
 

@@ -30,8 +30,10 @@ const BakeFormat& format_of(const std::filesystem::path& path) {
 
 void check_bake_path(const std::filesystem::path& path) { format_of(path); }
 
-void export_bake(const std::filesystem::path& path, const Bake& bake) {
-  replace_file(path, format_of(path).text(bake));
+std::size_t export_bake(const std::filesystem::path& path, const Bake& bake) {
+  const std::string content = format_of(path).text(bake);
+  replace_file(path, content);
+  return content.size();
 }
 
 }  // namespace griffith::app

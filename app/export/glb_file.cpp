@@ -1,4 +1,3 @@
-#define TINYGLTF_IMPLEMENTATION
 #include "app/export/glb_file.h"
 
 #include <sstream>
@@ -12,7 +11,7 @@ namespace {
 
 using tinygltf::Value;
 
-std::vector<double> numbers(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+std::vector<double> components(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 tinygltf::Material gltf_material(const BakedMaterial& baked) {
   tinygltf::Material material;
@@ -84,7 +83,7 @@ tinygltf::Node gltf_node(const BakedThing& thing, int mesh) {
   node.name = thing.name;
   node.mesh = mesh;
   const Pose& pose = thing.poses.front();
-  node.translation = numbers(pose.position);
+  node.translation = components(pose.position);
   node.rotation = {pose.rotation.x(), pose.rotation.y(), pose.rotation.z(), pose.rotation.w()};
   return node;
 }

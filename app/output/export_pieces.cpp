@@ -56,7 +56,8 @@ Vec3 skin_normal(const Frame& frame, const SkinCorner& corner) {
   const TetId tet = skin_carrier(frame, corner.part);
   Corners corners;
   for (int i = 0; i < 4; ++i) corners.col(i) = frame.nodes.positions[frame.elements.tets[tet][i]];
-  return (cofactor(deformation_gradient(frame.elements.rest_elements[tet], corners)) * corner.normal).stableNormalized();
+  return (cofactor(deformation_gradient(frame.elements.rest_elements[tet], corners)) * corner.normal)
+      .stableNormalized();
 }
 
 void add_skin(std::span<PieceSurface> surfaces, const Frame& frame, const Skin& skin) {
