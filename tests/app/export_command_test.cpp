@@ -174,7 +174,7 @@ TEST(ExportCommand, BlenderFindsEveryThingWhereItIs) {
     ASSERT_TRUE(found.contains(thing.name));
     const Vec3 first = thing.poses.front().position, last = thing.poses.back().position;
     for (int i = 0; i < 3; ++i) {
-      if (thing.first_frame == 0) EXPECT_NEAR(found[thing.name]["first"][i].get<double>(), first[i], 1e-4);
+      EXPECT_NEAR(found[thing.name]["first"][i].get<double>(), first[i], 1e-4) << thing.name;
       EXPECT_NEAR(found[thing.name]["last"][i].get<double>(), last[i], 1e-4) << thing.name;
     }
   }
