@@ -30,7 +30,7 @@ struct BakedMaterial {
 struct BakedMesh {
   std::vector<Vec3> points;   ///< [m]
   std::vector<Vec3> normals;  ///< unit, per point
-  std::vector<Vec2> uvs;      ///< per point: texture coordinates of its surface, else a box projection [m]
+  std::vector<Vec2> uvs;      ///< per point: texture coordinates of its surface, v upwards; else a box projection [m]
   std::vector<std::array<int, 3>> outside_triangles;  ///< of points, counter-clockwise seen from outside
   std::vector<std::array<int, 3>> inside_triangles;   ///< the same, of faces that cracks opened
 };

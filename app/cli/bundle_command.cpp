@@ -1,8 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <optional>
 
@@ -18,7 +16,6 @@
 #include "app/shared/scene_world.h"
 #include "renderer/egl_context.h"
 #include "renderer/renderer.h"
-#include "sim/core/read_file.h"
 #include "sim/core/replace_file.h"
 #include "sim/recording/replay.h"
 #include "sim/scene/scene_reader.h"
@@ -32,14 +29,6 @@ struct BundleOptions {
   std::optional<int> frames;  ///< of a scene; 60 if not given
   int threads = 1;
 };
-
-/// Whether the file begins as Zstandard's do.
-bool is_compressed(const std::filesystem::path& path) {
-  require_regular_file(path);
-  std::array<char, 4> beginning = {};
-  std::ifstream(path, std::ios::binary).read(beginning.data(), beginning.size());
-  return beginning == std::array<char, 4>{'\x28', '\xB5', '\x2F', '\xFD'};
-}
 
 /// Draws a world that began as `first` as `griffith render` does, or says in `parts` why it cannot. Returns what drew
 /// it.
@@ -103,7 +92,7 @@ Recording replayed(const BundleOptions& options, ReportParts& parts) {
 }
 
 void bundle(const BundleOptions& options) {
-  const bool recorded = is_compressed(options.input);
+  const bool recorded = is_recording(options.input);
   if (recorded && options.frames)
     throw InputError("--frames", "is given for a recording", "leave it out: a recording has its own steps");
   check_replaceable(options.output);

@@ -2,10 +2,12 @@
 
 #include <griffith/version.h>
 
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <new>
 #include <optional>
@@ -17,6 +19,7 @@
 #include "app/shared/scene_files.h"
 #include "sim/core/error.h"
 #include "sim/core/parallel.h"
+#include "sim/core/read_file.h"
 
 namespace griffith::app {
 namespace {
@@ -160,6 +163,13 @@ int run(int argc, const char* const* argv) {
     std::fprintf(stderr, "griffith: %s\n", error.what());
     return kFailed;
   }
+}
+
+bool is_recording(const std::filesystem::path& path) {
+  require_regular_file(path);
+  std::array<char, 4> beginning = {};
+  std::ifstream(path, std::ios::binary).read(beginning.data(), beginning.size());
+  return beginning == std::array<char, 4>{'\x28', '\xB5', '\x2F', '\xFD'};
 }
 
 }  // namespace griffith::app

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -35,8 +36,13 @@ std::vector<SceneSetting> settings(const std::vector<std::string>& texts);
 /// Adds --jobs, --time-limit and --memory-limit. `effort` outlives the command.
 void add_effort(CLI::App& command, Effort& effort);
 
+/// Whether a file is a recording or a bug report and no scene: it begins as Zstandard's files do. Throws InputError
+/// when it cannot be read.
+bool is_recording(const std::filesystem::path& path);
+
 // Each is in a file of its own, with what its arguments mean.
 Command add_render(CLI::App& program);
+Command add_export(CLI::App& program);
 Command add_simulate(CLI::App& program);
 Command add_check(CLI::App& program);
 Command add_mesh(CLI::App& program);
@@ -48,7 +54,7 @@ Command add_bundle(CLI::App& program);
 Command add_script(CLI::App& program);
 
 /// All commands, in the order in which --help lists them.
-inline constexpr std::array kCommands = {add_render, add_simulate, add_check,  add_mesh,   add_regress,
-                                         add_sweep,  add_find,     add_replay, add_bundle, add_script};
+inline constexpr std::array kCommands = {add_render, add_export, add_simulate, add_check,  add_mesh,  add_regress,
+                                         add_sweep,  add_find,   add_replay,   add_bundle, add_script};
 
 }  // namespace griffith::app

@@ -1,11 +1,11 @@
 #include "app/output/export_pieces.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <string>
 
 #include "sim/core/error.h"
 #include "sim/core/replace_file.h"
+#include "sim/elasticity/element.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/splinters/carried_corner.h"
 
@@ -13,12 +13,13 @@ namespace griffith::app {
 namespace {
 
 template <class Polygon>
-void add_polygon(PieceSurface& surface, const Polygon& points) {
+void add_polygon(PieceSurface& surface, const Polygon& points, bool inside) {
   std::vector<int>& polygon = surface.polygons.emplace_back();
   for (const Vec3& point : points) {
     polygon.push_back(static_cast<int>(surface.points.size()));
     surface.points.push_back(point);
   }
+  surface.inside.push_back(inside);
 }
 
 /// The body that owns the splinter of a part.
@@ -26,48 +27,50 @@ BodyId body_of(const Frame& frame, int part) {
   return frame.elements.bodies[frame.splinters.splinters[frame.splinters.parts[part].splinter].owner];
 }
 
-void add_splinters(PieceSurface& surface, const Frame& frame, BodyId body, bool walls_only) {
+/// `is_skinned`: per scene body, whether its splinters have walls alone.
+void add_splinters(std::span<PieceSurface> surfaces, const Frame& frame, const std::vector<bool>& is_skinned) {
   for (const SplinterFace& face : frame.splinters.faces) {
-    if (body_of(frame, face.part) != body || (walls_only && face.beyond < 0)) continue;
-    if (face.beyond >= 0 && body_of(frame, face.beyond) == body) continue;
+    const BodyId body = body_of(frame, face.part);
+    if (face.beyond < 0 ? is_skinned[frame.bodies[body].scene_body] : body_of(frame, face.beyond) == body) continue;
     const TetId tet = carrier(frame.splinters.splinters, frame.splinters.parts, frame.splinters.attached, face.part);
     std::vector<Vec3> points;
     for (const SplinterCorner& corner : frame.splinters.corners.subspan(face.first_corner, face.corners))
       points.push_back(carried_position(corner, frame.splinters.attached[face.part], frame.elements.tets[tet],
                                         frame.nodes.positions));
-    add_polygon(surface, points);
+    add_polygon(surfaces[body], points, face.beyond >= 0);
   }
 }
 
-void add_tets(PieceSurface& surface, const Frame& frame, BodyId body, bool cracks_only) {
-  for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet) {
-    if (frame.elements.bodies[tet] != body) continue;
-    for (int face = 0; face < 4; ++face) {
-      const bool at_first = frame.elements.first_surface[tet] >> face & 1;
-      if (frame.elements.neighbours[tet][face].valid() || (cracks_only && at_first)) continue;
-      std::array<Vec3, 3> points;
-      for (int i = 0; i < 3; ++i) points[i] = frame.nodes.positions[frame.elements.tets[tet][kTetFaces[face][i]]];
-      add_polygon(surface, points);
-    }
+void add_tet(PieceSurface& surface, const Frame& frame, TetId tet, bool cracks_only) {
+  for (int face = 0; face < 4; ++face) {
+    const bool at_first = frame.elements.first_surface[tet] >> face & 1;
+    if (frame.elements.neighbours[tet][face].valid() || (cracks_only && at_first)) continue;
+    std::array<Vec3, 3> points;
+    for (int i = 0; i < 3; ++i) points[i] = frame.nodes.positions[frame.elements.tets[tet][kTetFaces[face][i]]];
+    add_polygon(surface, points, !at_first);
   }
 }
 
-void add_skin(PieceSurface& surface, const Frame& frame, BodyId body, const Skin& skin) {
+/// The normal of a corner of the skin as the tet that carries it has turned and stretched it since the start.
+Vec3 skin_normal(const Frame& frame, const SkinCorner& corner) {
+  const TetId tet = skin_carrier(frame, corner.part);
+  Corners corners;
+  for (int i = 0; i < 4; ++i) corners.col(i) = frame.nodes.positions[frame.elements.tets[tet][i]];
+  return (cofactor(deformation_gradient(frame.elements.rest_elements[tet], corners)) * corner.normal)
+      .stableNormalized();
+}
+
+void add_skin(std::span<PieceSurface> surfaces, const Frame& frame, const Skin& skin) {
   for (int i = 0; i < skin.polygons(); ++i) {
-    if (frame.elements.bodies[skin.polygon(i).front().part.owner] != body) continue;
+    PieceSurface& surface = surfaces[frame.elements.bodies[skin.polygon(i).front().part.owner]];
     std::vector<Vec3> points;
     for (const SkinCorner& corner : skin.polygon(i)) {
       points.push_back(skin_position(frame, corner));
+      surface.normals.push_back(skin_normal(frame, corner));
       if (skin.has_uvs) surface.uvs.push_back(corner.uv);
     }
-    add_polygon(surface, points);
+    add_polygon(surface, points, false);
   }
-}
-
-bool has_splinters(const Frame& frame, int scene_body) {
-  for (const Splinter& splinter : frame.splinters.splinters)
-    if (splinter.scene_body == scene_body) return true;
-  return false;
 }
 
 std::string obj_text(const PieceSurface& surface) {
@@ -94,18 +97,33 @@ std::string obj_text(const PieceSurface& surface) {
 
 }  // namespace
 
-PieceSurface piece_surface(const Frame& frame, BodyId body, std::span<const Skin> skins) {
-  PieceSurface surface;
-  const int scene_body = frame.bodies[body].scene_body;
-  const auto skin = std::ranges::find(skins, scene_body, &Skin::scene_body);
-  const bool is_skinned = skin != skins.end();
-  if (is_skinned) add_skin(surface, frame, body, *skin);
-  if (has_splinters(frame, scene_body)) {
-    add_splinters(surface, frame, body, is_skinned);
-  } else {
-    add_tets(surface, frame, body, is_skinned);
+std::vector<PieceSurface> piece_surfaces(const Frame& frame, std::span<const Skin> skins) {
+  std::vector<PieceSurface> surfaces(frame.bodies.size());
+  std::vector<bool> is_skinned(frame.materials.size()), has_splinters(frame.materials.size());
+  for (const Skin& skin : skins) is_skinned[skin.scene_body] = true;
+  for (const Splinter& splinter : frame.splinters.splinters) has_splinters[splinter.scene_body] = true;
+  for (const Skin& skin : skins) add_skin(surfaces, frame, skin);
+  add_splinters(surfaces, frame, is_skinned);
+  for (TetId tet(0); tet < std::ssize(frame.elements.tets); ++tet.value) {
+    const BodyId body = frame.elements.bodies[tet];
+    const int scene_body = frame.bodies[body].scene_body;
+    if (!has_splinters[scene_body]) add_tet(surfaces[body], frame, tet, is_skinned[scene_body]);
   }
-  if (!surface.uvs.empty()) surface.uvs.resize(surface.points.size(), Vec2::Zero());
+  for (PieceSurface& surface : surfaces) {
+    if (!surface.normals.empty()) surface.normals.resize(surface.points.size(), Vec3::Zero());
+    if (!surface.uvs.empty()) surface.uvs.resize(surface.points.size(), Vec2::Zero());
+  }
+  return surfaces;
+}
+
+PieceSurface piece_surface(const Frame& frame, BodyId body, std::span<const Skin> skins) {
+  return piece_surfaces(frame, skins)[body];
+}
+
+PieceSurface tet_surface(const Frame& frame, BodyId body) {
+  PieceSurface surface;
+  for (TetId tet(0); tet < std::ssize(frame.elements.tets); ++tet.value)
+    if (frame.elements.bodies[tet] == body) add_tet(surface, frame, tet, false);
   return surface;
 }
 
@@ -115,8 +133,9 @@ void export_pieces(const std::filesystem::path& folder, const Frame& frame, cons
   if (!std::filesystem::is_directory(folder))
     throw InputError(folder.string(), "is no folder and cannot be made one", "name a folder that may be written to");
   const FrameWithShards sharded(frame, shards);
+  const std::vector<PieceSurface> surfaces = piece_surfaces(sharded.frame(), shards.skins());
   for (const BodyView& body : frame.bodies) {
-    const PieceSurface surface = piece_surface(sharded.frame(), body.id, shards.skins());
+    const PieceSurface& surface = surfaces[body.id];
     if (surface.polygons.empty()) continue;  // tets too small to own a splinter
     char name[32];
     std::snprintf(name, sizeof name, "body_%04d.obj", body.id.value);

@@ -76,7 +76,7 @@ TEST(IncludeRules, ThirdPartyLibrariesStayInTheirPlaces) {
   expect_only_in(kBullet, "^sim/(contact/|geometry/convex_hull\\.cpp$)");
   expect_only_in("^(tbb|oneapi/tbb)/", "^sim/core/parallel\\.cpp$");
   expect_only_in("^nlohmann/",
-                 "^(sim/(scene/|recording/versions\\.cpp$)|app/(editor/preferences_file|output/"
+                 "^(sim/(scene/|recording/versions\\.cpp$)|app/(editor/preferences_file|export/bake_json|output/"
                  "((mesh_)?statistics|crack_event_file)|"
                  "render/(read_render_jobs|picture_output)|regress/run_suite|"
                  "study/(run_record|sweep_folder|sweep_page|find_report))\\.cpp$)");
@@ -84,6 +84,7 @@ TEST(IncludeRules, ThirdPartyLibrariesStayInTheirPlaces) {
   expect_only_in("^GLFW/", "^app/editor/window\\.cpp$");
   expect_only_in("^CLI/", "^app/cli/");
   expect_only_in("^archive", "^sim/recording/file_tree\\.cpp$");
+  expect_only_in("^tiny_gltf", "^app/export/tiny_gltf\\.h$");
   expect_only_in("^xxhash", "^sim/core/hash_bytes\\.cpp$");
   expect_only_in("^voro", "^sim/splinters/voronoi_cells\\.cpp$");
   expect_only_in("^stb", "^renderer/image\\.cpp$");
@@ -140,6 +141,8 @@ TEST(IncludeRules, LowerFoldersOfTheProgramKnowNoHigherOnes) {
   expect_rules_kept("app", {{"app/shared", "^app/shared$"},
                             {"app/picture", "^app/(shared|picture)$"},
                             {"app/output", "^app/(shared|picture|output)$"},
+                            {"app/bake", "^app/(picture|output|bake)$"},
+                            {"app/export", "^app/(output|bake|export)$"},
                             {"app/editor", "^app/(shared|picture|output|editor)$"},
                             {"app/render", "^app/(shared|picture|output|editor|render)$"},
                             {"app/regress", "^app/(shared|output|render|regress)$"},

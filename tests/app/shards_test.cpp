@@ -249,7 +249,7 @@ TEST(Shards, OfASurfaceAreClosed) {
     if (surface.polygons.empty()) continue;
     const double open = openness(surface);
     worst = std::max(worst, open), area_weighted += open, ++pieces;
-    sum += enclosed_volume({surface.points, {}, surface.polygons});
+    sum += enclosed_volume(surface);
   }
   EXPECT_NEAR(sum, all, 0.03 * all);
   EXPECT_LT(area_weighted / pieces, 0.01);

@@ -1,0 +1,34 @@
+#include "app/bake/baked_materials.h"
+
+#include <cmath>
+
+#include "app/picture/natural_materials.h"
+
+namespace griffith::app {
+namespace {
+
+/// IEC 61966-2-1.
+double linear(double srgb) { return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4); }
+
+/// What is clear lets through two thirds of the light and is polished; the more uneven the rest, the rougher it is.
+BakedMaterial baked(const render::EmbeddedMaterial& material, const std::string& name) {
+  const bool is_clear = material.clear_depth > 0;
+  const render::Rgb color = material.color;
+  return {name, Vec3(linear(color.r), linear(color.g), linear(color.b)), is_clear ? 1.0 / 3 : 1.0,
+          is_clear ? 0.05 : std::min(1.0, 0.4 + 2 * double(material.roughness))};
+}
+
+}  // namespace
+
+std::vector<BakedMaterial> baked_materials(const Scene& scene, std::span<const std::string> stems) {
+  const std::vector<render::EmbeddedMaterial> looks = natural_materials(scene);
+  std::vector<BakedMaterial> materials;
+  for (int body = 0; body < std::ssize(scene.bodies); ++body) {
+    materials.push_back(baked(looks[look_index(body, Look::outside)], stems[body] + "_outside"));
+    materials.push_back(baked(looks[look_index(body, Look::inside)], stems[body] + "_inside"));
+  }
+  materials.push_back({stems.back(), Vec3::Constant(0.05), 1, 0.4});
+  return materials;
+}
+
+}  // namespace griffith::app

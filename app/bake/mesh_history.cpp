@@ -1,0 +1,77 @@
+#include "app/bake/mesh_history.h"
+
+#include <Eigen/LU>
+#include <limits>
+
+namespace griffith::app {
+namespace {
+
+/// Barycentric coordinates of points in a tet, a column each.
+template <class Points>
+auto barycentric(const Corners& tet, const Points& points) {
+  constexpr int kCount = Points::ColsAtCompileTime;
+  Eigen::Matrix4d with_ones;
+  with_ones << tet, Eigen::RowVector4d::Ones();
+  Eigen::Matrix<double, 4, kCount> right;
+  right << points, Eigen::Matrix<double, 1, kCount>::Ones();
+  return Eigen::Matrix<double, 4, kCount>(with_ones.inverse() * right);
+}
+
+}  // namespace
+
+MeshHistory::MeshHistory(std::vector<MeshState> states, std::span<const Vec3> rest_positions)
+    : states_(std::move(states)),
+      rest_positions_(rest_positions.begin(), rest_positions.end()),
+      parents_(states_.back().tets.size()) {
+  for (std::size_t i = 1; i < states_.size(); ++i)
+    if (states_[i].tets.size() > states_[i - 1].tets.size()) find_parents(states_[i - 1], states_[i]);
+}
+
+Corners MeshHistory::rest_corners(const MeshState& state, TetId tet) const {
+  Corners corners;
+  for (int i = 0; i < 4; ++i) corners.col(i) = rest_positions_[state.tets[tet][i]];
+  return corners;
+}
+
+/// What was cut out of a tet lies in it at rest, and left less of it.
+void MeshHistory::find_parents(const MeshState& before, const MeshState& after) {
+  std::vector<TetId> cut;
+  for (TetId tet(0); tet < std::ssize(before.tets); ++tet.value)
+    if (rest_corners(before, tet) != rest_corners(after, tet)) cut.push_back(tet);
+  for (TetId tet(std::ssize(before.tets)); tet < std::ssize(after.tets); ++tet.value) {
+    const Vec3 middle = rest_corners(after, tet).rowwise().mean();
+    double deepest = -std::numeric_limits<double>::infinity();
+    for (const TetId candidate : cut) {
+      const double depth = barycentric(rest_corners(before, candidate), middle).minCoeff();
+      if (depth > deepest) deepest = depth, parents_[tet] = candidate;
+    }
+  }
+}
+
+TetOrigin MeshHistory::origin(int state, TetId tet) const {
+  const MeshState& then = states_[state];
+  TetId origin = tet;
+  while (origin >= std::ssize(then.tets)) origin = parents_[origin];
+  const Corners now_at_rest = rest_corners(states_.back(), tet), then_at_rest = rest_corners(then, origin);
+  if (now_at_rest == then_at_rest) return {origin, Eigen::Matrix4d::Identity()};
+  return {origin, barycentric(then_at_rest, now_at_rest)};
+}
+
+Corners MeshHistory::corners(int state, TetId tet) const {
+  const TetOrigin from = origin(state, tet);
+  Corners corners;
+  for (int i = 0; i < 4; ++i) corners.col(i) = states_[state].positions[states_[state].tets[from.tet][i]];
+  return corners * from.weights;
+}
+
+std::vector<Vec3> MeshHistory::positions(int state) const {
+  std::vector<Vec3> positions(rest_positions_.size());
+  const auto& tets = states_.back().tets;
+  for (TetId tet(0); tet < std::ssize(tets); ++tet.value) {
+    const Corners at = corners(state, tet);
+    for (int i = 0; i < 4; ++i) positions[tets[tet][i]] = at.col(i);
+  }
+  return positions;
+}
+
+}  // namespace griffith::app

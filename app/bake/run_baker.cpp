@@ -1,0 +1,150 @@
+#include "app/bake/run_baker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/bake/baked_materials.h"
+#include "app/bake/piece_bonds.h"
+#include "app/bake/piece_poses.h"
+#include "app/bake/thing_mesh.h"
+#include "app/bake/thing_names.h"
+
+namespace griffith::app {
+namespace {
+
+MeshState mesh_of(const Frame& frame) {
+  return {{frame.elements.tets.begin(), frame.elements.tets.end()},
+          {frame.nodes.positions.begin(), frame.nodes.positions.end()}};
+}
+
+/// Bodies by scene body, then number.
+std::vector<BodyId> sorted_pieces(const Frame& last) {
+  std::vector<BodyId> pieces;
+  for (const BodyView& body : last.bodies)
+    if (body.tets > 0) pieces.push_back(body.id);
+  std::ranges::stable_sort(pieces, {}, [&](BodyId id) { return last.bodies[id].scene_body; });
+  return pieces;
+}
+
+/// Frames a second: a whole number where the steps are so even, so that other programs count frames alike.
+double rate_of(std::span<const double> times, double time_step) {
+  const double rate =
+      times.size() < 2 ? 1 / time_step : static_cast<double>(times.size() - 1) / (times.back() - times.front());
+  const double whole = std::round(rate);
+  return whole > 0 && std::abs(rate - whole) < 1e-6 * whole ? whole : rate;
+}
+
+/// When the last crack so far opened; minus infinity: there is none.
+double last_crack_time(const Frame& frame) {
+  double last = -std::numeric_limits<double>::infinity();
+  for (const std::array<double, 4>& tet : frame.elements.opened)
+    for (const double opened : tet)
+      if (opened > last) last = opened;
+  return last;
+}
+
+/// Surfaces of the last frame's bodies with its nodes elsewhere. A piece that owns no splinter, since splinters are
+/// larger than it, has the faces of its tets. What its neighbours' splinters show of the same matter stays theirs: at
+/// rest the two overlap by no more than the piece.
+std::vector<PieceSurface> surfaces_at(const Frame& last, const Shards& shards, std::span<const Vec3> positions) {
+  const FrameWithShards sharded(last, shards);
+  Frame moved = sharded.frame();
+  moved.nodes.positions = positions;
+  std::vector<PieceSurface> surfaces = piece_surfaces(moved, shards.skins());
+  for (const BodyView& body : last.bodies)
+    if (surfaces[body.id].polygons.empty()) surfaces[body.id] = tet_surface(moved, body.id);
+  return surfaces;
+}
+
+/// When each thing last parted from another: with the last of its bonds.
+void set_break_times(Bake& bake) {
+  for (const BakedBond& bond : bake.bonds)
+    for (const int thing : {bond.a, bond.b})
+      bake.things[thing].break_time = std::max(bake.things[thing].break_time, bond.break_time);
+}
+
+}  // namespace
+
+RunBaker::RunBaker(const Frame& start, const Scene& scene)
+    : scene_(scene),
+      shards_(start, scene),
+      strength_factors_(strength_factors_at_start(start, scene)),
+      meshes_{mesh_of(start)} {}
+
+void RunBaker::follow(const Frame& frame) {
+  if (times_.empty()) opened_before_ = last_crack_time(frame);
+  meshes_.push_back(mesh_of(frame));
+  times_.push_back(frame.time);
+  std::vector<Pose>& poses = projectiles_.emplace_back();
+  for (const ProjectileView& projectile : frame.projectiles)
+    poses.push_back({projectile.position, projectile.rotation});
+}
+
+Bake RunBaker::finish(const Frame& last, bool deformed) {
+  shards_.follow(last, scene_);
+  const MeshHistory history(std::move(meshes_), last.nodes.rest_positions);
+  const std::vector<BodyId> pieces = sorted_pieces(last);
+  std::vector<int> thing_of_body(last.bodies.size(), -1);
+  for (int i = 0; i < std::ssize(pieces); ++i) thing_of_body[pieces[i]] = i;
+  const std::vector<std::string> stems = name_stems(scene_);
+  Bake bake;
+  bake.scene_name = scene_.name;
+  bake.frames_per_second = rate_of(times_, scene_.simulation.time_step);
+  bake.times = times_;
+  bake.materials = baked_materials(scene_, stems);
+  add_pieces(bake, last, history, pieces, stems);
+  if (deformed) add_deformed_points(bake, last, history, pieces);
+  add_projectiles(bake, last, stems.back());
+  bake.bonds = piece_bonds({last, history, strength_factors_, thing_of_body, opened_before_});
+  set_break_times(bake);
+  return bake;
+}
+
+void RunBaker::add_pieces(Bake& bake, const Frame& last, const MeshHistory& history, std::span<const BodyId> pieces,
+                          std::span<const std::string> stems) const {
+  const std::vector<PieceSurface> surfaces = surfaces_at(last, shards_, history.positions(1));
+  std::vector<std::vector<Pose>> poses = piece_poses(last, history, 1);
+  std::vector<int> numbers(scene_.bodies.size());
+  for (const BodyId id : pieces) {
+    const BodyView& body = last.bodies[id];
+    BakedThing& thing = bake.things.emplace_back();
+    thing.name = numbered_name(stems[body.scene_body], numbers[body.scene_body]++);
+    thing.scene_body = body.scene_body;
+    thing.mass = body.mass;
+    thing.is_supported = body.supported;
+    thing.outside_material = 2 * body.scene_body;
+    thing.inside_material = thing.outside_material + 1;
+    thing.poses = std::move(poses[id]);
+    thing.mesh = piece_mesh(surfaces[id], thing.poses.front().position);
+  }
+}
+
+void RunBaker::add_deformed_points(Bake& bake, const Frame& last, const MeshHistory& history,
+                                   std::span<const BodyId> pieces) const {
+  for (int frame = 0; frame < std::ssize(times_); ++frame) {
+    const std::vector<PieceSurface> surfaces = surfaces_at(last, shards_, history.positions(1 + frame));
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const Pose& pose = bake.things[i].poses[frame];
+      std::vector<Vec3>& points = bake.things[i].deformed_points.emplace_back();
+      for (const Vec3& point : surfaces[pieces[i]].points)
+        points.push_back(pose.rotation.conjugate() * (point - pose.position));
+    }
+  }
+}
+
+void RunBaker::add_projectiles(Bake& bake, const Frame& last, const std::string& stem) const {
+  for (int i = 0; i < std::ssize(last.projectiles); ++i) {
+    BakedThing& thing = bake.things.emplace_back();
+    thing.name = numbered_name(stem, i);
+    thing.mass = last.projectiles[i].mass;
+    thing.outside_material = thing.inside_material = static_cast<int>(bake.materials.size()) - 1;
+    thing.mesh = projectile_mesh(last.projectiles[i]);
+    const auto seen = [&](const std::vector<Pose>& poses) { return std::ssize(poses) > i; };
+    const auto first = std::ranges::find_if(projectiles_, seen);
+    thing.first_frame = static_cast<int>(first - projectiles_.begin());
+    for (auto poses = first; poses != projectiles_.end(); ++poses) thing.poses.push_back((*poses)[i]);
+  }
+}
+
+}  // namespace griffith::app

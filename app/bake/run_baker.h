@@ -1,0 +1,44 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/bake/bake.h"
+#include "app/bake/mesh_history.h"
+#include "app/picture/shards.h"
+#include "sim/scene/scene.h"
+#include "sim/world/frame.h"
+
+namespace griffith::app {
+
+/// Makes a Bake of a run: follows its frames, and in the last one, which alone knows the pieces, finds where these
+/// were all along.
+class RunBaker {
+ public:
+  /// `start`: the world's first frame. `scene`: of the world; must outlive this. Throws InputError when a surface
+  /// cannot be read.
+  RunBaker(const Frame& start, const Scene& scene);
+
+  /// Adds a frame to those that are baked, later than all before.
+  void follow(const Frame& frame);
+  /// Bakes what was followed. `last`: the frame that was followed last. `deformed`: with deformed points.
+  Bake finish(const Frame& last, bool deformed = false);
+
+ private:
+  void add_pieces(Bake& bake, const Frame& last, const MeshHistory& history, std::span<const BodyId> pieces,
+                  std::span<const std::string> stems) const;
+  void add_deformed_points(Bake& bake, const Frame& last, const MeshHistory& history,
+                           std::span<const BodyId> pieces) const;
+  void add_projectiles(Bake& bake, const Frame& last, const std::string& stem) const;
+
+  const Scene& scene_;
+  Shards shards_;
+  std::vector<double> strength_factors_;  ///< per node of the start
+  std::vector<MeshState> meshes_;         ///< of the start, then of the baked frames
+  std::vector<double> times_;
+  double opened_before_ = 0;                    ///< when the last crack opened that the first baked frame has [s]
+  std::vector<std::vector<Pose>> projectiles_;  ///< per baked frame
+};
+
+}  // namespace griffith::app

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <filesystem>
+
+#include "app/bake/bake.h"
+
+namespace griffith::app {
+
+/// Throws InputError unless the file's suffix names a format of export_bake(): .glb, .usda, .json, .csv.
+void check_bake_path(const std::filesystem::path& path);
+
+/// Writes a bake in the format that the file's suffix names; returns the size of the file [bytes]. Throws InputError
+/// where that fails.
+std::size_t export_bake(const std::filesystem::path& path, const Bake& bake);
+
+}  // namespace griffith::app

@@ -1,0 +1,2 @@
+#define TINYGLTF_IMPLEMENTATION
+#include "app/export/tiny_gltf.h"

@@ -1,0 +1,158 @@
+#include "app/export/usda_file.h"
+
+#include "app/export/pose_keys.h"
+#include "app/export/usda_text.h"
+
+namespace griffith::app {
+namespace {
+
+/// "<frame>: <text of the key>" of each key, as time samples want it.
+template <class Text>
+void append_samples(UsdaText& usda, const std::string& attribute, const BakedThing& thing, const Text& text) {
+  usda.open(attribute + " =");
+  for (const int key : pose_keys(thing))
+    usda.line(std::to_string(thing.first_frame + key) + ": " + text(thing.poses[key]) + ",");
+  usda.close();
+}
+
+std::string orientation(const Pose& pose) {
+  const Quat& q = pose.rotation;
+  return usda_tuple({q.w(), q.x(), q.y(), q.z()});
+}
+
+std::string translation(const Pose& pose) { return usda_tuple(pose.position); }
+
+void append_motion(UsdaText& usda, const BakedThing& thing) {
+  append_samples(usda, "double3 xformOp:translate.timeSamples", thing, translation);
+  append_samples(usda, "quatf xformOp:orient.timeSamples", thing, orientation);
+  usda.line(R"(uniform token[] xformOpOrder = ["xformOp:translate", "xformOp:orient"])");
+  if (thing.first_frame == 0) return;
+  usda.open("token visibility.timeSamples =");
+  usda.line("0: \"invisible\",");
+  usda.line(std::to_string(thing.first_frame) + ": \"inherited\",");
+  usda.close();
+}
+
+void append_properties(UsdaText& usda, const BakedThing& thing) {
+  usda.line("custom double griffith:mass = " + usda_number(thing.mass));
+  usda.line("custom bool griffith:isSupported = " + std::to_string(thing.is_supported));
+  usda.line("custom int griffith:sceneBody = " + std::to_string(thing.scene_body));
+  if (thing.break_time) usda.line("custom double griffith:breakTime = " + usda_number(*thing.break_time));
+}
+
+std::string corners_text(const std::vector<std::array<int, 3>>& triangles) {
+  std::string text;
+  for (const std::array<int, 3>& triangle : triangles)
+    for (const int corner : triangle) text += (text.empty() ? "" : ", ") + std::to_string(corner);
+  return text;
+}
+
+std::string consecutive(std::size_t first, std::size_t count) {
+  std::string text;
+  for (std::size_t i = first; i < first + count; ++i) text += (i > first ? ", " : "") + std::to_string(i);
+  return '[' + text + ']';
+}
+
+void append_subset(UsdaText& usda, const std::string& name, const std::string& faces, const std::string& material) {
+  usda.open("def GeomSubset \"" + name + "\" (prepend apiSchemas = [\"MaterialBindingAPI\"])");
+  usda.line(R"(uniform token elementType = "face")");
+  usda.line(R"(uniform token familyName = "materialBind")");
+  usda.line("int[] indices = " + faces);
+  usda.line("rel material:binding = </World/Materials/" + material + ">");
+  usda.close();
+}
+
+void append_deformation(UsdaText& usda, const BakedThing& thing) {
+  if (thing.deformed_points.empty()) return;
+  usda.open("point3f[] points.timeSamples =");
+  for (std::size_t i = 0; i < thing.deformed_points.size(); ++i)
+    usda.line(std::to_string(static_cast<std::size_t>(thing.first_frame) + i) + ": " +
+              usda_array(thing.deformed_points[i]) + ",");
+  usda.close();
+}
+
+void append_mesh(UsdaText& usda, const BakedThing& thing, const std::vector<BakedMaterial>& materials) {
+  const BakedMesh& mesh = thing.mesh;
+  const std::size_t outside = mesh.outside_triangles.size(), inside = mesh.inside_triangles.size();
+  std::string counts, corners = corners_text(mesh.outside_triangles);
+  for (std::size_t i = 0; i < outside + inside; ++i) counts += i ? ", 3" : "3";
+  if (outside && inside) corners += ", ";
+  corners += corners_text(mesh.inside_triangles);
+  Eigen::AlignedBox3d box;
+  for (const Vec3& point : mesh.points) box.extend(point);
+  usda.open("def Mesh \"surface\"");
+  usda.line(R"(uniform token subdivisionScheme = "none")");
+  usda.line("float3[] extent = [" + usda_tuple(box.min()) + ", " + usda_tuple(box.max()) + "]");
+  usda.line("int[] faceVertexCounts = [" + counts + "]");
+  usda.line("int[] faceVertexIndices = [" + corners + "]");
+  usda.line("point3f[] points = " + usda_array(mesh.points));
+  append_deformation(usda, thing);
+  usda.line("normal3f[] normals = " + usda_array(mesh.normals) + " (interpolation = \"vertex\")");
+  usda.line("texCoord2f[] primvars:st = " + usda_array(mesh.uvs) + " (interpolation = \"vertex\")");
+  if (outside) append_subset(usda, "outside", consecutive(0, outside), materials[thing.outside_material].name);
+  if (inside) append_subset(usda, "inside", consecutive(outside, inside), materials[thing.inside_material].name);
+  usda.close();
+}
+
+void append_thing(UsdaText& usda, const BakedThing& thing, const std::vector<BakedMaterial>& materials) {
+  usda.open("def Xform \"" + thing.name + "\"");
+  append_motion(usda, thing);
+  append_properties(usda, thing);
+  append_mesh(usda, thing, materials);
+  usda.close();
+}
+
+void append_material(UsdaText& usda, const BakedMaterial& material) {
+  usda.open("def Material \"" + material.name + "\"");
+  usda.line("token outputs:surface.connect = </World/Materials/" + material.name + "/shader.outputs:surface>");
+  usda.open("def Shader \"shader\"");
+  usda.line(R"(uniform token info:id = "UsdPreviewSurface")");
+  usda.line("color3f inputs:diffuseColor = " + usda_tuple(material.color));
+  usda.line("float inputs:metallic = 0");
+  usda.line("float inputs:opacity = " + usda_number(material.opacity));
+  usda.line("float inputs:roughness = " + usda_number(material.roughness));
+  usda.line("token outputs:surface");
+  usda.close();
+  usda.close();
+}
+
+/// Bonds are a prim of arrays, one entry a bond.
+void append_bonds(UsdaText& usda, const Bake& bake) {
+  std::vector<Vec3> centers, normals;
+  std::string from, to, areas, strengths, break_times;
+  const auto append = [](std::string& list, const std::string& entry) { list += (list.empty() ? "" : ", ") + entry; };
+  for (const BakedBond& bond : bake.bonds) {
+    append(from, '"' + bake.things[bond.a].name + '"');
+    append(to, '"' + bake.things[bond.b].name + '"');
+    append(areas, usda_number(bond.area));
+    append(strengths, usda_number(bond.strength));
+    append(break_times, bond.break_time ? usda_number(*bond.break_time) : "inf");
+    centers.push_back(bond.center);
+    normals.push_back(bond.normal);
+  }
+  usda.open("def Scope \"Bonds\"");
+  usda.line("custom string[] griffith:a = [" + from + "]");
+  usda.line("custom string[] griffith:b = [" + to + "]");
+  usda.line("custom double[] griffith:area = [" + areas + "]");
+  usda.line("custom double[] griffith:strength = [" + strengths + "]");
+  usda.line("custom double[] griffith:breakTime = [" + break_times + "]");
+  usda.line("custom float3[] griffith:center = " + usda_array(centers));
+  usda.line("custom float3[] griffith:normal = " + usda_array(normals));
+  usda.close();
+}
+
+}  // namespace
+
+std::string usda_file(const Bake& bake) {
+  UsdaText usda(bake.frames_per_second, static_cast<int>(bake.times.size()) - 1);
+  usda.open("def Xform \"World\"");
+  usda.open("def Scope \"Materials\"");
+  for (const BakedMaterial& material : bake.materials) append_material(usda, material);
+  usda.close();
+  for (const BakedThing& thing : bake.things) append_thing(usda, thing, bake.materials);
+  append_bonds(usda, bake);
+  usda.close();
+  return usda.text();
+}
+
+}  // namespace griffith::app

@@ -1,0 +1,201 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "baked_run.h"
+#include "sim/meshing/surface.h"
+#include "tests/world/scenes.h"
+
+namespace griffith::app {
+namespace {
+
+Scene baked_wall() { return testing::shot_wall(Vec3(2, 2, 0.5), 0.5, testing::brick(0.02)); }
+
+/// A wall whose pieces show their tets, cut by remeshing.
+Scene remeshed_wall() {
+  Scene scene = baked_wall();
+  scene.bodies[0].remeshing = true;
+  return scene;
+}
+
+TriangleSurface surface_of(const BakedMesh& mesh) { return {mesh.points, all_triangles(mesh), {}, {}}; }
+
+/// The sum of area vectors over the area: 0 for a closed surface.
+double openness_of(const BakedMesh& mesh) {
+  const TriangleSurface surface = surface_of(mesh);
+  Vec3 sum = Vec3::Zero();
+  for (int i = 0; i < std::ssize(surface.triangles); ++i) sum += area_vector(corners_of(surface, i));
+  return sum.norm() / surface_area(surface);
+}
+
+double mass_of_pieces(const Bake& bake) {
+  double mass = 0;
+  for (const BakedThing& thing : bake.things) mass += thing.scene_body >= 0 ? thing.mass : 0;
+  return mass;
+}
+
+TEST(Bake, PiecesOfTetsEncloseTheirMass) {
+  for (const int first : {0, 12}) {
+    const Scene scene = remeshed_wall();
+    const Bake bake = baked_run(scene, first, 30);
+    ASSERT_GT(bake.things.size(), 10u);
+    EXPECT_NEAR(mass_of_pieces(bake), 2 * scene.bodies[0].material.density, 1e-6);
+    for (const BakedThing& thing : bake.things) {
+      EXPECT_LT(openness_of(thing.mesh), 1e-9) << thing.name;
+      if (thing.scene_body < 0 || first > 0) continue;  // in later frames pieces are strained
+      EXPECT_NEAR(enclosed_volume(surface_of(thing.mesh)), thing.mass / scene.bodies[0].material.density, 1e-9)
+          << thing.name;
+    }
+  }
+}
+
+TEST(Bake, ShardsShareOutTheBody) {
+  const Bake bake = baked_run(baked_wall(), 0, 30);
+  ASSERT_GT(bake.things.size(), 10u);
+  double volume = 0;
+  for (const BakedThing& thing : bake.things) {
+    EXPECT_LT(openness_of(thing.mesh), 1e-5) << thing.name;
+    if (thing.scene_body >= 0) volume += enclosed_volume(surface_of(thing.mesh));
+  }
+  EXPECT_NEAR(volume, 2, 1e-5);
+}
+
+TEST(Bake, FirstPosesPutPiecesWhereTheFirstFrameHasThem) {
+  for (const Scene& scene : {baked_wall(), remeshed_wall()}) {
+    World world(scene);
+    for (int i = 0; i < 12; ++i) world.step();
+    Eigen::AlignedBox3d frame_box, box;
+    for (const Vec3& position : world.frame().nodes.positions) frame_box.extend(position);
+    for (const BakedThing& thing : baked_run(scene, 12, 30).things)
+      for (const Vec3& point : thing.mesh.points)
+        if (thing.scene_body >= 0) box.extend(placed(thing.poses.front(), point));
+    EXPECT_LT((box.min() - frame_box.min()).norm(), 1e-5);
+    EXPECT_LT((box.max() - frame_box.max()).norm(), 1e-5);
+  }
+}
+
+TEST(Bake, DeformedPointsAreWhereTheLastFrameHasThem) {
+  const Scene scene = remeshed_wall();
+  World world(scene);
+  for (int i = 0; i < 30; ++i) world.step();
+  const Bake bake = baked_run(scene, 0, 30, true);
+  Eigen::AlignedBox3d frame_box, box;
+  for (const Vec3& position : world.frame().nodes.positions) frame_box.extend(position);
+  for (const BakedThing& thing : bake.things) {
+    if (thing.scene_body < 0) continue;
+    ASSERT_EQ(thing.deformed_points.size(), 31u);
+    for (const Vec3& point : thing.deformed_points.back()) box.extend(placed(thing.poses.back(), point));
+    for (std::size_t i = 0; i < thing.mesh.points.size(); ++i)
+      EXPECT_LT((thing.deformed_points.front()[i] - thing.mesh.points[i]).norm(), 1e-9);
+  }
+  EXPECT_LT((box.min() - frame_box.min()).norm(), 1e-9);
+  EXPECT_LT((box.max() - frame_box.max()).norm(), 1e-9);
+}
+
+TEST(Bake, AFreeBodyMovesAndTurnsEvenly) {
+  Scene scene = testing::struck_block(testing::brick(1e3));
+  scene.projectiles.clear();
+  scene.bodies[0].velocity = Vec3(1, 2, 3);
+  scene.bodies[0].angular_velocity = Vec3(0, 0, 2);
+  const Bake bake = baked_run(scene, 0, 60);
+  ASSERT_EQ(bake.things.size(), 1u);
+  const std::vector<Pose>& poses = bake.things[0].poses;
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const double time = bake.times[i];
+    EXPECT_LT((poses[i].position - poses[0].position - time * Vec3(1, 2, 3)).norm(), 1e-6) << i;
+    const Quat turned(Eigen::AngleAxisd(2 * time, Vec3::UnitZ()));
+    EXPECT_LT(poses[i].rotation.angularDistance(turned), 1e-2) << i;
+  }
+  EXPECT_EQ(bake.frames_per_second, 60);
+  EXPECT_FALSE(bake.things[0].break_time);
+}
+
+TEST(Bake, WhatRestsStaysWhereItIs) {
+  Scene scene = baked_wall();
+  scene.projectiles.clear();
+  scene.bodies[0].material = testing::brick(1);
+  const Bake bake = baked_run(scene, 0, 20);
+  ASSERT_EQ(bake.things.size(), 1u);
+  for (const Pose& pose : bake.things[0].poses) {
+    EXPECT_LT((pose.position - bake.things[0].poses[0].position).norm(), 1e-7);
+    EXPECT_LT(pose.rotation.angularDistance(Quat::Identity()), 1e-7);
+  }
+}
+
+/// Until a crack parts them, they move as the body does.
+TEST(Bake, PiecesOfAWholeBodyMoveTogether) {
+  const Bake bake = baked_run(baked_wall(), 0, 30);
+  for (std::size_t frame = 0; frame < bake.times.size() && bake.times[frame] < 0.05; ++frame)
+    for (const BakedThing& thing : bake.things) {
+      if (thing.scene_body < 0) continue;
+      EXPECT_LT((thing.poses[frame].position - thing.poses[0].position).norm(), 1e-4);
+      EXPECT_LT(thing.poses[frame].rotation.angularDistance(Quat::Identity()), 1e-3);
+    }
+}
+
+TEST(Bake, BondsLieBetweenTheirPieces) {
+  for (const Scene& scene : {baked_wall(), remeshed_wall()}) {
+    const Bake bake = baked_run(scene, 0, 30);
+    ASSERT_FALSE(bake.bonds.empty());
+    double inside = 0, bonds = 0;
+    for (const BakedThing& thing : bake.things)
+      inside += surface_area({thing.mesh.points, thing.mesh.inside_triangles, {}, {}});
+    for (const BakedBond& bond : bake.bonds) {
+      const BakedThing &a = bake.things[bond.a], &b = bake.things[bond.b];
+      EXPECT_LT(bond.a, bond.b);
+      EXPECT_NEAR(bond.normal.norm(), 1, 1e-12);
+      EXPECT_NEAR(bond.strength, scene.bodies[0].material.tensile_strength, 1e-6 * bond.strength);
+      ASSERT_TRUE(bond.break_time);
+      EXPECT_GT(*bond.break_time, 0.05);
+      EXPECT_GE(a.break_time, bond.break_time);
+      EXPECT_GE(b.break_time, bond.break_time);
+      bonds += bond.area;
+    }
+    if (scene.bodies[0].remeshing) {
+      EXPECT_LE(2 * bonds, inside * (1 + 1e-9));  // the rest are cracks within pieces
+      EXPECT_GE(2 * bonds, 0.8 * inside);
+    }
+  }
+}
+
+/// A bar of two cubes, weak along its axis alone, whose one end stays while the other flies off.
+TEST(Bake, ABarHoldsByItsCrossSection) {
+  Scene scene = testing::struck_block(testing::brick(1));
+  scene.projectiles.clear();
+  BodyDescription& bar = scene.bodies[0];
+  bar.shape = BoxShape{Vec3(2, 1, 1), Vec3::Constant(1), BoxPattern::kuhn};
+  bar.weakness = Weakness{WeaknessKind::layers, Vec3::UnitX(), 0.01};
+  bar.supports = {{HalfSpaceRegion{Vec3(-1, 0, 0), -Vec3::UnitX()}}};
+  bar.velocity = Vec3(5, 0, 0);
+  const Bake bake = baked_run(scene, 0, 30);
+  ASSERT_EQ(bake.things.size(), 2u);
+  ASSERT_EQ(bake.bonds.size(), 1u);
+  EXPECT_NEAR(bake.bonds[0].area, 1, 1e-9);
+  EXPECT_LT(bake.bonds[0].center.norm(), 1e-9);
+  EXPECT_NEAR(std::abs(bake.bonds[0].normal.x()), 1, 1e-9);
+  EXPECT_NEAR(bake.bonds[0].strength, 0.01 * bar.material.tensile_strength, 1);
+}
+
+TEST(Bake, NamesAreWordsEachGivenOnce) {
+  Scene scene = baked_wall();
+  scene.bodies[0].name = "2 läufe";
+  std::set<std::string> names;
+  const Bake bake = baked_run(scene, 0, 30);
+  for (const BakedThing& thing : bake.things) {
+    EXPECT_THAT(thing.name, ::testing::MatchesRegex("[A-Za-z_][A-Za-z0-9_]*"));
+    EXPECT_TRUE(names.insert(thing.name).second) << thing.name;
+  }
+}
+
+TEST(Bake, ShotsAppearWhenTheyAreFired) {
+  const Bake bake = baked_run(baked_wall(), 0, 30);
+  const BakedThing& shot = bake.things.back();
+  EXPECT_EQ(shot.scene_body, -1);
+  EXPECT_GT(shot.first_frame, 0);
+  EXPECT_EQ(shot.poses.size() + static_cast<std::size_t>(shot.first_frame), bake.times.size());
+  EXPECT_NEAR(enclosed_volume(surface_of(shot.mesh)), 4 / 3.0 * 3.14159 * 0.008, 0.1 * 0.0335);
+}
+
+}  // namespace
+}  // namespace griffith::app

@@ -1,0 +1,184 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "app/export/bake_json.h"
+#include "app/export/bond_csv.h"
+#include "app/export/glb_file.h"
+#include "app/export/tiny_gltf.h"
+#include "app/export/usda_file.h"
+#include "baked_run.h"
+#include "program.h"
+#include "tests/world/scenes.h"
+
+namespace griffith::app {
+namespace {
+
+using ::testing::HasSubstr;
+
+Bake wall_bake(bool deformed = false) {
+  return baked_run(testing::shot_wall(Vec3(2, 2, 0.5), 0.5, testing::brick(0.02)), 0, 30, deformed);
+}
+
+tinygltf::Model read_glb(const std::string& bytes) {
+  tinygltf::Model model;
+  std::string error, warning;
+  EXPECT_TRUE(tinygltf::TinyGLTF().LoadBinaryFromMemory(&model, &error, &warning,
+                                                        reinterpret_cast<const unsigned char*>(bytes.data()),
+                                                        static_cast<unsigned>(bytes.size())))
+      << error;
+  EXPECT_EQ(warning, "");
+  return model;
+}
+
+TEST(Glb, ReadsBackWithAllThingsTrianglesAndTimes) {
+  const Bake bake = wall_bake();
+  const tinygltf::Model model = read_glb(glb_file(bake));
+  ASSERT_EQ(model.nodes.size(), bake.things.size());
+  EXPECT_EQ(model.materials.size(), bake.materials.size());
+  for (std::size_t i = 0; i < bake.things.size(); ++i) {
+    const BakedThing& thing = bake.things[i];
+    EXPECT_EQ(model.nodes[i].name, thing.name);
+    EXPECT_DOUBLE_EQ(model.nodes[i].extras.Get("mass").GetNumberAsDouble(), thing.mass);
+    std::size_t triangles = 0;
+    for (const tinygltf::Primitive& primitive : model.meshes[model.nodes[i].mesh].primitives)
+      triangles += model.accessors[primitive.indices].count / 3;
+    EXPECT_EQ(triangles, thing.mesh.outside_triangles.size() + thing.mesh.inside_triangles.size());
+  }
+  ASSERT_EQ(model.animations.size(), 1u);
+  double end = 0;
+  for (const tinygltf::AnimationSampler& sampler : model.animations[0].samplers) {
+    EXPECT_EQ(model.accessors[sampler.input].count, model.accessors[sampler.output].count);
+    end = std::max(end, model.accessors[sampler.input].maxValues.at(0));
+  }
+  EXPECT_NEAR(end, bake.times.back() - bake.times.front(), 1e-6);
+}
+
+TEST(Glb, DeformedPointsAreMorphTargets) {
+  const Bake bake = wall_bake(true);
+  const tinygltf::Model model = read_glb(glb_file(bake));
+  EXPECT_EQ(model.meshes[0].weights.size(), bake.times.size());
+  for (const tinygltf::Primitive& primitive : model.meshes[0].primitives)
+    EXPECT_EQ(primitive.targets.size(), bake.times.size());
+}
+
+TEST(BakeJson, TellsThingsAndBonds) {
+  const Bake bake = wall_bake();
+  const auto json = nlohmann::json::parse(bake_json(bake));
+  ASSERT_EQ(json["things"].size(), bake.things.size());
+  ASSERT_EQ(json["bonds"].size(), bake.bonds.size());
+  EXPECT_EQ(json["bonds"][0]["area"], bake.bonds[0].area);
+  EXPECT_EQ(json["bonds"][0]["a"], bake.things[bake.bonds[0].a].name);
+  EXPECT_TRUE(json["things"].back()["break_time"].is_null());
+}
+
+TEST(BondCsv, HasARowABond) {
+  const Bake bake = wall_bake();
+  std::istringstream csv(bond_csv(bake));
+  std::size_t rows = 0;
+  for (std::string line; std::getline(csv, line); ++rows) EXPECT_EQ(std::ranges::count(line, ','), 10) << line;
+  EXPECT_EQ(rows, bake.bonds.size() + 1);
+}
+
+TEST(Usda, IsBalancedAndNamesEachThingOnce) {
+  const Bake bake = wall_bake(true);
+  const std::string text = usda_file(bake);
+  std::string open;
+  for (const char c : text) {
+    const std::size_t closing = std::string(")]}").find(c);
+    if (std::string("([{").find(c) != std::string::npos) open += c;
+    if (closing == std::string::npos) continue;
+    ASSERT_FALSE(open.empty());
+    ASSERT_EQ(open.back(), "([{"[closing]);
+    open.pop_back();
+  }
+  EXPECT_EQ(open, "");
+  std::multiset<std::string> names;
+  const std::regex xform("def Xform \"(\\w+)\"");
+  for (std::sregex_iterator match(text.begin(), text.end(), xform), end; match != end; ++match)
+    names.insert((*match)[1]);
+  EXPECT_EQ(names.size(), bake.things.size() + 1);
+  for (const BakedThing& thing : bake.things) EXPECT_EQ(names.count(thing.name), 1u);
+}
+
+TEST(ExportCommand, WritesTheSameFilesWithAnyNumberOfThreads) {
+  const auto scene = small_wall_file();
+  const auto bytes_with = [&](const std::string& threads) {
+    std::string all;
+    const auto folder = test_folder();
+    std::string outputs;
+    for (const char* name : {"run.glb", "run.usda", "run.json", "run.csv"})
+      outputs += " -o " + (folder / name).string();
+    const Outcome outcome = run_program("export " + scene.string() + " --frames 0:40 --threads " + threads + outputs);
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr("run.glb: "));
+    EXPECT_THAT(outcome.output, HasSubstr(" 41 frames, "));
+    for (const char* name : {"run.glb", "run.usda", "run.json", "run.csv"}) {
+      std::stringstream text;
+      text << std::ifstream(folder / name, std::ios::binary).rdbuf();
+      EXPECT_GT(text.str().size(), 50u) << name;
+      all += text.str();
+    }
+    return all;
+  };
+  const std::string one = bytes_with("1");
+  EXPECT_EQ(one, bytes_with("2"));
+  EXPECT_EQ(one, bytes_with("4"));
+}
+
+TEST(ExportCommand, BadOutputsAndFramesAreToldBeforeTheRun) {
+  const std::string scene = small_wall_file().string();
+  const auto refused = [&](const std::string& arguments, const char* what) {
+    const Outcome outcome = run_program("export " + scene + " " + arguments);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.output, HasSubstr(what));
+  };
+  refused("--frames 0:1000000 -o run.fbx", ".glb, .usda, .json or .csv");
+  refused("--frames 0:1000000 -o /no/such/folder/run.glb", "/no/such/folder");
+  refused("--frames 5:2 -o " + (test_folder() / "run.glb").string(), "--frames");
+  refused("--frames 0,5 -o " + (test_folder() / "run.glb").string(), "is a list");
+}
+
+TEST(ExportCommand, ARecordingGivesWhatItsSceneGives) {
+  const std::string scene = small_wall_file().string();
+  const auto path = [](const char* name) { return (test_folder() / name).string(); };
+  const std::string recording = path("run.tar.zst"), a = path("a.json"), b = path("b.json");
+  ASSERT_EQ(run_program("simulate " + scene + " --frames 20 --record " + recording).code, 0);
+  ASSERT_EQ(run_program("export " + scene + " --frames 0:20 -o " + a).code, 0);
+  const Outcome outcome = run_program("export " + recording + " --frames 0:20 -o " + b);
+  ASSERT_EQ(outcome.code, 0) << outcome.output;
+  EXPECT_EQ(nlohmann::json::parse(std::ifstream(a)), nlohmann::json::parse(std::ifstream(b)));
+  EXPECT_EQ(run_program("export " + recording + " --frames 0:21 -o " + b).code, 2);
+}
+
+/// What Blender, which has z up, finds in the file: per thing its first and last place.
+TEST(ExportCommand, BlenderFindsEveryThingWhereItIs) {
+  if (std::system(
+          "blender -b --python-expr 'import numpy' 2>&1 | grep -q 'No module' || ! command -v blender >/dev/null") == 0)
+    GTEST_SKIP() << "no Blender with numpy";
+  const Bake bake = wall_bake();
+  const auto glb = test_file("wall.glb", glb_file(bake)), places = test_folder() / "places.json";
+  const std::string script = GRIFFITH_SOURCE_DIR "/tests/app/blender_places.py";
+  const std::string command = "blender -b --python " + script + " -- " + glb.string() + " " + places.string() + " " +
+                              std::to_string(bake.times.size() - 1) + " >/dev/null 2>&1";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const auto found = nlohmann::json::parse(std::ifstream(places));
+  ASSERT_EQ(found.size(), bake.things.size());
+  for (const BakedThing& thing : bake.things) {
+    ASSERT_TRUE(found.contains(thing.name));
+    const Vec3 first = thing.poses.front().position, last = thing.poses.back().position;
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_NEAR(found[thing.name]["first"][i].get<double>(), first[i], 1e-4) << thing.name;
+      EXPECT_NEAR(found[thing.name]["last"][i].get<double>(), last[i], 1e-4) << thing.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace griffith::app
