@@ -12,6 +12,7 @@
 #include "app/editor/background_step.h"
 #include "app/editor/compared_branch.h"
 #include "app/editor/recent_files.h"
+#include "app/editor/run_export.h"
 #include "app/editor/run_history.h"
 #include "app/editor/step_pacer.h"
 #include "app/editor/utilization_history.h"
@@ -158,6 +159,9 @@ class Editor {
   void save_run(const ui::Command& command);
   void write_recorded_run(const std::filesystem::path& path);
   void write_plots(const std::filesystem::path& path);
+  /// Begins to write the past of the present branch for other programs, as a video or as pictures of the view.
+  void export_run(const std::filesystem::path& path);
+  void go_on_with_export();
   /// The present branch. Throws InputError where files of its scene have changed since the world was built.
   Recording recorded_run() const;
   /// Where the scene stands on disk, absolute; empty when nowhere.
@@ -263,6 +267,7 @@ class Editor {
   PictureKey legend_placed_;  ///< for which picture it was
   PictureKey drawn_;
   RunHistory run_history_;
+  std::unique_ptr<RunExport> export_;
   std::unique_ptr<ComparedBranch> compared_;
   std::string difference_;  ///< of the compared branch
   UtilizationHistory history_of_utilizations_;

@@ -20,6 +20,7 @@ fs::path file_of_run(const std::string& scene, ui::SavedKind kind) {
   std::string name = scene.empty() ? "run" : scene;
   std::ranges::replace(name, '/', '-');
   if (kind == ui::SavedKind::plots) return name + ".csv";
+  if (kind == ui::SavedKind::exported) return name + ".glb";
   return name + (kind == ui::SavedKind::recording ? "" : " report") + ".tar.zst";
 }
 
@@ -75,6 +76,8 @@ void Editor::save_run(const ui::Command& command) {
       return;
     case ui::CommandId::save_plots:
       return write_plots(command.path);
+    case ui::CommandId::export_run:
+      return export_run(command.path);
     default:
       return write_recorded_run(command.path);
   }

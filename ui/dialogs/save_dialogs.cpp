@@ -43,6 +43,8 @@ SavedWords words_of(SavedKind kind) {
       return {"Save the recording as", CommandId::save_recording, CommandId::save_recording_dialog};
     case SavedKind::plots:
       return {"Save the plots as", CommandId::save_plots, CommandId::save_plots_dialog};
+    case SavedKind::exported:
+      return {"Export the run as", CommandId::export_run, CommandId::export_dialog};
     default:
       return {"Save the bug report as", CommandId::save_report, CommandId::save_report_dialog};
   }
@@ -50,14 +52,34 @@ SavedWords words_of(SavedKind kind) {
 
 /// The dialog that asks for another file than the command has.
 CommandId dialog_of(CommandId save) {
-  for (const SavedKind kind : {SavedKind::recording, SavedKind::bug_report, SavedKind::plots})
+  for (const SavedKind kind : {SavedKind::recording, SavedKind::bug_report, SavedKind::plots, SavedKind::exported})
     if (words_of(kind).save == save) return words_of(kind).dialog;
   return CommandId::save_dialog;
+}
+
+std::string_view ending_of(SavedKind kind) {
+  switch (kind) {
+    case SavedKind::scene:
+      return ".json";
+    case SavedKind::plots:
+      return ".csv";
+    case SavedKind::exported:
+      return ".glb";
+    default:
+      return ".tar.zst";
+  }
 }
 
 void close(bool answered) {
   if (answered) ImGui::CloseCurrentPopup();
   ImGui::EndPopup();
+}
+
+/// What can be exported, by how the file ends.
+void export_hint(const Panel& panel) {
+  hint(panel, "Pieces, their motion and what held them: .glb (Blender, Unity, Unreal), .usda (USD), .json, .csv");
+  hint(panel, "In a browser: .html");
+  hint(panel, "What the view shows: .mp4, .webm, .gif (by ffmpeg), .png (a picture a step)");
 }
 
 }  // namespace
@@ -71,10 +93,10 @@ SaveTarget save_target(const std::filesystem::path& file, SavedKind kind) {
 
 std::filesystem::path file_of(const SaveTarget& target) {
   std::filesystem::path file = target.folder / target.name.data();
-  const std::string_view ending = target.kind == SavedKind::scene   ? ".json"
-                                  : target.kind == SavedKind::plots ? ".csv"
-                                                                    : ".tar.zst";
-  if (!file.string().ends_with(ending)) file += ending;
+  if (target.kind != SavedKind::exported || !file.has_extension()) {
+    const std::string_view ending = ending_of(target.kind);
+    if (!file.string().ends_with(ending)) file += ending;
+  }
   return file.lexically_normal();
 }
 
@@ -94,6 +116,7 @@ void draw_save_dialog(Panel& panel) {
   const std::filesystem::path file = file_of(*target);
   hint(panel, named ? file.string() : target->folder.string());
   tag_last_item(panel.tags, "save/path", file.string());
+  if (target->kind == SavedKind::exported) export_hint(panel);
   ImGui::Spacing();
   const bool pressed = text_button(panel, "save/save", "Save", kButtonWidth * ui_scale(panel));
   const bool saved = (entered || pressed) && named;

@@ -71,6 +71,10 @@ std::string_view no_surface_named(const CommandContext& context) {
   return unless(context.state.surface.path[0] != '\0', "No file of a surface is named.");
 }
 
+std::string_view nothing_recorded(const CommandContext& context) {
+  return unless(context.time.last_step > context.time.first_step, "No step was made yet.");
+}
+
 std::string_view nothing_plotted(const CommandContext& context) {
   return unless(count_series(context.state.plots.chosen) > 0, "No series is chosen in the plots.");
 }

@@ -32,6 +32,7 @@ std::string_view no_body_chosen(const CommandContext& context);
 std::string_view no_camera_chosen(const CommandContext& context);
 std::string_view no_left_edits(const CommandContext& context);
 std::string_view no_surface_named(const CommandContext& context);
+std::string_view nothing_recorded(const CommandContext& context);
 std::string_view nothing_plotted(const CommandContext& context);
 std::string_view no_colour_range(const CommandContext& context);
 

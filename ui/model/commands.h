@@ -57,6 +57,8 @@ enum class CommandId {
   save_report,
   save_plots_dialog,
   save_plots,
+  export_dialog,
+  export_run,
   recover,
   discard_copy,
   leave_copy,

@@ -54,7 +54,7 @@ struct SurfaceRequest {
 };
 
 /// What a dialog asks a place for.
-enum class SavedKind { scene, recording, bug_report, plots };
+enum class SavedKind { scene, recording, bug_report, plots, exported };
 
 /// Where something is to be saved, as the dialog for it has it.
 struct SaveTarget {
@@ -65,7 +65,7 @@ struct SaveTarget {
 };
 /// Proposes the file's folder and name.
 SaveTarget save_target(const std::filesystem::path& file, SavedKind kind = SavedKind::scene);
-/// The file; ends as files of its kind do, in .json, .tar.zst or .csv, whether that was typed or not.
+/// The file; ends as files of its kind do, whether that was typed or not.
 std::filesystem::path file_of(const SaveTarget& target);
 
 /// A save that would lose what another has written.

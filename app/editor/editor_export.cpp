@@ -1,0 +1,40 @@
+#include "app/editor/editor.h"
+#include "app/editor/run_export.h"
+#include "sim/core/monitor.h"
+
+namespace griffith::app {
+namespace {
+
+/// Encoders of video take even sizes alone.
+int even(int size) { return std::max(2, size / 2 * 2); }
+
+}  // namespace
+
+void Editor::export_run(const std::filesystem::path& path) {
+  state_.running = false;
+  const PictureKey key = picture_key();
+  export_ = start_export(path, timeline_, display_,
+                         {picture_camera(), state_.view, state_.hidden_bodies, even(key.width), even(key.height)});
+}
+
+void Editor::go_on_with_export() {
+  if (!export_) return;
+  if (std::exchange(state_.cancel_work, false)) {
+    export_.reset();
+    return log(ui::LogLevel::warning, "The export was cancelled: nothing was written.");
+  }
+  try {
+    if (const std::optional<std::string> written = export_->go_on()) {
+      log(ui::LogLevel::info, "Wrote " + *written);
+      export_.reset();
+    }
+  } catch (const InputError& error) {
+    export_.reset();
+    show_error(error);
+  } catch (const std::exception& error) {
+    export_.reset();
+    show_error(InputError("the export", std::string("did not work: ") + error.what(), ""));
+  }
+}
+
+}  // namespace griffith::app

@@ -1,0 +1,98 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "editor_fixture.h"
+#include "renderer/image.h"
+
+namespace griffith::app {
+namespace {
+
+using ::testing::HasSubstr;
+using ui::CommandId;
+namespace fs = std::filesystem;
+
+class ExportTest : public EditorTest {
+ protected:
+  ExportTest() { fs::remove_all(test_folder()), fs::create_directories(test_folder()); }
+
+  void run(int steps) {
+    for (int i = 0; i < steps; ++i) editor_.step();
+    draw();
+  }
+  void write(const fs::path& file) { editor_.execute({.id = CommandId::export_run, .path = file}); }
+  static std::string beginning(const fs::path& file, std::size_t count) {
+    std::string text(count, ' ');
+    std::ifstream(file, std::ios::binary).read(text.data(), static_cast<std::streamsize>(count));
+    return text;
+  }
+};
+
+TEST_F(ExportTest, TheDialogProposesAFileForOtherPrograms) {
+  EXPECT_FALSE(editor_.why_not(CommandId::export_dialog).empty()) << "there is no past yet";
+  run(5);
+  const std::uint64_t hash = editor_.timeline().world().state_hash();
+  press_key('E', true);
+  draw(3);
+  EXPECT_THAT(value("save/path"), HasSubstr("small wall.glb"));
+  const fs::path file = test_folder() / "run";
+  type(file.string());
+  EXPECT_FALSE(editor_.state().work.empty());
+  wait_for_work();
+  EXPECT_EQ(beginning(file.string() + ".glb", 4), "glTF");
+  EXPECT_THAT(editor_.state().log.back().text, HasSubstr("run.glb: 6 frames"));
+  EXPECT_EQ(editor_.timeline().world().state_hash(), hash) << "what is shown stays";
+}
+
+TEST_F(ExportTest, PicturesAreNumberedByTheirSteps) {
+  run(3);
+  write(test_folder() / "wall.png");
+  wait_for_work();
+  for (const char* name : {"wall_0000.png", "wall_0001.png", "wall_0002.png", "wall_0003.png"}) {
+    ASSERT_TRUE(fs::exists(test_folder() / name)) << name;
+    const render::Image image = render::load_png(test_folder() / name);
+    EXPECT_NEAR(image.width, editor_.state().viewport_size.x, 1);
+    EXPECT_NEAR(image.height, editor_.state().viewport_size.y, 1);
+  }
+  EXPECT_NE(render::load_png(test_folder() / "wall_0000.png"), render::load_png(test_folder() / "wall_0003.png"));
+  EXPECT_FALSE(fs::exists(test_folder() / "wall_0004.png"));
+}
+
+TEST_F(ExportTest, AVideoOfTheView) {
+  if (std::system("ffmpeg -version >/dev/null 2>&1") != 0) GTEST_SKIP() << "ffmpeg is not installed";
+  run(4);
+  write(test_folder() / "wall.mp4");
+  wait_for_work();
+  EXPECT_EQ(beginning(test_folder() / "wall.mp4", 8).substr(4), "ftyp");
+}
+
+TEST_F(ExportTest, CancelLeavesNoFile) {
+  run(30);
+  for (const char* name : {"run.glb", "run.json"}) {
+    write(test_folder() / name);
+    draw();
+    editor_.state().cancel_work = true;
+    wait_for_work();
+    EXPECT_FALSE(fs::exists(test_folder() / name));
+    EXPECT_THAT(editor_.state().log.back().text, HasSubstr("cancelled"));
+  }
+}
+
+TEST_F(ExportTest, WhatCannotBeWrittenIsToldBefore) {
+  run(2);
+  write(test_folder() / "run.xyz");
+  draw(2);
+  ASSERT_TRUE(editor_.state().error);
+  EXPECT_THAT(editor_.state().error->remedy, HasSubstr(".glb"));
+  EXPECT_TRUE(editor_.state().work.empty());
+  editor_.state().error.reset();
+  write("/nowhere/run.glb");
+  draw(2);
+  ASSERT_TRUE(editor_.state().error);
+  EXPECT_THAT(editor_.state().error->where, HasSubstr("/nowhere"));
+}
+
+}  // namespace
+}  // namespace griffith::app
