@@ -1,24 +1,10 @@
 #include "app/bake/mesh_history.h"
 
-#include <Eigen/LU>
 #include <limits>
 
+#include "app/bake/barycentric.h"
+
 namespace griffith::app {
-namespace {
-
-/// Barycentric coordinates of points in a tet, a column each.
-template <class Points>
-auto barycentric(const Corners& tet, const Points& points) {
-  constexpr int kCount = Points::ColsAtCompileTime;
-  Eigen::Matrix4d with_ones;
-  with_ones << tet, Eigen::RowVector4d::Ones();
-  Eigen::Matrix<double, 4, kCount> right;
-  right << points, Eigen::Matrix<double, 1, kCount>::Ones();
-  return Eigen::Matrix<double, 4, kCount>(with_ones.inverse() * right);
-}
-
-}  // namespace
-
 MeshHistory::MeshHistory(std::vector<MeshState> states, std::span<const Vec3> rest_positions)
     : states_(std::move(states)),
       rest_positions_(rest_positions.begin(), rest_positions.end()),

@@ -63,7 +63,8 @@ bool lies_on(const OpenedFace& face, const OpenedFace& other) {
   if (area.dot(area_vector(face.rest)) >= 0) return false;
   if (std::abs(area.dot(place - other.rest[0])) > kTolerance * size * length) return false;
   for (int i = 0; i < 3; ++i)
-    if (area_vector({other.rest[i], other.rest[(i + 1) % 3], place}).dot(area) < -kTolerance * size * size)
+    if (area_vector(std::array<Vec3, 3>{other.rest[i], other.rest[(i + 1) % 3], place}).dot(area) <
+        -kTolerance * size * size)
       return false;
   return true;
 }

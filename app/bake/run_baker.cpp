@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "app/bake/baked_materials.h"
+#include "app/bake/parted_surfaces.h"
 #include "app/bake/piece_bonds.h"
 #include "app/bake/piece_poses.h"
 #include "app/bake/thing_mesh.h"
@@ -44,19 +45,6 @@ double last_crack_time(const Frame& frame) {
   return last;
 }
 
-/// Surfaces of the last frame's bodies with its nodes elsewhere. A piece that owns no splinter, since splinters are
-/// larger than it, has the faces of its tets. What its neighbours' splinters show of the same matter stays theirs: at
-/// rest the two overlap by no more than the piece.
-std::vector<PieceSurface> surfaces_at(const Frame& last, const Shards& shards, std::span<const Vec3> positions) {
-  const FrameWithShards sharded(last, shards);
-  Frame moved = sharded.frame();
-  moved.nodes.positions = positions;
-  std::vector<PieceSurface> surfaces = piece_surfaces(moved, shards.skins());
-  for (const BodyView& body : last.bodies)
-    if (surfaces[body.id].polygons.empty()) surfaces[body.id] = tet_surface(moved, body.id);
-  return surfaces;
-}
-
 /// When each thing last parted from another: with the last of its bonds.
 void set_break_times(Bake& bake) {
   for (const BakedBond& bond : bake.bonds)
@@ -70,6 +58,7 @@ RunBaker::RunBaker(const Frame& start, const Scene& scene)
     : scene_(scene),
       shards_(start, scene),
       strength_factors_(strength_factors_at_start(start, scene)),
+      first_neighbours_(start.elements.neighbours.begin(), start.elements.neighbours.end()),
       meshes_{mesh_of(start)} {}
 
 void RunBaker::follow(const Frame& frame) {
@@ -101,9 +90,17 @@ Bake RunBaker::finish(const Frame& last, bool deformed) {
   return bake;
 }
 
+/// Surfaces of the last frame's bodies with its nodes elsewhere.
+std::vector<PieceSurface> RunBaker::surfaces_at(const Frame& last, std::span<const Vec3> positions) const {
+  const FrameWithShards sharded(last, shards_);
+  Frame moved = sharded.frame();
+  moved.nodes.positions = positions;
+  return parted_surfaces(moved, shards_.skins(), first_neighbours_);
+}
+
 void RunBaker::add_pieces(Bake& bake, const Frame& last, const MeshHistory& history, std::span<const BodyId> pieces,
                           std::span<const std::string> stems) const {
-  const std::vector<PieceSurface> surfaces = surfaces_at(last, shards_, history.positions(1));
+  const std::vector<PieceSurface> surfaces = surfaces_at(last, history.positions(1));
   std::vector<std::vector<Pose>> poses = piece_poses(last, history, 1);
   std::vector<int> numbers(scene_.bodies.size());
   for (const BodyId id : pieces) {
@@ -123,7 +120,7 @@ void RunBaker::add_pieces(Bake& bake, const Frame& last, const MeshHistory& hist
 void RunBaker::add_deformed_points(Bake& bake, const Frame& last, const MeshHistory& history,
                                    std::span<const BodyId> pieces) const {
   for (int frame = 0; frame < std::ssize(times_); ++frame) {
-    const std::vector<PieceSurface> surfaces = surfaces_at(last, shards_, history.positions(1 + frame));
+    const std::vector<PieceSurface> surfaces = surfaces_at(last, history.positions(1 + frame));
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       const Pose& pose = bake.things[i].poses[frame];
       std::vector<Vec3>& points = bake.things[i].deformed_points.emplace_back();

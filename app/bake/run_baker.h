@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "app/bake/bake.h"
 #include "app/bake/mesh_history.h"
+#include "app/output/export_pieces.h"
 #include "app/picture/shards.h"
 #include "sim/scene/scene.h"
 #include "sim/world/frame.h"
@@ -26,6 +28,7 @@ class RunBaker {
   Bake finish(const Frame& last, bool deformed = false);
 
  private:
+  std::vector<PieceSurface> surfaces_at(const Frame& last, std::span<const Vec3> positions) const;
   void add_pieces(Bake& bake, const Frame& last, const MeshHistory& history, std::span<const BodyId> pieces,
                   std::span<const std::string> stems) const;
   void add_deformed_points(Bake& bake, const Frame& last, const MeshHistory& history,
@@ -34,8 +37,9 @@ class RunBaker {
 
   const Scene& scene_;
   Shards shards_;
-  std::vector<double> strength_factors_;  ///< per node of the start
-  std::vector<MeshState> meshes_;         ///< of the start, then of the baked frames
+  std::vector<double> strength_factors_;                ///< per node of the start
+  std::vector<std::array<TetId, 4>> first_neighbours_;  ///< per tet of the start
+  std::vector<MeshState> meshes_;                       ///< of the start, then of the baked frames
   std::vector<double> times_;
   double opened_before_ = 0;                    ///< when the last crack opened that the first baked frame has [s]
   std::vector<std::vector<Pose>> projectiles_;  ///< per baked frame

@@ -61,6 +61,21 @@ TEST(Bake, ShardsShareOutTheBody) {
   EXPECT_NEAR(volume, 2, 1e-5);
 }
 
+/// Bricks that are larger than the tets: pieces that own none cut what they have out of them.
+TEST(Bake, PiecesSmallerThanSplintersShareThemOut) {
+  Scene scene = baked_wall();
+  scene.bodies[0].splinters = BrickSplinters{.size = Vec3(1, 0.7, 0.5)};
+  const Bake bake = baked_run(scene, 0, 30);
+  double volume = 0;
+  for (const BakedThing& thing : bake.things) {
+    if (thing.scene_body < 0) continue;
+    EXPECT_LT(openness_of(thing.mesh), 1e-4) << thing.name;
+    EXPECT_GT(enclosed_volume(surface_of(thing.mesh)), 1e-6) << thing.name;
+    volume += enclosed_volume(surface_of(thing.mesh));
+  }
+  EXPECT_NEAR(volume, 2, 1e-4);
+}
+
 TEST(Bake, FirstPosesPutPiecesWhereTheFirstFrameHasThem) {
   for (const Scene& scene : {baked_wall(), remeshed_wall()}) {
     World world(scene);

@@ -92,8 +92,9 @@ SeenPieces seen_pieces(const Frame& frame, const Shards& shards) {
   SeenPieces seen;
   double mass = 0;
   for (const BodyView& body : frame.bodies) mass += body.mass;
+  const std::vector<PieceSurface> surfaces = piece_surfaces(sharded.frame());
   for (const BodyView& body : frame.bodies) {
-    const PieceSurface surface = piece_surface(sharded.frame(), body.id);
+    const PieceSurface& surface = surfaces[body.id];
     seen.volume += enclosed_volume(surface);
     if (surface.polygons.empty()) seen.unseen_part += body.mass / mass;
   }
@@ -244,8 +245,9 @@ TEST(Shards, OfASurfaceAreClosed) {
   const FrameWithShards sharded(frame, shards);
   double sum = 0, worst = 0, area_weighted = 0;
   int pieces = 0;
+  const std::vector<PieceSurface> surfaces = piece_surfaces(sharded.frame(), shards.skins());
   for (const BodyView& body : frame.bodies) {
-    const PieceSurface surface = piece_surface(sharded.frame(), body.id, shards.skins());
+    const PieceSurface& surface = surfaces[body.id];
     if (surface.polygons.empty()) continue;
     const double open = openness(surface);
     worst = std::max(worst, open), area_weighted += open, ++pieces;

@@ -1,0 +1,134 @@
+#include "app/bake/parted_surfaces.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include "app/bake/barycentric.h"
+#include "sim/splinters/carried_corner.h"
+#include "sim/splinters/convex_polyhedron.h"
+
+namespace griffith::app {
+namespace {
+
+/// Which piece shows each part of a splinter: the owner's, or that of the part's own tet where this owns no splinter.
+class PartedSplinters {
+ public:
+  PartedSplinters(const Frame& frame, const std::vector<bool>& owns_none) : frame_(frame), owns_none_(owns_none) {
+    const auto& parts = frame.splinters.parts;
+    for (int part = 0; part < std::ssize(parts); ++part)
+      part_in_tet_[key(parts[part].splinter, parts[part].tet)] = part;
+  }
+
+  BodyId piece(int part) const {
+    const BodyId own = frame_.elements.bodies[frame_.splinters.parts[part].tet];
+    return owns_none_[own] ? own : frame_.elements.bodies[owner(part)];
+  }
+
+  /// The splinter's part in that tet; -1: none.
+  int part_in(SplinterId splinter, TetId tet) const {
+    const auto found = part_in_tet_.find(key(splinter, tet));
+    return found == part_in_tet_.end() ? -1 : found->second;
+  }
+
+  void add_face(PieceSurface& surface, const SplinterFace& face) const {
+    add(surface, face.part, rest_points(face), face.beyond >= 0);
+  }
+
+  /// What of a face of its tet a part has: where two pieces share a splinter.
+  void add_cut(PieceSurface& surface, int part, int tet_face) const {
+    const SplinterPart& of = frame_.splinters.parts[part];
+    std::vector<Vec3> polygon;
+    for (const int corner : kTetFaces[tet_face])
+      polygon.push_back(frame_.nodes.rest_positions[frame_.elements.tets[of.tet][corner]]);
+    for (const SplinterFace& wall : frame_.splinters.faces.subspan(of.first_face, of.faces))
+      if (wall.tet_face < 0) polygon = clipped(polygon, behind(rest_points(wall)));
+    if (polygon.size() >= 3) add(surface, part, polygon, true);
+  }
+
+ private:
+  static std::uint64_t key(SplinterId splinter, TetId tet) {
+    return std::uint64_t(splinter.value) << 32 | std::uint32_t(tet.value);
+  }
+
+  TetId owner(int part) const { return frame_.splinters.splinters[frame_.splinters.parts[part].splinter].owner; }
+
+  /// The corners of a face where the body stood at rest.
+  std::vector<Vec3> rest_points(const SplinterFace& face) const {
+    const TetId tet = frame_.splinters.parts[face.part].tet;
+    std::vector<Vec3> points;
+    for (const SplinterCorner& corner : frame_.splinters.corners.subspan(face.first_corner, face.corners))
+      points.push_back(carried_position(corner, true, frame_.elements.tets[tet], frame_.nodes.rest_positions));
+    return points;
+  }
+
+  static HalfSpace behind(const std::vector<Vec3>& wall) {
+    const Vec3 normal = area_vector(wall).stableNormalized();
+    return {normal, normal.dot(wall.front())};
+  }
+
+  Corners corners(TetId tet, std::span<const Vec3> positions) const {
+    Corners corners;
+    for (int i = 0; i < 4; ++i) corners.col(i) = positions[frame_.elements.tets[tet][i]];
+    return corners;
+  }
+
+  /// Adds a polygon that is given at rest, carried by the tet that carries the part.
+  void add(PieceSurface& surface, int part, const std::vector<Vec3>& polygon, bool inside) const {
+    const TetId own = frame_.splinters.parts[part].tet;
+    const bool by_own = owns_none_[frame_.elements.bodies[own]] || frame_.splinters.attached[part];
+    const TetId tet = by_own ? own : owner(part);
+    const Corners rest = corners(tet, frame_.nodes.rest_positions), now = corners(tet, frame_.nodes.positions);
+    std::vector<int>& added = surface.polygons.emplace_back();
+    for (const Vec3& point : polygon) {
+      added.push_back(static_cast<int>(surface.points.size()));
+      surface.points.push_back(now * barycentric(rest, point));
+    }
+    surface.inside.push_back(inside);
+  }
+
+  const Frame& frame_;
+  const std::vector<bool>& owns_none_;  ///< per body
+  std::unordered_map<std::uint64_t, int> part_in_tet_;
+};
+
+/// Adds the faces of all splinters of the scene bodies in question, cut where two pieces share them.
+void add_parted_splinters(std::span<PieceSurface> surfaces, const Frame& frame, const PartedSplinters& splinters,
+                          const std::vector<bool>& is_parted, std::span<const std::array<TetId, 4>> first_neighbours) {
+  const auto& parts = frame.splinters.parts;
+  for (int part = 0; part < std::ssize(parts); ++part) {
+    if (!is_parted[frame.splinters.splinters[parts[part].splinter].scene_body]) continue;
+    const BodyId piece = splinters.piece(part);
+    for (const SplinterFace& face : frame.splinters.faces.subspan(parts[part].first_face, parts[part].faces))
+      if (face.beyond < 0 || splinters.piece(face.beyond) != piece) splinters.add_face(surfaces[piece], face);
+    for (int face = 0; face < 4; ++face) {
+      const TetId beyond = first_neighbours[parts[part].tet][face];
+      const int other = beyond.valid() ? splinters.part_in(parts[part].splinter, beyond) : -1;
+      if (other >= 0 && splinters.piece(other) != piece) splinters.add_cut(surfaces[piece], part, face);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<PieceSurface> parted_surfaces(const Frame& frame, std::span<const Skin> skins,
+                                          std::span<const std::array<TetId, 4>> first_neighbours) {
+  std::vector<PieceSurface> surfaces = piece_surfaces(frame, skins);
+  std::vector<bool> owns_none(frame.bodies.size()), is_parted(frame.materials.size());
+  for (const BodyView& body : frame.bodies) {
+    if (body.tets == 0 || !surfaces[body.id].polygons.empty()) continue;
+    const bool is_skinned = std::ranges::find(skins, body.scene_body, &Skin::scene_body) != skins.end();
+    owns_none[body.id] = !is_skinned;
+    if (is_skinned)
+      surfaces[body.id] = tet_surface(frame, body.id);
+    else
+      is_parted[body.scene_body] = true;
+  }
+  if (std::ranges::find(is_parted, true) == is_parted.end()) return surfaces;
+  for (const BodyView& body : frame.bodies)
+    if (is_parted[body.scene_body]) surfaces[body.id] = {};
+  const PartedSplinters splinters(frame, owns_none);
+  add_parted_splinters(surfaces, frame, splinters, is_parted, first_neighbours);
+  return surfaces;
+}
+
+}  // namespace griffith::app
