@@ -3,18 +3,13 @@
 #include "sim/core/monitor.h"
 
 namespace griffith::app {
-namespace {
-
-/// Encoders of video take even sizes alone.
-int even(int size) { return std::max(2, size / 2 * 2); }
-
-}  // namespace
 
 void Editor::export_run(const std::filesystem::path& path) {
   state_.running = false;
   const PictureKey key = picture_key();
   export_ = start_export(path, timeline_, display_,
-                         {picture_camera(), state_.view, state_.hidden_bodies, even(key.width), even(key.height)});
+                         {picture_camera(), state_.view, state_.hidden_bodies, key.width, key.height});
+  state_.work = export_->stage();
 }
 
 void Editor::go_on_with_export() {

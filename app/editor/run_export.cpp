@@ -9,9 +9,9 @@
 
 #include "app/bake/run_baker.h"
 #include "app/export/export_bake.h"
+#include "app/output/video_writer.h"
 #include "app/picture/picture_options.h"
 #include "app/picture/steady_range.h"
-#include "app/render/video_writer.h"
 #include "renderer/renderer.h"
 #include "sim/core/monitor.h"
 #include "sim/core/replace_file.h"
@@ -21,9 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 5> kVideos = {".mp4", ".mkv", ".mov", ".webm", ".gif"};
-
-bool is_video(const fs::path& path) { return std::ranges::find(kVideos, path.extension()) != kVideos.end(); }
 bool is_pictures(const fs::path& path) { return path.extension() == ".png"; }
 
 std::string of_steps(const char* doing, std::int64_t step, const Timeline& timeline) {
@@ -95,7 +92,7 @@ class PictureExport : public RunExport {
     timeline_.go_to(timeline_.first_step());
     next_ = timeline_.step();
     const double rate = std::clamp(1 / scene_.simulation.time_step, 1.0, 120.0);
-    if (is_video(path_)) video_.emplace(path_, view_.width, view_.height, rate);
+    if (is_video_path(path_)) video_.emplace(path_, view_.width, view_.height, rate);
   }
 
   std::optional<std::string> go_on() override {
@@ -144,7 +141,7 @@ class PictureExport : public RunExport {
 }  // namespace
 
 void check_export(const fs::path& path) {
-  if (is_video(path)) return check_video_path(path);
+  if (is_video_path(path)) return check_video_path(path);
   if (!is_pictures(path)) check_bake_path(path);
   check_replaceable(path);
 }
@@ -152,7 +149,7 @@ void check_export(const fs::path& path) {
 std::unique_ptr<RunExport> start_export(const fs::path& path, const Timeline& timeline, const EmbeddedDisplay& display,
                                         const ExportedView& view) {
   check_export(path);
-  if (is_video(path) || is_pictures(path)) return std::make_unique<PictureExport>(path, timeline, display, view);
+  if (is_video_path(path) || is_pictures(path)) return std::make_unique<PictureExport>(path, timeline, display, view);
   return std::make_unique<BakeExport>(path, timeline);
 }
 

@@ -7,7 +7,7 @@
 
 #include "app/render/contact_sheet.h"
 #include "app/render/render_job.h"
-#include "app/render/video_writer.h"
+#include "app/output/video_writer.h"
 
 namespace griffith::app {
 

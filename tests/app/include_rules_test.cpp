@@ -143,7 +143,7 @@ TEST(IncludeRules, LowerFoldersOfTheProgramKnowNoHigherOnes) {
                             {"app/output", "^app/(shared|picture|output)$"},
                             {"app/bake", "^app/(picture|output|bake)$"},
                             {"app/export", "^app/(output|bake|export)$"},
-                            {"app/editor", "^app/(shared|picture|output|editor)$"},
+                            {"app/editor", "^app/(shared|picture|output|bake|export|editor)$"},
                             {"app/render", "^app/(shared|picture|output|editor|render)$"},
                             {"app/regress", "^app/(shared|output|render|regress)$"},
                             {"app/study", "^app/(shared|output|study)$"},

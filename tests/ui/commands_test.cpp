@@ -35,6 +35,7 @@ TEST(Commands, EveryShortcutIssuesItsCommandOnce) {
     ui.history.change("b", [](Scene& scene) { scene.name = "b"; });
     ui.history.undo();        // now there is something to undo and to redo
     ui.input.frame.step = 3;  // and to go back to
+    ui.input.time.last_step = 3;
     ui.input.time.branches = {{-1, 0, 3}, {0, 1, 3}};
     ui.state.view.range = Vec2(0, 1);
     ui.press_key(info.shortcut.key, info.shortcut.ctrl, info.shortcut.shift);

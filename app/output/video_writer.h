@@ -9,6 +9,9 @@
 
 namespace griffith::app {
 
+/// Whether the ending is that of a video: .mp4, .mkv, .mov, .webm or .gif.
+bool is_video_path(const std::filesystem::path& path);
+
 /// Throws InputError where no video can be written there: no ending .mp4, .mkv, .mov, .webm or .gif, no ffmpeg, or a
 /// folder that may not be written to.
 void check_video_path(const std::filesystem::path& path);

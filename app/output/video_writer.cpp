@@ -1,4 +1,4 @@
-#include "app/render/video_writer.h"
+#include "app/output/video_writer.h"
 
 #include <algorithm>
 #include <array>
@@ -50,8 +50,10 @@ std::string video_name(const fs::path& path) { return "video" + path.extension()
 
 }  // namespace
 
+bool is_video_path(const fs::path& path) { return kind_of(path) != nullptr; }
+
 void check_video_path(const fs::path& path) {
-  if (!kind_of(path))
+  if (!is_video_path(path))
     throw InputError(path.string(), "is no kind of video that is written",
                      "end its name in .mp4, .mkv, .mov, .webm or .gif");
   check_replaceable(path);
