@@ -9,6 +9,9 @@ namespace griffith::app {
 /// bytes that are not UTF-8, becomes U+FFFD.
 std::string escape_markup(std::string_view text);
 
+/// Bytes as base64 with padding (RFC 4648), on one line.
+std::string base64(std::string_view bytes);
+
 /// The data URI of a PNG file's bytes, for the attribute src of an image.
 std::string png_data_uri(std::string_view png);
 
