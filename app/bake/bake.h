@@ -9,15 +9,6 @@
 
 namespace griffith::app {
 
-/// Where a thing is: maps its own frame to the world's.
-struct Pose {
-  Vec3 position = Vec3::Zero();      ///< [m]
-  Quat rotation = Quat::Identity();  ///< unit
-  bool operator==(const Pose& other) const {
-    return position == other.position && rotation.coeffs() == other.rotation.coeffs();
-  }
-};
-
 /// How a surface looks, as programs of pictures have it (metallic-roughness model).
 struct BakedMaterial {
   std::string name;                   ///< unique, e.g. "pane_inside"
@@ -45,7 +36,7 @@ struct BakedThing {
   int outside_material = 0, inside_material = 0;  ///< indices into Bake::materials
   BakedMesh mesh;                                 ///< its origin: the center of mass in the first frame it is seen in
   int first_frame = 0;      ///< index into Bake::times of the first frame it is there: 0, but for shots
-  std::vector<Pose> poses;  ///< per frame from first_frame
+  std::vector<Pose> poses;  ///< per frame from first_frame: its own frame in the world's
   /// Per frame from first_frame, per point of the mesh: where it is in the thing's own frame [m], with all elastic
   /// deformation. Empty unless asked for.
   std::vector<std::vector<Vec3>> deformed_points;
@@ -65,8 +56,9 @@ struct BakedBond {
 /// right-handed; SI units.
 struct Bake {
   std::string scene_name;
-  double frames_per_second = 60;  ///< of the times, rounded where steps are no whole fraction of a second
-  std::vector<double> times;      ///< of the frames, ascending [s]; at least one
+  std::vector<std::string> body_names;  ///< of the scene, by number
+  double frames_per_second = 60;        ///< of the times, rounded where steps are no whole fraction of a second
+  std::vector<double> times;            ///< of the frames, ascending [s]; at least one
   std::vector<BakedMaterial> materials;
   std::vector<BakedThing> things;  ///< pieces by scene body and number, then projectiles
   std::vector<BakedBond> bonds;    ///< by a, then b

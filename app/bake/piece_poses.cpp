@@ -28,7 +28,7 @@ std::vector<Vec3> centers_of(const Frame& last, const MeshHistory& history, int 
 
 Pose fitted_pose(const PieceSums& sums, const std::vector<Pose>& before) {
   Pose pose;
-  pose.position = sums.center / sums.volume;
+  pose.translation = sums.center / sums.volume;
   pose.rotation = Quat(polar_rotation(sums.covariance / sums.covariance.norm()));
   if (!before.empty() && pose.rotation.dot(before.back().rotation) < 0) pose.rotation.coeffs() *= -1;
   return pose;

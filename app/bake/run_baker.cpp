@@ -79,6 +79,7 @@ Bake RunBaker::finish(const Frame& last, bool deformed) {
   const std::vector<std::string> stems = name_stems(scene_);
   Bake bake;
   bake.scene_name = scene_.name;
+  for (const BodyDescription& body : scene_.bodies) bake.body_names.push_back(body.name);
   bake.frames_per_second = rate_of(times_, scene_.simulation.time_step);
   bake.times = times_;
   bake.materials = baked_materials(scene_, stems);
@@ -113,7 +114,7 @@ void RunBaker::add_pieces(Bake& bake, const Frame& last, const MeshHistory& hist
     thing.outside_material = 2 * body.scene_body;
     thing.inside_material = thing.outside_material + 1;
     thing.poses = std::move(poses[id]);
-    thing.mesh = piece_mesh(surfaces[id], thing.poses.front().position);
+    thing.mesh = piece_mesh(surfaces[id], thing.poses.front().translation);
   }
 }
 
@@ -124,8 +125,7 @@ void RunBaker::add_deformed_points(Bake& bake, const Frame& last, const MeshHist
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       const Pose& pose = bake.things[i].poses[frame];
       std::vector<Vec3>& points = bake.things[i].deformed_points.emplace_back();
-      for (const Vec3& point : surfaces[pieces[i]].points)
-        points.push_back(pose.rotation.conjugate() * (point - pose.position));
+      for (const Vec3& point : surfaces[pieces[i]].points) points.push_back(pose.to_local(point));
     }
   }
 }

@@ -109,7 +109,8 @@ Command add_export(CLI::App& program) {
       ->type_name("LIST");
   command
       ->add_option("-o,--output", options->outputs,
-                   "File to write: .glb (glTF), .usda (USD), .json (pieces and bonds) or .csv (bonds); may be repeated")
+                   "File to write: .glb (glTF), .usda (USD), .html (a page that plays it), .json (pieces and bonds) or "
+                   ".csv (bonds); may be repeated")
       ->required()
       ->expected(1)
       ->take_all()
@@ -121,6 +122,7 @@ Command add_export(CLI::App& program) {
       "Examples:\n"
       "  griffith export scenes/glass_pane.json --frames 0:60 -o pane.glb\n"
       "  griffith export scenes/glass_pane.json --frames 0:60 -o pane.usda -o bonds.json -o bonds.csv\n"
+      "  griffith export scenes/glass_pane.json --frames 0:60 -o pane.html\n"
       "  griffith export scenes/cantilever.json --frames 0:30 --deformed -o cantilever.glb\n"
       "  griffith export wall.tar.zst --frames 0:120:2 -o wall.glb");
   return {command, [options] {

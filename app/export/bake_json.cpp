@@ -14,7 +14,7 @@ Json thing_json(const BakedThing& thing) {
   return {{"name", thing.name},
           {"scene_body", thing.scene_body},
           {"mass", thing.mass},
-          {"center", json(thing.poses.front().position)},
+          {"center", json(thing.poses.front().translation)},
           {"is_supported", thing.is_supported},
           {"break_time", json(thing.break_time)}};
 }

@@ -5,6 +5,7 @@
 #include "app/export/bake_json.h"
 #include "app/export/bond_csv.h"
 #include "app/export/glb_file.h"
+#include "app/export/html_player.h"
 #include "app/export/usda_file.h"
 #include "sim/core/error.h"
 #include "sim/core/replace_file.h"
@@ -18,12 +19,12 @@ struct BakeFormat {
 };
 
 constexpr BakeFormat kBakeFormats[] = {
-    {".glb", glb_file}, {".usda", usda_file}, {".json", bake_json}, {".csv", bond_csv}};
+    {".glb", glb_file}, {".usda", usda_file}, {".json", bake_json}, {".csv", bond_csv}, {".html", html_player}};
 
 const BakeFormat& format_of(const std::filesystem::path& path) {
   for (const BakeFormat& format : kBakeFormats)
     if (path.extension() == format.suffix) return format;
-  throw InputError(path.string(), "has the suffix of no format", "end it in .glb, .usda, .json or .csv");
+  throw InputError(path.string(), "has the suffix of no format", "end it in .glb, .usda, .html, .json or .csv");
 }
 
 }  // namespace

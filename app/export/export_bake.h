@@ -6,7 +6,7 @@
 
 namespace griffith::app {
 
-/// Throws InputError unless the file's suffix names a format of export_bake(): .glb, .usda, .json, .csv.
+/// Throws InputError unless the file's suffix names a format of export_bake(): .glb, .usda, .html, .json, .csv.
 void check_bake_path(const std::filesystem::path& path);
 
 /// Writes a bake in the format that the file's suffix names; returns the size of the file [bytes]. Throws InputError

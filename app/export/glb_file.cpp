@@ -83,7 +83,7 @@ tinygltf::Node gltf_node(const BakedThing& thing, int mesh) {
   node.name = thing.name;
   node.mesh = mesh;
   const Pose& pose = thing.poses.front();
-  node.translation = components(pose.position);
+  node.translation = components(pose.translation);
   node.rotation = {pose.rotation.x(), pose.rotation.y(), pose.rotation.z(), pose.rotation.w()};
   return node;
 }
@@ -101,7 +101,7 @@ class AnimationWriter {
     std::vector<Quat> rotations;
     for (const int key : keys) {
       times.push_back(time(thing.first_frame + key));
-      positions.push_back(thing.poses[key].position);
+      positions.push_back(thing.poses[key].translation);
       rotations.push_back(thing.poses[key].rotation);
     }
     const int input = buffer_.add_key_times(times);

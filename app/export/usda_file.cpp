@@ -20,7 +20,7 @@ std::string orientation(const Pose& pose) {
   return usda_tuple({q.w(), q.x(), q.y(), q.z()});
 }
 
-std::string translation(const Pose& pose) { return usda_tuple(pose.position); }
+std::string translation(const Pose& pose) { return usda_tuple(pose.translation); }
 
 void append_motion(UsdaText& usda, const BakedThing& thing) {
   append_samples(usda, "double3 xformOp:translate.timeSamples", thing, translation);

@@ -119,7 +119,7 @@ TEST(Bake, AFreeBodyMovesAndTurnsEvenly) {
   const std::vector<Pose>& poses = bake.things[0].poses;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const double time = bake.times[i];
-    EXPECT_LT((poses[i].position - poses[0].position - time * Vec3(1, 2, 3)).norm(), 1e-6) << i;
+    EXPECT_LT((poses[i].translation - poses[0].translation - time * Vec3(1, 2, 3)).norm(), 1e-6) << i;
     const Quat turned(Eigen::AngleAxisd(2 * time, Vec3::UnitZ()));
     EXPECT_LT(poses[i].rotation.angularDistance(turned), 1e-2) << i;
   }
@@ -134,7 +134,7 @@ TEST(Bake, WhatRestsStaysWhereItIs) {
   const Bake bake = baked_run(scene, 0, 20);
   ASSERT_EQ(bake.things.size(), 1u);
   for (const Pose& pose : bake.things[0].poses) {
-    EXPECT_LT((pose.position - bake.things[0].poses[0].position).norm(), 1e-7);
+    EXPECT_LT((pose.translation - bake.things[0].poses[0].translation).norm(), 1e-7);
     EXPECT_LT(pose.rotation.angularDistance(Quat::Identity()), 1e-7);
   }
 }
@@ -145,7 +145,7 @@ TEST(Bake, PiecesOfAWholeBodyMoveTogether) {
   for (std::size_t frame = 0; frame < bake.times.size() && bake.times[frame] < 0.05; ++frame)
     for (const BakedThing& thing : bake.things) {
       if (thing.scene_body < 0) continue;
-      EXPECT_LT((thing.poses[frame].position - thing.poses[0].position).norm(), 1e-4);
+      EXPECT_LT((thing.poses[frame].translation - thing.poses[0].translation).norm(), 1e-4);
       EXPECT_LT(thing.poses[frame].rotation.angularDistance(Quat::Identity()), 1e-3);
     }
 }

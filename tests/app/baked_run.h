@@ -18,7 +18,7 @@ inline Bake baked_run(const Scene& scene, int first, int last, bool deformed = f
   return baker.finish(world.frame(), deformed);
 }
 
-inline Vec3 placed(const Pose& pose, const Vec3& point) { return pose.position + pose.rotation * point; }
+inline Vec3 placed(const Pose& pose, const Vec3& point) { return pose.to_world(point); }
 
 /// The triangles outside and inside.
 inline std::vector<std::array<int, 3>> all_triangles(const BakedMesh& mesh) {

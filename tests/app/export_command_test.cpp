@@ -172,7 +172,7 @@ TEST(ExportCommand, BlenderFindsEveryThingWhereItIs) {
   ASSERT_EQ(found.size(), bake.things.size());
   for (const BakedThing& thing : bake.things) {
     ASSERT_TRUE(found.contains(thing.name));
-    const Vec3 first = thing.poses.front().position, last = thing.poses.back().position;
+    const Vec3 first = thing.poses.front().translation, last = thing.poses.back().translation;
     for (int i = 0; i < 3; ++i) {
       EXPECT_NEAR(found[thing.name]["first"][i].get<double>(), first[i], 1e-4) << thing.name;
       EXPECT_NEAR(found[thing.name]["last"][i].get<double>(), last[i], 1e-4) << thing.name;
