@@ -37,8 +37,11 @@ TEST_F(ExportTest, TheDialogProposesAFileForOtherPrograms) {
   press_key('E', true);
   draw(3);
   EXPECT_THAT(value("save/path"), HasSubstr("small wall.glb"));
+  press_key(ui::key::kEscape);
   const fs::path file = test_folder() / "run";
-  type(file.string());
+  editor_.state().save_as = ui::save_target(file, ui::SavedKind::exported);
+  draw(3);
+  click("save/save");
   EXPECT_FALSE(editor_.state().work.empty());
   wait_for_work();
   EXPECT_EQ(beginning(file.string() + ".glb", 4), "glTF");

@@ -139,7 +139,7 @@ TEST(ExportCommand, BadOutputsAndFramesAreToldBeforeTheRun) {
     EXPECT_EQ(outcome.code, 2);
     EXPECT_THAT(outcome.output, HasSubstr(what));
   };
-  refused("--frames 0:1000000 -o run.fbx", ".glb, .usda, .json or .csv");
+  refused("--frames 0:1000000 -o run.fbx", ".glb, .usda, .html, .json or .csv");
   refused("--frames 0:1000000 -o /no/such/folder/run.glb", "/no/such/folder");
   refused("--frames 5:2 -o " + (test_folder() / "run.glb").string(), "--frames");
   refused("--frames 0,5 -o " + (test_folder() / "run.glb").string(), "is a list");
