@@ -114,10 +114,10 @@ void EmbeddedPass::upload_opened(const std::vector<std::int32_t>& opened) {
   opened_ = opened;
 }
 
-void EmbeddedPass::draw_depth(bool skips_clear) const {
+void EmbeddedPass::draw_depth(DrawnPart part) const {
   if (!mesh_) return;
   depth_program_.use();
-  depth_program_.set("skips_clear", skips_clear);
+  depth_program_.set("drawn_part", static_cast<int>(part));
   depth_program_.set("scalar_kind", 0);
   draw_triangles();
 }

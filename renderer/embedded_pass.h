@@ -17,7 +17,7 @@ class EmbeddedPass {
   EmbeddedPass();
   void upload(const EmbeddedSurface& surface);
   /// `skips_clear`: what lets light through is left out.
-  void draw_depth(bool skips_clear) const;
+  void draw_depth(DrawnPart part) const;
   void draw(const EmbeddedSurface& surface, const ScalarStyle& style, const ColorTables& color_tables,
             const RenderOptions& options, const Background& sky, float opacity, Output output, DrawnPart part) const;
 

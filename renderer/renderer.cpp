@@ -110,7 +110,7 @@ void set_state() {
 
 struct Renderer::Passes {
   ViewBuffer shadow_view, picture_view;
-  ShadowMap shadow_map;
+  ShadowMap shadow_map, clear_shadow_map;
   BackgroundPass background;
   ColorTables color_tables;
   SurfacePass surface;
@@ -132,7 +132,8 @@ struct Renderer::Passes {
   void draw_transparent(const DrawScene& scene, const RenderOptions& options);
   /// Depth alone, of what light does not come through.
   void draw_depths(const DrawScene& scene, const RenderOptions& options) const;
-  void draw_shadow_map(const DrawScene& scene, const ViewBlock& view, const RenderOptions& options) const;
+  void draw_depths_of_surfaces(DrawnPart part) const;
+  void draw_shadow_maps(const DrawScene& scene, const ViewBlock& view, const RenderOptions& options) const;
   void draw_occlusion_map(const DrawScene& scene, const Camera& camera, const Focus& focus, const Mat4& view_projection,
                           const RenderOptions& options);
   void draw_ground(const DrawScene& scene, const Camera& camera, const Focus& focus) const;
@@ -160,23 +161,30 @@ void Renderer::Passes::upload(const DrawScene& scene, float pixel_scale) {
 
 void Renderer::Passes::draw_depths(const DrawScene& scene, const RenderOptions& options) const {
   if (scene.surface.opacity == 1) {
-    const bool skips_clear = has_glass(scene, options);
-    glEnable(GL_CLIP_DISTANCE0);
-    surface.draw_depth(skips_clear);
-    embedded.draw_depth(skips_clear);
-    glDisable(GL_CLIP_DISTANCE0);
+    draw_depths_of_surfaces(has_glass(scene, options) ? DrawnPart::not_clear : DrawnPart::all);
   }
   spheres.draw_shadow();
 }
 
-void Renderer::Passes::draw_shadow_map(const DrawScene& scene, const ViewBlock& view,
-                                       const RenderOptions& options) const {
+void Renderer::Passes::draw_depths_of_surfaces(DrawnPart part) const {
+  glEnable(GL_CLIP_DISTANCE0);
+  surface.draw_depth(part);
+  embedded.draw_depth(part);
+  glDisable(GL_CLIP_DISTANCE0);
+}
+
+void Renderer::Passes::draw_shadow_maps(const DrawScene& scene, const ViewBlock& view,
+                                        const RenderOptions& options) const {
+  const bool clear = has_glass(scene, options);
   shadow_map.begin();
-  if (!options.shadows) return;
-  shadow_view.bind(view);
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(1.5f, 2);  // against self-shadowing
-  draw_depths(scene, options);
+  if (options.shadows) {
+    shadow_view.bind(view);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1.5f, 2);  // against self-shadowing
+    draw_depths(scene, options);
+  }
+  if (clear) clear_shadow_map.begin();
+  if (clear && options.shadows) draw_depths_of_surfaces(DrawnPart::clear);
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
@@ -216,6 +224,7 @@ void Renderer::Passes::draw_picture(const DrawScene& scene, const Camera& camera
   target.bind();
   target.clear(scene.background.bottom);
   shadow_map.bind();
+  clear_shadow_map.bind_clear();
   background.draw(scene.background);
   glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);  // the picture is opaque; alpha only blends
   draw_surfaces(scene, options, Output::opaque, opaque_part(scene, clear));
@@ -270,9 +279,10 @@ void Renderer::render(const DrawScene& scene, const Camera& camera, const Render
   set_state();
   passes_->resize(options);
   passes_->upload(scene, options.pixel_scale);
-  passes_->draw_shadow_map(scene, shadow_view, options);
-  const ViewBlock view =
+  passes_->draw_shadow_maps(scene, shadow_view, options);
+  ViewBlock view =
       picture_view(camera, visible_box(scene, focus, box), passes_->target, shadow_view, effects_of(options.quality));
+  view.effects.w() = has_glass(scene, options) ? 1.0f : 0.0f;
   passes_->picture_view.bind(view);
   passes_->draw_occlusion_map(scene, camera, focus, view.view_projection, options);
   passes_->draw_picture(scene, camera, focus, options);

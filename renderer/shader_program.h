@@ -24,6 +24,7 @@ enum TextureUnit : int {
   kWeightSumsUnit,
   kShadowDepthUnit,
   kOcclusionUnit,
+  kClearShadowUnit,
   kOpaqueUnit,
   kSlopeSumsUnit
 };

@@ -51,6 +51,11 @@ void ShadowMap::bind() const {
   glBindSampler(kShadowDepthUnit, depth_values_.id());
 }
 
+void ShadowMap::bind_clear() const {
+  glActiveTexture(GL_TEXTURE0 + kClearShadowUnit);
+  glBindTexture(GL_TEXTURE_2D, depth_.id());
+}
+
 ViewBlock ShadowMap::view(const Focus& focus) {
   const Vector3f light = Vector3f(0.45f, 0.85f, 0.55f).normalized();
   const Vector3f right = Vector3f::UnitY().cross(light).normalized();

@@ -23,6 +23,8 @@ class ShadowMap {
 
   /// Makes the map what shaders look up.
   void bind() const;
+  /// Makes it the map of clear matter, which keeps but a part of the light.
+  void bind_clear() const;
 
   /// The view to draw the map with; its shadow_matrix and light serve for the picture's own view.
   static ViewBlock view(const Focus& focus);

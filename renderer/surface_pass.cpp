@@ -51,9 +51,10 @@ void SurfacePass::upload(const Surface& surface) {
   has_flags_ = !surface.flags.empty();
 }
 
-void SurfacePass::draw_depth(bool skips_clear) const {
+void SurfacePass::draw_depth(DrawnPart part) const {
   depth_program_.use();
-  depth_program_.set("skips_clear", skips_clear && has_flags_);
+  if (part == DrawnPart::clear && !has_flags_) return;
+  depth_program_.set("drawn_part", static_cast<int>(has_flags_ ? part : DrawnPart::all));
   draw_triangles();
 }
 

@@ -14,7 +14,7 @@ class SurfacePass {
   SurfacePass();
   void upload(const Surface& surface);
   /// `skips_clear`: what lets light through is left out.
-  void draw_depth(bool skips_clear) const;
+  void draw_depth(DrawnPart part) const;
   void draw(const Surface& surface, const ColorTables& color_tables, const RenderOptions& options,
             const Background& sky, Output output, DrawnPart part) const;
 

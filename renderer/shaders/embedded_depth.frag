@@ -1,8 +1,8 @@
 uniform samplerBuffer materials;
-uniform bool skips_clear;
+uniform int drawn_part;  // a DrawnPart: all, not_clear or clear
 flat in ivec4 labels;
 
-// What lets light through casts no shadow.
 void main() {
-  if (skips_clear && texelFetch(materials, 11 * (labels.w & 0xffff) + 10).r > 0.0) discard;
+  bool clear = texelFetch(materials, 11 * (labels.w & 0xffff) + 10).r > 0.0;
+  if (drawn_part >= 3 && (drawn_part == 4) != clear) discard;
 }

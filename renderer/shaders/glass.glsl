@@ -1,6 +1,7 @@
 // What clear matter does to light, as sums that need no order: optical depth adds up along the line of sight (Beer and
 // Lambert), as do shares of reflected light where they are small. glass_blend.frag makes the picture of them.
-const float kMatShare = 0.45;  // of light from the rough of a crack
+const float kMatShare = 1.4;  // of light from the rough of a crack
+const float kCaught = 0.6;     // of the lamp's light, at the edges of a pane
 
 uniform vec3 sky_top, sky_bottom;  // the background's colours
 layout(location = 0) out vec4 depth_sum;  // rgb: optical depth, entered faces negative; a: reflected shares
@@ -19,8 +20,9 @@ void emit_glass(vec3 color, float clear_depth, vec3 position, vec3 normal, bool 
   vec3 absorption = -log(max(linear_from_srgb(color), 1e-3)) / clear_depth;
   float share = 0.04 + 0.96 * pow(1.0 - min(abs(dot(normal, ray)), 1.0), 5.0);  // Schlick 1994
   vec3 mirrored = mirrored_light(reflect(ray, normal));
-  if (rough) {
-    mirrored = mix(mirrored, linear_from_srgb(sqrt(color)) * colored_illumination(normal, 1.0, 1.0), 0.7);
+  if (rough) {  // light that was caught within the pane leaves it here, whichever way the face is turned
+    vec3 caught = linear_from_srgb(sqrt(sqrt(color))) * (kSkyLight + kCaught * kLampLight);
+    mirrored = mix(mirrored, caught, 0.8);
     share = max(share, kMatShare);
   }
   depth_sum = vec4(absorption * (gl_FrontFacing ? -away : away), share);

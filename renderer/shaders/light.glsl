@@ -3,6 +3,7 @@ const vec3 kSkyLight = vec3(0.43, 0.48, 0.55), kGroundLight = vec3(0.30, 0.28, 0
 const float kNarrowest = 8e-4, kWidest = 0.03;  // penumbras, in widths of the shadow map
 
 uniform sampler2DShadow shadow_map;
+uniform sampler2DShadow clear_shadow_map;
 uniform sampler2D shadow_depth;   // the depths in shadow_map
 uniform sampler2D occlusion_map;  // openness to the sky, distance from the eye
 
@@ -45,13 +46,27 @@ float soft_visibility(vec3 place, vec2 slope) {
   return lit / float(count);
 }
 
+// Share of the lamp's light that clear matter lets through.
+float clear_visibility(vec3 place, vec2 slope) {
+  const int kCount = 8;
+  const float kKept = 0.3;  // by two faces and what lies between
+  if (effects.w == 0.0) return 1.0;
+  float lit = 0.0;
+  for (int i = 0; i < kCount; ++i) {
+    vec2 offset = 4.0 * kNarrowest * disc_point(i, kCount);
+    lit += texture(clear_shadow_map, place + vec3(offset, dot(slope, offset)));
+  }
+  return 1.0 - kKept * (1.0 - lit / float(kCount));
+}
+
 // Share of the lamp's light that arrives. Moving off the surface avoids self-shadowing.
 float light_visibility(vec3 position, vec3 normal) {
   vec3 place = (shadow_matrix * vec4(position + 2.0 * light.w * normal, 1.0)).xyz;
   if (effects.x == 0.0) return hard_visibility(place);
   vec3 turned = normalize(mat3(shadow_matrix) * normal);
   if (turned.z >= 0.0) return 0.0;  // turned away
-  return soft_visibility(place, turned.xy / max(-turned.z, 0.2));
+  vec2 slope = turned.xy / max(-turned.z, 0.2);
+  return soft_visibility(place, slope) * clear_visibility(place, slope);
 }
 
 // Share of the sky that what stands near leaves open: the map's four nearest values, those about as far away as the

@@ -1,8 +1,9 @@
 const int kClear = 64;  // TriangleFlag
 uniform usamplerBuffer flags;
-uniform bool skips_clear;
+uniform int drawn_part;  // a DrawnPart: all, not_clear or clear
 
-// What lets light through casts no shadow.
 void main() {
-  if (skips_clear && (int(texelFetch(flags, gl_PrimitiveID).r) & kClear) != 0) discard;
+  if (drawn_part < 3) return;
+  bool clear = (int(texelFetch(flags, gl_PrimitiveID).r) & kClear) != 0;
+  if ((drawn_part == 4) != clear) discard;
 }
