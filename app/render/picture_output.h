@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
+#include "app/output/video_writer.h"
 #include "app/render/contact_sheet.h"
 #include "app/render/render_job.h"
-#include "app/output/video_writer.h"
 
 namespace griffith::app {
 

@@ -75,11 +75,12 @@ TEST(IncludeRules, PanelsMakeNoGraphicsCallAndKnowNoWorld) {
 TEST(IncludeRules, ThirdPartyLibrariesStayInTheirPlaces) {
   expect_only_in(kBullet, "^sim/(contact/|geometry/convex_hull\\.cpp$)");
   expect_only_in("^(tbb|oneapi/tbb)/", "^sim/core/parallel\\.cpp$");
-  expect_only_in("^nlohmann/",
-                 "^(sim/(scene/|recording/versions\\.cpp$)|app/(editor/preferences_file|export/(bake_json|html_player)|output/"
-                 "((mesh_)?statistics|crack_event_file)|"
-                 "render/(read_render_jobs|picture_output)|regress/run_suite|"
-                 "study/(run_record|sweep_folder|sweep_page|find_report))\\.cpp$)");
+  expect_only_in(
+      "^nlohmann/",
+      "^(sim/(scene/|recording/versions\\.cpp$)|app/(editor/preferences_file|export/(bake_json|html_player)|output/"
+      "((mesh_)?statistics|crack_event_file)|"
+      "render/(read_render_jobs|picture_output)|regress/run_suite|"
+      "study/(run_record|sweep_folder|sweep_page|find_report))\\.cpp$)");
   expect_only_in("^assimp/", "^sim/meshing/import_objects\\.cpp$");
   expect_only_in("^GLFW/", "^app/editor/window\\.cpp$");
   expect_only_in("^CLI/", "^app/cli/");
