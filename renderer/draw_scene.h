@@ -82,6 +82,14 @@ struct Sphere {
   std::int32_t id = kNoId;
 };
 
+/// A soft cloud, denser towards its middle.
+struct Puff {
+  Eigen::Vector3f center = Eigen::Vector3f::Zero();  ///< [m]
+  float radius = 1;                                  ///< [m]
+  Rgb color = {0.7f, 0.7f, 0.7f};
+  float opacity = 0.5f;  ///< of the middle, 0..1
+};
+
 /// A line of DrawScene::line_width pixels.
 struct Line {
   Eigen::Vector3f start = Eigen::Vector3f::Zero(), end = Eigen::Vector3f::Zero();  ///< [m]
@@ -120,6 +128,8 @@ struct DrawScene {
   Surface surface;
   EmbeddedSurface embedded;
   std::vector<Sphere> spheres;
+  std::vector<Sphere> crumbs;  ///< more of them, of no weight for what is framed and where shadows fall
+  std::vector<Puff> puffs;     ///< nor these
   std::vector<Line> lines;
   std::vector<Point> points;
   Glyphs glyphs;

@@ -12,6 +12,7 @@
 #include "renderer/glyph_pass.h"
 #include "renderer/ground_pass.h"
 #include "renderer/occlusion_map.h"
+#include "renderer/puff_pass.h"
 #include "renderer/shadow_map.h"
 #include "renderer/sphere_pass.h"
 #include "renderer/stroke_pass.h"
@@ -35,8 +36,13 @@ Focus focus_of(const Eigen::AlignedBox3f& box, const Camera& camera) {
 /// The ground fades out at this distance from the focus.
 float ground_radius(const Focus& focus) { return 9 * focus.radius; }
 
-/// The scene's box and the ground that is seen.
+/// The scene's box with what flies about, and the ground that is seen.
 Eigen::AlignedBox3f visible_box(const DrawScene& scene, const Focus& focus, Eigen::AlignedBox3f box) {
+  for (const Sphere& crumb : scene.crumbs) box.extend(crumb.center);
+  for (const Puff& puff : scene.puffs) {
+    box.extend((puff.center.array() - puff.radius).matrix());
+    box.extend((puff.center.array() + puff.radius).matrix());
+  }
   if (!scene.ground) return box;
   const float reach = ground_radius(focus);
   box.extend(Eigen::Vector3f(focus.center.x() - reach, scene.ground->height, focus.center.z() - reach));
@@ -115,7 +121,8 @@ struct Renderer::Passes {
   ColorTables color_tables;
   SurfacePass surface;
   EmbeddedPass embedded;
-  SpherePass spheres;
+  SpherePass spheres, crumbs;
+  PuffPass puffs;
   GlyphPass glyphs;
   StrokePass strokes;
   GroundPass ground;
@@ -155,6 +162,8 @@ void Renderer::Passes::upload(const DrawScene& scene, float pixel_scale) {
   surface.upload(scene.surface);
   embedded.upload(scene.embedded);
   spheres.upload(scene.spheres);
+  crumbs.upload(scene.crumbs);
+  puffs.upload(scene.puffs);
   glyphs.upload(scene.glyphs);
   strokes.upload(scene, pixel_scale);
 }
@@ -164,6 +173,7 @@ void Renderer::Passes::draw_depths(const DrawScene& scene, const RenderOptions& 
     draw_depths_of_surfaces(has_glass(scene, options) ? DrawnPart::not_clear : DrawnPart::all);
   }
   spheres.draw_shadow();
+  crumbs.draw_shadow();
 }
 
 void Renderer::Passes::draw_depths_of_surfaces(DrawnPart part) const {
@@ -229,9 +239,11 @@ void Renderer::Passes::draw_picture(const DrawScene& scene, const Camera& camera
   glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);  // the picture is opaque; alpha only blends
   draw_surfaces(scene, options, Output::opaque, opaque_part(scene, clear));
   spheres.draw();
+  crumbs.draw();
   glyphs.draw(Output::opaque);
   draw_ground(scene, camera, focus);
   strokes.draw();
+  puffs.draw();
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   if (see_through || clear || glyphs.has_transparent()) {
     draw_transparent(scene, options);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/picture/carried_points.h"
+#include "app/picture/crack_dust.h"
 #include "app/picture/crack_lines.h"
 #include "app/picture/element_picture.h"
 #include "app/picture/layer_picture.h"
@@ -253,6 +254,19 @@ bool shows_shards(const ViewSettings& view) {
   return view.splinters && view.quantity != "tet" && !is_scalar(view.quantity) && shows_whole_bodies(view);
 }
 
+/// Where pieces are in their own places, in their own colours, and nothing is explained.
+bool shows_dust(const ViewSettings& view) {
+  return view.dust && view.quality != PictureQuality::draft && !is_scalar(view.quantity) && view.quantity != "tet" &&
+         shows_whole_bodies(view) && view.deformation_scale == 1 && view.explode == 0 && !view.slice &&
+         view.layers.empty();
+}
+
+void add_dust(const Frame& frame, const Scene& scene, const HiddenBodies& hidden, render::DrawScene& picture) {
+  CrackDust dust = crack_dust(frame, scene, hidden);
+  picture.puffs = std::move(dust.puffs);
+  picture.crumbs = std::move(dust.crumbs);
+}
+
 /// As draw_scene_from_frame(), with the pieces of that frame.
 render::DrawScene drawn(const Frame& frame, const EmbeddedPieces& pieces, std::span<const std::array<int, 4>> orders,
                         const Scene& scene, const ViewSettings& view, const ui::Selection& selection,
@@ -279,6 +293,7 @@ render::DrawScene drawn(const Frame& frame, const EmbeddedPieces& pieces, std::s
   if (selection.valid() && !shown.is_hidden(shown.body_of(selection.node))) mark_node(shown, selection.node, result);
   tell_deformation(shown, result);
   add_surroundings(frame, scene, result);
+  if (shows_dust(view)) add_dust(frame, scene, hidden, result);
   return result;
 }
 

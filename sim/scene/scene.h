@@ -154,6 +154,7 @@ struct ViewSettings {
   double edge_width = 1.1;  ///< of element edges, in pixels of a picture 720 pixels high, 0.25..10
   bool splinters = true;    ///< shown in place of tets where a body has them
   ElementStyle elements = ElementStyle::surface;
+  bool dust = true;                 ///< cracks throw out dust and crumbs, in natural colours and not in draft
   double deformation_scale = 1;     ///< pieces are drawn deformed this many times as much as they are, 0..1e6
   double explode = 0;               ///< pieces are drawn this much farther from the middle, 0..20; 0: where they are
   double opacity = 1;               ///< of bodies, 0.05..1

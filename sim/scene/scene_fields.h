@@ -350,6 +350,8 @@ void describe(Archive& archive, ViewSettings& view) {
                 "Width of element edges, in pixels of a picture 720 pixels high");
   archive.field("splinters", view.splinters, Flag{},
                 "Whether splinters and surfaces are drawn in place of the tetrahedra");
+  archive.field("dust", view.dust, Flag{},
+                "Whether cracks throw out dust and crumbs in natural colours: an effect, not in draft quality");
   archive.field("elements", view.elements, OneOf{{styles.begin(), styles.end()}},
                 "How tetrahedra are drawn: the surface, all edges, or each one by itself and smaller");
   archive.field("deformation_scale", view.deformation_scale, between(0, 1e6, "-"),

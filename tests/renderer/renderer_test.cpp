@@ -162,6 +162,24 @@ TEST_F(RendererTest, ShadowsDarkenTheGroundOnly) {
   EXPECT_LT(darker, kWidth * kHeight / 10);
 }
 
+TEST_F(RendererTest, PuffsAreSeenThroughAndNotPicked) {
+  DrawScene scene;
+  scene.spheres = {{{0, 1.2f, 0}, 0.8f, {0.1f, 0.1f, 0.1f}, 7}};
+  const Image bare = picture(scene, options(1));
+  const auto brightness = [&](float opacity, float distance) {
+    const Vector3f towards_eye = (camera().position - camera().target).normalized();
+    scene.puffs = {{Vector3f(0, 1.2f, 0) + distance * towards_eye, 0.6f, {0.9f, 0.9f, 0.9f}, opacity}};
+    const Image image = picture(scene, options(1));
+    EXPECT_EQ(renderer_->id_at(kWidth / 2, kHeight / 2), 7);
+    return static_cast<int>(image.pixel(kWidth / 2, kHeight / 2)[0]);
+  };
+  const int without = bare.pixel(kWidth / 2, kHeight / 2)[0];
+  EXPECT_EQ(brightness(0, 1.5f), without);
+  EXPECT_GT(brightness(0.3f, 1.5f), without + 5);
+  EXPECT_GT(brightness(0.9f, 1.5f), brightness(0.3f, 1.5f) + 5);
+  EXPECT_EQ(brightness(0.9f, -1.5f), without) << "behind the sphere";
+}
+
 TEST_F(RendererTest, MarkedEdgesAreDrawnAndOnlyThose) {
   DrawScene scene = screen_filling_square(camera());
   RenderOptions how = options();

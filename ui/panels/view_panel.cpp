@@ -172,6 +172,8 @@ void draw_view_panel(Panel& panel) {
   quality_row(panel);
   checkbox(panel, "view/shading", "Shading", panel.state.view.shading);
   tooltip("Without, a pixel has exactly the colour that the legend gives to its value.");
+  checkbox(panel, "view/dust", "Dust and crumbs", panel.state.view.dust);
+  tooltip("What cracks throw out, in natural colours: an effect, of which the simulation knows nothing.");
   checkbox(panel, "view/edges", "Element edges", panel.state.view.edges);
   checkbox(panel, "view/splinters", "Splinters and surfaces", panel.state.view.splinters);
   layer_rows(panel);

@@ -1,0 +1,149 @@
+#include "app/picture/crack_dust.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "app/picture/natural_materials.h"
+
+namespace griffith::app {
+namespace {
+
+constexpr std::size_t kMaxPuffs = 1200, kMaxCrumbs = 3000;  ///< of the newest cracks
+constexpr double kPuffTime = 0.9;                           ///< until a puff has faded [s]
+constexpr double kDrag = 0.12;                              ///< in which dust comes to rest in the air [s]
+/// Speed of what flies, in speeds of the matter behind a wave of its strength, and its bounds [m/s].
+constexpr double kThrow = 4, kMinSpeed = 0.3, kMaxSpeed = 6;
+
+/// How a material crumbles.
+struct Crumbling {
+  std::string_view preset;
+  double dust;  ///< 0..1
+  int crumbs;   ///< a crack
+  double size;  ///< of a crumb, in element sizes
+};
+constexpr Crumbling kCrumblingTable[] = {{"concrete", 1, 3, 0.05},
+                                         {"brick", 0.9, 4, 0.05},
+                                         {"granite", 0.6, 3, 0.05},
+                                         {"porcelain", 0.25, 3, 0.04},
+                                         {"alumina", 0.25, 3, 0.04},
+                                         {"soda_lime_glass", 0, 3, 0.025},
+                                         {"ice", 0.2, 4, 0.04},
+                                         {"acrylic", 0, 2, 0.03},
+                                         {"wood_along_grain", 0.1, 2, 0.035},
+                                         {"wood_across_grain", 0.1, 2, 0.035}};
+
+/// Null for what does not crumble: metals, rubber, jelly.
+const Crumbling* crumbling_of(const Material& material) {
+  const auto* found = std::ranges::find(kCrumblingTable, preset_alike(material), &Crumbling::preset);
+  return found == std::end(kCrumblingTable) ? nullptr : found;
+}
+
+/// Numbers from 0 to 1 that follow from a seed (Steele, Lea and Flood 2014, SplitMix).
+class Chance {
+ public:
+  explicit Chance(std::uint64_t seed) : state_(seed) {}
+  double operator()() {
+    std::uint64_t z = state_ += 0x9E3779B97F4A7C15u;
+    z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9u;
+    z = (z ^ z >> 27) * 0x94D049BB133111EBu;
+    return static_cast<double>((z ^ z >> 31) >> 11) * 0x1p-53;
+  }
+  Vec3 in_cube() {
+    const double x = (*this)(), y = (*this)(), z = (*this)();
+    return Vec3(2 * x - 1, 2 * y - 1, 2 * z - 1);
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+/// A crack, and what its surroundings make of it.
+struct Source {
+  Vec3 place, normal;
+  double age = 0, size = 0, speed = 0;  ///< [s], of elements [m], [m/s]
+  const Crumbling* crumbling = nullptr;
+  render::Rgb color;
+};
+
+/// Edge length of the elements at the crack: that of a cube of six of them [m].
+double element_size(const Frame& frame, const CrackEvent& event) {
+  double volume = 0;
+  for (const CrackElement& element : event.elements) volume += frame.elements.rest_elements[element.tet].volume;
+  return event.elements.empty() ? 0 : std::cbrt(6 * volume / static_cast<double>(event.elements.size()));
+}
+
+Source source_of(const Frame& frame, const Scene& scene, std::span<const render::EmbeddedMaterial> looks,
+                 const CrackEvent& event) {
+  const int body = frame.bodies[event.body].scene_body;
+  const Material& material = scene.bodies[static_cast<std::size_t>(body)].material;
+  const double impedance = std::sqrt(material.young_modulus * material.density);
+  const double speed = std::clamp(kThrow * material.tensile_strength / impedance, kMinSpeed, kMaxSpeed);
+  return {event.position,
+          event.normal,
+          frame.time - event.time,
+          element_size(frame, event),
+          speed,
+          crumbling_of(material),
+          looks[static_cast<std::size_t>(look_index(body, Look::inside))].color};
+}
+
+/// Where something thrown out goes: along the crack's normal to either side, more or less.
+Vec3 throw_of(const Source& source, Chance& chance) {
+  const double side = chance() < 0.5 ? -1 : 1, strength = 0.3 + 1.4 * chance();
+  return source.speed * strength * (side * source.normal + 0.7 * chance.in_cube());
+}
+
+render::Puff puff_of(const Source& source, Chance& chance) {
+  const double reach = kDrag * (1 - std::exp(-source.age / kDrag));
+  const Vec3 thrown = throw_of(source, chance);
+  const double grown = 0.3 + 0.5 * chance() + 1.2 * (1 - std::exp(-source.age / 0.35));
+  const double left = 1 - source.age / kPuffTime, risen = std::min(source.age / 0.03, 1.0);
+  const double share = 0.3 + 0.2 * chance();
+  return {(source.place + reach * thrown).cast<float>(), static_cast<float>(0.45 * source.size * grown), source.color,
+          static_cast<float>(source.crumbling->dust * share * left * left * risen)};
+}
+
+/// When something thrown up from that height above the ground with that speed comes to it [s].
+double fall_time(double height, double speed, double gravity) {
+  return (speed + std::sqrt(speed * speed + 2 * gravity * std::max(height, 0.0))) / gravity;
+}
+
+render::Sphere crumb_of(const Source& source, const Scene& scene, Chance& chance) {
+  const double come_out = std::min(0.3 + source.age / 0.1, 1.0);
+  const double radius = come_out * source.crumbling->size * source.size * (0.4 + 0.8 * chance());
+  const Vec3 thrown = throw_of(source, chance);
+  const double gravity = -scene.gravity.y(), shade = 0.85 + 0.25 * chance();
+  double time = source.age;
+  if (scene.ground && gravity > 0)
+    time = std::min(time, fall_time(source.place.y() - scene.ground->height - radius, thrown.y(), gravity));
+  Vec3 place = source.place + time * thrown + 0.5 * time * time * scene.gravity;
+  if (scene.ground) place.y() = std::max(place.y(), scene.ground->height + radius);
+  const auto lit = [&](float channel) { return std::min(1.0f, static_cast<float>(shade) * channel); };
+  return {place.cast<float>(),
+          static_cast<float>(radius),
+          {lit(source.color.r), lit(source.color.g), lit(source.color.b)},
+          render::kNoId};
+}
+
+}  // namespace
+
+CrackDust crack_dust(const Frame& frame, const Scene& scene, const HiddenBodies& hidden) {
+  CrackDust dust;
+  const std::vector<render::EmbeddedMaterial> looks = natural_materials(scene);
+  for (std::size_t i = frame.crack_events.size(); i-- > 0 && dust.crumbs.size() < kMaxCrumbs;) {
+    const CrackEvent& event = frame.crack_events[i];
+    if (hidden.contains(frame.bodies[event.body].scene_body)) continue;
+    const Source source = source_of(frame, scene, looks, event);
+    if (!source.crumbling || source.size == 0) continue;
+    Chance chance(i);
+    const bool is_dusty = source.crumbling->dust > 0 && source.age < kPuffTime && dust.puffs.size() < kMaxPuffs;
+    if (is_dusty) dust.puffs.push_back(puff_of(source, chance));
+    Chance of_crumbs(~static_cast<std::uint64_t>(i));
+    for (int k = 0; k < source.crumbling->crumbs; ++k) dust.crumbs.push_back(crumb_of(source, scene, of_crumbs));
+  }
+  return dust;
+}
+
+}  // namespace griffith::app

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "renderer/draw_scene.h"
+#include "renderer/shader_program.h"
+#include "renderer/stream_buffer.h"
+
+namespace griffith::render {
+
+/// Puffs: soft discs that face the eye, laid over what is opaque in the order in which they come. One instanced draw
+/// call.
+class PuffPass {
+ public:
+  PuffPass();
+  void upload(const std::vector<Puff>& puffs);
+  /// Leaves blending off and depth as it was.
+  void draw() const;
+
+ private:
+  ShaderProgram program_;
+  VertexArray vertices_;
+  StreamBuffer puffs_;
+  GLsizei count_ = 0;
+};
+
+}  // namespace griffith::render
