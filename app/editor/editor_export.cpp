@@ -7,8 +7,8 @@ namespace griffith::app {
 void Editor::export_run(const std::filesystem::path& path) {
   state_.running = false;
   const PictureKey key = picture_key();
-  export_ = start_export(path, timeline_, display_,
-                         {picture_camera(), state_.view, state_.hidden_bodies, key.width, key.height});
+  export_ =
+      start_export(path, timeline_, display_, {picture_camera(), state_.view, hidden_bodies(), key.width, key.height});
   state_.work = export_->stage();
 }
 

@@ -76,13 +76,6 @@ class BakeExport : public RunExport {
   std::future<std::string> result_;  ///< ends before what its thread sees
 };
 
-HiddenBodies numbers_of(const std::set<std::string>& names, const Scene& scene) {
-  HiddenBodies hidden;
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i)
-    if (names.contains(scene.bodies[i].name)) hidden.insert(static_cast<int>(i));
-  return hidden;
-}
-
 /// Draws a step each time that it goes on.
 class PictureExport : public RunExport {
  public:
@@ -113,8 +106,8 @@ class PictureExport : public RunExport {
     const Frame frame = timeline_.world().frame();
     range_.follow(frame, view_.view.quantity);
     follow_first_cracks(display_, frame, scene_);
-    const render::DrawScene drawn = draw_scene_from_frame(frame, display_, scene_, view_.view, {}, range_.range(),
-                                                          numbers_of(view_.hidden_bodies, scene_));
+    const render::DrawScene drawn =
+        draw_scene_from_frame(frame, display_, scene_, view_.view, {}, range_.range(), view_.hidden);
     renderer_.render(drawn, view_.camera, picture_options(view_.width, view_.height, kSamples, view_.view));
     return renderer_.image();
   }

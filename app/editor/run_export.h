@@ -28,8 +28,8 @@ class RunExport {
 struct ExportedView {
   render::Camera camera;
   ViewSettings view;
-  std::set<std::string> hidden_bodies;  ///< by name
-  int width = 1280, height = 720;       ///< [pixels]
+  HiddenBodies hidden;
+  int width = 1280, height = 720;  ///< [pixels]
 };
 
 /// Throws InputError unless the file's suffix names what start_export() writes, in a place where it can be written.

@@ -74,19 +74,19 @@ double element_size(const Frame& frame, const CrackEvent& event) {
   return event.elements.empty() ? 0 : std::cbrt(6 * volume / static_cast<double>(event.elements.size()));
 }
 
-Source source_of(const Frame& frame, const Scene& scene, std::span<const render::EmbeddedMaterial> looks,
-                 const CrackEvent& event) {
-  const int body = frame.bodies[event.body].scene_body;
-  const Material& material = scene.bodies[static_cast<std::size_t>(body)].material;
-  const double impedance = std::sqrt(material.young_modulus * material.density);
-  const double speed = std::clamp(kThrow * material.tensile_strength / impedance, kMinSpeed, kMaxSpeed);
-  return {event.position,
-          event.normal,
-          frame.time - event.time,
-          element_size(frame, event),
-          speed,
-          crumbling_of(material),
-          looks[static_cast<std::size_t>(look_index(body, Look::inside))].color};
+/// What all cracks of a scene body have in common.
+std::vector<Source> sources_of(const Scene& scene) {
+  const std::vector<render::EmbeddedMaterial> looks = natural_materials(scene);
+  std::vector<Source> sources;
+  for (int body = 0; body < std::ssize(scene.bodies); ++body) {
+    const Material& material = scene.bodies[static_cast<std::size_t>(body)].material;
+    const double impedance = std::sqrt(material.young_modulus * material.density);
+    Source& source = sources.emplace_back();
+    source.speed = std::clamp(kThrow * material.tensile_strength / impedance, kMinSpeed, kMaxSpeed);
+    source.crumbling = crumbling_of(material);
+    source.color = looks[static_cast<std::size_t>(look_index(body, Look::inside))].color;
+  }
+  return sources;
 }
 
 /// Where something thrown out goes: along the crack's normal to either side, more or less.
@@ -131,12 +131,18 @@ render::Sphere crumb_of(const Source& source, const Scene& scene, Chance& chance
 
 CrackDust crack_dust(const Frame& frame, const Scene& scene, const HiddenBodies& hidden) {
   CrackDust dust;
-  const std::vector<render::EmbeddedMaterial> looks = natural_materials(scene);
+  if (frame.crack_events.empty()) return dust;
+  std::vector<Source> sources = sources_of(scene);
   for (std::size_t i = frame.crack_events.size(); i-- > 0 && dust.crumbs.size() < kMaxCrumbs;) {
     const CrackEvent& event = frame.crack_events[i];
-    if (hidden.contains(frame.bodies[event.body].scene_body)) continue;
-    const Source source = source_of(frame, scene, looks, event);
-    if (!source.crumbling || source.size == 0) continue;
+    const int body = frame.bodies[event.body].scene_body;
+    Source& source = sources[static_cast<std::size_t>(body)];
+    if (!source.crumbling || hidden.contains(body)) continue;
+    source.place = event.position;
+    source.normal = event.normal;
+    source.age = frame.time - event.time;
+    source.size = element_size(frame, event);
+    if (source.size == 0) continue;
     Chance chance(i);
     const bool is_dusty = source.crumbling->dust > 0 && source.age < kPuffTime && dust.puffs.size() < kMaxPuffs;
     if (is_dusty) dust.puffs.push_back(puff_of(source, chance));

@@ -127,16 +127,22 @@ void comparison_fields(Panel& panel) {
   tooltip("One picture through the other, in place of both side by side with a border to drag.");
 }
 
+/// Begins the popup of the button that was drawn last, above it, up to ImGui::EndPopup(), where it is open.
+bool begin_popup_above(const Panel& panel, const char* popup) {
+  const ImVec2 corner(ImGui::GetItemRectMax().x, ImGui::GetItemRectMin().y - 4 * ui_scale(panel));
+  ImGui::SetNextWindowPos(corner, ImGuiCond_Appearing, {1, 1});
+  if (!ImGui::BeginPopup(popup)) return false;
+  close_on_escape();
+  return true;
+}
+
 void comparison_button(Panel& panel) {
   const std::optional<int> branch = panel.state.comparison.branch;
   if (branch) ImGui::PushStyleColor(ImGuiCol_Text, palette::kAccent);
   if (ImGui::Button("Compare…")) ImGui::OpenPopup("##compare");
   if (branch) ImGui::PopStyleColor();
   tag_last_item(panel.tags, "time/compare", branch ? "with branch " + std::to_string(*branch) : "off");
-  const ImVec2 corner(ImGui::GetItemRectMax().x, ImGui::GetItemRectMin().y - 4 * ui_scale(panel));
-  ImGui::SetNextWindowPos(corner, ImGuiCond_Appearing, {1, 1});
-  if (!ImGui::BeginPopup("##compare")) return;
-  close_on_escape();
+  if (!begin_popup_above(panel, "##compare")) return;
   comparison_fields(panel);
   ImGui::EndPopup();
 }
@@ -185,10 +191,7 @@ void breakpoint_button(Panel& panel) {
   if (armed) ImGui::PopStyleColor();
   tag_last_item(panel.tags, "time/breakpoints", armed ? "armed" : "none");
   tooltip("Where the simulation is to stop by itself: before a crack, not after it.");
-  const ImVec2 corner(ImGui::GetItemRectMax().x, ImGui::GetItemRectMin().y - 4 * ui_scale(panel));
-  ImGui::SetNextWindowPos(corner, ImGuiCond_Appearing, {1, 1});
-  if (!ImGui::BeginPopup("##breakpoints")) return;
-  close_on_escape();
+  if (!begin_popup_above(panel, "##breakpoints")) return;
   breakpoint_fields(panel);
   ImGui::EndPopup();
 }
