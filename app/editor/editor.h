@@ -11,6 +11,7 @@
 #include "app/editor/autosave.h"
 #include "app/editor/background_step.h"
 #include "app/editor/compared_branch.h"
+#include "app/editor/holding_search.h"
 #include "app/editor/recent_files.h"
 #include "app/editor/run_export.h"
 #include "app/editor/run_history.h"
@@ -197,8 +198,9 @@ class Editor {
   /// Makes the materials that are in force those of the scene, without an entry in its history.
   void adopt_materials();
   void forget_stop();
-  /// Tells how much stronger the material would have to be for the node to stand that is about to crack.
+  /// Begins to look for the strength, speed and thickness with which the node stands that is about to crack.
   void explain_holding();
+  void go_on_with_holding();
   ui::TimeView time_view() const;
   /// Compares with the branch that this one came from, or the newest; or no longer.
   void toggle_comparison();
@@ -268,6 +270,7 @@ class Editor {
   PictureKey drawn_;
   RunHistory run_history_;
   std::unique_ptr<RunExport> export_;
+  std::unique_ptr<HoldingSearch> holding_;
   std::unique_ptr<ComparedBranch> compared_;
   std::string difference_;  ///< of the compared branch
   UtilizationHistory history_of_utilizations_;

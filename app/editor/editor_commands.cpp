@@ -50,6 +50,7 @@ double Editor::max_tets() const {
 
 void Editor::receive_world() {
   go_on_with_export();
+  go_on_with_holding();
   if (state_.cancel_work) {
     loader_.cancel();
     give_up_work();
@@ -71,7 +72,7 @@ void Editor::receive_world() {
     give_up_work();
     show_error(InputError("the scene", std::string("cannot be built: ") + error.what(), ""));
   }
-  state_.work = export_ ? export_->stage() : loader_.stage();
+  state_.work = export_ ? export_->stage() : holding_ ? holding_->stage() : loader_.stage();
 }
 
 void Editor::give_up_work() {

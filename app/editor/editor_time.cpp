@@ -3,8 +3,7 @@
 
 #include "app/editor/breakpoints.h"
 #include "app/editor/editor.h"
-#include "app/editor/holding.h"
-#include "ui/model/units.h"
+#include "app/editor/holding_report.h"
 
 namespace griffith::app {
 using ui::CommandId;
@@ -83,27 +82,20 @@ void Editor::forget_stop() {
 }
 
 void Editor::explain_holding() {
-  const Frame now = frame();
   if (!stopped_at_.valid()) return;
-  const int scene_body = now.bodies[now.elements.bodies[now.nodes.stars[stopped_at_].front()]].scene_body;
-  const HoldingFactor factor = strength_that_holds(world(), scene_body, stopped_at_);
-  const Material& material = now.materials[scene_body];
-  const std::string node = "Node " + std::to_string(stopped_at_.value);
-  ui::WorkReport report;
-  report.title = !factor.breaks_at_one ? node + " stands when the step is made again: no strength can be told."
-                 : factor.found        ? node + " stands the next step if the material is " +
-                                      ui::format_quantity(factor.holds, "", 3) + " times as strong:"
-                                : node + " cracks however strong the material is.";
-  if (factor.found) {
-    report.facts = {"tensile strength " + ui::format_quantity(factor.holds * material.tensile_strength, "Pa", 3) +
-                        ", now " + ui::format_quantity(material.tensile_strength, "Pa", 3),
-                    "fracture toughness " +
-                        ui::format_quantity(factor.holds * material.fracture_toughness, "Pa·√m", 3) + ", now " +
-                        ui::format_quantity(material.fracture_toughness, "Pa·√m", 3),
-                    "At " + ui::format_quantity(factor.breaks, "", 4) + " times its strength it still cracks."};
-  }
-  report.facts.push_back("The step was made " + std::to_string(factor.runs) + " times to find out.");
-  state_.report = std::move(report);
+  state_.running = false;
+  holding_ = std::make_unique<HoldingSearch>(timeline_, stopped_at_);
+  state_.work = holding_->stage();
+}
+
+void Editor::go_on_with_holding() {
+  if (!holding_) return;
+  if (std::exchange(state_.cancel_work, false)) holding_->cancel();
+  const std::optional<HoldingAnswer> answer = holding_->take();
+  if (!answer) return;
+  const RunToCrack& run = holding_->run();
+  state_.report = holding_report(*answer, run, frame().materials[run.scene_body]);
+  holding_.reset();
 }
 
 ui::TimeView Editor::time_view() const {

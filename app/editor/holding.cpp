@@ -1,9 +1,24 @@
 #include "app/editor/holding.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "app/editor/thickness.h"
+#include "sim/world/setup/starting_overlaps.h"
 
 namespace griffith::app {
 namespace {
+
+constexpr double kAfter = 0.1;  ///< for how long the node must stand when a run is made again [s]
+constexpr double kLargestFactor = 8;
+
+std::string text_of(double factor) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", factor);
+  return text;
+}
 
 /// What resists opening, times a factor.
 Material stronger(Material material, double factor) {
@@ -12,6 +27,47 @@ Material stronger(Material material, double factor) {
   material.separation_toughness *= factor;
   return material;
 }
+
+/// Makes a step; whether the body stays whole at the place, whose nodes a change of thickness moves with rounding.
+bool steps_whole(World& world, int scene_body, const Vec3& place, const Monitor& monitor) {
+  constexpr double kRounding = 1e-9;
+  if (monitor.is_cancelled()) throw Cancelled();
+  const std::size_t known = world.frame().crack_events.size();
+  world.step();
+  const Frame frame = world.frame();
+  return std::ranges::none_of(frame.crack_events.subspan(known), [&](const CrackEvent& event) {
+    return frame.bodies[event.body].scene_body == scene_body &&
+           (event.rest_position - place).norm() <= kRounding * (1 + place.norm());
+  });
+}
+
+bool stands(World world, const RunToCrack& run, const Monitor& monitor) {
+  std::vector<WorldInput> inputs = run.inputs;
+  auto next = inputs.begin();
+  const std::int64_t after = std::llround(kAfter / run.scene.simulation.time_step);
+  for (std::int64_t step = 0; step <= run.steps + after; ++step) {
+    for (; next != inputs.end() && next->step <= step; ++next) apply(world, *next);
+    if (!steps_whole(world, run.scene_body, run.place, monitor)) return false;
+  }
+  return true;
+}
+
+bool anything_flies(const RunToCrack& run) {
+  return std::ranges::any_of(run.scene.projectiles, [](const ProjectileBurst& burst) { return burst.speed > 0; }) ||
+         std::ranges::any_of(run.inputs,
+                             [](const WorldInput& input) {
+                               const auto* burst = std::get_if<ProjectileBurst>(&input.action);
+                               return burst && burst->speed > 0;
+                             }) ||
+         std::ranges::any_of(run.scene.bodies, [](const BodyDescription& body) {
+           return !body.velocity.isZero(0) || !body.angular_velocity.isZero(0);
+         });
+}
+
+/// Builds the scene's world without telling of it.
+World build(const Scene& scene, const Monitor& monitor) { return World(scene, Monitor{{}, monitor.cancelled}); }
+
+std::size_t overlaps_in(const World& world) { return starting_overlaps(world.scene(), world.frame()).size(); }
 
 }  // namespace
 
@@ -37,17 +93,72 @@ HoldingFactor holding_factor(const std::function<bool(double)>& holds, double la
   return found;
 }
 
-HoldingFactor strength_that_holds(const World& before, int scene_body, NodeId node) {
+HoldingFactor strength_that_holds(const World& before, int scene_body, NodeId node, const Monitor& monitor) {
   const Material material = before.frame().materials[scene_body];
   const Vec3 place = before.frame().nodes.rest_positions[node];
   return holding_factor([&](double factor) {
+    monitor.enter(text_of(factor) + " times the strength");
     World world = before;
-    const std::size_t cracks = world.frame().crack_events.size();
     world.set_material(scene_body, stronger(material, factor));
-    world.step();
-    const auto events = world.frame().crack_events.subspan(cracks);
-    return std::ranges::none_of(events, [&](const CrackEvent& event) { return event.rest_position == place; });
+    return steps_whole(world, scene_body, place, monitor);
   });
+}
+
+RunToCrack run_to_crack(const Timeline& timeline, NodeId node) {
+  const Frame frame = timeline.world().frame();
+  const BodyId body = frame.elements.bodies[frame.nodes.stars[node].front()];
+  RunToCrack run{
+      timeline.world().scene(),        timeline.inputs(), timeline.step(), node, frame.bodies[body].scene_body,
+      frame.nodes.rest_positions[node]};
+  std::erase_if(run.inputs, [&](const WorldInput& input) { return input.step > timeline.step(); });
+  return run;
+}
+
+RunToCrack slowed(RunToCrack run, double factor) {
+  for (ProjectileBurst& burst : run.scene.projectiles) burst.speed /= factor;
+  for (WorldInput& input : run.inputs)
+    if (auto* burst = std::get_if<ProjectileBurst>(&input.action)) burst->speed /= factor;
+  for (BodyDescription& body : run.scene.bodies) {
+    body.velocity /= factor;
+    body.angular_velocity /= factor;
+  }
+  run.steps = std::llround(std::ceil(static_cast<double>(run.steps) * factor));
+  return run;
+}
+
+RunToCrack thickened(RunToCrack run, double factor) {
+  BodyDescription& body = run.scene.bodies[run.scene_body];
+  run.place = thickened_place(body, factor, run.scene.gravity, run.place);
+  body = thickened(body, factor, run.scene.gravity);
+  return run;
+}
+
+bool stands(const RunToCrack& run, const Monitor& monitor) { return stands(build(run.scene, monitor), run, monitor); }
+
+std::optional<HoldingFactor> slowness_that_holds(const RunToCrack& run, const Monitor& monitor) {
+  if (!anything_flies(run)) return std::nullopt;
+  return holding_factor(
+      [&](double factor) {
+        monitor.enter(text_of(1 / factor) + " times the speed");
+        return stands(slowed(run, factor), monitor);
+      },
+      kLargestFactor);
+}
+
+std::optional<HoldingFactor> thickness_that_holds(const RunToCrack& run, const Monitor& monitor) {
+  const BodyDescription& body = run.scene.bodies[run.scene_body];
+  if (!thickness_of(body.shape)) return std::nullopt;
+  const std::size_t overlaps = overlaps_in(build(run.scene, monitor));
+  return holding_factor(
+      [&](double factor) {
+        monitor.enter(text_of(factor) + " times the thickness");
+        const RunToCrack thicker = thickened(run, factor);
+        World world = build(thicker.scene, monitor);
+        if (overlaps_in(world) > overlaps)
+          throw InputError("body \"" + body.name + "\"", "would grow into another", "leave room beside it");
+        return stands(std::move(world), thicker, monitor);
+      },
+      kLargestFactor);
 }
 
 }  // namespace griffith::app

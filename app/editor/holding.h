@@ -1,8 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
+#include <string>
+#include <vector>
 
-#include "sim/world/world.h"
+#include "sim/core/monitor.h"
+#include "sim/timeline/timeline.h"
 
 namespace griffith::app {
 
@@ -19,7 +23,36 @@ struct HoldingFactor {
 HoldingFactor holding_factor(const std::function<bool(double)>& holds, double largest = 1024);
 
 /// How much stronger (tensile strength, toughness and what else resists) the material of a scene body would have to be
-/// for no crack to open at a node in the next step of `before`; found by making the step again and again.
-HoldingFactor strength_that_holds(const World& before, int scene_body, NodeId node);
+/// for no crack to open at a node in the next step of `before`; found by making the step again and again. Throws
+/// Cancelled.
+HoldingFactor strength_that_holds(const World& before, int scene_body, NodeId node, const Monitor& monitor = {});
+
+/// A run up to the step in which a node of a body cracks, to be made again from its start with something changed.
+struct RunToCrack {
+  Scene scene;
+  std::vector<WorldInput> inputs;  ///< done before that step, in their order
+  std::int64_t steps = 0;          ///< whole ones before it
+  NodeId node;                     ///< before that step
+  int scene_body = 0;              ///< it belongs to
+  Vec3 place = Vec3::Zero();       ///< of it, in the undeformed body [m]
+};
+
+/// The run that led to where a timeline is, just before a node cracks.
+RunToCrack run_to_crack(const Timeline& timeline, NodeId node);
+
+/// The run with all that flies from its start on, shots and bodies, `factor` times as slow, and as much longer.
+RunToCrack slowed(RunToCrack run, double factor);
+/// The run with the body of the node `factor` times as thick, as thickened() has it.
+RunToCrack thickened(RunToCrack run, double factor);
+
+/// Whether no crack opens at the place up to a tenth of a second after the step that the run leads to. Throws
+/// InputError where the scene cannot be built, Cancelled.
+bool stands(const RunToCrack& run, const Monitor& monitor = {});
+
+/// How much slower all that flies would have to be for the node to stand, up to 8 times. None where nothing flies.
+std::optional<HoldingFactor> slowness_that_holds(const RunToCrack& run, const Monitor& monitor = {});
+/// How much thicker its body would have to be, up to 8 times. None where its shape has no thickness. Throws InputError
+/// where it would grow into another body.
+std::optional<HoldingFactor> thickness_that_holds(const RunToCrack& run, const Monitor& monitor = {});
 
 }  // namespace griffith::app

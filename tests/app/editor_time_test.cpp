@@ -150,10 +150,26 @@ TEST_F(TimeTest, WhatWouldHaveHeldItHoldsIt) {
   };
   EXPECT_FALSE(cracks_at_node(factor.holds));
   EXPECT_TRUE(cracks_at_node(factor.breaks));
+}
+
+TEST_F(TimeTest, SaysFromWhatStrengthSpeedAndThicknessOnANodeStands) {
+  editor_.state().breakpoints.crack = Breakpoints::Where::anywhere;
+  fire();
+  run_until_stopped();
+  const std::uint64_t hash = editor_.timeline().world().state_hash();
   click("time/holding");
-  draw();
-  EXPECT_THAT(value("report/title"), HasSubstr("stands the next step"));
-  EXPECT_EQ(step(), editor_.timeline().last_step() - 1) << "trying changes nothing";
+  EXPECT_THAT(value("work/stage"), HasSubstr("Trying"));
+  wait_for_work();
+  EXPECT_THAT(value("report/title"), HasSubstr("What would have held node"));
+  EXPECT_THAT(value("report/fact0"), HasSubstr("times the strength"));
+  EXPECT_THAT(value("report/fact1"), HasSubstr("Speed: "));
+  EXPECT_THAT(value("report/fact2"), HasSubstr("Thickness: "));
+  EXPECT_EQ(editor_.timeline().world().state_hash(), hash) << "trying changes nothing";
+  click("report/close");
+  click("time/holding");
+  click("work/cancel");
+  wait_for_work();
+  EXPECT_THAT(value("report/warning0"), HasSubstr("Cancelled"));
 }
 
 TEST_F(TimeTest, StopsBeforeThePiecesAndTheUtilizationAreThere) {
@@ -172,17 +188,6 @@ TEST_F(TimeTest, StopsBeforeThePiecesAndTheUtilizationAreThere) {
   run_until_stopped();
   EXPECT_THAT(value("time/stopped"), HasSubstr("utilization"));
   EXPECT_LE(editor_.frame().report.peak_utilization, 0.2);
-}
-
-TEST(HoldingFactor, IsFoundToWithinAHundredth) {
-  for (const double border : {1.003, 1.7, 2.0, 100.0, 1000.0}) {
-    const HoldingFactor factor = holding_factor([&](double tried) { return tried >= border; });
-    ASSERT_TRUE(factor.found) << border;
-    EXPECT_GE(factor.holds, border);
-    EXPECT_LT(factor.breaks, border);
-    EXPECT_LE(factor.holds / factor.breaks, 1.01);
-  }
-  EXPECT_FALSE(holding_factor([](double) { return false; }).found);
 }
 
 }  // namespace

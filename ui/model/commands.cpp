@@ -253,8 +253,7 @@ constexpr CommandInfo kRegistry[] = {
     {.id = CommandId::explain_holding,
      .name = "time.holding",
      .label = "What would have held it?",
-     .hint =
-         "How much stronger the material would have to be for this node to stand: by making the step again and again",
+     .hint = "From what strength, speed or thickness on this node would stand: by making step and run again and again",
      .menu = Menu::simulation,
      .group = 1,
      .why_not = not_stopped_before_a_crack},

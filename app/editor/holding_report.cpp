@@ -1,0 +1,81 @@
+#include "app/editor/holding_report.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "app/editor/thickness.h"
+#include "ui/model/units.h"
+
+namespace griffith::app {
+namespace {
+
+using ui::format_quantity;
+
+std::string times(double factor) { return format_quantity(factor, "", 3) + " times"; }
+
+/// "4.1 MPa instead of 3 MPa"
+std::string instead_of(double now, double factor, const char* unit) {
+  return format_quantity(factor * now, unit, 3) + " instead of " + format_quantity(now, unit, 3);
+}
+
+std::string strength_fact(const HoldingFactor& strength, const Material& material) {
+  if (!strength.breaks_at_one) return "Strength: when the step is made again the node stands, so none can be told.";
+  if (!strength.found) return "Strength: in the next step it cracks however strong the material is.";
+  return "Strength: in the next step it stands with " + times(strength.holds) + " the strength, " +
+         instead_of(material.tensile_strength, strength.holds, "Pa") + " and " +
+         instead_of(material.fracture_toughness, strength.holds, "Pa·√m") + ".";
+}
+
+/// The speed of all shots of a run that leave the start at one speed; 0: they differ, or bodies fly too.
+double common_speed(const RunToCrack& run) {
+  std::vector<double> speeds;
+  for (const ProjectileBurst& burst : run.scene.projectiles) speeds.push_back(burst.speed);
+  for (const WorldInput& input : run.inputs)
+    if (const auto* burst = std::get_if<ProjectileBurst>(&input.action)) speeds.push_back(burst->speed);
+  const bool bodies_fly = std::ranges::any_of(run.scene.bodies, [](const BodyDescription& body) {
+    return !body.velocity.isZero(0) || !body.angular_velocity.isZero(0);
+  });
+  const bool equal = std::ranges::all_of(speeds, [&](double speed) { return speed == speeds.front(); });
+  return speeds.empty() || bodies_fly || !equal ? 0 : speeds.front();
+}
+
+std::string speed_fact(const std::optional<HoldingFactor>& slowness, const RunToCrack& run) {
+  if (!slowness) return "Speed: nothing was shot or thrown.";
+  if (!slowness->found) return "Speed: it cracks at an eighth of the speed, too.";
+  const double fraction = 1 / slowness->holds, now = common_speed(run);
+  return "Speed: it stands at " + times(fraction) + " the speed" +
+         (now > 0 ? ", " + instead_of(now, fraction, "m/s") : "") + ".";
+}
+
+std::string thickness_fact(const std::optional<HoldingFactor>& factor, const RunToCrack& run) {
+  const std::optional<Thickness> now = thickness_of(run.scene.bodies[run.scene_body].shape);
+  if (!now || !factor) return "Thickness: a mesh from a file has none that could be changed.";
+  if (!factor->found) return "Thickness: it cracks at eight times the thickness, too.";
+  return "Thickness: it stands at " + times(factor->holds) + " the thickness, " +
+         instead_of(now->length, factor->holds, "m") + ".";
+}
+
+/// How often which of them was tried.
+std::string effort(const HoldingAnswer& answer) {
+  const int runs = (answer.slowness ? answer.slowness->runs : 0) + (answer.thickness ? answer.thickness->runs : 0);
+  return "Tried, each to within 1 %: the step " + std::to_string(answer.strength.runs) +
+         " times, the run from its start " + std::to_string(runs) + " times, up to .1 s after the crack.";
+}
+
+}  // namespace
+
+ui::WorkReport holding_report(const HoldingAnswer& answer, const RunToCrack& run, const Material& material) {
+  ui::WorkReport report;
+  report.title = "What would have held node " + std::to_string(run.node.value) + ":";
+  const bool ended_early = answer.cancelled || !answer.problem.empty();
+  if (answer.strength.runs > 0) report.facts.push_back(strength_fact(answer.strength, material));
+  if (answer.slowness || !ended_early) report.facts.push_back(speed_fact(answer.slowness, run));
+  if (answer.thickness || !ended_early) report.facts.push_back(thickness_fact(answer.thickness, run));
+  report.facts.push_back(effort(answer));
+  if (answer.cancelled) report.warnings.push_back("Cancelled before all was tried.");
+  if (!answer.problem.empty()) report.warnings.push_back("No more could be tried: " + answer.problem);
+  return report;
+}
+
+}  // namespace griffith::app

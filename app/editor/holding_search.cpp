@@ -1,0 +1,43 @@
+#include "app/editor/holding_search.h"
+
+#include <chrono>
+#include <utility>
+
+namespace griffith::app {
+
+HoldingSearch::HoldingSearch(const Timeline& timeline, NodeId node) : run_(run_to_crack(timeline, node)) {
+  enter("what would have held it");
+  answer_ = std::async(std::launch::async, [this, before = timeline.world()] { return search(before); });
+}
+
+std::string HoldingSearch::stage() const {
+  const std::lock_guard lock(mutex_);
+  return stage_;
+}
+
+std::optional<HoldingAnswer> HoldingSearch::take() {
+  if (answer_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
+  return answer_.get();
+}
+
+HoldingAnswer HoldingSearch::search(const World& before) {
+  const Monitor monitor{[this](std::string_view stage) { enter(stage); }, [this] { return cancelled_.load(); }};
+  HoldingAnswer answer;
+  try {
+    answer.strength = strength_that_holds(before, run_.scene_body, run_.node, monitor);
+    answer.slowness = slowness_that_holds(run_, monitor);
+    answer.thickness = thickness_that_holds(run_, monitor);
+  } catch (const Cancelled&) {
+    answer.cancelled = true;
+  } catch (const InputError& error) {
+    answer.problem = error.what();
+  }
+  return answer;
+}
+
+void HoldingSearch::enter(std::string_view stage) {
+  const std::lock_guard lock(mutex_);
+  stage_ = "Trying " + std::string(stage);
+}
+
+}  // namespace griffith::app

@@ -1,0 +1,103 @@
+#include "app/editor/thickness.h"
+
+#include "sim/scene/body_pose.h"
+
+namespace griffith::app {
+namespace {
+
+std::optional<Thickness> extent(const BoxShape& box) {
+  int shortest = 0;
+  const double length = box.size.minCoeff(&shortest);
+  return Thickness{Vec3::Unit(shortest), length};
+}
+std::optional<Thickness> extent(const CylinderShape& cylinder) {
+  if (cylinder.length < 2 * cylinder.radius) return Thickness{Vec3::UnitZ(), cylinder.length};
+  return Thickness{Vec3(1, 1, 0), 2 * cylinder.radius};
+}
+std::optional<Thickness> extent(const DiscShape& disc) { return Thickness{Vec3::UnitZ(), disc.thickness}; }
+std::optional<Thickness> extent(const SphereShape& sphere) { return Thickness{Vec3::Ones(), 2 * sphere.radius}; }
+std::optional<Thickness> extent(const PlateWithHoleShape& plate) { return Thickness{Vec3::UnitZ(), plate.size.z()}; }
+std::optional<Thickness> extent(const NotchedBeamShape& beam) { return Thickness{Vec3::UnitZ(), beam.size.z()}; }
+std::optional<Thickness> extent(const MeshFileShape&) { return std::nullopt; }
+std::optional<Thickness> extent(const SurfaceShape&) { return std::nullopt; }
+
+// Cells grow with the shape, so that there are as many. `scale`: along the axes of the shape.
+void stretch(BoxShape& box, const Vec3& scale) {
+  box.size = box.size.cwiseProduct(scale);
+  box.element_size = box.element_size.cwiseProduct(scale);
+}
+void stretch(CylinderShape& cylinder, const Vec3& scale) {
+  cylinder.radius *= scale.x();
+  cylinder.length *= scale.z();
+  cylinder.element_size = cylinder.element_size.cwiseProduct(Vec2(scale.x(), scale.z()));
+}
+void stretch(DiscShape& disc, const Vec3& scale) {
+  disc.thickness *= scale.z();
+  disc.element_size.y() *= scale.z();
+}
+void stretch(SphereShape& sphere, const Vec3& scale) {
+  sphere.radius *= scale.x();
+  sphere.element_size *= scale.x();
+}
+void stretch(PlateWithHoleShape& plate, const Vec3& scale) {
+  plate.size.z() *= scale.z();
+  plate.element_size.y() *= scale.z();
+}
+void stretch(NotchedBeamShape& beam, const Vec3& scale) {
+  beam.size.z() *= scale.z();
+  beam.element_size.z() *= scale.z();
+}
+void stretch(MeshFileShape&, const Vec3&) {}
+void stretch(SurfaceShape&, const Vec3&) {}
+
+void stretch(BoxRegion& box, const Vec3& scale) {
+  box.minimum = box.minimum.cwiseProduct(scale);
+  box.maximum = box.maximum.cwiseProduct(scale);
+}
+void stretch(SphereRegion& sphere, const Vec3& scale) { sphere.center = sphere.center.cwiseProduct(scale); }
+void stretch(HalfSpaceRegion& half, const Vec3& scale) {
+  half.point = half.point.cwiseProduct(scale);
+  half.normal = half.normal.cwiseQuotient(scale);
+}
+void stretch(NodeListRegion&, const Vec3&) {}
+
+/// What a factor of thickness does to a body.
+struct Stretch {
+  Vec3 scale = Vec3::Ones();  ///< along the axes of the shape
+  Vec3 shift = Vec3::Zero();  ///< of its origin [m]
+};
+
+Stretch stretch_by(const BodyDescription& body, double factor, const Vec3& gravity) {
+  constexpr double kLies = 0.5;  // cosine of the angle between thickness and plumb line
+  const std::optional<Thickness> thickness = thickness_of(body.shape);
+  if (!thickness) return {};
+  Stretch stretch{Vec3::Ones() + (factor - 1) * thickness->directions};
+  const Quat rotation = pose_of(body).rotation;
+  const Vec3 down = thickness->directions.cwiseProduct(rotation.conjugate() * gravity.normalized());
+  if (down.norm() > kLies) stretch.shift = rotation * down.normalized() * (1 - factor) * thickness->length / 2;
+  return stretch;
+}
+
+}  // namespace
+
+std::optional<Thickness> thickness_of(const Shape& shape) {
+  return std::visit([](const auto& kind) { return extent(kind); }, shape);
+}
+
+BodyDescription thickened(BodyDescription body, double factor, const Vec3& gravity) {
+  const Stretch by = stretch_by(body, factor, gravity);
+  const auto stretched = [&](auto& stretchable) { stretch(stretchable, by.scale); };
+  std::visit(stretched, body.shape);
+  for (Support& support : body.supports) std::visit(stretched, support.region);
+  for (Load& load : body.loads) std::visit(stretched, load.region);
+  body.position += by.shift;
+  return body;
+}
+
+Vec3 thickened_place(const BodyDescription& body, double factor, const Vec3& gravity, const Vec3& place) {
+  const Stretch by = stretch_by(body, factor, gravity);
+  const Pose pose = pose_of(body);
+  return pose.to_world(pose.to_local(place).cwiseProduct(by.scale)) + by.shift;
+}
+
+}  // namespace griffith::app
