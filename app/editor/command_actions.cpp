@@ -64,6 +64,7 @@ std::span<const CommandAction> Editor::command_actions() {
       {CommandId::rename, [](Editor& editor, const ui::Command&) { editor.begin_renaming(); }},
       {CommandId::toggle_hidden, [](Editor& editor, const ui::Command&) { editor.toggle_hidden(); }},
       {CommandId::toggle_gizmo, [](Editor& editor, const ui::Command&) { toggle(editor.state_.show_gizmo); }},
+      {CommandId::toggle_painting, [](Editor& editor, const ui::Command&) { toggle(editor.state_.paint_regions); }},
       {CommandId::new_scene, [](Editor& editor, const ui::Command&) { editor.new_scene(); }},
       {CommandId::open_dialog, [](Editor& editor, const ui::Command&) { editor.state_.show_open = true; }},
       {CommandId::open, [](Editor& editor, const ui::Command& command) { editor.open(command.path); }},
@@ -73,9 +74,8 @@ std::span<const CommandAction> Editor::command_actions() {
       {CommandId::save_dialog,
        [](Editor& editor, const ui::Command& command) { editor.ask_where_to_save(command.path); }},
       {CommandId::save_recording_dialog,
-       [](Editor& editor, const ui::Command& command) {
-         editor.ask_where_to_save_run(ui::SavedKind::recording, command.path);
-       }},
+       [](Editor& editor,
+          const ui::Command& command) { editor.ask_where_to_save_run(ui::SavedKind::recording, command.path); }},
       {CommandId::save_report_dialog,
        [](Editor& editor,
           const ui::Command& command) { editor.ask_where_to_save_run(ui::SavedKind::bug_report, command.path); }},

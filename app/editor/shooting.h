@@ -7,11 +7,6 @@
 
 namespace griffith::app {
 
-/// How far along origin + t · direction the triangle abc is hit from either side, t > 0 (Möller & Trumbore 1997) [in
-/// lengths of `direction`].
-std::optional<double> triangle_hit(const Vec3& origin, const Vec3& direction, const Vec3& a, const Vec3& b,
-                                   const Vec3& c);
-
 /// How far along origin + t · direction the frame's surface or the ground is hit first [in lengths of `direction`].
 std::optional<double> surface_hit(const Frame& frame, const std::optional<Ground>& ground, const Vec3& origin,
                                   const Vec3& direction);

@@ -94,12 +94,14 @@ struct Frame {
   /// Per node of the mesh.
   struct Nodes {
     std::span<const Vec3> rest_positions, positions;  ///< [m]
-    std::span<const Vec3> velocities;                 ///< [m/s]
-    std::span<const double> masses;                   ///< [kg]
-    std::span<const std::uint8_t> has_support;        ///< 1 where a support acts on it
-    std::span<const NodeConstraint> constraints;      ///< what supports leave free
-    std::span<const Vec3> load_forces;                ///< what loads do to it now [N]; empty without loads
-    std::span<const std::uint8_t> at_crack_front;     ///< 1 where cut faces end
+    /// Of the nodes that bodies start with, which come first: the index in the mesh of their shape, as built or read.
+    std::span<const int> points;
+    std::span<const Vec3> velocities;              ///< [m/s]
+    std::span<const double> masses;                ///< [kg]
+    std::span<const std::uint8_t> has_support;     ///< 1 where a support acts on it
+    std::span<const NodeConstraint> constraints;   ///< what supports leave free
+    std::span<const Vec3> load_forces;             ///< what loads do to it now [N]; empty without loads
+    std::span<const std::uint8_t> at_crack_front;  ///< 1 where cut faces end
     std::span<const NodeSeparation> separations;
     std::span<const Vec3> reactions;            ///< what supports did to it in the last step [N]
     std::span<const std::vector<TetId>> stars;  ///< its tets, ascending

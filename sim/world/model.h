@@ -18,6 +18,7 @@ struct Model {
   std::vector<double> extents;    ///< per scene body: longest edge of the box round its largest piece at rest [m]
   std::vector<std::optional<Weakness>> weaknesses;  ///< per scene body, direction in the placed rest space, unit length
   std::vector<std::shared_ptr<const TetSoup>> filled_surfaces;  ///< per scene body, as made; null for other shapes
+  std::vector<int> points;  ///< per node that bodies start with: its index in the mesh of their shape, as built or read
   SplinterSet splinters;
   std::vector<std::vector<HullCorner>> splinter_hulls;  ///< per splinter; empty where they are not what touches
   std::vector<InputError> findings;  ///< what the user should know about the scene; nothing that keeps it from running

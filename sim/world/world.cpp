@@ -102,6 +102,7 @@ Frame World::frame() const {
   frame.time = world.time;
   frame.nodes.rest_positions = world.mesh.rest_positions;
   frame.nodes.positions = world.nodes.positions;
+  frame.nodes.points = world.model->points;
   frame.nodes.velocities = world.nodes.velocities;
   frame.nodes.masses = world.nodes.masses;
   frame.nodes.has_support = world.nodes.has_support;

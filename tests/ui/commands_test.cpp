@@ -38,6 +38,7 @@ TEST(Commands, EveryShortcutIssuesItsCommandOnce) {
     ui.input.time.last_step = 3;
     ui.input.time.branches = {{-1, 0, 3}, {0, 1, 3}};
     ui.state.view.range = Vec2(0, 1);
+    ui.state.paint_regions = true;
     ui.press_key(info.shortcut.key, info.shortcut.ctrl, info.shortcut.shift);
     EXPECT_THAT(ui.issued(), ::testing::ElementsAre(info.id)) << info.name;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/model/entry_choice.h"
+#include "ui/model/entry_place.h"
 #include "ui/model/plot_view.h"
 
 namespace griffith::ui {
@@ -47,6 +48,13 @@ std::string_view no_body(const CommandContext& context) {
 
 std::string_view nothing_chosen(const CommandContext& context) {
   return unless(active_entry(context.state, context.history.scene()).has_value(), "Nothing is chosen in the outliner.");
+}
+
+std::string_view no_region_chosen(const CommandContext& context) {
+  const Scene& scene = context.history.scene();
+  const std::optional<SceneEntry> entry = active_entry(context.state, scene);
+  return unless(context.state.paint_regions || (entry && region_of(scene, *entry)),
+                "No support, load or probe with a region is chosen in the outliner.");
 }
 
 std::string_view nothing_with_a_name(const CommandContext& context) {
@@ -97,6 +105,7 @@ bool compares(const CommandContext& context) { return context.state.comparison.b
 bool shows_plots(const CommandContext& context) { return context.state.plots.shown; }
 bool shows_log(const CommandContext& context) { return context.state.log_view.shown; }
 bool shows_gizmo(const CommandContext& context) { return context.state.show_gizmo; }
+bool paints_regions(const CommandContext& context) { return context.state.paint_regions; }
 bool shows_help(const CommandContext& context) { return context.state.show_help; }
 
 }  // namespace griffith::ui

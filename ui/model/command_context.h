@@ -27,6 +27,7 @@ std::string_view not_stopped_before_a_crack(const CommandContext& context);
 std::string_view nothing_fired(const CommandContext& context);
 std::string_view no_body(const CommandContext& context);
 std::string_view nothing_chosen(const CommandContext& context);
+std::string_view no_region_chosen(const CommandContext& context);
 std::string_view nothing_with_a_name(const CommandContext& context);
 std::string_view no_body_chosen(const CommandContext& context);
 std::string_view no_camera_chosen(const CommandContext& context);
@@ -46,6 +47,7 @@ bool shows_plots(const CommandContext& context);
 bool compares(const CommandContext& context);
 bool shows_log(const CommandContext& context);
 bool shows_gizmo(const CommandContext& context);
+bool paints_regions(const CommandContext& context);
 bool shows_help(const CommandContext& context);
 
 }  // namespace griffith::ui

@@ -47,6 +47,7 @@ enum class CommandId {
   look_through,
   set_camera,
   toggle_gizmo,
+  toggle_painting,
   add_surface_dialog,
   add_surface,
   save,

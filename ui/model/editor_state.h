@@ -15,6 +15,7 @@
 #include "ui/model/comparison.h"
 #include "ui/model/edit_history.h"
 #include "ui/model/gizmo.h"
+#include "ui/model/painted_region.h"
 #include "ui/model/preferences.h"
 #include "ui/model/run_curves.h"
 #include "ui/model/scene_entry.h"
@@ -131,14 +132,16 @@ struct EditorState {
   std::optional<SceneEntry> listed_entry;    ///< the active one, when the outliner was drawn last
   std::optional<SceneEntry> renamed;         ///< whose name is being typed
   std::array<char, 128> new_name = {};
-  std::set<std::string> hidden_bodies;    ///< by name: not drawn
-  bool list_pieces = false;               ///< the list of bodies holds each piece by itself
-  std::array<char, 64> body_filter = {};  ///< what the listed ones have in their name or state
-  FieldNote field_note;                   ///< of the last edit, until the next click
-  Selection selection;                    ///< picked in the view; follows the material when a body breaks
-  bool show_gizmo = false;                ///< handles that move and turn what is chosen
-  std::optional<RegionDrag> region_drag;  ///< while a part of a region is held
-  std::optional<GizmoDrag> gizmo_drag;    ///< while one is held
+  std::set<std::string> hidden_bodies;        ///< by name: not drawn
+  bool list_pieces = false;                   ///< the list of bodies holds each piece by itself
+  std::array<char, 64> body_filter = {};      ///< what the listed ones have in their name or state
+  FieldNote field_note;                       ///< of the last edit, until the next click
+  Selection selection;                        ///< picked in the view; follows the material when a body breaks
+  bool show_gizmo = false;                    ///< handles that move and turn what is chosen
+  std::optional<RegionDrag> region_drag;      ///< while a part of a region is held
+  bool paint_regions = false;                 ///< the mouse paints the region of what is chosen
+  std::optional<RegionStroke> region_stroke;  ///< while it does
+  std::optional<GizmoDrag> gizmo_drag;        ///< while one is held
   CameraMotion camera_motion;
   ImVec2 viewport_minimum = {0, 0}, viewport_size = {0, 0};  ///< of the picture, as drawn last [pixels]
   float left_width = 0, right_width = 0;                     ///< of the side panels [pixels]; 0: not laid out yet

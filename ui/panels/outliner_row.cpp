@@ -81,6 +81,7 @@ void context_menu(Panel& panel, const OutlinerRow& row) {
     }
   } else {
     items({CommandId::toggle_gizmo});
+    if (row.entry.kind != EntryKind::projectile) items({CommandId::toggle_painting});
   }
   ImGui::EndPopup();
 }

@@ -4,6 +4,7 @@
 #include "ui/panels/gizmo_overlay.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/region_overlay.h"
+#include "ui/panels/region_painting.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -65,6 +66,8 @@ void draw_hints(const Panel& panel, ImVec2 corner, ImVec2 end) {
   const float scale = ui_scale(panel), size = fonts.small->FontSize, margin = 14 * scale;
   std::string text = "drag: turn      shift+drag: move      wheel: zoom      click: inspect      right click: fire";
   if (panel.state.gizmo_drag || panel.state.region_drag) text = "ctrl: round steps      esc: leave it as it was";
+  if (panel.state.paint_regions)
+    text = "drag over the body: paint      ctrl: take off      beside it: turn      T: done";
   if (panel.state.show_gizmo && panel.input.frame.step > 0) text += "      R: back to the start, to move the body";
   if (panel.state.view.slice) text += "      ctrl+drag: move the slice";
   const float width = fonts.small->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x + 24 * scale;
@@ -117,12 +120,13 @@ void draw_viewport(Panel& panel) {
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
   tag_last_item(panel.tags, "viewport");
   ImGui::SetItemAllowOverlap();  // the card of a stop has a button
-  if (!drag_region(panel) && !drag_gizmo(panel)) mouse_input(panel);
+  if (!paint_region(panel) && !drag_region(panel) && !drag_gizmo(panel)) mouse_input(panel);
   ImDrawList* list = ImGui::GetWindowDrawList();
   if (panel.input.picture) list->AddImage(panel.input.picture, state.viewport_minimum, end, {0, 1}, {1, 0});
   draw_comparison(panel);
   draw_labels(list, panel.input.labels, panel.input.fonts, state.viewport_minimum, end, ui_scale(panel));
   draw_region(panel);
+  draw_painted_region(panel);
   draw_gizmo(panel);
   if (panel.input.legend) {
     draw_legend(list, *panel.input.legend, panel.input.fonts, {state.viewport_minimum, end}, ui_scale(panel));

@@ -41,6 +41,7 @@ RestBody append_mesh(Model& model, WorldState& world, int scene_body, const Shap
   const Pose pose = pose_of(model.scene.bodies[scene_body]);
   std::vector<Vec3>& points = world.mesh.rest_positions;
   for (std::size_t i = body.range.first_node; i < points.size(); ++i) points[i] = pose.to_world(points[i]);
+  model.points.insert(model.points.end(), shape.point_of_node.begin(), shape.point_of_node.end());
   model.filled_surfaces.push_back(shape.filled_surface);
   for (const std::string& finding : shape.findings)
     model.findings.emplace_back(shape_pointer(model.scene, scene_body), finding, "");
