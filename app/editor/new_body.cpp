@@ -68,8 +68,8 @@ BodyDescription new_body(CommandId command, const Scene& scene, const Frame& fra
   if (const std::optional<Material> material = find_material_preset(kind.material)) body.material = *material;
   const Eigen::AlignedBox3d box = placed_bounds(body, scene);
   const double ground = scene.ground ? scene.ground->height : 0;
-  const double left = scene.bodies.empty() ? -box.center().x() : free_place(scene, frame, kRoom) - box.min().x();
-  body.position = Vec3(left, ground - box.min().y(), -box.center().z());
+  const double left = scene.bodies.empty() ? 0 - box.center().x() : free_place(scene, frame, kRoom) - box.min().x();
+  body.position = Vec3(left, ground - box.min().y(), 0 - box.center().z());  // no zero with a sign
   return body;
 }
 

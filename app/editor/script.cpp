@@ -130,6 +130,11 @@ void read_drag(Words& words, ScriptLine& line) {
   line.down = words.take_number("the way down", -kMaxDrag, kMaxDrag);
 }
 
+void read_scroll(Words& words, ScriptLine& line) {
+  line.tag = words.take("the tag of a widget");
+  line.down = words.take_number("the notches down", -kMaxDrag, kMaxDrag);
+}
+
 void read_type(Words& words, ScriptLine& line) {
   if (words.left() > 1) line.tag = words.take("the tag of a widget");
   line.text = words.take("a text");
@@ -169,9 +174,10 @@ struct VerbInfo {
 };
 
 /// In the order of Verb.
-constexpr std::array<VerbInfo, 10> kVerbs = {{{"command", read_command},
+constexpr std::array<VerbInfo, 11> kVerbs = {{{"command", read_command},
                                               {"click", read_click},
                                               {"drag", read_drag},
+                                              {"scroll", read_scroll},
                                               {"type", read_type},
                                               {"key", read_key},
                                               {"step", read_count},

@@ -11,18 +11,18 @@
 namespace griffith::app {
 
 /// What a line of a script does.
-enum class Verb { command, click, drag, type, key, step, wait, expect, say, screenshot };
+enum class Verb { command, click, drag, scroll, type, key, step, wait, expect, say, screenshot };
 
 /// A line of a script that has been checked. Of the last members those are used that the verb needs.
 struct ScriptLine {
   std::string place;  ///< "tour.script:12", for errors
   Verb verb = Verb::wait;
-  std::string tag;            ///< click, drag, expect, say: of a widget
+  std::string tag;            ///< click, drag, scroll, expect, say: of a widget
   std::string text;           ///< type, expect, say: what is typed, shown or said; screenshot: the file
   bool any_value = false;     ///< expect: the widget is there, whatever it shows
   int button = 0;             ///< click: of the mouse
   int count = 0;              ///< step: time steps; wait: frames
-  float right = 0, down = 0;  ///< drag [pixels]
+  float right = 0, down = 0;  ///< drag [pixels]; scroll: the second, in notches
   ui::Shortcut key;
   ui::Command command = {};
 };

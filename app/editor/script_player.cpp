@@ -76,6 +76,8 @@ void ScriptPlayer::play(const ScriptLine& line, Editor& editor, ui::InputQueue& 
       return ui::click(input, place_on(line, editor), line.button);
     case Verb::drag:
       return ui::drag(input, place_on(line, editor), {line.right, line.down});
+    case Verb::scroll:
+      return ui::scroll(input, place_on(line, editor), line.down);
     case Verb::type:
       if (!line.tag.empty()) ui::click(input, place_on(line, editor), 1);
       ui::type(input, line.text);

@@ -30,25 +30,27 @@ TEST(Script, ReadsEveryVerb) {
   const Script script = parse_script(
       "# a comment\n\n"
       "command simulation.step\ncommand file.open_path \"my wall.json\"\n"
-      "click menu/File\nclick viewport right  # fires\ndrag viewport 20 -4.5\n"
+      "click menu/File\nclick viewport right  # fires\ndrag viewport 20 -4.5\nscroll body/name -3\n"
       "type material/density \"2 t \\\"x\\\"\"\nkey Ctrl+Z\nstep 10\nwait\n"
       "expect toolbar/step \"step 10\"\nexpect viewport\nsay viewport \"Look\"\nsay Hello\nscreenshot out.png\n",
       "a.script");
-  ASSERT_EQ(script.size(), 14u);
+  ASSERT_EQ(script.size(), 15u);
   EXPECT_EQ(script[0].place, "a.script:3");
   EXPECT_EQ(script[0].command.id, ui::CommandId::step);
   EXPECT_EQ(script[1].command.path, "my wall.json");
   EXPECT_EQ(script[3].button, 1);
   EXPECT_EQ(script[4].down, -4.5f);
-  EXPECT_EQ(script[5].text, "2 t \"x\"");
-  EXPECT_EQ(script[6].key, (ui::Shortcut{'Z', true, false}));
-  EXPECT_EQ(script[7].count, 10);
-  EXPECT_EQ(script[8].count, 1);
-  EXPECT_FALSE(script[9].any_value);
-  EXPECT_TRUE(script[10].any_value);
-  EXPECT_EQ(script[11].tag, "viewport");
-  EXPECT_EQ(script[12].text, "Hello");
-  EXPECT_EQ(script[13].verb, Verb::screenshot);
+  EXPECT_EQ(script[5].tag, "body/name");
+  EXPECT_EQ(script[5].down, -3);
+  EXPECT_EQ(script[6].text, "2 t \"x\"");
+  EXPECT_EQ(script[7].key, (ui::Shortcut{'Z', true, false}));
+  EXPECT_EQ(script[8].count, 10);
+  EXPECT_EQ(script[9].count, 1);
+  EXPECT_FALSE(script[10].any_value);
+  EXPECT_TRUE(script[11].any_value);
+  EXPECT_EQ(script[12].tag, "viewport");
+  EXPECT_EQ(script[13].text, "Hello");
+  EXPECT_EQ(script[14].verb, Verb::screenshot);
 }
 
 TEST(Script, MistakesNameTheirLineAndTheRemedy) {

@@ -263,5 +263,19 @@ TEST(SceneEntries, ACopyIsEqualButForItsName) {
   }
 }
 
+TEST(Names, AFreeNameCountsOn) {
+  std::vector<BodyDescription> bodies(3);
+  bodies[0].name = "leg";
+  bodies[1].name = "leg 2";
+  bodies[2].name = "mark 07";
+  EXPECT_EQ(free_name(bodies, "arm"), "arm");
+  EXPECT_EQ(free_name(bodies, "arm 5"), "arm 5");
+  EXPECT_EQ(free_name(bodies, "leg"), "leg 3");
+  EXPECT_EQ(free_name(bodies, "leg 2"), "leg 3");
+  EXPECT_EQ(free_name(bodies, "mark 07"), "mark 07 2") << "no number of its own";
+  bodies[2].name = "9";
+  EXPECT_EQ(free_name(bodies, "9"), "9 2");
+}
+
 }  // namespace
 }  // namespace griffith::ui

@@ -209,7 +209,7 @@ TEST(ScenePanels, TwoBodiesCannotHaveOneName) {
   UiDriver ui(scene);
   open(ui, {"body"});
   ui.click("body/name");
-  ui.type("X");
+  ui.type("wallX");
   EXPECT_NE(ui.history.scene().bodies[0].name, "wallX");
   expect_valid(ui);
 }
@@ -320,6 +320,15 @@ TEST(BodyRows, TheListShowsStatesAndSelectsPieces) {
   EXPECT_EQ(find_tag(ui.tags, "bodies/0"), nullptr) << "its liveliest piece is awake";
   ui.click("bodies/pieces");
   EXPECT_EQ(ui.value("bodies/0/state"), "asleep");
+}
+
+TEST(SceneFields, ARightClickTypesOverAText) {
+  UiDriver ui(two_walls());
+  ui.state.open_sections = true;
+  ui.frame();
+  ui.click("body/name", 1);
+  ui.type("left wall");
+  EXPECT_EQ(ui.history.scene().bodies[0].name, "left wall");
 }
 
 }  // namespace

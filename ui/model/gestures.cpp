@@ -34,6 +34,12 @@ void drag(InputQueue& queue, ImVec2 start, ImVec2 way, int button) {
   queue.button(button, false);
 }
 
+void scroll(InputQueue& queue, ImVec2 place, float notches) {
+  queue.move(place);
+  queue.end_frame();
+  queue.scroll(0, -notches);
+}
+
 void type(InputQueue& queue, std::string_view text) {
   const char* place = text.data();
   const char* const end = place + text.size();

@@ -13,6 +13,8 @@ namespace griffith::ui {
 void click(InputQueue& queue, ImVec2 place, int button = 0);
 /// Presses a mouse button, moves the mouse by `way` [pixels] over several frames and releases it.
 void drag(InputQueue& queue, ImVec2 start, ImVec2 way, int button = 0);
+/// Turns the wheel over a place, `notches` > 0 towards the end of what scrolls there.
+void scroll(InputQueue& queue, ImVec2 place, float notches);
 /// Types UTF-8 into what has the focus.
 void type(InputQueue& queue, std::string_view text);
 /// Presses a key with its modifiers and releases them.

@@ -103,6 +103,13 @@ void remove_entries(Scene& scene, std::vector<SceneEntry> entries) {
   }
 }
 
+NumberedName numbered_name(const std::string& name) {
+  constexpr std::size_t kMostDigits = 6;
+  const std::size_t end = name.find_last_not_of("0123456789") + 1, digits = name.size() - end;
+  if (digits == 0 || digits > kMostDigits || end < 2 || name[end - 1] != ' ' || name[end] == '0') return {name};
+  return {name.substr(0, end - 1), std::stoi(name.substr(end))};
+}
+
 SceneEntry append_copy(Scene& scene, const SceneEntry& entry) {
   SceneEntry copy = entry;
   visit_list(scene, entry, [&](auto& list) {

@@ -70,13 +70,20 @@ void remove_entries(Scene& scene, std::vector<SceneEntry> entries);
 /// Appends a copy of the entry to its list, by another name. Returns which it is.
 SceneEntry append_copy(Scene& scene, const SceneEntry& entry);
 
-/// The wanted name, with a number behind it where an item has it.
+/// A name that ends in a number of its own: "leg 2" is "leg" and 2; without one the number is 1.
+struct NumberedName {
+  std::string name;
+  int number = 1;
+};
+NumberedName numbered_name(const std::string& name);
+
+/// The wanted name where no item has it, else with the next number that is free behind it.
 template <class T>
 std::string free_name(const std::vector<T>& items, const std::string& wanted) {
-  std::string name = wanted;
-  for (int number = 2; std::ranges::find(items, name, &T::name) != items.end(); ++number)
-    name = wanted + " " + std::to_string(number);
-  return name;
+  std::string free = wanted;
+  auto [name, number] = numbered_name(wanted);
+  while (std::ranges::find(items, free, &T::name) != items.end()) free = name + " " + std::to_string(++number);
+  return free;
 }
 
 }  // namespace griffith::ui

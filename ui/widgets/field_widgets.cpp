@@ -26,11 +26,14 @@ std::string label_with_unit(const FieldRow& row, const SiPrefix& prefix, const N
   return unit.empty() ? label : label + " [" + unit + "]";
 }
 
-/// A text box over the rest of the row; `finished` when it was left, or Enter pressed.
+/// A text box over the rest of the row; `finished` when it was left, or Enter pressed. A right click begins to type, as
+/// in fields of numbers.
 Edit text_box(Panel& panel, const FieldRow& row, std::string& value, ImGuiInputTextFlags flags = 0) {
   std::array<char, kLongestText> text = {};
   std::snprintf(text.data(), text.size(), "%s", value.c_str());
-  const bool entered = ImGui::InputText(("##" + row.tag).c_str(), text.data(), text.size(), flags);
+  const bool entered =
+      ImGui::InputText(("##" + row.tag).c_str(), text.data(), text.size(), flags | ImGuiInputTextFlags_AutoSelectAll);
+  if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) ImGui::SetKeyboardFocusHere(-1);
   Edit edit;
   edit.finished = ImGui::IsItemDeactivatedAfterEdit();
   tag_last_item(panel.tags, row.tag, value);
