@@ -45,6 +45,14 @@ std::array<double, 3> nearest_weights(const Vec3& p, const Vec3& a, const Vec3& 
   return {va / sum, vb / sum, vc / sum};
 }
 
+/// How high the tet behind a side is over it, undeformed [m].
+double height_behind(const Solid& solid, const SurfaceSide& side) {
+  const std::array<int, 3> nodes = nodes_of(solid, side);
+  const Vec3 a = solid.reference(nodes[0]);
+  const Vec3 area = (solid.reference(nodes[1]) - a).cross(solid.reference(nodes[2]) - a);
+  return -area.dot(solid.reference(solid.corner(side.slot, side.face)) - a) / area.norm();
+}
+
 Eigen::AlignedBox3d box_of(const Solid& solid, const SurfaceSide& side) {
   Eigen::AlignedBox3d box;
   for (const int node : nodes_of(solid, side)) box.extend(solid.position(node));
@@ -197,6 +205,7 @@ void Impacts::touch_sphere(const Solid& solid, int index) {
 double Impacts::gap_behind(const Solid& solid, const SurfaceSide& side, const Vec3& point, Touch& touch) const {
   constexpr double kOutside = 0.02;  // of a side: corners that meet corners touch though they shift a little
   constexpr double kFraction = 0.5;  // sides turn about their edges
+  constexpr double kDeepest = 0.5;   // of the height behind: what lies deeper, of a thin sheet beyond it, is not behind
   touch.nodes = nodes_of(solid, side);
   const Vec3 a = solid.position(touch.nodes[0]), b = solid.position(touch.nodes[1]), c = solid.position(touch.nodes[2]);
   const Vec3 normal = (b - a).cross(c - a);
@@ -204,7 +213,8 @@ double Impacts::gap_behind(const Solid& solid, const SurfaceSide& side, const Ve
   touch.normal = normal / area;
   touch.depth = -touch.normal.dot(point - a);
   if (touch.depth < 0) return -touch.depth;
-  if (touch.depth > 0.5 * element_size_) return kFraction * (touch.depth - 0.5 * element_size_);
+  const double deepest = kDeepest * height_behind(solid, side);
+  if (touch.depth > deepest) return kFraction * (touch.depth - deepest);
   touch.weights = weights_in_triangle(a, b, c, normal, area * area, point);
   touch.place = point;
   const double beyond = -kOutside - std::ranges::min(touch.weights);

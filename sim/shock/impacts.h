@@ -134,7 +134,7 @@ class Impacts {
   void touch_sphere(const Solid& solid, int obstacle);
   void touch_convex(const Solid& solid, int obstacle);
   void touch_bodies(const Solid& solid);
-  /// How far a point is from lying behind a side, no deeper than half an element: 0 where it does [m].
+  /// How far a point is from lying behind a side, no deeper than half the tet there: 0 where it does [m].
   double gap_behind(const Solid& solid, const SurfaceSide& side, const Vec3& point, Touch& touch) const;
   Vec3 approach_of(const Solid& solid, const Touch& touch) const;
   double mobility_of(const Solid& solid, const Touch& touch, const Vec3& direction) const;
