@@ -66,6 +66,7 @@ std::span<const CommandAction> Editor::command_actions() {
       {CommandId::toggle_gizmo, [](Editor& editor, const ui::Command&) { toggle(editor.state_.show_gizmo); }},
       {CommandId::new_scene, [](Editor& editor, const ui::Command&) { editor.new_scene(); }},
       {CommandId::open_dialog, [](Editor& editor, const ui::Command&) { editor.state_.show_open = true; }},
+      {CommandId::browse_scenes, [](Editor& editor, const ui::Command&) { editor.state_.browser.shown = true; }},
       {CommandId::open, [](Editor& editor, const ui::Command& command) { editor.open(command.path); }},
       {CommandId::add_surface_dialog, [](Editor& editor, const ui::Command&) { editor.state_.show_surface = true; }},
       {CommandId::add_surface, [](Editor& editor, const ui::Command&) { editor.add_surface(); }},
@@ -73,9 +74,8 @@ std::span<const CommandAction> Editor::command_actions() {
       {CommandId::save_dialog,
        [](Editor& editor, const ui::Command& command) { editor.ask_where_to_save(command.path); }},
       {CommandId::save_recording_dialog,
-       [](Editor& editor, const ui::Command& command) {
-         editor.ask_where_to_save_run(ui::SavedKind::recording, command.path);
-       }},
+       [](Editor& editor,
+          const ui::Command& command) { editor.ask_where_to_save_run(ui::SavedKind::recording, command.path); }},
       {CommandId::save_report_dialog,
        [](Editor& editor,
           const ui::Command& command) { editor.ask_where_to_save_run(ui::SavedKind::bug_report, command.path); }},

@@ -179,6 +179,8 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
   input.camera = view_camera(picture_camera());
   input.towards_eye = (camera_.position - camera_.target).cast<double>();
   input.scene_files = scene_files_;
+  follow_browser();
+  if (gallery_) input.scene_cards = gallery_->cards();
   input.recent_files = recent_.files();
   input.scene_path = path_;
   input.time = time_view();

@@ -14,6 +14,7 @@
 #include "app/editor/recent_files.h"
 #include "app/editor/run_export.h"
 #include "app/editor/run_history.h"
+#include "app/editor/scene_gallery.h"
 #include "app/editor/step_pacer.h"
 #include "app/editor/utilization_history.h"
 #include "app/editor/world_loader.h"
@@ -71,6 +72,8 @@ class Editor {
   /// From now on remembers which scenes were opened, keeps a copy of edits that are not saved, and asks what is to
   /// become of those that a crash left. `states`: as Autosave has it.
   void keep_edits_safe(const std::filesystem::path& states);
+  /// From now on the browser of scenes shows thumbnails of that source.
+  void show_thumbnails(ThumbnailSource source) { thumbnail_source_ = std::move(source); }
   /// To be called often: copies what has been edited, as often as the preferences say. `now`: seconds of a clock that
   /// goes on.
   void autosave(double now);
@@ -172,6 +175,8 @@ class Editor {
   void ask_for_left_edits(bool of_any);
   /// Puts the scene's file on top of the recent ones.
   void remember_file();
+  /// Has cards of scenes at hand while the browser is shown.
+  void follow_browser();
   void discard_copy();
   void leave_copy();
   void recover();
@@ -254,6 +259,8 @@ class Editor {
   WorldLoader loader_;
   std::optional<Autosave> autosave_;
   RecentFiles recent_{""};
+  ThumbnailSource thumbnail_source_;
+  std::unique_ptr<SceneGallery> gallery_;  ///< while the browser is shown
   double copied_at_ = -ui::kAutosaveIntervals.maximum;  ///< when edits were copied last, by the clock of autosave()
   std::int64_t copied_revision_ = -1;                   ///< of the scene
   Scene built_;                      ///< what the world was built from, with the materials that it has now

@@ -114,6 +114,12 @@ void Editor::remember_file() {
   }
 }
 
+void Editor::follow_browser() {
+  if (!state_.browser.shown) return gallery_.reset();
+  if (!gallery_) gallery_ = std::make_unique<SceneGallery>(scene_files_, thumbnail_source_);
+  gallery_->follow();
+}
+
 void Editor::discard_copy() {
   if (autosave_) autosave_->remove_found();
   ask_for_left_edits(true);

@@ -20,6 +20,7 @@
 #include "app/editor/script_player.h"
 #include "app/editor/starting_scene.h"
 #include "app/output/output.h"
+#include "app/shared/processes.h"
 #include "app/shared/scene_files.h"
 #include "renderer/image.h"
 #include "sim/core/replace_file.h"
@@ -272,6 +273,7 @@ void run_editor(const EditorOptions& options) {
   ImGuiContextOwner imgui(window.scale());
   WindowInput input(window, editor);
   editor.keep_edits_safe(state_folder());
+  editor.show_thumbnails({this_program(), thumbnail_cache()});
   editor.step_in_background();
   loop(editor, imgui, window, input, std::move(player), preferences, options.exit_after);
   if (!options.screenshot.empty()) save_picture(options.screenshot, window_image(window));

@@ -28,6 +28,7 @@ enum class CommandId {
   pick,
   new_scene,
   open_dialog,
+  browse_scenes,
   open,
   add_box,
   add_plate,

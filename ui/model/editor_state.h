@@ -17,6 +17,7 @@
 #include "ui/model/gizmo.h"
 #include "ui/model/preferences.h"
 #include "ui/model/run_curves.h"
+#include "ui/model/scene_browser.h"
 #include "ui/model/scene_entry.h"
 #include "ui/model/selection.h"
 #include "ui/model/time_view.h"
@@ -161,6 +162,7 @@ struct EditorState {
   bool show_preferences = false;
   double wanted_scale = 0;  ///< being dragged in the preferences; 0: not shown yet
   Palette palette;
+  SceneBrowser browser;
   LogView log_view;
   PlotsState plots;
   Comparison comparison;

@@ -29,6 +29,7 @@ struct EditorInput {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();         ///< box round the bodies [m]
   Vec3 towards_eye = Vec3::UnitZ();                     ///< from what is looked at
   std::span<const std::filesystem::path> scene_files;   ///< offered for opening
+  std::span<const SceneCard> scene_cards;               ///< of them, while the browser is shown
   std::span<const std::filesystem::path> recent_files;  ///< opened or saved last, newest first
   std::filesystem::path scene_path;                     ///< of the scene being edited, may be empty
   TimeView time;                                        ///< the recorded past
