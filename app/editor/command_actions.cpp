@@ -41,6 +41,8 @@ std::span<const CommandAction> Editor::command_actions() {
       {CommandId::toggle_slice, [](Editor& editor, const ui::Command&) { editor.toggle_slice(); }},
       {CommandId::select_most_loaded, [](Editor& editor, const ui::Command&) { editor.select_most_loaded(); }},
       {CommandId::log, [](Editor& editor, const ui::Command&) { toggle(editor.state_.log_view.shown); }},
+      {CommandId::toggle_problems,
+       [](Editor& editor, const ui::Command&) { toggle(editor.state_.problem_view.shown); }},
       {CommandId::toggle_plots, [](Editor& editor, const ui::Command&) { toggle(editor.state_.plots.shown); }},
       {CommandId::preferences, [](Editor& editor, const ui::Command&) { editor.state_.show_preferences = true; }},
       {CommandId::palette, [](Editor& editor, const ui::Command&) { editor.state_.palette.shown = true; }},

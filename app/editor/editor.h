@@ -117,6 +117,8 @@ class Editor {
   /// Undoes or redoes what the world could not be built for.
   void go_back_to_built();
   void log_findings();
+  /// Lists what there is to know about the scene that the world was built from, and about its file.
+  void list_problems();
   void follow_edits();
   void follow_materials();
   /// Whether the world could take it; else the edit is taken back.
@@ -255,12 +257,15 @@ class Editor {
   std::vector<std::filesystem::path> scene_files_;
   std::filesystem::file_time_type built_at_ = std::filesystem::file_time_type::clock::now();  ///< when that began
   Timeline timeline_;
-  EmbeddedDisplay display_;  ///< of the world
+  EmbeddedDisplay display_;           ///< of the world
+  std::vector<InputError> warnings_;  ///< of the world, as scene_warnings() has them
+  std::vector<InputError> outdated_;  ///< names in the scene's file
+  std::vector<ui::SceneProblem> problems_;
   WorldLoader loader_;
   std::optional<Autosave> autosave_;
   RecentFiles recent_{""};
   ThumbnailSource thumbnail_source_;
-  std::unique_ptr<SceneGallery> gallery_;  ///< while the browser is shown
+  std::unique_ptr<SceneGallery> gallery_;               ///< while the browser is shown
   double copied_at_ = -ui::kAutosaveIntervals.maximum;  ///< when edits were copied last, by the clock of autosave()
   std::int64_t copied_revision_ = -1;                   ///< of the scene
   Scene built_;                      ///< what the world was built from, with the materials that it has now

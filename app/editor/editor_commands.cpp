@@ -86,6 +86,7 @@ void Editor::take_world(WorldLoader::Loaded loaded) {
   if (loaded.reason == LoadReason::follow) return take_followed(std::move(loaded));
   timeline_ = Timeline(std::move(loaded.world));
   built_at_ = loaded.started;
+  warnings_ = std::move(loaded.warnings);
   display_ = std::move(loaded.display);
   if (loaded.reason == LoadReason::recover) return show_recovered(std::move(loaded.scene), loaded.path);
   if (loaded.reason == LoadReason::open) {

@@ -66,6 +66,8 @@ void Editor::save(const ui::Command& command) {
   path_ = file;
   file_time_ = time_of_file(path_);
   scene_files_ = scene_files(path_);
+  outdated_.clear();
+  list_problems();
   if (autosave_) autosave_->remove();
   remember_file();
   log(ui::LogLevel::info, "Saved " + path_.string());

@@ -75,6 +75,7 @@ enum class CommandId {
   toggle_plots,
   palette,
   log,
+  toggle_problems,
   tour,
   help,
   quit,

@@ -19,6 +19,7 @@
 #include "ui/model/run_curves.h"
 #include "ui/model/scene_browser.h"
 #include "ui/model/scene_entry.h"
+#include "ui/model/scene_problem.h"
 #include "ui/model/selection.h"
 #include "ui/model/time_view.h"
 
@@ -164,6 +165,8 @@ struct EditorState {
   Palette palette;
   SceneBrowser browser;
   LogView log_view;
+  ProblemView problem_view;
+  SoughtField sought;
   PlotsState plots;
   Comparison comparison;
   std::optional<Caption> caption;
