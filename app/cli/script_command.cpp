@@ -32,6 +32,7 @@ class ScriptStage {
  public:
   ScriptStage(const ScriptOptions& options, const Scene& scene)
       : imgui_(1), target_(options.width, options.height), editor_(scene, options.scene) {
+    editor_.use_macros(macro_folder());
     editor_.show_thumbnails({this_program(), thumbnail_cache()});
     for (int i = 0; i < kFramesToLayOut; ++i) draw();
   }

@@ -186,6 +186,7 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
   input.scene_files = scene_files_;
   follow_browser();
   if (gallery_) input.scene_cards = gallery_->cards();
+  input.macros = macros_;
   input.recent_files = recent_.files();
   input.problems = problems_;
   input.scene_path = path_;
@@ -200,6 +201,7 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
   input.reached_speed = pacer_.reached_speed();
   input.falling_behind = pacer_.falling_behind();
   for (const ui::Command& command : ui::draw_editor(input, state_, history_, tags_)) execute(command);
+  note_for_macro();
   follow_edits();
   move_camera();
 }
@@ -257,7 +259,5 @@ std::string Editor::title() const {
 }
 
 bool Editor::take_screenshot_request() { return std::exchange(screenshot_wanted_, false); }
-
-bool Editor::take_tour_request() { return std::exchange(tour_wanted_, false); }
 
 }  // namespace griffith::app

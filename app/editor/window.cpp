@@ -194,9 +194,11 @@ void save_window(const std::filesystem::path& path, Editor& editor, const Window
   }
 }
 
-/// Goes on with the script that is being played, or with the tour that was asked for. A line that fails ends it.
+/// Goes on with the script that is being played, or with the tour or macro that was asked for. A line that fails ends
+/// it.
 void play_script(std::optional<ScriptPlayer>& player, Editor& editor, WindowInput& input) {
-  if (editor.take_tour_request()) player.emplace(tour(), true);
+  if (std::optional<Script> wanted = player ? std::nullopt : editor.take_script_request())
+    player.emplace(std::move(*wanted), true);
   if (!player) return;
   try {
     player->advance(editor, input.queue());
@@ -274,6 +276,7 @@ void run_editor(const EditorOptions& options) {
   WindowInput input(window, editor);
   editor.keep_edits_safe(state_folder());
   editor.show_thumbnails({this_program(), thumbnail_cache()});
+  editor.use_macros(macro_folder());
   editor.step_in_background();
   loop(editor, imgui, window, input, std::move(player), preferences, options.exit_after);
   if (!options.screenshot.empty()) save_picture(options.screenshot, window_image(window));

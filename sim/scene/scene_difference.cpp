@@ -55,6 +55,8 @@ Scene with_settings(const Scene& scene, std::span<const SceneSetting> settings, 
   for (const SceneSetting& setting : settings) apply(setting, document, in_full, where);
   Scene result = scene_from_json(document.dump(), where, scene.folder);
   result.folder = scene.folder;
+  const auto is_of_library = [](const SceneSetting& setting) { return setting.pointer.starts_with("/materials"); };
+  if (std::ranges::none_of(settings, is_of_library)) result.materials = scene.materials;  // without those of bodies
   return result;
 }
 

@@ -56,7 +56,7 @@ struct SurfaceRequest {
 };
 
 /// What a dialog asks a place for.
-enum class SavedKind { scene, recording, bug_report, plots, exported };
+enum class SavedKind { scene, recording, bug_report, plots, exported, macro };
 
 /// Where something is to be saved, as the dialog for it has it.
 struct SaveTarget {
@@ -167,6 +167,7 @@ struct EditorState {
   LogView log_view;
   ProblemView problem_view;
   SoughtField sought;
+  bool recording_macro = false;
   PlotsState plots;
   Comparison comparison;
   std::optional<Caption> caption;

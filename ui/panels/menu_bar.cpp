@@ -24,6 +24,19 @@ void recent_menu(Panel& panel) {
   ImGui::EndMenu();
 }
 
+/// A submenu that plays a macro.
+void macro_menu(Panel& panel) {
+  const bool open = ImGui::BeginMenu("Play macro", !panel.input.macros.empty());
+  tag_last_item(panel.tags, "menu/Play macro", open ? "open" : "closed", !panel.input.macros.empty());
+  if (!open) return;
+  for (const std::filesystem::path& macro : panel.input.macros) {
+    const std::string name = macro.stem().string();
+    if (ImGui::MenuItem(name.c_str())) issue(panel, {.id = CommandId::play_macro, .path = macro});
+    tag_last_item(panel.tags, "menu/macro/" + name, name);
+  }
+  ImGui::EndMenu();
+}
+
 /// The commands of the menu in their order, a line between groups.
 void command_items(Panel& panel, Menu menu) {
   int group = 0;
@@ -32,6 +45,7 @@ void command_items(Panel& panel, Menu menu) {
     if (std::exchange(group, info.group) != info.group) ImGui::Separator();
     command_menu_item(panel, info, "menu/");
     if (info.id == CommandId::open_dialog) recent_menu(panel);
+    if (info.id == CommandId::record_macro) macro_menu(panel);
   }
 }
 

@@ -31,6 +31,7 @@ struct EditorInput {
   std::span<const std::filesystem::path> scene_files;   ///< offered for opening
   std::span<const SceneCard> scene_cards;               ///< of them, while the browser is shown
   std::span<const std::filesystem::path> recent_files;  ///< opened or saved last, newest first
+  std::span<const std::filesystem::path> macros;        ///< that can be played
   std::span<const SceneProblem> problems;               ///< of the scene as it is
   std::filesystem::path scene_path;                     ///< of the scene being edited, may be empty
   TimeView time;                                        ///< the recorded past

@@ -75,13 +75,17 @@ void hint(const Panel& panel, const std::string& text) {
   ImGui::PopFont();
 }
 
+namespace {
+
 /// Scrolls to the sought field, or what of it is shown: a part around it, or the first of its numbers.
-static void scroll_if_sought(const Panel& panel, std::string_view tag) {
+void scroll_if_sought(const Panel& panel, std::string_view tag) {
   EditorState& state = panel.state;
   if (!is_within(state.sought.tag + "/0", tag)) return;
   ImGui::SetScrollHereY();
   if (!state.field_note.tag.empty()) state.field_note.tag = tag;
 }
+
+}  // namespace
 
 void field_tooltip(const Panel& panel, std::string_view tag, std::string_view text) {
   if (panel.state.sought.frames > 0) return scroll_if_sought(panel, tag);
