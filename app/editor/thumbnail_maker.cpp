@@ -1,5 +1,7 @@
 #include "app/editor/thumbnail_maker.h"
 
+#include <griffith/version.h>
+
 #include <atomic>
 #include <chrono>
 #include <deque>
@@ -20,7 +22,8 @@ namespace fs = std::filesystem;
 
 /// Changes whenever thumbnails of a version are to be drawn anew.
 constexpr char kThumbnailFormat[] = "griffith thumbnail 1 " GRIFFITH_VERSION "\n";
-constexpr ProcessLimits kThumbnailLimits = {.seconds = 120, .memory_bytes = std::int64_t{8} << 30};
+/// Memory is all but unlimited: drivers reserve far more addresses than they use.
+constexpr ProcessLimits kThumbnailLimits = {.seconds = 120, .memory_bytes = std::int64_t{1} << 40};
 
 std::optional<render::Image> kept_thumbnail(const fs::path& entry) try {
   return render::load_png(entry);

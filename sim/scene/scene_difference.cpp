@@ -20,13 +20,6 @@ bool differs_within(const Json& before, const Json& after) {
   return true;
 }
 
-/// `name` as a part of a JSON pointer (RFC 6901).
-std::string escaped(const std::string& name) {
-  std::string text;
-  for (const char letter : name) text += letter == '~' ? "~0" : letter == '/' ? "~1" : std::string(1, letter);
-  return text;
-}
-
 void add_differences(const Json& before, const Json& after, const std::string& pointer,
                      std::vector<SceneSetting>& settings) {
   if (before == after) return;
@@ -34,10 +27,10 @@ void add_differences(const Json& before, const Json& after, const std::string& p
     settings.push_back({pointer, after.dump()});
   } else if (after.is_array()) {
     for (std::size_t i = 0; i < after.size(); ++i)
-      add_differences(before[i], after[i], pointer + "/" + std::to_string(i), settings);
+      add_differences(before[i], after[i], json_pointer(pointer, std::to_string(i)), settings);
   } else {
     for (const auto& [name, member] : after.items())
-      add_differences(before.at(name), member, pointer + "/" + escaped(name), settings);
+      add_differences(before.at(name), member, json_pointer(pointer, name), settings);
   }
 }
 

@@ -38,7 +38,7 @@ void problem_row(Panel& panel, const SceneProblem& problem, const std::string& t
 
 }  // namespace
 
-std::string count_text(std::span<const SceneProblem> problems) {
+std::string problem_count_text(std::span<const SceneProblem> problems) {
   if (problems.empty()) return "no problems";
   return std::to_string(problems.size()) + (problems.size() == 1 ? " problem" : " problems");
 }
@@ -48,8 +48,8 @@ void draw_problem_panel(Panel& panel) {
   if (text_button(panel, "problems/close", "Close")) panel.state.problem_view.shown = false;
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
-  ImGui::TextColored(as_vec4(palette::kTextDim), "%s: a click goes to the field", count_text(problems).c_str());
-  tag_last_item(panel.tags, "problems/count", count_text(problems));
+  ImGui::TextColored(as_vec4(palette::kTextDim), "%s: a click goes to the field", problem_count_text(problems).c_str());
+  tag_last_item(panel.tags, "problems/count", problem_count_text(problems));
   ImGui::Separator();
   ImGui::BeginChild("##list");
   for (std::size_t i = 0; i < problems.size(); ++i) problem_row(panel, problems[i], "problems/" + std::to_string(i));

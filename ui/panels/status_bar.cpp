@@ -21,7 +21,7 @@ void recent_lines(const std::vector<LogLine>& log) {
 
 /// How many problems there are, to be clicked, where there are any.
 void problem_count(Panel& panel, float place) {
-  const std::string text = count_text(panel.input.problems);
+  const std::string text = problem_count_text(panel.input.problems);
   ImGui::SameLine(place);
   ImGui::TextColored(as_vec4(palette::kWarning), "%s", text.c_str());
   tag_last_item(panel.tags, "status/problems", text);
@@ -48,7 +48,7 @@ void draw_status_bar(Panel& panel) {
   const float file = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - ImGui::CalcTextSize(text.c_str()).x;
   const bool any_problem = !panel.input.problems.empty(), records = panel.state.recording_macro;
   const float problems =
-      any_problem ? file - gap - ImGui::CalcTextSize(count_text(panel.input.problems).c_str()).x : file;
+      any_problem ? file - gap - ImGui::CalcTextSize(problem_count_text(panel.input.problems).c_str()).x : file;
   const float place = records ? problems - gap - ImGui::CalcTextSize(kRecording).x : problems;
   if (!log.empty()) {
     const LogLine& last = log.back();
