@@ -74,7 +74,7 @@ void Editor::show_scene(Scene scene, std::filesystem::path path, const Scene* ed
   copied_revision_ = -1;
   path_ = std::move(path);
   scene_files_ = scene_files(path_);
-  outdated_ = outdated_names(path_);
+  outdated_ = path_.empty() ? std::vector<InputError>() : outdated_names(path_);
   restart();
   use_camera("");
   log(ui::LogLevel::info, "Opened \"" + history_.scene().name + "\". Press Space to run, right-click to fire.");

@@ -15,13 +15,10 @@ namespace fs = std::filesystem;
 /// What is larger holds no scene that someone would look for.
 constexpr std::int64_t kMostBytes = 64 << 20;
 
-bool is_from_file(const BodyDescription& body) {
-  return std::holds_alternative<MeshFileShape>(body.shape) || std::holds_alternative<SurfaceShape>(body.shape);
-}
-
 std::string topic_of(const Scene& scene) {
   if (scene.analysis == Analysis::equilibrium) return "In equilibrium";
-  if (std::ranges::any_of(scene.bodies, is_from_file)) return "Meshes and surfaces from files";
+  const auto filled = [](const BodyDescription& body) { return std::holds_alternative<SurfaceShape>(body.shape); };
+  if (std::ranges::any_of(scene.bodies, filled)) return "Filled surfaces";
   const auto splinters = [](const BodyDescription& body) { return body.splinters.has_value(); };
   if (std::ranges::any_of(scene.bodies, splinters)) return "Splinters";
   const auto held = [](const BodyDescription& body) { return !body.supports.empty(); };

@@ -101,7 +101,7 @@ void open_dialog(Panel& panel) {
   const bool pressed = text_button(panel, "open/open", "Open", 120 * ui_scale(panel));
   if ((entered || pressed) && state.path_text[0] != '\0') open_scene(panel, state.path_text.data());
   ImGui::SameLine();
-  if (text_button(panel, "open/scenes", "Pictures...", 120 * ui_scale(panel))) {
+  if (text_button(panel, "open/scenes", "Pictures…", 120 * ui_scale(panel))) {
     issue(panel, {.id = CommandId::browse_scenes});
     state.show_open = false;
   }

@@ -153,7 +153,7 @@ void draw_scenes_dialog(Panel& panel) {
   const float width = 120 * scale;
   if (text_button(panel, "scenes/open", "Open", width) || ImGui::IsKeyPressed(key::kEnter, false)) wanted = chosen;
   ImGui::SameLine();
-  const bool other = text_button(panel, "scenes/other", "Other file...", width);
+  const bool other = text_button(panel, "scenes/other", "Other file…", width);
   ImGui::SameLine();
   const bool cancelled =
       text_button(panel, "scenes/cancel", "Cancel", width) || ImGui::IsKeyPressed(key::kEscape, false);
