@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/shared/scene_warnings.h"
 #include "app/shared/scene_world.h"
 #include "sim/core/error.h"
 #include "sim/scene/scene_reader.h"
-#include "sim/world/setup/starting_overlaps.h"
 
 namespace griffith::app {
 namespace {
@@ -32,8 +32,7 @@ std::vector<InputError> problems_of(const std::filesystem::path& path, std::span
     const Scene scene = read_scene(path, settings);
     const World world = make_world(scene, path);
     warn_of(outdated_names(path));
-    warn_of(all_in_file(path, world.findings()));
-    warn_of(all_in_file(path, starting_overlaps(scene, world.frame())));
+    warn_of(all_in_file(path, scene_warnings(scene, world)));
   } catch (const InputError& error) {
     problems.push_back(error);
   }

@@ -7,6 +7,7 @@
 #include "app/editor/script_player.h"
 #include "app/editor/starting_scene.h"
 #include "app/output/output.h"
+#include "app/shared/processes.h"
 #include "app/shared/scene_files.h"
 #include "renderer/egl_context.h"
 #include "renderer/target.h"
@@ -31,6 +32,8 @@ class ScriptStage {
  public:
   ScriptStage(const ScriptOptions& options, const Scene& scene)
       : imgui_(1), target_(options.width, options.height), editor_(scene, options.scene) {
+    editor_.use_macros(macro_folder());
+    editor_.show_thumbnails({this_program(), thumbnail_cache()});
     for (int i = 0; i < kFramesToLayOut; ++i) draw();
   }
 

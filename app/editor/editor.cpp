@@ -11,7 +11,9 @@
 #include "app/picture/scene_camera.h"
 #include "app/picture/scene_legend.h"
 #include "app/shared/scene_files.h"
+#include "app/shared/scene_warnings.h"
 #include "app/shared/scene_world.h"
+#include "sim/scene/scene_reader.h"
 
 namespace griffith::app {
 namespace {
@@ -49,7 +51,8 @@ Editor::Editor(Scene scene, std::filesystem::path path, const Scene* edited)
     : history_(scene),
       file_time_(time_of_file(path)),
       timeline_(make_world(edited ? *edited : scene, path)),
-      display_(embedded_display(world().frame(), edited ? *edited : scene)) {
+      display_(embedded_display(world().frame(), edited ? *edited : scene)),
+      warnings_(scene_warnings(edited ? *edited : scene, world())) {
   show_scene(std::move(scene), std::move(path), edited);
 }
 
@@ -71,6 +74,7 @@ void Editor::show_scene(Scene scene, std::filesystem::path path, const Scene* ed
   copied_revision_ = -1;
   path_ = std::move(path);
   scene_files_ = scene_files(path_);
+  outdated_ = path_.empty() ? std::vector<InputError>() : outdated_names(path_);
   restart();
   use_camera("");
   log(ui::LogLevel::info, "Opened \"" + history_.scene().name + "\". Press Space to run, right-click to fire.");
@@ -89,6 +93,7 @@ void Editor::restart() {
   step_seconds_ = 0;
   ++world_count_;
   range_.restart();
+  list_problems();
   update_picture();
 }
 
@@ -179,7 +184,11 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
   input.camera = view_camera(picture_camera());
   input.towards_eye = (camera_.position - camera_.target).cast<double>();
   input.scene_files = scene_files_;
+  follow_browser();
+  if (gallery_) input.scene_cards = gallery_->cards();
+  input.macros = macros_;
   input.recent_files = recent_.files();
+  input.problems = problems_;
   input.scene_path = path_;
   input.time = time_view();
   input.comparison = comparison_view();
@@ -192,6 +201,7 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
   input.reached_speed = pacer_.reached_speed();
   input.falling_behind = pacer_.falling_behind();
   for (const ui::Command& command : ui::draw_editor(input, state_, history_, tags_)) execute(command);
+  note_for_macro();
   follow_edits();
   move_camera();
 }
@@ -249,7 +259,5 @@ std::string Editor::title() const {
 }
 
 bool Editor::take_screenshot_request() { return std::exchange(screenshot_wanted_, false); }
-
-bool Editor::take_tour_request() { return std::exchange(tour_wanted_, false); }
 
 }  // namespace griffith::app

@@ -12,9 +12,12 @@
 #include "app/editor/background_step.h"
 #include "app/editor/compared_branch.h"
 #include "app/editor/holding_search.h"
+#include "app/editor/macro_recorder.h"
 #include "app/editor/recent_files.h"
 #include "app/editor/run_export.h"
 #include "app/editor/run_history.h"
+#include "app/editor/scene_gallery.h"
+#include "app/editor/script.h"
 #include "app/editor/step_pacer.h"
 #include "app/editor/utilization_history.h"
 #include "app/editor/world_loader.h"
@@ -31,6 +34,9 @@
 namespace griffith::app {
 
 class Editor;
+
+/// The user's folder for macros; empty where there is none.
+std::filesystem::path macro_folder();
 
 /// What carries out a command.
 struct CommandAction {
@@ -72,6 +78,8 @@ class Editor {
   /// From now on remembers which scenes were opened, keeps a copy of edits that are not saved, and asks what is to
   /// become of those that a crash left. `states`: as Autosave has it.
   void keep_edits_safe(const std::filesystem::path& states);
+  /// From now on the browser of scenes shows thumbnails of that source.
+  void show_thumbnails(ThumbnailSource source) { thumbnail_source_ = std::move(source); }
   /// To be called often: copies what has been edited, as often as the preferences say. `now`: seconds of a clock that
   /// goes on.
   void autosave(double now);
@@ -92,8 +100,16 @@ class Editor {
   bool wants_to_quit() const { return wants_to_quit_; }
   /// True once after a screenshot was asked for.
   bool take_screenshot_request();
-  /// True once after the tour was asked for.
-  bool take_tour_request();
+  /// The tour or the macro that was asked for, once.
+  std::optional<Script> take_script_request();
+  /// From now on offers the macros of that folder, and proposes it for new ones.
+  void use_macros(std::filesystem::path folder);
+  /// What scripts do besides commands: gives fields of the scene, as it would be saved now, or of the projectile tool
+  /// other values, chooses entries by their full names, moves the camera. All throw InputError, which names `where`.
+  void set_values(std::span<const SceneSetting> settings, const std::string& where);
+  void set_shot(std::span<const SceneSetting> settings, const std::string& where);
+  void choose(const std::vector<std::string>& names, const std::string& where);
+  void look_from(const Vec3& eye, const Vec3& target);
   /// Stops the simulation and shows what did not work.
   void show_error(const InputError& error);
   /// Where a bug report was asked for, once; it is to be saved with a picture of the next drawn frame.
@@ -115,6 +131,8 @@ class Editor {
   /// Undoes or redoes what the world could not be built for.
   void go_back_to_built();
   void log_findings();
+  /// Lists what there is to know about the scene that the world was built from, and about its file.
+  void list_problems();
   void follow_edits();
   void follow_materials();
   /// Whether the world could take it; else the edit is taken back.
@@ -173,6 +191,15 @@ class Editor {
   void ask_for_left_edits(bool of_any);
   /// Puts the scene's file on top of the recent ones.
   void remember_file();
+  /// Has cards of scenes at hand while the browser is shown.
+  void follow_browser();
+  void list_macros();
+  MacroMoment macro_moment() const;
+  /// Lets the macro that is being recorded, if any, have what has changed.
+  void note_for_macro();
+  void toggle_macro_recording();
+  void ask_where_to_save_macro(std::filesystem::path proposed);
+  void write_macro(const std::filesystem::path& path);
   void discard_copy();
   void leave_copy();
   void recover();
@@ -252,10 +279,15 @@ class Editor {
   std::vector<std::filesystem::path> scene_files_;
   std::filesystem::file_time_type built_at_ = std::filesystem::file_time_type::clock::now();  ///< when that began
   Timeline timeline_;
-  EmbeddedDisplay display_;  ///< of the world
+  EmbeddedDisplay display_;           ///< of the world
+  std::vector<InputError> warnings_;  ///< of the world, as scene_warnings() has them
+  std::vector<InputError> outdated_;  ///< names in the scene's file
+  std::vector<ui::SceneProblem> problems_;
   WorldLoader loader_;
   std::optional<Autosave> autosave_;
   RecentFiles recent_{""};
+  ThumbnailSource thumbnail_source_;
+  std::unique_ptr<SceneGallery> gallery_;               ///< while the browser is shown
   double copied_at_ = -ui::kAutosaveIntervals.maximum;  ///< when edits were copied last, by the clock of autosave()
   std::int64_t copied_revision_ = -1;                   ///< of the scene
   Scene built_;                      ///< what the world was built from, with the materials that it has now
@@ -283,7 +315,12 @@ class Editor {
   bool passes_stop_ = false;                       ///< the next step is made although a breakpoint is met in it
   double step_seconds_ = 0, picture_seconds_ = 0;  ///< smoothed
   bool laid_out_ = false;                          ///< the size of the picture is known
-  bool wants_to_quit_ = false, screenshot_wanted_ = false, tour_wanted_ = false;
+  bool wants_to_quit_ = false, screenshot_wanted_ = false;
+  std::optional<Script> wanted_script_;
+  std::filesystem::path macro_folder_;
+  std::vector<std::filesystem::path> macros_;  ///< in it, sorted
+  std::optional<MacroRecorder> recorder_;      ///< while one is being recorded
+  std::string recorded_macro_;                 ///< the last one
   std::optional<std::filesystem::path> wanted_report_;
 };
 

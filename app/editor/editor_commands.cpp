@@ -20,8 +20,10 @@ void Editor::execute(const ui::Command& command) {
     state_.unsaved = command;
     return;
   }
+  note_for_macro();
   try {
     carry_out(command);
+    if (recorder_) recorder_->add(command, macro_moment());
   } catch (const InputError& error) {
     show_error(error);
   }
@@ -58,7 +60,10 @@ void Editor::receive_world() {
   if (state_.build_large_mesh) loader_.start_again();
   state_.cancel_work = state_.build_large_mesh = false;
   try {
-    if (std::optional<WorldLoader::Loaded> loaded = loader_.take()) take_world(std::move(*loaded));
+    if (std::optional<WorldLoader::Loaded> loaded = loader_.take()) {
+      take_world(std::move(*loaded));
+      if (recorder_) recorder_->skip(macro_moment());
+    }
   } catch (const InputError& error) {
     give_up_work();
     show_error(error);
@@ -87,6 +92,7 @@ void Editor::take_world(WorldLoader::Loaded loaded) {
   if (loaded.reason == LoadReason::follow) return take_followed(std::move(loaded));
   timeline_ = Timeline(std::move(loaded.world));
   built_at_ = loaded.started;
+  warnings_ = std::move(loaded.warnings);
   display_ = std::move(loaded.display);
   if (loaded.reason == LoadReason::recover) return show_recovered(std::move(loaded.scene), loaded.path);
   if (loaded.reason == LoadReason::open) {

@@ -66,6 +66,8 @@ void Editor::save(const ui::Command& command) {
   path_ = file;
   file_time_ = time_of_file(path_);
   scene_files_ = scene_files(path_);
+  outdated_.clear();
+  list_problems();
   if (autosave_) autosave_->remove();
   remember_file();
   log(ui::LogLevel::info, "Saved " + path_.string());
@@ -112,6 +114,12 @@ void Editor::remember_file() {
   } catch (const InputError& error) {
     log(ui::LogLevel::warning, error.what());
   }
+}
+
+void Editor::follow_browser() {
+  if (!state_.browser.shown) return gallery_.reset();
+  if (!gallery_) gallery_ = std::make_unique<SceneGallery>(scene_files_, thumbnail_source_);
+  gallery_->follow();
 }
 
 void Editor::discard_copy() {

@@ -36,6 +36,7 @@ void Editor::take_followed(WorldLoader::Loaded loaded) {
   const bool edited = start_of(loaded.scene) != start_of(built_), was_empty = built_.bodies.empty();
   timeline_ = Timeline(std::move(loaded.world));
   built_at_ = loaded.started;
+  warnings_ = std::move(loaded.warnings);
   display_ = std::move(loaded.display);
   restart();
   if (edited) log_findings();
@@ -44,6 +45,13 @@ void Editor::take_followed(WorldLoader::Loaded loaded) {
 
 void Editor::log_findings() {
   for (const InputError& finding : world().findings()) log(ui::LogLevel::warning, finding.what());
+}
+
+void Editor::list_problems() {
+  problems_.clear();
+  for (const std::vector<InputError>* found : {&outdated_, &warnings_})
+    for (const InputError& problem : *found)
+      problems_.push_back({problem.where().substr(problem.where().find('#') + 1), problem.problem(), problem.remedy()});
 }
 
 void Editor::follow_edits() {

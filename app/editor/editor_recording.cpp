@@ -76,6 +76,8 @@ void Editor::save_run(const ui::Command& command) {
       return;
     case ui::CommandId::save_plots:
       return write_plots(command.path);
+    case ui::CommandId::save_macro:
+      return write_macro(command.path);
     case ui::CommandId::export_run:
       return export_run(command.path);
     default:

@@ -1,5 +1,7 @@
 #include "app/editor/script.h"
 
+#include <app/editor/tour.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -114,6 +116,29 @@ void read_command(Words& words, ScriptLine& line) {
   if (needed || !words.empty()) read_argument(words, info->argument, line.command);
 }
 
+/// Pairs of a pointer, with `before` in front of it, and a value.
+void read_settings(Words& words, ScriptLine& line, const std::string& before) {
+  do {
+    const std::string pointer = scene_pointer(words.take("a field"), words.place());
+    line.settings.push_back({before + pointer, setting_value(words.take("a value"))});
+  } while (!words.empty());
+}
+
+void read_set(Words& words, ScriptLine& line) { read_settings(words, line, ""); }
+void read_projectile(Words& words, ScriptLine& line) { read_settings(words, line, "/projectiles/0"); }
+
+void read_choose(Words& words, ScriptLine& line) {
+  do line.names.push_back(words.take("the name of a part of the scene"));
+  while (!words.empty());
+}
+
+void read_look(Words& words, ScriptLine& line) {
+  constexpr double kFarthest = 1e6;
+  for (Vec3* place : {&line.eye, &line.target})
+    for (double& coordinate : *place) coordinate = words.take_number("a coordinate", -kFarthest, kFarthest);
+  if (line.eye == line.target) words.fail("looks from where it looks at", "move the eye away from the target");
+}
+
 void read_click(Words& words, ScriptLine& line) {
   line.tag = words.take("the tag of a widget");
   if (words.empty()) return;
@@ -174,7 +199,11 @@ struct VerbInfo {
 };
 
 /// In the order of Verb.
-constexpr std::array<VerbInfo, 11> kVerbs = {{{"command", read_command},
+constexpr std::array<VerbInfo, 15> kVerbs = {{{"command", read_command},
+                                              {"set", read_set},
+                                              {"projectile", read_projectile},
+                                              {"choose", read_choose},
+                                              {"look", read_look},
                                               {"click", read_click},
                                               {"drag", read_drag},
                                               {"scroll", read_scroll},
@@ -202,16 +231,6 @@ ScriptLine parse_line(Words words) {
   return line;
 }
 
-std::string quoted_word(const std::string& text) {
-  if (!text.empty() && text.find_first_of(" \t\"#\\") == std::string::npos) return text;
-  std::string result = "\"";
-  for (const char letter : text) {
-    if (letter == '"' || letter == '\\') result += '\\';
-    result += letter;
-  }
-  return result + "\"";
-}
-
 }  // namespace
 
 Script parse_script(std::string_view text, const std::string& name) {
@@ -227,6 +246,18 @@ Script parse_script(std::string_view text, const std::string& name) {
 
 Script read_script(const std::filesystem::path& file) { return parse_script(read_file(file), file.string()); }
 
+Script tour() { return parse_script(tour_script, "tour"); }
+
+std::string script_word(const std::string& text) {
+  if (!text.empty() && text.find_first_of(" \t\"#\\") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char letter : text) {
+    if (letter == '"' || letter == '\\') result += '\\';
+    result += letter;
+  }
+  return result + "\"";
+}
+
 std::string script_line(const ui::Command& command) {
   const ui::CommandInfo& info = ui::command_info(command.id);
   std::ostringstream line;
@@ -235,7 +266,7 @@ std::string script_line(const ui::Command& command) {
     case ui::CommandArgument::none:
       break;
     case ui::CommandArgument::path:
-      if (!command.path.empty()) line << " " << quoted_word(command.path.string());
+      if (!command.path.empty()) line << " " << script_word(command.path.string());
       break;
     case ui::CommandArgument::step:
       line << " " << command.step;

@@ -5,13 +5,30 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/scene/scene_setting.h"
 #include "ui/model/commands.h"
 #include "ui/model/shortcut.h"
 
 namespace griffith::app {
 
 /// What a line of a script does.
-enum class Verb { command, click, drag, scroll, type, key, step, wait, expect, say, screenshot };
+enum class Verb {
+  command,
+  set,
+  projectile,
+  choose,
+  look,
+  click,
+  drag,
+  scroll,
+  type,
+  key,
+  step,
+  wait,
+  expect,
+  say,
+  screenshot
+};
 
 /// A line of a script that has been checked. Of the last members those are used that the verb needs.
 struct ScriptLine {
@@ -25,6 +42,9 @@ struct ScriptLine {
   float right = 0, down = 0;  ///< drag [pixels]; scroll: the second, in notches
   ui::Shortcut key;
   ui::Command command = {};
+  std::vector<SceneSetting> settings = {};         ///< set, projectile: fields and their values
+  std::vector<std::string> names = {};             ///< choose: of entries
+  Vec3 eye = Vec3::Zero(), target = Vec3::Zero();  ///< look [m]
 };
 
 /// What can be done in the editor, line by line: a tour, a test, a bug report. docs/scripts.md describes the verbs.
@@ -34,6 +54,12 @@ using Script = std::vector<ScriptLine>;
 Script parse_script(std::string_view text, const std::string& name);
 /// Reads a script's file. Throws InputError.
 Script read_script(const std::filesystem::path& file);
+
+/// The tour of the help menu.
+Script tour();
+
+/// The text as a word of a script, in quotes where need be.
+std::string script_word(const std::string& text);
 
 /// The line of a script that has this done, without its end: "command file.open_path scenes/arch.json".
 std::string script_line(const ui::Command& command);

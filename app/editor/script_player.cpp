@@ -1,6 +1,5 @@
 #include "app/editor/script_player.h"
 
-#include <app/editor/tour.h>
 #include <imgui.h>
 
 #include <utility>
@@ -51,9 +50,17 @@ void ScriptPlayer::advance(Editor& editor, ui::InputQueue& input) {
   if (!input.empty() || !editor.state().work.empty() || waits_for_reader(editor)) return;
   if (frames_left_ > 0 && --frames_left_ > 0) return;
   if (next_ >= script_.size()) return;
-  const ScriptLine& line = script_[next_++];
+  const ScriptLine line = script_[next_++];
   frames_left_ = kFramesToSettle;
   play(line, editor, input);
+  if (const std::optional<Script> called = editor.take_script_request()) insert(*called, line.place);
+}
+
+void ScriptPlayer::insert(const Script& called, const std::string& place) {
+  constexpr std::size_t kMostLines = 100'000;
+  if (script_.size() + called.size() > kMostLines)
+    throw InputError(place, "makes more than 100,000 lines", "let no macro play itself");
+  script_.insert(script_.begin() + static_cast<std::ptrdiff_t>(next_), called.begin(), called.end());
 }
 
 bool ScriptPlayer::waits_for_reader(Editor& editor) {
@@ -72,6 +79,14 @@ void ScriptPlayer::play(const ScriptLine& line, Editor& editor, ui::InputQueue& 
   switch (line.verb) {
     case Verb::command:
       return carry_out(line, editor);
+    case Verb::set:
+      return editor.set_values(line.settings, line.place);
+    case Verb::projectile:
+      return editor.set_shot(line.settings, line.place);
+    case Verb::choose:
+      return editor.choose(line.names, line.place);
+    case Verb::look:
+      return editor.look_from(line.eye, line.target);
     case Verb::click:
       return ui::click(input, place_on(line, editor), line.button);
     case Verb::drag:
@@ -103,7 +118,5 @@ void ScriptPlayer::play(const ScriptLine& line, Editor& editor, ui::InputQueue& 
 std::optional<std::filesystem::path> ScriptPlayer::take_picture_request() {
   return std::exchange(wanted_picture_, std::nullopt);
 }
-
-Script tour() { return parse_script(tour_script, "tour"); }
 
 }  // namespace griffith::app

@@ -25,6 +25,8 @@ class ScriptPlayer {
 
  private:
   void play(const ScriptLine& line, Editor& editor, ui::InputQueue& input);
+  /// Has the lines of a script that a line has called played next. `place`: of that line.
+  void insert(const Script& called, const std::string& place);
   /// Whether the reader has not yet gone on from what is said; who has had enough ends the script.
   bool waits_for_reader(Editor& editor);
 
@@ -34,8 +36,5 @@ class ScriptPlayer {
   int frames_left_ = 0;  ///< until the next line
   std::optional<std::filesystem::path> wanted_picture_;
 };
-
-/// The tour of the help menu.
-Script tour();
 
 }  // namespace griffith::app

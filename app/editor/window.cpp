@@ -20,6 +20,7 @@
 #include "app/editor/script_player.h"
 #include "app/editor/starting_scene.h"
 #include "app/output/output.h"
+#include "app/shared/processes.h"
 #include "app/shared/scene_files.h"
 #include "renderer/image.h"
 #include "sim/core/replace_file.h"
@@ -193,9 +194,11 @@ void save_window(const std::filesystem::path& path, Editor& editor, const Window
   }
 }
 
-/// Goes on with the script that is being played, or with the tour that was asked for. A line that fails ends it.
+/// Goes on with the script that is being played, or with the tour or macro that was asked for. A line that fails ends
+/// it.
 void play_script(std::optional<ScriptPlayer>& player, Editor& editor, WindowInput& input) {
-  if (editor.take_tour_request()) player.emplace(tour(), true);
+  if (std::optional<Script> wanted = player ? std::nullopt : editor.take_script_request())
+    player.emplace(std::move(*wanted), true);
   if (!player) return;
   try {
     player->advance(editor, input.queue());
@@ -272,6 +275,8 @@ void run_editor(const EditorOptions& options) {
   ImGuiContextOwner imgui(window.scale());
   WindowInput input(window, editor);
   editor.keep_edits_safe(state_folder());
+  editor.show_thumbnails({this_program(), thumbnail_cache()});
+  editor.use_macros(macro_folder());
   editor.step_in_background();
   loop(editor, imgui, window, input, std::move(player), preferences, options.exit_after);
   if (!options.screenshot.empty()) save_picture(options.screenshot, window_image(window));

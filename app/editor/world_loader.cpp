@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/shared/expected_mesh.h"
+#include "app/shared/scene_warnings.h"
 #include "app/shared/scene_world.h"
 
 namespace griffith::app {
@@ -24,7 +25,9 @@ WorldLoader::Loaded WorldLoader::build(const Order& order, const std::shared_ptr
   if (const double tets = expected_tets(scene, monitor); tets > order.max_tets) throw LargeMesh(tets);
   World world = make_world(scene, order.path, monitor);
   EmbeddedDisplay display = embedded_display(world.frame(), scene, monitor);
-  return {order.reason, std::move(scene), order.path, std::move(world), std::move(display), started};
+  std::vector<InputError> warnings = scene_warnings(scene, world);
+  return {order.reason,       std::move(scene),    order.path, std::move(world),
+          std::move(display), std::move(warnings), started};
 }
 
 void WorldLoader::start(LoadReason reason, Scene scene, std::filesystem::path path, double max_tets) {

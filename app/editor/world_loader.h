@@ -33,6 +33,7 @@ class WorldLoader {
     std::filesystem::path path;
     World world;
     EmbeddedDisplay display;
+    std::vector<InputError> warnings;         ///< as scene_warnings() has them
     std::filesystem::file_time_type started;  ///< before any file was read
   };
 

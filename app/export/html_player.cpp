@@ -38,8 +38,8 @@ struct Arrays {
   Numbers<std::uint32_t> indices;
 };
 
-Json json(const std::optional<double>& time) { return time ? Json(*time) : Json(nullptr); }
-Json json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+Json header_json(const std::optional<double>& time) { return time ? Json(*time) : Json(nullptr); }
+Json header_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 Vec3 size_of(const BakedMesh& mesh) {
   Eigen::AlignedBox3d box;
@@ -65,9 +65,9 @@ Json thing_json(const BakedThing& thing, Arrays& arrays) {
   return {{"name", thing.name},
           {"body", thing.scene_body < 0 ? Json(nullptr) : Json(thing.scene_body)},
           {"mass", thing.mass},
-          {"size", json(size_of(thing.mesh))},
+          {"size", header_json(size_of(thing.mesh))},
           {"supported", thing.is_supported},
-          {"breakTime", json(thing.break_time)},
+          {"breakTime", header_json(thing.break_time)},
           {"materials", {thing.outside_material, thing.inside_material}},
           {"firstFrame", thing.first_frame},
           {"pointCount", thing.mesh.points.size()},
@@ -78,7 +78,7 @@ Json thing_json(const BakedThing& thing, Arrays& arrays) {
 
 Json material_json(const BakedMaterial& material) {
   return {{"name", material.name},
-          {"color", json(material.color)},
+          {"color", header_json(material.color)},
           {"opacity", material.opacity},
           {"roughness", material.roughness}};
 }
@@ -88,7 +88,7 @@ Json bond_json(const BakedBond& bond) {
           {"b", bond.b},
           {"area", bond.area},
           {"strength", bond.strength},
-          {"breakTime", json(bond.break_time)}};
+          {"breakTime", header_json(bond.break_time)}};
 }
 
 Json header(const Bake& bake, Arrays& arrays) {

@@ -194,7 +194,7 @@ class RandomActions : public EditorTest {
 
   /// Scenes of the lists are passed by: the largest takes a minute to build.
   static bool is_scene(const std::string& tag) {
-    return tag.starts_with("open/") || tag.starts_with("menu/scene/") || tag.starts_with("menu/recent/");
+    return tag.starts_with("open/") || tag.starts_with("scenes/") || tag.starts_with("menu/recent/");
   }
 
   void click_anywhere() {

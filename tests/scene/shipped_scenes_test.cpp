@@ -35,9 +35,9 @@ std::vector<std::string> shipped_names() {
   return names;
 }
 
-class ShippedScene : public testing::TestWithParam<std::string> {};
+class ShippedScene : public ::testing::TestWithParam<std::string> {};
 
-INSTANTIATE_TEST_SUITE_P(Scenes, ShippedScene, testing::ValuesIn(shipped_names()), [](const auto& parameter) {
+INSTANTIATE_TEST_SUITE_P(Scenes, ShippedScene, ::testing::ValuesIn(shipped_names()), [](const auto& parameter) {
   std::string name = parameter.param;
   std::ranges::replace(name, '/', '_');
   return name;
@@ -45,10 +45,10 @@ INSTANTIATE_TEST_SUITE_P(Scenes, ShippedScene, testing::ValuesIn(shipped_names()
 
 TEST_P(ShippedScene, IsWithoutAProblemAndSaysWhatItShows) {
   const fs::path path = kScenes / (GetParam() + ".json");
-  EXPECT_THAT(check_scene_text(text_of(path), "scene"), testing::IsEmpty());
+  EXPECT_THAT(check_scene_text(text_of(path), "scene"), ::testing::IsEmpty());
   const auto problems = check_scene(path);
   for (const InputError& problem : problems) {
-    ASSERT_THAT(problem.what(), testing::ContainsRegex("shape/(mesh|surface)/path"))
+    ASSERT_THAT(problem.what(), ::testing::ContainsRegex("shape/(mesh|surface)/path"))
         << "nothing but its mesh may be missing";
   }
   if (!problems.empty()) GTEST_SKIP() << problems[0].what();
@@ -78,7 +78,7 @@ TEST(ShippedScenes, WallsStandOnTheGroundAndAreHeldAtTheFoot) {
 
 TEST(SceneSchema, TheFileIsWhatTheFieldTableSays) {
   const std::string made = scene_schema();
-  const fs::path copy = fs::path(testing::TempDir()) / "scene.schema.json";
+  const fs::path copy = fs::path(::testing::TempDir()) / "scene.schema.json";
   if (text_of(kScenes / "scene.schema.json") != made) std::ofstream(copy, std::ios::binary) << made;
   EXPECT_TRUE(text_of(kScenes / "scene.schema.json") == made)
       << "scenes/scene.schema.json is out of date; copy " << copy << " over it";

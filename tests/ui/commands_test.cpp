@@ -115,6 +115,7 @@ TEST(Commands, ShortcutsDoNotReachBehindADialog) {
       [](EditorState& state) {
         state.report = WorkReport{"Added", {}, {}};
       },
+      [](EditorState& state) { state.browser.shown = true; },
       [](EditorState& state) { state.show_open = true; },
       [](EditorState& state) {
         state.replacement = Replacement{{.id = CommandId::save}, "It is there."};

@@ -16,6 +16,7 @@ Dialog shown_dialog(const EditorState& state) {
   if (state.save_as) return Dialog::save_as;
   if (state.unsaved) return Dialog::unsaved;
   if (state.show_surface) return Dialog::surface;
+  if (state.browser.shown) return Dialog::scenes;
   if (state.show_open) return Dialog::open;
   if (state.show_preferences) return Dialog::preferences;
   if (state.palette.shown) return Dialog::palette;

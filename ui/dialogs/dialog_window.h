@@ -20,6 +20,7 @@ enum class Dialog {
   save_as,
   unsaved,
   surface,
+  scenes,
   open,
   preferences,
   palette,

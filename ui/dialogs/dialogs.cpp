@@ -101,6 +101,11 @@ void open_dialog(Panel& panel) {
   const bool pressed = text_button(panel, "open/open", "Open", 120 * ui_scale(panel));
   if ((entered || pressed) && state.path_text[0] != '\0') open_scene(panel, state.path_text.data());
   ImGui::SameLine();
+  if (text_button(panel, "open/scenes", "Pictures…", 120 * ui_scale(panel))) {
+    issue(panel, {.id = CommandId::browse_scenes});
+    state.show_open = false;
+  }
+  ImGui::SameLine();
   if (text_button(panel, "open/cancel", "Cancel", 120 * ui_scale(panel)) || escape_pressed() || left)
     state.show_open = false;
   if (!state.show_open) ImGui::CloseCurrentPopup();
@@ -160,6 +165,8 @@ void draw_dialogs(Panel& panel) {
       return draw_left_edits_dialog(panel);
     case Dialog::surface:
       return draw_surface_dialog(panel);
+    case Dialog::scenes:
+      return draw_scenes_dialog(panel);
     case Dialog::open:
       return open_dialog(panel);
     case Dialog::preferences:

@@ -21,6 +21,8 @@ void draw_left_edits_dialog(Panel& panel);
 void draw_surface_dialog(Panel& panel);
 /// What is kept from one start to the next.
 void draw_preferences_dialog(Panel& panel);
+/// Shows pictures of scenes to open.
+void draw_scenes_dialog(Panel& panel);
 /// Finds a command by letters of its name.
 void draw_palette_dialog(Panel& panel);
 /// Asks whether a mesh of many tetrahedra is meant.

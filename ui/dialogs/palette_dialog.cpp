@@ -21,26 +21,60 @@ bool move_choice(int& chosen, int count) {
   return chosen != before;
 }
 
+/// What the palette offers: a command, or a macro.
+struct PaletteItem {
+  Command command;
+  std::string name, title, place, shortcut, hint;
+  std::string why_not;  ///< it makes no sense now; empty: it does
+};
+
+PaletteItem item_of(const CommandInfo& info, const Panel& panel) {
+  return {{.id = info.id},
+          std::string(info.name),
+          std::string(info.label),
+          menu_label(info.menu),
+          shortcut_text(info.shortcut),
+          std::string(info.hint),
+          std::string(why_not(info, panel))};
+}
+
+/// Commands that match, best first, then macros that do.
+std::vector<PaletteItem> matching_items(const Panel& panel, std::string_view wanted) {
+  std::vector<PaletteItem> items;
+  for (const CommandInfo* info : matching_commands(wanted)) items.push_back(item_of(*info, panel));
+  for (const std::filesystem::path& macro : panel.input.macros) {
+    const std::string title = macro.stem().string();
+    if (match_score("Macro " + title, wanted))
+      items.push_back({{.id = CommandId::play_macro, .path = macro},
+                       "macro/" + title,
+                       title,
+                       "Macro",
+                       "",
+                       "Play " + macro.string(),
+                       ""});
+  }
+  return items;
+}
+
 /// A line of the list: title, menu, shortcut. True when it was clicked.
-bool palette_row(Panel& panel, const CommandInfo& info, bool chosen) {
-  const bool enabled = command_enabled(info.id, panel);
-  const std::string item = "##" + std::string(info.name), label(info.label), shortcut = shortcut_text(info.shortcut);
+bool palette_row(Panel& panel, const PaletteItem& item, bool chosen) {
+  const bool enabled = item.why_not.empty();
   const float width = ImGui::GetContentRegionAvail().x;
-  const bool clicked = ImGui::Selectable(item.c_str(), chosen);
-  tag_last_item(panel.tags, "palette/" + std::string(info.name), label, enabled);
+  const bool clicked = ImGui::Selectable(("##" + item.name).c_str(), chosen);
+  tag_last_item(panel.tags, "palette/" + item.name, item.title, enabled);
   ImGui::SameLine(ImGui::GetStyle().ItemSpacing.x);
-  ImGui::TextColored(as_vec4(enabled ? palette::kText : palette::kTextDim), "%s", label.c_str());
+  ImGui::TextColored(as_vec4(enabled ? palette::kText : palette::kTextDim), "%s", item.title.c_str());
   ImGui::SameLine(width * 0.6f);
-  ImGui::TextColored(as_vec4(palette::kTextDim), "%s", menu_label(info.menu));
+  ImGui::TextColored(as_vec4(palette::kTextDim), "%s", item.place.c_str());
   ImGui::SameLine(width * 0.8f);
-  ImGui::TextColored(as_vec4(palette::kAccent), "%s", shortcut.c_str());
+  ImGui::TextColored(as_vec4(palette::kAccent), "%s", item.shortcut.c_str());
   return clicked;
 }
 
-/// What the chosen command does or, where it makes no sense now, why not.
-void describe(const Panel& panel, const CommandInfo* chosen) {
-  const std::string_view reason = chosen ? why_not(*chosen, panel) : "No command has these letters.";
-  const std::string text(reason.empty() ? chosen->hint : reason);
+/// What the chosen item does or, where it makes no sense now, why not.
+void describe(const Panel& panel, const PaletteItem* chosen) {
+  const std::string reason = chosen ? chosen->why_not : "No command has these letters.";
+  const std::string text = reason.empty() ? chosen->hint : reason;
   ImGui::PushTextWrapPos(0);
   ImGui::TextColored(as_vec4(reason.empty() ? palette::kTextDim : palette::kWarning), "%s", text.c_str());
   ImGui::PopTextWrapPos();
@@ -58,14 +92,14 @@ bool text_field(Panel& panel) {
   return entered;
 }
 
-/// The command that was clicked, or nullptr.
-const CommandInfo* list_of_commands(Panel& panel, std::span<const CommandInfo* const> commands) {
-  const bool moved = move_choice(panel.state.palette.chosen, static_cast<int>(commands.size()));
-  const CommandInfo* clicked = nullptr;
+/// The item that was clicked, or nullptr.
+const PaletteItem* list_of_items(Panel& panel, std::span<const PaletteItem> items) {
+  const bool moved = move_choice(panel.state.palette.chosen, static_cast<int>(items.size()));
+  const PaletteItem* clicked = nullptr;
   ImGui::BeginChild("##commands", {0, kLinesShown * ImGui::GetTextLineHeightWithSpacing()});
-  for (std::size_t i = 0; i < commands.size(); ++i) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
     const bool chosen = static_cast<int>(i) == panel.state.palette.chosen;
-    if (palette_row(panel, *commands[i], chosen)) clicked = commands[i];
+    if (palette_row(panel, items[i], chosen)) clicked = &items[i];
     if (chosen && moved) ImGui::SetScrollHereY();
   }
   ImGui::EndChild();
@@ -78,16 +112,16 @@ void draw_palette_dialog(Panel& panel) {
   Palette& palette = panel.state.palette;
   if (!begin_dialog(panel, "Find a command", palette.shown, 560)) return;
   const bool entered = text_field(panel);
-  const std::vector<const CommandInfo*> commands = matching_commands(palette.text.data());
-  const CommandInfo* wanted = list_of_commands(panel, commands);
-  const CommandInfo* chosen = commands.empty() ? nullptr : commands[static_cast<std::size_t>(palette.chosen)];
+  const std::vector<PaletteItem> items = matching_items(panel, palette.text.data());
+  const PaletteItem* wanted = list_of_items(panel, items);
+  const PaletteItem* chosen = items.empty() ? nullptr : &items[static_cast<std::size_t>(palette.chosen)];
   describe(panel, chosen);
   if (entered) {
     wanted = chosen;
     ImGui::SetKeyboardFocusHere(-1);
   }
-  const bool carried_out = wanted && command_enabled(wanted->id, panel);
-  if (carried_out) issue(panel, {.id = wanted->id});
+  const bool carried_out = wanted && wanted->why_not.empty();
+  if (carried_out) issue(panel, wanted->command);
   if (carried_out || ImGui::IsKeyPressed(key::kEscape, false)) {
     palette = {};
     ImGui::CloseCurrentPopup();

@@ -43,6 +43,8 @@ SavedWords words_of(SavedKind kind) {
       return {"Save the recording as", CommandId::save_recording, CommandId::save_recording_dialog};
     case SavedKind::plots:
       return {"Save the plots as", CommandId::save_plots, CommandId::save_plots_dialog};
+    case SavedKind::macro:
+      return {"Save the macro as", CommandId::save_macro, CommandId::save_macro_dialog};
     case SavedKind::exported:
       return {"Export the run as", CommandId::export_run, CommandId::export_dialog};
     default:
@@ -52,7 +54,8 @@ SavedWords words_of(SavedKind kind) {
 
 /// The dialog that asks for another file than the command has.
 CommandId dialog_of(CommandId save) {
-  for (const SavedKind kind : {SavedKind::recording, SavedKind::bug_report, SavedKind::plots, SavedKind::exported})
+  for (const SavedKind kind :
+       {SavedKind::recording, SavedKind::bug_report, SavedKind::plots, SavedKind::exported, SavedKind::macro})
     if (words_of(kind).save == save) return words_of(kind).dialog;
   return CommandId::save_dialog;
 }
@@ -65,6 +68,8 @@ std::string_view ending_of(SavedKind kind) {
       return ".csv";
     case SavedKind::exported:
       return ".glb";
+    case SavedKind::macro:
+      return ".script";
     default:
       return ".tar.zst";
   }

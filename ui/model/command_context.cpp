@@ -103,6 +103,8 @@ bool hides_body(const CommandContext& context) {
 bool compares(const CommandContext& context) { return context.state.comparison.branch.has_value(); }
 
 bool shows_plots(const CommandContext& context) { return context.state.plots.shown; }
+bool records_macro(const CommandContext& context) { return context.state.recording_macro; }
+bool shows_problems(const CommandContext& context) { return context.state.problem_view.shown; }
 bool shows_log(const CommandContext& context) { return context.state.log_view.shown; }
 bool shows_gizmo(const CommandContext& context) { return context.state.show_gizmo; }
 bool paints_regions(const CommandContext& context) { return context.state.paint_regions; }

@@ -45,6 +45,8 @@ bool has_slice(const CommandContext& context);
 bool hides_body(const CommandContext& context);
 bool shows_plots(const CommandContext& context);
 bool compares(const CommandContext& context);
+bool records_macro(const CommandContext& context);
+bool shows_problems(const CommandContext& context);
 bool shows_log(const CommandContext& context);
 bool shows_gizmo(const CommandContext& context);
 bool paints_regions(const CommandContext& context);

@@ -18,7 +18,9 @@
 #include "ui/model/painted_region.h"
 #include "ui/model/preferences.h"
 #include "ui/model/run_curves.h"
+#include "ui/model/scene_browser.h"
 #include "ui/model/scene_entry.h"
+#include "ui/model/scene_problem.h"
 #include "ui/model/selection.h"
 #include "ui/model/time_view.h"
 
@@ -55,7 +57,7 @@ struct SurfaceRequest {
 };
 
 /// What a dialog asks a place for.
-enum class SavedKind { scene, recording, bug_report, plots, exported };
+enum class SavedKind { scene, recording, bug_report, plots, exported, macro };
 
 /// Where something is to be saved, as the dialog for it has it.
 struct SaveTarget {
@@ -164,7 +166,11 @@ struct EditorState {
   bool show_preferences = false;
   double wanted_scale = 0;  ///< being dragged in the preferences; 0: not shown yet
   Palette palette;
+  SceneBrowser browser;
   LogView log_view;
+  ProblemView problem_view;
+  SoughtField sought;
+  bool recording_macro = false;
   PlotsState plots;
   Comparison comparison;
   std::optional<Caption> caption;

@@ -12,7 +12,7 @@
 namespace griffith::ui {
 namespace {
 
-constexpr float kLogHeight = 180, kPlotsHeight = 230, kMinimumDock = 90;  // design pixels
+constexpr float kLogHeight = 180, kProblemsHeight = 130, kPlotsHeight = 230, kMinimumDock = 90;  // design pixels
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove |
                                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                                     ImGuiWindowFlags_NoBringToFrontOnFocus;
@@ -118,14 +118,17 @@ float draw_dock(Panel& panel, const Layout& layout, const Dock& dock, float& hei
   return height;
 }
 
-/// Plots and messages, below the view. Returns the height of both.
+/// Plots, messages and problems, below the view. Returns the height of all.
 float draw_docks(Panel& panel, const Layout& layout) {
   PlotsState& plots = panel.state.plots;
   LogView& log = panel.state.log_view;
+  ProblemView& problems = panel.state.problem_view;
   float covered = 0;
   if (plots.shown)
     covered += draw_dock(panel, layout, {"##plots", kPlotsHeight, draw_plot_panel}, plots.height, covered);
   if (log.shown) covered += draw_dock(panel, layout, {"##log", kLogHeight, draw_log_panel}, log.height, covered);
+  if (problems.shown)
+    covered += draw_dock(panel, layout, {"##problems", kProblemsHeight, draw_problem_panel}, problems.height, covered);
   return covered;
 }
 
@@ -156,6 +159,7 @@ std::vector<Command> draw_editor(const EditorInput& input, EditorState& state, E
   draw_left(panel, layout);
   draw_right(panel, layout);
   draw_center(panel, layout, draw_docks(panel, layout));
+  if (state.sought.frames > 0) --state.sought.frames;
   draw_dialogs(panel);
   draw_caption(panel);
   const bool acted = !commands.empty() || history.revision() != revision || (had_error && !state.error);

@@ -212,7 +212,7 @@ void draw_material_panel(Panel& panel) {
   fracture_rows(panel, material);
   element_model_row(panel, material);
   yield_rows(panel, material);
-  open_if_all_are(panel);
+  open_if_wanted(panel, "material/contact");
   if (ImGui::TreeNodeEx("Contact and damping", ImGuiTreeNodeFlags_SpanAvailWidth)) {
     damping_rows(panel, material);
     ImGui::TreePop();

@@ -8,17 +8,31 @@
 namespace griffith::ui {
 namespace {
 
-/// A submenu that opens one of the files. `tag`: of its entries.
-void files_menu(Panel& panel, const char* label, const std::string& tag, std::span<const std::filesystem::path> files) {
-  const bool open = ImGui::BeginMenu(label, !files.empty());
-  tag_last_item(panel.tags, std::string("menu/") + label, open ? "open" : "closed", !files.empty());
+/// A submenu that opens one of the scenes that were opened last.
+void recent_menu(Panel& panel) {
+  const std::span<const std::filesystem::path> files = panel.input.recent_files;
+  const bool open = ImGui::BeginMenu("Recent", !files.empty());
+  tag_last_item(panel.tags, "menu/Recent", open ? "open" : "closed", !files.empty());
   if (!open) return;
   const std::vector<std::string> names = scene_names(files);
   for (std::size_t i = 0; i < files.size(); ++i) {
     const std::string& name = names[i];
     if (ImGui::MenuItem(name.c_str(), nullptr, files[i] == panel.input.scene_path))
       issue(panel, {.id = CommandId::open, .path = files[i]});
-    tag_last_item(panel.tags, tag + name, name);
+    tag_last_item(panel.tags, "menu/recent/" + name, name);
+  }
+  ImGui::EndMenu();
+}
+
+/// A submenu that plays a macro.
+void macro_menu(Panel& panel) {
+  const bool open = ImGui::BeginMenu("Play macro", !panel.input.macros.empty());
+  tag_last_item(panel.tags, "menu/Play macro", open ? "open" : "closed", !panel.input.macros.empty());
+  if (!open) return;
+  for (const std::filesystem::path& macro : panel.input.macros) {
+    const std::string name = macro.stem().string();
+    if (ImGui::MenuItem(name.c_str())) issue(panel, {.id = CommandId::play_macro, .path = macro});
+    tag_last_item(panel.tags, "menu/macro/" + name, name);
   }
   ImGui::EndMenu();
 }
@@ -30,9 +44,8 @@ void command_items(Panel& panel, Menu menu) {
     if (info.menu != menu) continue;
     if (std::exchange(group, info.group) != info.group) ImGui::Separator();
     command_menu_item(panel, info, "menu/");
-    if (info.id != CommandId::open_dialog) continue;
-    files_menu(panel, "Recent", "menu/recent/", panel.input.recent_files);
-    files_menu(panel, "Scenes", "menu/scene/", panel.input.scene_files);
+    if (info.id == CommandId::open_dialog) recent_menu(panel);
+    if (info.id == CommandId::record_macro) macro_menu(panel);
   }
 }
 

@@ -35,6 +35,10 @@ void draw_time_bar(Panel& panel);
 void draw_plot_panel(Panel& panel);
 /// All messages, by level and text.
 void draw_log_panel(Panel& panel);
+/// What should be known about parts of the scene; a click goes to the field.
+void draw_problem_panel(Panel& panel);
+/// "2 problems".
+std::string problem_count_text(std::span<const SceneProblem> problems);
 /// The colour that messages of a level are written in.
 ImU32 level_color(LogLevel level);
 /// What a script says, beside the widget that it is about, with the buttons that go on or end it.

@@ -6,6 +6,7 @@ namespace griffith::ui {
 namespace {
 
 constexpr int kLinesInTooltip = 12;
+constexpr char kRecording[] = "recording a macro";
 
 void recent_lines(const std::vector<LogLine>& log) {
   const ImVec2 corner = ImGui::GetWindowPos();
@@ -18,13 +19,37 @@ void recent_lines(const std::vector<LogLine>& log) {
   ImGui::EndTooltip();
 }
 
+/// How many problems there are, to be clicked, where there are any.
+void problem_count(Panel& panel, float place) {
+  const std::string text = problem_count_text(panel.input.problems);
+  ImGui::SameLine(place);
+  ImGui::TextColored(as_vec4(palette::kWarning), "%s", text.c_str());
+  tag_last_item(panel.tags, "status/problems", text);
+  if (ImGui::IsItemClicked()) issue(panel, {.id = CommandId::toggle_problems});
+  tooltip(panel.input.problems.front().text);
+}
+
+/// Tells that a macro is being recorded; a click stops it.
+void recording_mark(Panel& panel, float place) {
+  ImGui::SameLine(place);
+  ImGui::TextColored(as_vec4(palette::kError), "%s", kRecording);
+  tag_last_item(panel.tags, "status/recording", kRecording);
+  if (ImGui::IsItemClicked()) issue(panel, {.id = CommandId::record_macro});
+  tooltip("A click stops the recording and asks for a name.");
+}
+
 }  // namespace
 
 void draw_status_bar(Panel& panel) {
   const std::vector<LogLine>& log = panel.state.log;
   ImGui::PushFont(panel.input.fonts.small);
   const std::string text = panel.input.scene_path.empty() ? "not saved" : panel.input.scene_path.filename().string();
-  const float place = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - ImGui::CalcTextSize(text.c_str()).x;
+  const float gap = 2 * ImGui::GetStyle().ItemSpacing.x;
+  const float file = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - ImGui::CalcTextSize(text.c_str()).x;
+  const bool any_problem = !panel.input.problems.empty(), records = panel.state.recording_macro;
+  const float problems =
+      any_problem ? file - gap - ImGui::CalcTextSize(problem_count_text(panel.input.problems).c_str()).x : file;
+  const float place = records ? problems - gap - ImGui::CalcTextSize(kRecording).x : problems;
   if (!log.empty()) {
     const LogLine& last = log.back();
     const LogLevel level = panel.state.log_seen < log.size() ? last.level : LogLevel::info;
@@ -34,7 +59,9 @@ void draw_status_bar(Panel& panel) {
     panel.tags.back().color = level_color(level);
     if (ImGui::IsItemHovered()) recent_lines(log);
   }
-  ImGui::SameLine(place);
+  if (records) recording_mark(panel, place);
+  if (any_problem) problem_count(panel, problems);
+  ImGui::SameLine(file);
   ImGui::TextColored(as_vec4(palette::kTextDim), "%s", text.c_str());
   tag_last_item(panel.tags, "status/file", text);
   if (!panel.input.scene_path.empty() && ImGui::IsItemHovered())

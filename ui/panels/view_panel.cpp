@@ -118,7 +118,7 @@ void slice_rows(Panel& panel) {
 }
 
 void element_rows(Panel& panel) {
-  open_if_all_are(panel);
+  open_if_wanted(panel, "view/element_rows");
   const bool open = ImGui::CollapsingHeader("Elements and slice");
   tag_last_item(panel.tags, "view/element_rows", open ? "open" : "closed");
   if (!open) return;

@@ -188,7 +188,7 @@ Edit draw_presence(Panel& panel, const FieldRow& row, bool& present) {
 }
 
 bool begin_part(Panel& panel, const FieldRow& row, const std::string& summary) {
-  open_if_all_are(panel);
+  open_if_wanted(panel, row.tag);
   const bool open = ImGui::TreeNodeEx(row.tag.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth, "%s", row.label.c_str());
   tag_last_item(panel.tags, row.tag, open ? "open" : "closed");
   field_tooltip(panel, row.tag, row.description);

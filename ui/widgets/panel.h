@@ -29,7 +29,10 @@ struct EditorInput {
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();         ///< box round the bodies [m]
   Vec3 towards_eye = Vec3::UnitZ();                     ///< from what is looked at
   std::span<const std::filesystem::path> scene_files;   ///< offered for opening
+  std::span<const SceneCard> scene_cards;               ///< of them, while the browser is shown
   std::span<const std::filesystem::path> recent_files;  ///< opened or saved last, newest first
+  std::span<const std::filesystem::path> macros;        ///< that can be played
+  std::span<const SceneProblem> problems;               ///< of the scene as it is
   std::filesystem::path scene_path;                     ///< of the scene being edited, may be empty
   TimeView time;                                        ///< the recorded past
   std::span<const RunSeries> series;                    ///< that can be plotted
@@ -52,9 +55,11 @@ struct Panel {
   std::vector<Command>& commands;
 };
 
-/// To be called before a part that can be folded is drawn: it is open where all are to be.
-inline void open_if_all_are(const Panel& panel) {
-  if (panel.state.open_sections) ImGui::SetNextItemOpen(true);
+/// To be called before a part that can be folded is drawn: it is open where all are to be, or where the sought field is
+/// in it. `tag`: of the part.
+inline void open_if_wanted(const Panel& panel, std::string_view tag) {
+  const bool sought = panel.state.sought.frames > 0 && is_within(panel.state.sought.tag, tag);
+  if (panel.state.open_sections || sought) ImGui::SetNextItemOpen(true);
 }
 
 /// Why the command makes no sense now; empty: it does.

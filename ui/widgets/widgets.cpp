@@ -75,7 +75,20 @@ void hint(const Panel& panel, const std::string& text) {
   ImGui::PopFont();
 }
 
+namespace {
+
+/// Scrolls to the sought field, or what of it is shown: a part around it, or the first of its numbers.
+void scroll_if_sought(const Panel& panel, std::string_view tag) {
+  EditorState& state = panel.state;
+  if (!is_within(state.sought.tag + "/0", tag)) return;
+  ImGui::SetScrollHereY();
+  if (!state.field_note.tag.empty()) state.field_note.tag = tag;
+}
+
+}  // namespace
+
 void field_tooltip(const Panel& panel, std::string_view tag, std::string_view text) {
+  if (panel.state.sought.frames > 0) return scroll_if_sought(panel, tag);
   const FieldNote& note = panel.state.field_note;
   if (note.tag.empty() || note.tag != tag) return tooltip(text);
   if (!ImGui::IsItemVisible()) return;

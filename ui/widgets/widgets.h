@@ -40,8 +40,8 @@ void value_row(const Panel& panel, const char* label, const std::string& value, 
 /// A small grey line that wraps.
 void hint(const Panel& panel, const std::string& text);
 
-/// Shows what there is to say of the last item: beside it the note on the last edit, where that was one of the field
-/// `tag`, else `text` while the mouse rests on it.
+/// Shows what there is to say of the last item, or scrolls to it where it is sought: beside it the note on the last
+/// edit, where that was one of the field `tag`, else `text` while the mouse rests on it.
 void field_tooltip(const Panel& panel, std::string_view tag, std::string_view text);
 
 /// Closes the list or menu that is being drawn, a frame after Escape was pressed: so long the dialog around it sees

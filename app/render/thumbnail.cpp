@@ -1,0 +1,32 @@
+#include "app/render/thumbnail.h"
+
+#include "app/render/painter.h"
+
+namespace griffith::app {
+namespace {
+
+constexpr int kStepsAfterCrack = 12, kMostSteps = 120;
+
+/// Steps until there is something to be seen.
+void step_to_telling(Painter& painter, Analysis analysis) {
+  if (analysis == Analysis::equilibrium) return painter.step();
+  for (int steps = 0, after_crack = 0; steps < kMostSteps && after_crack < kStepsAfterCrack; ++steps) {
+    painter.step();
+    if (after_crack > 0 || !painter.world().frame().crack_events.empty()) ++after_crack;
+  }
+}
+
+}  // namespace
+
+render::Image thumbnail(const Scene& scene, const std::filesystem::path& file) {
+  RenderJob job;
+  job.scene = file;
+  job.width = kThumbnailWidth;
+  job.height = kThumbnailHeight;
+  job.legend = false;
+  const std::unique_ptr<Painter> painter = make_plain_painter(job, scene);
+  step_to_telling(*painter, scene.analysis);
+  return painter->paint("", "").image;
+}
+
+}  // namespace griffith::app
