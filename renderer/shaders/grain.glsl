@@ -55,8 +55,8 @@ void lay_stones(inout Matter matter, vec3 place, float pixel, vec4 warp, float f
     float cover = smoothstep(-width, width, radius - length(away)) * seen(scale * pixel);
     float tone = fract(37.0 * random.w + 0.5) - 0.5;
     bool is_pit = tone < pit;
-    matter.tint = mix(matter.tint, is_pit ? vec3(0.5) : 1.0 + tone * tones, cover);
-    matter.slope = mix(matter.slope, (is_pit ? -0.8 : 0.5) * transpose(kTurn) * away / radius, 0.7 * cover);
+    matter.tint = mix(matter.tint, is_pit ? vec3(0.66) : 1.0 + tone * tones, cover);
+    matter.slope = mix(matter.slope, (is_pit ? -0.5 : 0.5) * transpose(kTurn) * away / radius, 0.7 * cover);
   }
 }
 
@@ -104,8 +104,8 @@ void add_grain(inout Matter matter, int kind, vec3 rest, float size, vec3 fibre,
   vec3 place = kTurn * rest / size;
   pixel /= size;
   if (kind == kStones) lay_stones(matter, place, pixel, warp, 0.47, vec3(0.62, 0.56, 0.48), -0.5);
-  if (kind == kClay) lay_stones(matter, place, pixel, warp, 0.33, vec3(0.35, 0.40, 0.45), -0.25);
-  if (kind == kSand) lay_stones(matter, place, pixel, warp, 0.45, vec3(0.30, 0.27, 0.22), -0.4);
+  if (kind == kClay) lay_stones(matter, place, pixel, warp, 0.34, vec3(0.45, 0.50, 0.55), -0.3);
+  if (kind == kSand) lay_stones(matter, place, pixel, warp, 0.45, vec3(0.34, 0.31, 0.26), -0.5);
   if (kind == kCrystals) grow_crystals(matter, place + 0.5 * warp.xyz, pixel, 1.0, 0.7);
   if (kind == kFacets) grow_crystals(matter, place + 0.5 * warp.xyz, pixel, 0.3, 0.9);
   if (kind == kRings) grow_rings(matter, rest / size, normalize(fibre + vec3(1e-6, 0.0, 0.0)), pixel);
