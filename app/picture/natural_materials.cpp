@@ -4,6 +4,8 @@
 #include <limits>
 #include <string_view>
 
+#include "sim/scene/body_pose.h"
+
 namespace griffith::app {
 namespace {
 
@@ -20,6 +22,7 @@ struct NaturalLook {
 
 constexpr render::Rgb kMortar = {0.72f, 0.70f, 0.66f};
 using enum render::Grain;
+
 constexpr NaturalLook kLookTable[] = {
     {"soda_lime_glass", {0.66f, 0.82f, 0.84f}, {0.47f, 0.74f, 0.74f}, 0, 0.02f, 0.06f, 0.06f},
     {"concrete", {0.66f, 0.65f, 0.63f}, {0.57f, 0.56f, 0.54f}, 0, 0.20f, 0.35f, 0, stones, 0.04f},
@@ -53,6 +56,14 @@ const NaturalLook& look_of(const Material& material) {
   return *best;
 }
 
+/// Along the fibres of wood that has no splinters, about as long as its shards.
+Eigen::Vector3f fibre_of(const BodyDescription& body) {
+  constexpr double kStretch = 13;
+  if (!body.weakness || body.weakness->kind != WeaknessKind::grain) return Eigen::Vector3f::Zero();
+  const Vec3 along = pose_of(body).rotation * body.weakness->direction.normalized();
+  return (std::sqrt(1 - 1 / kStretch) * along).cast<float>();
+}
+
 /// Noise has a fraction of a splinter's size and runs along its grain.
 void fit_to_splinters(render::EmbeddedMaterial& material, const SplinterPattern& pattern) {
   if (const auto* shards = std::get_if<VoronoiSplinters>(&pattern)) {
@@ -75,6 +86,7 @@ render::EmbeddedMaterial material_of(const BodyDescription& body, const NaturalL
   material.grain_size = natural.grain_size;
   material.mottle = natural.mottle;
   material.roughness = look == Look::outside ? natural.roughness / 4 : natural.roughness;
+  material.fibre = fibre_of(body);
   if (body.splinters) fit_to_splinters(material, *body.splinters);
   return material;
 }

@@ -82,8 +82,8 @@ void grow_crystals(inout Matter matter, vec3 place, float pixel, float contrast,
   }
   float other = 0.5 - 0.5 * smoothstep(0.0, max(pixel, 0.02), second_distance - distance);
   vec4 grain = mix(nearest, second, other);
-  vec3 pale = 1.15 + (fract(29.0 * nearest.w) - 0.5) * vec3(0.55, 0.40, 0.35);
-  vec3 color = mix(pale, vec3(0.42, 0.41, 0.43), 1.0 - smoothstep(-0.27, -0.23, grain.w));
+  vec3 pale = 1.25 + (fract(29.0 * nearest.w) - 0.5) * vec3(0.55, 0.40, 0.35);
+  vec3 color = mix(pale, vec3(0.52, 0.51, 0.53), 1.0 - smoothstep(-0.27, -0.23, grain.w));
   matter.tint *= mix(vec3(1.0), color, contrast * seen(pixel));
   matter.slope += tilt * seen(pixel) * grain.xyz;
 }
