@@ -9,7 +9,8 @@ namespace griffith::render {
 namespace {
 
 static_assert(sizeof(EmbeddedCorner) == 21 * sizeof(float), "uploaded as it is");
-static_assert(sizeof(EmbeddedMaterial) == 11 * sizeof(float), "uploaded as it is");
+
+constexpr int kMaterialFloats = 13;
 
 const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
@@ -39,6 +40,16 @@ void add_fan(std::vector<std::uint32_t>& indices, const EmbeddedPolygon& polygon
   for (std::uint32_t i = 2; i < corners; ++i) indices.insert(indices.end(), {first, first + i - 1, first + i});
 }
 
+/// Materials as the shader reads them.
+std::vector<float> packed(const std::vector<EmbeddedMaterial>& materials) {
+  std::vector<float> values;
+  values.reserve(kMaterialFloats * materials.size());
+  for (const auto& [color, variation, mottle, roughness, noise_size, fibre, clear_depth, grain, grain_size] : materials)
+    values.insert(values.end(), {color.r, color.g, color.b, variation, mottle, roughness, noise_size, fibre.x(),
+                                 fibre.y(), fibre.z(), clear_depth, static_cast<float>(grain), grain_size});
+  return values;
+}
+
 /// 0: none, 1: per tet, 2: per point.
 int scalar_kind(const EmbeddedSurface& surface) {
   if (surface.scalars.empty()) return 0;
@@ -46,7 +57,14 @@ int scalar_kind(const EmbeddedSurface& surface) {
 }
 
 std::string fragment_source(Output output) {
-  return with_output(std::string(shaders::shading_glsl) + shaders::embedded_frag, output);
+  return with_output(std::string(shaders::shading_glsl) + shaders::grain_glsl + shaders::embedded_frag, output);
+}
+
+/// Whether what broke shows its grain.
+bool shows_grain(const EmbeddedSurface& surface, const RenderOptions& options, Output output) {
+  return output == Output::opaque && options.quality != Quality::draft && surface.scalars.empty() &&
+         surface.piece_colors.empty() &&
+         std::ranges::any_of(surface.materials, [](const auto& material) { return material.grain != Grain::none; });
 }
 
 }  // namespace
@@ -56,6 +74,8 @@ EmbeddedPass::EmbeddedPass()
       transparent_program_("transparent embedded surface", shaders::embedded_vert,
                            fragment_source(Output::transparent).c_str()),
       glass_program_("clear embedded surface", shaders::embedded_vert, fragment_source(Output::glass).c_str()),
+      grain_program_("broken embedded surface", shaders::embedded_vert,
+                     ("#define GRAIN\n" + fragment_source(Output::opaque)).c_str()),
       depth_program_("embedded depth", shaders::embedded_vert, shaders::embedded_depth_frag) {
   glBindVertexArray(vertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, corners_.id());
@@ -75,7 +95,7 @@ void EmbeddedPass::upload(const EmbeddedSurface& surface) {
   carriers_.upload(surface.carriers);
   scalars_.upload(surface.scalars);
   colors_.upload(surface.piece_colors, 3);
-  materials_.upload(surface.materials, sizeof(EmbeddedMaterial) / sizeof(float));
+  materials_.upload(packed(surface.materials));
 }
 
 void EmbeddedPass::upload_mesh() {
@@ -119,30 +139,36 @@ void EmbeddedPass::draw_depth(DrawnPart part) const {
   depth_program_.use();
   depth_program_.set("drawn_part", static_cast<int>(part));
   depth_program_.set("scalar_kind", 0);
-  draw_triangles();
+  draw_triangles(0, indices_);
 }
 
 void EmbeddedPass::draw(const EmbeddedSurface& surface, const ScalarStyle& style, const ColorTables& color_tables,
                         const RenderOptions& options, const Background& sky, float opacity, Output output,
                         DrawnPart part) const {
   if (!mesh_) return;
-  const ShaderProgram& program = program_for(output);
-  program.use();
-  program.set("scalar_kind", scalar_kind(surface));
-  program.set("scalar_range", style.minimum, style.maximum);
-  program.set("has_piece_colors", !surface.piece_colors.empty());
-  program.set("nan_color", kNanColor);
-  program.set("draw_edges", options.edges);
-  program.set("edge_width", options.edge_width * options.pixel_scale);
-  program.set("unlit", options.unlit_scalars);
-  program.set("selected_tet", surface.selected_tet);
-  program.set("opacity", opacity);
-  program.set("sky_top", sky.top);
-  program.set("sky_bottom", sky.bottom);
-  program.set("drawn_part", static_cast<int>(part));
-  program.set("checker", surface.checker);
   color_tables.bind(style.color_map);
-  draw_triangles();
+  const auto use = [&](const ShaderProgram& program) {
+    program.use();
+    program.set("scalar_kind", scalar_kind(surface));
+    program.set("scalar_range", style.minimum, style.maximum);
+    program.set("has_piece_colors", !surface.piece_colors.empty());
+    program.set("nan_color", kNanColor);
+    program.set("draw_edges", options.edges);
+    program.set("edge_width", options.edge_width * options.pixel_scale);
+    program.set("unlit", options.unlit_scalars);
+    program.set("selected_tet", surface.selected_tet);
+    program.set("opacity", opacity);
+    program.set("sky_top", sky.top);
+    program.set("sky_bottom", sky.bottom);
+    program.set("drawn_part", static_cast<int>(part));
+    program.set("checker", surface.checker);
+  };
+  const GLsizei plain = shows_grain(surface, options, output) ? outer_indices_ : indices_;
+  use(program_for(output));
+  draw_triangles(0, plain);
+  if (plain == indices_) return;
+  use(grain_program_);
+  draw_triangles(plain, indices_);
 }
 
 const ShaderProgram& EmbeddedPass::program_for(Output output) const {
@@ -150,7 +176,7 @@ const ShaderProgram& EmbeddedPass::program_for(Output output) const {
   return output == Output::opaque ? program_ : transparent_program_;
 }
 
-void EmbeddedPass::draw_triangles() const {
+void EmbeddedPass::draw_triangles(GLsizei first, GLsizei end) const {
   points_.bind(kPointsUnit);
   tets_.bind(kTetsUnit);
   carriers_.bind(kCarriersUnit);
@@ -158,7 +184,8 @@ void EmbeddedPass::draw_triangles() const {
   colors_.bind(kColorsUnit);
   materials_.bind(kMaterialsUnit);
   glBindVertexArray(vertices_.id());
-  glDrawElements(GL_TRIANGLES, indices_, GL_UNSIGNED_INT, nullptr);
+  glDrawElements(GL_TRIANGLES, end - first, GL_UNSIGNED_INT,
+                 offset(static_cast<std::size_t>(first) * sizeof(std::uint32_t)));
 }
 
 }  // namespace griffith::render

@@ -26,9 +26,9 @@ class EmbeddedPass {
   void append_triangles(std::span<const std::int32_t> polygons);
   void upload_opened(const std::vector<std::int32_t>& opened);
   const ShaderProgram& program_for(Output output) const;
-  void draw_triangles() const;
+  void draw_triangles(GLsizei first, GLsizei end) const;  ///< of the indices
 
-  ShaderProgram program_, transparent_program_, glass_program_, depth_program_;
+  ShaderProgram program_, transparent_program_, glass_program_, grain_program_, depth_program_;
   VertexArray vertices_;
   Buffer corners_, triangles_;
   StreamTexture points_{GL_R32F}, tets_{GL_R32I}, carriers_{GL_R32I}, scalars_{GL_R32F}, colors_{GL_R32F},

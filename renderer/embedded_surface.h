@@ -64,6 +64,17 @@ struct EmbeddedMesh {
   std::vector<std::int32_t> outer;  ///< the polygons that are always drawn
 };
 
+/// What a matter is made of, seen where it broke, from standard quality on.
+enum class Grain {
+  none,
+  stones,    ///< rounded stones of three sizes in a matrix
+  clay,      ///< small grains and pores
+  sand,      ///< as stones, of like tones
+  crystals,  ///< of several minerals, one dark
+  facets,    ///< crystals of one kind
+  rings      ///< of growth, with fibres
+};
+
 /// The look of a matter where no scalar is shown.
 struct EmbeddedMaterial {
   Rgb color = {0.7f, 0.7f, 0.7f};
@@ -73,6 +84,8 @@ struct EmbeddedMaterial {
   float noise_size = 0.05f;                         ///< of mottle and roughness [m]
   Eigen::Vector3f fibre = Eigen::Vector3f::Zero();  ///< direction times √(1 − 1/stretch) of noise along it
   float clear_depth = 0;  ///< how far light comes through before it has the colour [m]; 0: not at all
+  Grain grain = Grain::none;
+  float grain_size = 0.02f;  ///< of its largest parts [m]
 };
 
 /// Embedded polygons as they are now. Nothing is drawn without a mesh.

@@ -84,7 +84,10 @@ void color_by_material(render::DrawScene& picture, const Frame& frame) {
     const auto index = static_cast<std::size_t>(look_index(frame.bodies[body].scene_body, look));
     const render::EmbeddedMaterial& material = picture.embedded.materials[index];
     picture.surface.colors.push_back(material.color);
-    if (material.clear_depth == 0) continue;
+    if (material.clear_depth == 0) {
+      picture.surface.flags[i] &= static_cast<std::uint8_t>(~render::kCrackFace);  // the inside has a colour of its own
+      continue;
+    }
     picture.surface.flags[i] |= render::kClear;
     picture.surface.clear_depth = material.clear_depth;
   }

@@ -4,6 +4,8 @@
 #include <limits>
 #include <string_view>
 
+#include "sim/scene/body_pose.h"
+
 namespace griffith::app {
 namespace {
 
@@ -14,23 +16,27 @@ struct NaturalLook {
   render::Rgb outside, inside;
   float variation, mottle, roughness;  ///< as EmbeddedMaterial
   float clear_depth = 0;               ///< as EmbeddedMaterial
+  render::Grain grain = render::Grain::none;
+  float grain_size = 0.02f;  ///< as EmbeddedMaterial
 };
 
 constexpr render::Rgb kMortar = {0.72f, 0.70f, 0.66f};
+using enum render::Grain;
+
 constexpr NaturalLook kLookTable[] = {
     {"soda_lime_glass", {0.66f, 0.82f, 0.84f}, {0.47f, 0.74f, 0.74f}, 0, 0.02f, 0.06f, 0.06f},
-    {"concrete", {0.66f, 0.65f, 0.63f}, {0.57f, 0.56f, 0.54f}, 0, 0.20f, 0.35f},
-    {"brick", {0.60f, 0.33f, 0.25f}, {0.67f, 0.40f, 0.30f}, 0.12f, 0.22f, 0.40f},
+    {"concrete", {0.66f, 0.65f, 0.63f}, {0.57f, 0.56f, 0.54f}, 0, 0.20f, 0.35f, 0, stones, 0.04f},
+    {"brick", {0.60f, 0.33f, 0.25f}, {0.67f, 0.40f, 0.30f}, 0.12f, 0.22f, 0.40f, 0, clay, 0.02f},
     {"porcelain", {0.93f, 0.93f, 0.91f}, {0.88f, 0.87f, 0.83f}, 0, 0.02f, 0.15f},
     {"alumina", {0.92f, 0.90f, 0.85f}, {0.86f, 0.84f, 0.80f}, 0, 0.03f, 0.15f},
     {"ice", {0.80f, 0.90f, 0.96f}, {0.90f, 0.95f, 0.98f}, 0, 0.05f, 0.25f, 0.25f},
-    {"granite", {0.55f, 0.54f, 0.55f}, {0.50f, 0.49f, 0.50f}, 0, 0.45f, 0.40f},
-    {"wood_along_grain", {0.67f, 0.49f, 0.31f}, {0.83f, 0.67f, 0.45f}, 0.06f, 0.30f, 0.30f},
-    {"wood_across_grain", {0.67f, 0.49f, 0.31f}, {0.83f, 0.67f, 0.45f}, 0.06f, 0.30f, 0.30f},
+    {"granite", {0.55f, 0.54f, 0.55f}, {0.50f, 0.49f, 0.50f}, 0, 0.45f, 0.40f, 0, crystals, 0.02f},
+    {"wood_along_grain", {0.67f, 0.49f, 0.31f}, {0.83f, 0.67f, 0.45f}, 0.06f, 0.30f, 0.30f, 0, rings, 0.012f},
+    {"wood_across_grain", {0.67f, 0.49f, 0.31f}, {0.83f, 0.67f, 0.45f}, 0.06f, 0.30f, 0.30f, 0, rings, 0.012f},
     {"abs", {0.25f, 0.26f, 0.28f}, {0.42f, 0.43f, 0.45f}, 0, 0.02f, 0.10f},
     {"acrylic", {0.78f, 0.86f, 0.90f}, {0.88f, 0.93f, 0.95f}, 0, 0.02f, 0.10f, 0.3f},
-    {"grey_cast_iron", {0.36f, 0.37f, 0.39f}, {0.48f, 0.48f, 0.48f}, 0, 0.10f, 0.35f},
-    {"mild_steel", {0.56f, 0.58f, 0.61f}, {0.68f, 0.69f, 0.70f}, 0, 0.05f, 0.20f},
+    {"grey_cast_iron", {0.36f, 0.37f, 0.39f}, {0.48f, 0.48f, 0.48f}, 0, 0.10f, 0.35f, 0, facets, 0.006f},
+    {"mild_steel", {0.56f, 0.58f, 0.61f}, {0.68f, 0.69f, 0.70f}, 0, 0.05f, 0.20f, 0, facets, 0.004f},
     {"rubber", {0.17f, 0.17f, 0.18f}, {0.23f, 0.22f, 0.22f}, 0, 0.05f, 0.15f},
     {"jelly", {0.76f, 0.25f, 0.32f}, {0.83f, 0.36f, 0.42f}, 0, 0.03f, 0.05f},
 };
@@ -48,6 +54,14 @@ const NaturalLook& look_of(const Material& material) {
     if (distance < minimum) minimum = distance, best = &look;
   }
   return *best;
+}
+
+/// Along the fibres of wood that has no splinters, about as long as its shards.
+Eigen::Vector3f fibre_of(const BodyDescription& body) {
+  constexpr double kStretch = 13;
+  if (!body.weakness || body.weakness->kind != WeaknessKind::grain) return Eigen::Vector3f::Zero();
+  const Vec3 along = pose_of(body).rotation * body.weakness->direction.normalized();
+  return (std::sqrt(1 - 1 / kStretch) * along).cast<float>();
 }
 
 /// Noise has a fraction of a splinter's size and runs along its grain.
@@ -68,8 +82,11 @@ render::EmbeddedMaterial material_of(const BodyDescription& body, const NaturalL
   material.color = look == Look::mortar ? kMortar : look == Look::inside ? natural.inside : natural.outside;
   material.variation = look == Look::mortar || !body.splinters ? 0 : natural.variation;
   material.clear_depth = natural.clear_depth;
+  material.grain = look == Look::mortar ? sand : natural.grain;
+  material.grain_size = natural.grain_size;
   material.mottle = natural.mottle;
   material.roughness = look == Look::outside ? natural.roughness / 4 : natural.roughness;
+  material.fibre = fibre_of(body);
   if (body.splinters) fit_to_splinters(material, *body.splinters);
   return material;
 }

@@ -13,40 +13,30 @@ flat in int carrier;
 flat in ivec4 labels;  // tet, part, piece, style
 uniform float opacity;
 
-uint hash(ivec3 place) {
-  uint n = uint(place.x) * 73856093u ^ uint(place.y) * 19349663u ^ uint(place.z) * 83492791u;
-  n = (n ^ (n >> 15)) * 0x2c1b3c6du;
-  n = (n ^ (n >> 12)) * 0x297a2d39u;
-  return n ^ (n >> 15);
+float material(int index) { return texelFetch(materials, 13 * (labels.w & 0xffff) + index).r; }
+
+#ifdef GRAIN
+// A slope in rest coordinates as it is on the polygon that is seen, whichever way that has turned.
+vec3 carried_slope(vec3 slope) {
+  vec3 x = dFdx(position), y = dFdy(position), normal = flat_normal(position);
+  vec3 across = cross(y, normal);
+  float area = dot(x, across);
+  if (area == 0.0) return vec3(0.0);
+  return (dot(slope, dFdx(rest)) * across + dot(slope, dFdy(rest)) * cross(normal, x)) / area;
 }
+#endif
 
-vec4 lattice_value(ivec3 place) {
-  uint n = hash(place);
-  return vec4(n & 255u, (n >> 8) & 255u, (n >> 16) & 255u, n >> 24) / 255.0 - 0.5;
-}
-
-// Four smooth random values at a place, each from -1/2 to 1/2.
-vec4 noise(vec3 place) {
-  ivec3 cell = ivec3(floor(place));
-  vec3 t = place - floor(place);
-  t = t * t * (3.0 - 2.0 * t);
-  vec4 sum = vec4(0.0);
-  for (int i = 0; i < 8; ++i) {
-    ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);
-    vec3 share = mix(1.0 - t, t, vec3(corner));
-    sum += share.x * share.y * share.z * lattice_value(cell + corner);
-  }
-  return sum;
-}
-
-float material(int index) { return texelFetch(materials, 11 * (labels.w & 0xffff) + index).r; }
-
-// Bump (xyz) and change of brightness (w) of the material here.
-vec4 texture_here() {
+Matter matter_here() {
   vec3 fibre = vec3(material(7), material(8), material(9));
   vec3 place = (rest - fibre * dot(fibre, rest)) / material(6);
   vec4 n = noise(place) + 0.5 * noise(2.3 * place + 11.0);
-  return vec4(2.0 * material(5) * n.xyz, material(4) * n.w);
+  Matter matter = Matter(vec3(1.0 + material(4) * n.w), 2.0 * material(5) * n.xyz);
+#ifdef GRAIN
+  float pixel = 0.7 * length(fwidth(rest));
+  add_grain(matter, int(material(11)), rest, material(12), fibre, pixel, n);
+  matter.slope = carried_slope(matter.slope);
+#endif
+  return matter;
 }
 
 vec3 value_color() { return scalar_color(scalar_kind == 1 ? texelFetch(scalars, carrier).r : scalar); }
@@ -57,9 +47,9 @@ vec3 piece_color(bool inner) {
   return inner ? color * kCrackTint : color;
 }
 
-vec3 material_color(float change) {
+vec3 material_color(vec3 tint) {
   float piece = float(hash(ivec3(labels.z, 7, 3)) & 0xffffu) / 65535.0 - 0.5;
-  return vec3(material(0), material(1), material(2)) * (1.0 + 2.0 * material(3) * piece + change);
+  return vec3(material(0), material(1), material(2)) * (2.0 * material(3) * piece + tint);
 }
 
 float face_edge() {
@@ -90,8 +80,8 @@ vec3 checked(vec3 color) {
 void main() {
   if (labels.x == selected_tet || material(10) == 0.0) discard;
   bool inner = ((labels.w >> 20) & 1) != 0;
-  vec4 here = texture_here();
-  emit_glass(material_color(0.0), material(10), position, normalize(normal_here() + here.xyz), inner);
+  vec3 color = material_color(vec3(1.0));
+  emit_glass(color, material(10), position, normalize(normal_here() + matter_here().slope), inner);
 }
 #else
 void main() {
@@ -100,11 +90,12 @@ void main() {
   bool is_scalar = scalar_kind != 0;
   bool clear = !selected && material(10) > 0.0;
   float edge = face_edge();
-  vec4 here = is_scalar || (has_piece_colors && !inner) ? vec4(0.0) : texture_here();
-  vec3 color = is_scalar ? value_color() : has_piece_colors ? piece_color(inner) : material_color(here.w);
+  Matter here = Matter(vec3(1.0), vec3(0.0));
+  if (!is_scalar && !(has_piece_colors && !inner)) here = matter_here();
+  vec3 color = is_scalar ? value_color() : has_piece_colors ? piece_color(inner) : material_color(here.tint);
   if (checker && ((labels.w >> 21) & 1) != 0) color = checked(color);
   if (!(unlit && is_scalar)) {
-    color = shade(selected ? mix(color, kSelectionColor, 0.45) : color, position, normal_here(), here.xyz, is_scalar);
+    color = shade(selected ? mix(color, kSelectionColor, 0.45) : color, position, normal_here(), here.slope, is_scalar);
   }
   color = mix(color, selected ? kSelectionColor : kEdgeColor, (selected ? 1.0 : 0.6) * edge);
   if (!is_drawn(selected, clear)) discard;

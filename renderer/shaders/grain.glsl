@@ -1,0 +1,113 @@
+// What a crack lays bare: patterns in a body's own coordinates, so that they stick to it and go on from piece to piece.
+// What is smaller than a pixel fades to the mean.
+const int kStones = 1, kClay = 2, kSand = 3, kCrystals = 4, kFacets = 5, kRings = 6;  // Grain
+
+struct Matter {
+  vec3 tint;   // times the material's colour
+  vec3 slope;  // by which the normal is turned
+};
+
+uint hash(ivec3 place) {
+  uint n = uint(place.x) * 73856093u ^ uint(place.y) * 19349663u ^ uint(place.z) * 83492791u;
+  n = (n ^ (n >> 15)) * 0x2c1b3c6du;
+  n = (n ^ (n >> 12)) * 0x297a2d39u;
+  return n ^ (n >> 15);
+}
+
+vec4 lattice_value(ivec3 place) {
+  uint n = hash(place);
+  return vec4(n & 255u, (n >> 8) & 255u, (n >> 16) & 255u, n >> 24) / 255.0 - 0.5;
+}
+
+// Four smooth random values at a place, each from -1/2 to 1/2.
+vec4 noise(vec3 place) {
+  ivec3 cell = ivec3(floor(place));
+  vec3 t = place - floor(place);
+  t = t * t * (3.0 - 2.0 * t);
+  vec4 sum = vec4(0.0);
+  for (int i = 0; i < 8; ++i) {
+    ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);
+    vec3 share = mix(1.0 - t, t, vec3(corner));
+    sum += share.x * share.y * share.z * lattice_value(cell + corner);
+  }
+  return sum;
+}
+
+#ifdef GRAIN
+// Turns lattices against faces and against each other, so that no face shows one.
+const mat3 kTurn = mat3(0.36, 0.48, -0.80, -0.80, 0.60, 0.0, 0.48, 0.64, 0.60);
+
+// How much is seen of a pattern of which a pixel holds `pixel` cells.
+float seen(float pixel) { return 1.0 - smoothstep(0.25, 0.8, pixel); }
+
+// Round stones of three sizes, one a cell, the large before the small. `fill`: the radius of the largest, up to 1/2;
+// `tones`: how far colours part, by channel; `pit`: the tone below which there is a pore in place of a stone.
+void lay_stones(inout Matter matter, vec3 place, float pixel, vec4 warp, float fill, vec3 tones, float pit) {
+  for (int size = 0; size < 3; ++size) {
+    float scale = size == 0 ? 4.3 : size == 1 ? 2.1 : 1.0;
+    vec3 there = scale * place + 0.3 * warp.xyz + 17.0 * float(size);
+    place = kTurn * place;
+    ivec3 cell = ivec3(floor(there));
+    vec4 random = lattice_value(cell);
+    float radius = fill * (0.9 + 0.2 * random.w);
+    vec3 away = there - vec3(cell) - 0.5 - (1.0 - 2.0 * radius) * random.xyz;
+    float width = max(scale * pixel, 0.03);
+    float cover = smoothstep(-width, width, radius - length(away)) * seen(scale * pixel);
+    float tone = fract(37.0 * random.w + 0.5) - 0.5;
+    bool is_pit = tone < pit;
+    matter.tint = mix(matter.tint, is_pit ? vec3(0.66) : 1.0 + tone * tones, cover);
+    matter.slope = mix(matter.slope, (is_pit ? -0.5 : 0.5) * transpose(kTurn) * away / radius, 0.7 * cover);
+  }
+}
+
+// Grains that fill space: the cells of points (Worley 1996). One in four is dark. `contrast`: of their colours;
+// `tilt`: of their faces, as a slope.
+void grow_crystals(inout Matter matter, vec3 place, float pixel, float contrast, float tilt) {
+  ivec3 first = ivec3(floor(place - 0.5));
+  vec4 nearest = vec4(0.0), second = vec4(0.0);
+  float distance = 9.0, second_distance = 9.0;
+  for (int i = 0; i < 8; ++i) {
+    ivec3 cell = first + ivec3(i & 1, (i >> 1) & 1, i >> 2);
+    vec4 random = lattice_value(cell);
+    float there = length(place - vec3(cell) - 0.5 - 0.7 * random.xyz);
+    if (there < distance) {
+      second = nearest;
+      second_distance = distance;
+      nearest = random;
+      distance = there;
+    } else if (there < second_distance) {
+      second = random;
+      second_distance = there;
+    }
+  }
+  float other = 0.5 - 0.5 * smoothstep(0.0, max(pixel, 0.02), second_distance - distance);
+  vec4 grain = mix(nearest, second, other);
+  vec3 pale = 1.25 + (fract(29.0 * nearest.w) - 0.5) * vec3(0.55, 0.40, 0.35);
+  vec3 color = mix(pale, vec3(0.52, 0.51, 0.53), 1.0 - smoothstep(-0.27, -0.23, grain.w));
+  matter.tint *= mix(vec3(1.0), color, contrast * seen(pixel));
+  matter.slope += tilt * seen(pixel) * grain.xyz;
+}
+
+// Growth rings round a pith far off, darker towards their ends, with fibres. `fibre`: along the grain, unit length.
+void grow_rings(inout Matter matter, vec3 place, vec3 fibre, float pixel) {
+  vec3 across = place - 0.96 * fibre * dot(fibre, place);
+  vec4 fibres = noise(4.0 * across);
+  float rings = length(place - fibre * dot(fibre, place) + vec3(5.3, 3.1, 6.7)) + 0.5 * noise(0.35 * across).x;
+  float t = fract(rings);
+  float late = smoothstep(0.25, 0.9, t) * (1.0 - smoothstep(0.94, 1.0, t)) - 0.37;
+  matter.tint *= 1.0 - late * seen(pixel) * vec3(0.30, 0.40, 0.50) + 0.45 * seen(2.0 * pixel) * fibres.w;
+  matter.slope += 1.2 * seen(2.0 * pixel) * (fibres.xyz - fibre * dot(fibre, fibres.xyz));
+}
+
+// `rest`: the place [m]; `size`: of the grain [m]; `pixel`: width of a pixel [m].
+void add_grain(inout Matter matter, int kind, vec3 rest, float size, vec3 fibre, float pixel, vec4 warp) {
+  vec3 place = kTurn * rest / size;
+  pixel /= size;
+  if (kind == kStones) lay_stones(matter, place, pixel, warp, 0.47, vec3(0.62, 0.56, 0.48), -0.5);
+  if (kind == kClay) lay_stones(matter, place, pixel, warp, 0.34, vec3(0.45, 0.50, 0.55), -0.3);
+  if (kind == kSand) lay_stones(matter, place, pixel, warp, 0.45, vec3(0.34, 0.31, 0.26), -0.5);
+  if (kind == kCrystals) grow_crystals(matter, place + 0.5 * warp.xyz, pixel, 1.0, 0.7);
+  if (kind == kFacets) grow_crystals(matter, place + 0.5 * warp.xyz, pixel, 0.3, 0.9);
+  if (kind == kRings) grow_rings(matter, rest / size, normalize(fibre + vec3(1e-6, 0.0, 0.0)), pixel);
+}
+#endif

@@ -1,0 +1,131 @@
+#include <algorithm>
+#include <array>
+
+#include "tests/renderer/renderer_fixture.h"
+
+namespace griffith::render {
+namespace {
+
+using Eigen::Vector3f;
+
+constexpr Grain kGrains[] = {Grain::stones, Grain::clay, Grain::sand, Grain::crystals, Grain::facets, Grain::rings};
+
+const Camera kNear = {{-0.5f, 1.6f, 2.2f}, {0, 0.8f, 0}, 40};
+
+/// A broken triangle, carried by the first of two tets or by the second, which lies in the same place.
+EmbeddedSurface broken_triangle(Grain grain, std::int32_t tet = 0, bool reversed = false) {
+  auto mesh = std::make_shared<EmbeddedMesh>();
+  const std::array<Vector3f, 4> corners = {Vector3f(-1, 0, 0), Vector3f(1, 0, 0), Vector3f(0, 2, 0),
+                                           Vector3f(0, 1, -1)};
+  std::array<int, 3> order = {0, 1, 2};
+  if (reversed) std::ranges::reverse(order);
+  for (const int corner : order) {
+    EmbeddedCorner made;
+    made.rest = corners[static_cast<std::size_t>(corner)];
+    made.weights[corner] = made.other_weights[corner] = 1;
+    made.tet = made.part = made.piece = tet;
+    made.style = EmbeddedStyle{0, -1, true}.packed();
+    mesh->corners.push_back(made);
+  }
+  mesh->polygons = {{0, 3}};
+  EmbeddedSurface surface;
+  surface.mesh = mesh;
+  for (int copy = 0; copy < 2; ++copy) surface.points.insert(surface.points.end(), corners.begin(), corners.end());
+  surface.tets = {{0, 1, 2, 3}, {4, 5, 6, 7}};
+  surface.carriers = {0, 1};
+  surface.opened = {0};
+  surface.materials.resize(1);
+  surface.materials[0].grain = grain;
+  surface.materials[0].grain_size = 0.2f;
+  return surface;
+}
+
+DrawScene before_black(EmbeddedSurface surface) {
+  DrawScene scene;
+  scene.embedded = std::move(surface);
+  scene.background = {{0, 0, 0}, {0, 0, 0}};
+  return scene;
+}
+
+class GrainTest : public RendererFixture {
+ protected:
+  static Image drawn(const EmbeddedSurface& surface, Quality quality = Quality::standard) {
+    return drawn_from(surface, kNear, quality);
+  }
+  static Image drawn_from(const EmbeddedSurface& surface, const Camera& camera, Quality quality = Quality::standard) {
+    RenderOptions how = options();
+    how.edges = false;
+    how.quality = quality;
+    renderer_->render(before_black(surface), camera, how);
+    return renderer_->image();
+  }
+};
+
+TEST_F(GrainTest, IsSeenFromStandardQualityOn) {
+  const EmbeddedSurface plain = broken_triangle(Grain::none);
+  for (const Grain grain : kGrains) {
+    const EmbeddedSurface surface = broken_triangle(grain);
+    EXPECT_EQ(drawn(plain, Quality::draft).rgba, drawn(surface, Quality::draft).rgba) << int(grain);
+    for (const Quality quality : {Quality::standard, Quality::high})
+      EXPECT_GT(off_fraction(drawn(plain, quality), drawn(surface, quality)), 0.05) << int(grain);
+  }
+}
+
+TEST_F(GrainTest, NumbersAndColoursOfPiecesHaveNone) {
+  for (const Grain grain : kGrains) {
+    EmbeddedSurface plain = broken_triangle(Grain::none), surface = broken_triangle(grain);
+    plain.scalars = surface.scalars = {0.3f, 0.8f};
+    EXPECT_EQ(drawn(plain).rgba, drawn(surface).rgba) << int(grain);
+    plain.scalars = surface.scalars = {};
+    plain.piece_colors = surface.piece_colors = {{0.8f, 0.2f, 0.1f}, {0.1f, 0.5f, 0.9f}};
+    EXPECT_EQ(drawn(plain).rgba, drawn(surface).rgba) << int(grain);
+  }
+}
+
+TEST_F(GrainTest, BothSidesOfACrackShowOneColourAtOnePlace) {
+  for (const Grain grain : kGrains)
+    EXPECT_EQ(off_fraction(drawn(broken_triangle(grain)), drawn(broken_triangle(grain, 1, true))), 0) << int(grain);
+}
+
+/// A body and a camera that move alike give one picture; a body that stands elsewhere before anything moved another.
+TEST_F(GrainTest, MovesWithTheBody) {
+  const Vector3f away(0.5f, 0.25f, -1);
+  for (const Grain grain : kGrains) {
+    const EmbeddedSurface still = broken_triangle(grain);
+    EmbeddedSurface moved = still, other = still;
+    for (Vector3f& point : moved.points) point += away;
+    Camera camera = kNear;
+    camera.position += away;
+    camera.target += away;
+    EXPECT_LT(off_fraction(drawn(still), drawn_from(moved, camera)), 0.002) << int(grain);
+    EmbeddedMesh elsewhere = *still.mesh;
+    for (EmbeddedCorner& corner : elsewhere.corners) corner.rest += away;
+    other.mesh = std::make_shared<EmbeddedMesh>(elsewhere);
+    EXPECT_GT(off_fraction(drawn(still), drawn(other)), 0.05) << int(grain);
+  }
+}
+
+TEST_F(GrainTest, WhatIsSmallerThanAPixelFadesAway) {
+  const Image plain = drawn(broken_triangle(Grain::none));
+  for (const Grain grain : kGrains) {
+    EmbeddedSurface fine = broken_triangle(grain);
+    fine.materials[0].grain_size = 1e-3f;
+    EXPECT_EQ(off_fraction(plain, drawn(fine)), 0) << int(grain);
+  }
+}
+
+/// From afar a body is about as bright as from near: the mean of a grain's colours is that of its material.
+TEST_F(GrainTest, KeepsTheMeanBrightness) {
+  const auto brightness = [](const Image& image) {
+    double sum = 0;
+    for (int y = 0; y < image.height; ++y)
+      for (int x = 0; x < image.width; ++x) sum += image.pixel(x, y)[1];
+    return sum;
+  };
+  const double plain = brightness(drawn(broken_triangle(Grain::none)));
+  for (const Grain grain : kGrains)
+    EXPECT_NEAR(brightness(drawn(broken_triangle(grain))) / plain, 1, 0.1) << int(grain);
+}
+
+}  // namespace
+}  // namespace griffith::render
