@@ -1,6 +1,7 @@
 #include "sim/scene/scene_difference.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "sim/scene/apply_setting.h"
 #include "sim/scene/scene_in_full.h"
