@@ -165,18 +165,18 @@ TEST_F(EmbeddedPassTest, AMaterialLooksTheSameWhereverItStandsInTheList) {
   first.ground = Ground{-0.5f};
   first.embedded = embedded();
   first.embedded.piece_colors.clear();
-  EmbeddedMaterial& material = first.embedded.materials[0];
+  EmbeddedMaterial material, other;
   material.color = {0.5f, 0.8f, 0.7f};
   material.fibre = {0.3f, 0.2f, 0.1f};
-  material.grain = Grain::crystals;
   DrawScene third = first;
   EmbeddedMesh mesh = *first.embedded.mesh;
-  for (EmbeddedCorner& corner : mesh.corners) corner.style += 2;
+  for (EmbeddedCorner& corner : mesh.corners) corner.style += EmbeddedStyle{2}.packed();
   third.embedded.mesh = std::make_shared<EmbeddedMesh>(mesh);
   for (const float clear_depth : {0.0f, 0.5f}) {
     material.clear_depth = clear_depth;
-    third.embedded.materials = {EmbeddedMaterial{}, EmbeddedMaterial{}, material};
-    third.embedded.materials[0].clear_depth = third.embedded.materials[1].clear_depth = 0.5f - clear_depth;
+    other.clear_depth = 0.5f - clear_depth;
+    first.embedded.materials = {material, other, other};
+    third.embedded.materials = {other, other, material};
     EXPECT_EQ(different_pixels(picture(first, Quality::standard), picture(third, Quality::standard)), 0) << clear_depth;
   }
 }
