@@ -31,8 +31,8 @@ float hard_visibility(vec3 place) {
 }
 
 // The penumbra is as wide as what casts the shadow is far away (Fernando 2005, "Percentage-closer soft shadows"). The
-// search is closer towards its middle, where low things cast narrow shadows, and passes over what is too low for its
-// penumbra to reach here. `slope`: of the lit plane's depth.
+// search is closer towards its middle, where low things cast narrow shadows, counts what is near for more, and passes
+// over what is too low for its penumbra to reach here. `slope`: of the lit plane's depth.
 float soft_visibility(vec3 place, vec2 slope) {
   int count = int(effects.y);
   mat2 turn = turn_here();
@@ -43,12 +43,13 @@ float soft_visibility(vec3 place, vec2 slope) {
     float there = textureLod(shadow_depth, place.xy + offset, 0.0).r;
     float height = place.z + dot(slope, offset) - there;
     if (height > 0.0 && effects.x * height + kNarrowest >= length(offset)) {
-      sum += place.z - height;
-      blockers += 1.0;
+      float weight = 1.0 / (0.02 * kWidest + length(offset));
+      sum += weight * height;
+      blockers += weight;
     }
   }
   if (blockers == 0.0) return 1.0;
-  float penumbra = clamp(effects.x * (place.z - sum / blockers), kNarrowest, kWidest);
+  float penumbra = clamp(effects.x * sum / blockers, kNarrowest, kWidest);
   float lit = 0.0;
   for (int i = 0; i < count; ++i) {
     vec2 offset = penumbra * turn * disc_point(i, count);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/picture/natural_materials.h"
 #include "enclosed_volume.h"
 #include "program.h"
 #include "sim/mesh/tet_mesh.h"
@@ -9,6 +10,29 @@
 
 namespace griffith::app {
 namespace {
+
+/// A frame with one inner face cut open, on one of its sides.
+class CutFrame {
+ public:
+  explicit CutFrame(const Frame& whole)
+      : neighbours_(whole.elements.neighbours.begin(), whole.elements.neighbours.end()), frame_(whole) {
+    std::size_t face = 0;
+    while (!neighbours_[tet_][face].valid())
+      if (++face == 4) face = 0, ++tet_;
+    neighbours_[tet_][face] = {};
+    frame_.elements.neighbours = neighbours_;
+  }
+  CutFrame(const CutFrame&) = delete;
+  CutFrame& operator=(const CutFrame&) = delete;
+
+  const Frame& frame() const { return frame_; }
+  std::int32_t tet() const { return static_cast<std::int32_t>(tet_); }
+
+ private:
+  std::vector<std::array<TetId, 4>> neighbours_;
+  std::size_t tet_ = 0;
+  Frame frame_;
+};
 
 TEST(DrawSceneFromFrame, SurfaceEnclosesTheBody) {
   World world(small_wall());
@@ -41,23 +65,35 @@ TEST(DrawSceneFromFrame, OnlyFacesThatWereInsideAreCracks) {
   for (const std::uint8_t flags : draw_scene_from_frame(start, display, small_wall(), {}, {}).surface.flags) {
     EXPECT_FALSE(flags & render::kCrackFace);
   }
-  // The same frame with one inner face cut open.
-  std::vector<std::array<TetId, 4>> neighbours(start.elements.neighbours.begin(), start.elements.neighbours.end());
-  std::size_t tet = 0, face = 0;
-  while (!neighbours[tet][face].valid()) {
-    if (++face == 4) face = 0, ++tet;
-  }
-  neighbours[tet][face] = {};
-  Frame cut = start;
-  cut.elements.neighbours = neighbours;
-  const render::Surface surface = draw_scene_from_frame(cut, display, small_wall(), {}, {}).surface;
+  const CutFrame cut(start);
+  const render::Surface surface = draw_scene_from_frame(cut.frame(), display, small_wall(), {}, {}).surface;
   int cracks = 0;
   for (std::size_t i = 0; i < surface.flags.size(); ++i) {
     if (!(surface.flags[i] & render::kCrackFace)) continue;
     ++cracks;
-    EXPECT_EQ(surface.ids[i], static_cast<std::int32_t>(tet));
+    EXPECT_EQ(surface.ids[i], cut.tet());
   }
   EXPECT_EQ(cracks, 1);
+}
+
+TEST(DrawSceneFromFrame, InNaturalColoursACrackHasTheColourOfTheInside) {
+  const World world(small_wall());
+  const Frame start = world.frame();
+  const CutFrame cut(start);
+  ViewSettings view;
+  view.quantity = "material";
+  view.splinters = false;
+  const render::Surface surface =
+      draw_scene_from_frame(cut.frame(), embedded_display(start, small_wall()), small_wall(), view, {}).surface;
+  const std::vector<render::EmbeddedMaterial> looks = natural_materials(small_wall());
+  int inside = 0;
+  for (std::size_t i = 0; i < surface.colors.size(); ++i) {
+    EXPECT_FALSE(surface.flags[i] & render::kCrackFace);
+    if (surface.colors[i].r != looks[look_index(0, Look::inside)].color.r) continue;
+    ++inside;
+    EXPECT_EQ(surface.ids[i], cut.tet());
+  }
+  EXPECT_EQ(inside, 1);
 }
 
 TEST(DrawSceneFromFrame, SelectionAndLockedRangeAreTakenOver) {

@@ -76,8 +76,9 @@ Surface triangles(const EmbeddedSurface& like) {
 
 class EmbeddedPassTest : public ::testing::Test {
  protected:
-  Image picture(const DrawScene& scene) {
+  Image picture(const DrawScene& scene, Quality quality = RenderOptions().quality) {
     RenderOptions options;
+    options.quality = quality;
     options.width = kWidth;
     options.height = kHeight;
     renderer_.render(scene, camera(), options);
@@ -156,6 +157,28 @@ TEST_F(EmbeddedPassTest, InnerFacesShowTheirMaterialAndItsNoise) {
   surface.materials[0].roughness = 0;
   surface.materials[0].color = {0.2f, 0.4f, 0.1f};
   EXPECT_GT(different_pixels(even, picture(surface)), 500);
+}
+
+/// Body, shadow and what is seen through it.
+TEST_F(EmbeddedPassTest, AMaterialLooksTheSameWhereverItStandsInTheList) {
+  DrawScene first;
+  first.ground = Ground{-0.5f};
+  first.embedded = embedded();
+  first.embedded.piece_colors.clear();
+  EmbeddedMaterial material, other;
+  material.color = {0.5f, 0.8f, 0.7f};
+  material.fibre = {0.3f, 0.2f, 0.1f};
+  DrawScene third = first;
+  EmbeddedMesh mesh = *first.embedded.mesh;
+  for (EmbeddedCorner& corner : mesh.corners) corner.style += EmbeddedStyle{2}.packed();
+  third.embedded.mesh = std::make_shared<EmbeddedMesh>(mesh);
+  for (const float clear_depth : {0.0f, 0.5f}) {
+    material.clear_depth = clear_depth;
+    other.clear_depth = 0.5f - clear_depth;
+    first.embedded.materials = {material, other, other};
+    third.embedded.materials = {other, other, material};
+    EXPECT_EQ(different_pixels(picture(first, Quality::standard), picture(third, Quality::standard)), 0) << clear_depth;
+  }
 }
 
 /// Gives every corner its face's normal as it was before the tets were deformed: `before` moved the points to where
