@@ -9,6 +9,7 @@
 
 #include "app/editor/script_player.h"
 #include "editor_fixture.h"
+#include "sim/core/read_file.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/scene_writer.h"
 
@@ -113,6 +114,20 @@ TEST_F(ScriptPlayerTest, DoesWhatHandsDo) {
   EXPECT_NE(editor_.frame().materials[0].young_modulus, 20e9) << "undone by the menu";
   play_script("key Ctrl+Shift+Z\n");
   EXPECT_EQ(editor_.frame().materials[0].young_modulus, 20e9);
+}
+
+TEST_F(ScriptPlayerTest, AGlassTableIsBuiltByHandBrokenAndExplained) {
+  std::string script = read_file(std::filesystem::path(GRIFFITH_SOURCE_DIR) / "docs/glass_table.script");
+  const std::string new_scene = "command file.new\n";
+  script.insert(script.find(new_scene) + new_scene.size(), "set view/quality draft\n");
+  play_script(script);
+  const Scene& scene = editor_.scene();
+  ASSERT_EQ(scene.bodies.size(), 6u);
+  EXPECT_EQ(scene.bodies[4].position, Vec3(0.35, 0.3, 0.35));
+  EXPECT_EQ(scene.bodies[5].material, *find_material_preset("brick"));
+  EXPECT_LE(editor_.frame().energy.stored(), 1.01 * editor_.frame().energy.put_in());
+  EXPECT_GT(editor_.frame().fragments, 0);
+  EXPECT_FALSE(editor_.state().error.has_value());
 }
 
 TEST_F(ScriptPlayerTest, OpensAndWaitsForTheWorld) {
