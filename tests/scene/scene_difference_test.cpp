@@ -48,8 +48,8 @@ TEST(SceneDifference, ASettingIsAsDeepAsItCanBe) {
   Scene after = before;
   after.bodies[1].position.y() = 2;
   after.projectiles[0].speed = 12.5;
-  EXPECT_THAT(settings_between(before, after), ElementsAre(SceneSetting{"/bodies/1/position", "[0,2,0]"},
-                                                           SceneSetting{"/projectiles/0/speed", "12.5"}));
+  EXPECT_THAT(settings_between(before, after),
+              ElementsAre(SceneSetting{"/bodies/1/position", "[0,2,0]"}, SceneSetting{"/projectiles/0/speed", "12.5"}));
 }
 
 TEST(SceneDifference, WhatASceneCannotHaveIsNamed) {
