@@ -47,6 +47,8 @@ void Editor::toggle_macro_recording() {
     return log(ui::LogLevel::info, "What you do now is recorded as a macro, until you stop it.");
   }
   recorded_macro_ = recorder_->text(macro_moment());
+  std::error_code error;  // where the folder cannot be made, saving tells
+  fs::create_directories(macro_folder_, error);
   recorder_.reset();
   ask_where_to_save_macro({});
 }
@@ -61,8 +63,6 @@ void Editor::ask_where_to_save_macro(fs::path proposed) {
 }
 
 void Editor::write_macro(const fs::path& path) {
-  std::error_code error;  // where the folder cannot be made, writing tells
-  fs::create_directories(path.parent_path(), error);
   replace_file(path, recorded_macro_);
   list_macros();
   log(ui::LogLevel::info, "Saved the macro " + path.string());

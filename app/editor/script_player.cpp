@@ -58,8 +58,10 @@ void ScriptPlayer::advance(Editor& editor, ui::InputQueue& input) {
 
 void ScriptPlayer::insert(const Script& called, const std::string& place) {
   constexpr std::size_t kMostLines = 100'000;
-  if (script_.size() + called.size() > kMostLines)
-    throw InputError(place, "makes more than 100,000 lines", "let no macro play itself");
+  constexpr int kMostMacros = 1000;
+  if (script_.size() + called.size() > kMostLines || ++macros_played_ > kMostMacros)
+    throw InputError(place, "makes more than 100,000 lines or plays more than 1,000 macros",
+                     "let no macro play itself");
   script_.insert(script_.begin() + static_cast<std::ptrdiff_t>(next_), called.begin(), called.end());
 }
 

@@ -34,6 +34,7 @@ class ScriptPlayer {
   std::size_t next_ = 0;
   bool for_reader_;
   int frames_left_ = 0;  ///< until the next line
+  int macros_played_ = 0;
   std::optional<std::filesystem::path> wanted_picture_;
 };
 

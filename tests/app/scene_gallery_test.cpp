@@ -110,10 +110,12 @@ class SceneBrowsing : public EditorTest {
 TEST_F(SceneBrowsing, ShowsScenesBesideTheOpenOneAndThenTheirPictures) {
   editor_.show_thumbnails(source());
   press_key('O', true, true);
-  draw(3);
-  EXPECT_EQ(value("scenes/small_wall (" + test_folder().string() + ")"), "small wall");
+  draw(6);
+  EXPECT_EQ(value("scenes/small_wall"), "small wall");
   EXPECT_EQ(value("scenes/notes"), "notes");
-  EXPECT_EQ(value("scenes/arch"), "Arch") << "comes with the program";
+  type("voussoirs");  // of those that come with the program, only some are in sight
+  draw(3);
+  EXPECT_EQ(value("scenes/arch"), "Arch");
 }
 
 TEST_F(SceneBrowsing, EditsAreAskedForBeforeAnotherSceneIsOpened) {

@@ -90,6 +90,7 @@ class ScriptPlayerTest : public EditorTest {
     while (!player.done() || !queue_.empty() || !editor_.state().work.empty()) {
       player.advance(editor_, queue_);
       queue_.play(ImGui::GetIO());
+      editor_.advance(1.0 / 60);
       draw();
     }
   }
