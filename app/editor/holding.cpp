@@ -53,15 +53,8 @@ bool stands(World world, const RunToCrack& run, const Monitor& monitor) {
 }
 
 bool anything_flies(const RunToCrack& run) {
-  return std::ranges::any_of(run.scene.projectiles, [](const ProjectileBurst& burst) { return burst.speed > 0; }) ||
-         std::ranges::any_of(run.inputs,
-                             [](const WorldInput& input) {
-                               const auto* burst = std::get_if<ProjectileBurst>(&input.action);
-                               return burst && burst->speed > 0;
-                             }) ||
-         std::ranges::any_of(run.scene.bodies, [](const BodyDescription& body) {
-           return !body.velocity.isZero(0) || !body.angular_velocity.isZero(0);
-         });
+  return bodies_fly(run) ||
+         std::ranges::any_of(shots_of(run), [](const ProjectileBurst& shot) { return shot.speed > 0; });
 }
 
 /// Builds the scene's world without telling of it.
@@ -112,6 +105,19 @@ RunToCrack run_to_crack(const Timeline& timeline, NodeId node) {
       frame.nodes.rest_positions[node]};
   std::erase_if(run.inputs, [&](const WorldInput& input) { return input.step > timeline.step(); });
   return run;
+}
+
+std::vector<ProjectileBurst> shots_of(const RunToCrack& run) {
+  std::vector<ProjectileBurst> shots = run.scene.projectiles;
+  for (const WorldInput& input : run.inputs)
+    if (const auto* shot = std::get_if<ProjectileBurst>(&input.action)) shots.push_back(*shot);
+  return shots;
+}
+
+bool bodies_fly(const RunToCrack& run) {
+  return std::ranges::any_of(run.scene.bodies, [](const BodyDescription& body) {
+    return !body.velocity.isZero(0) || !body.angular_velocity.isZero(0);
+  });
 }
 
 RunToCrack slowed(RunToCrack run, double factor) {

@@ -40,6 +40,11 @@ struct RunToCrack {
 /// The run that led to where a timeline is, just before a node cracks.
 RunToCrack run_to_crack(const Timeline& timeline, NodeId node);
 
+/// All that is fired in the run: by the scene, then by hand.
+std::vector<ProjectileBurst> shots_of(const RunToCrack& run);
+/// Whether bodies have a velocity at the start.
+bool bodies_fly(const RunToCrack& run);
+
 /// The run with all that flies from its start on, shots and bodies, `factor` times as slow, and as much longer.
 RunToCrack slowed(RunToCrack run, double factor);
 /// The run with the body of the node `factor` times as thick, as thickened() has it.

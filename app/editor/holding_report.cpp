@@ -29,15 +29,10 @@ std::string strength_fact(const HoldingFactor& strength, const Material& materia
 
 /// The speed of all shots of a run that leave the start at one speed; 0: they differ, or bodies fly too.
 double common_speed(const RunToCrack& run) {
-  std::vector<double> speeds;
-  for (const ProjectileBurst& burst : run.scene.projectiles) speeds.push_back(burst.speed);
-  for (const WorldInput& input : run.inputs)
-    if (const auto* burst = std::get_if<ProjectileBurst>(&input.action)) speeds.push_back(burst->speed);
-  const bool bodies_fly = std::ranges::any_of(run.scene.bodies, [](const BodyDescription& body) {
-    return !body.velocity.isZero(0) || !body.angular_velocity.isZero(0);
-  });
-  const bool equal = std::ranges::all_of(speeds, [&](double speed) { return speed == speeds.front(); });
-  return speeds.empty() || bodies_fly || !equal ? 0 : speeds.front();
+  const std::vector<ProjectileBurst> shots = shots_of(run);
+  const bool equal =
+      std::ranges::all_of(shots, [&](const ProjectileBurst& shot) { return shot.speed == shots.front().speed; });
+  return shots.empty() || bodies_fly(run) || !equal ? 0 : shots.front().speed;
 }
 
 std::string speed_fact(const std::optional<HoldingFactor>& slowness, const RunToCrack& run) {

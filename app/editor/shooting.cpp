@@ -2,30 +2,18 @@
 
 #include <cmath>
 
-#include "sim/geometry/triangle_hit.h"
-#include "sim/mesh/tet_mesh.h"
+#include "ui/model/surface_hit.h"
 
 namespace griffith::app {
 
 std::optional<double> surface_hit(const Frame& frame, const std::optional<Ground>& ground, const Vec3& origin,
                                   const Vec3& direction) {
+  const std::optional<ui::SurfaceHit> hit = ui::first_surface_hit(frame, origin, direction);
   std::optional<double> nearest;
-  const auto keep = [&nearest](std::optional<double> t) {
-    if (t && (!nearest || *t < *nearest)) nearest = t;
-  };
-  for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet) {
-    for (std::size_t face = 0; face < 4; ++face) {
-      if (frame.elements.neighbours[tet][face].valid()) continue;
-      const auto corner = [&](std::size_t i) {
-        const NodeId node = frame.elements.tets[tet][static_cast<std::size_t>(kTetFaces[face][i])];
-        return frame.nodes.positions[static_cast<std::size_t>(node.value)];
-      };
-      keep(triangle_hit(origin, direction, corner(0), corner(1), corner(2)));
-    }
-  }
+  if (hit) nearest = hit->distance;
   if (ground && direction.y() != 0) {
     const double t = (ground->height - origin.y()) / direction.y();
-    if (t > 0) keep(t);
+    if (t > 0 && (!nearest || t < *nearest)) nearest = t;
   }
   return nearest;
 }

@@ -1,30 +1,16 @@
 #include "ui/model/painted_region.h"
 
-#include <algorithm>
 #include <array>
 #include <limits>
 
-#include "sim/geometry/triangle_hit.h"
-#include "sim/mesh/tet_mesh.h"
 #include "sim/scene/body_pose.h"
+#include "sim/scene/region_nodes.h"
+#include "ui/model/surface_hit.h"
 
 namespace griffith::ui {
 namespace {
 
 int scene_body_of(const Frame& frame, std::size_t tet) { return frame.bodies[frame.elements.bodies[tet]].scene_body; }
-
-/// Calls `action` with the tet and the corners of each face of the surface.
-template <class Action>
-void for_each_surface_face(const Frame& frame, Action action) {
-  for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet) {
-    const std::array<NodeId, 4>& corners = frame.elements.tets[tet];
-    for (std::size_t face = 0; face < 4; ++face) {
-      if (frame.elements.neighbours[tet][face].valid()) continue;
-      const std::array<int, 3>& of_face = kTetFaces[face];
-      action(tet, std::array<NodeId, 3>{corners[of_face[0]], corners[of_face[1]], corners[of_face[2]]});
-    }
-  }
-}
 
 /// Calls `action` with each node of the scene body.
 template <class Action>
@@ -39,30 +25,24 @@ void for_each_node(const Frame& frame, int scene_body, Action action) {
 }  // namespace
 
 std::set<int> nodes_in_region(const Frame& start, const Scene& scene, int scene_body, const Region& region) {
-  constexpr double kTolerance = 1e-9;  // of the body's size
   const Pose pose = pose_of(scene.bodies[static_cast<std::size_t>(scene_body)]);
-  Eigen::AlignedBox3d bounds;
-  for_each_node(start, scene_body, [&](NodeId node) { bounds.extend(start.nodes.rest_positions[node]); });
-  std::set<int> nodes;
+  std::vector<Vec3> places;
+  std::vector<int> numbers;
   for_each_node(start, scene_body, [&](NodeId node) {
-    const int point = start.nodes.points[node];
-    if (contains(region, pose.to_local(start.nodes.rest_positions[node]), point, kTolerance * bounds.diagonal().norm()))
-      nodes.insert(point);
+    places.push_back(pose.to_local(start.nodes.rest_positions[node]));
+    numbers.push_back(start.nodes.points[node]);
   });
+  const std::vector<std::uint8_t> inside = nodes_in(region, places, numbers);
+  std::set<int> nodes;
+  for (std::size_t i = 0; i < inside.size(); ++i)
+    if (inside[i]) nodes.insert(numbers[i]);
   return nodes;
 }
 
 std::optional<Vec3> place_on_body(const Frame& start, int scene_body, const ViewRay& ray) {
-  double nearest = std::numeric_limits<double>::infinity();
-  bool hits_body = false;
-  for_each_surface_face(start, [&](std::size_t tet, const std::array<NodeId, 3>& corners) {
-    const auto place = [&](int i) { return start.nodes.positions[corners[i]]; };
-    const std::optional<double> t = triangle_hit(ray.origin, ray.direction, place(0), place(1), place(2));
-    if (!t || *t >= nearest) return;
-    nearest = *t;
-    hits_body = scene_body_of(start, tet) == scene_body;
-  });
-  return hits_body ? std::optional<Vec3>(ray.origin + nearest * ray.direction) : std::nullopt;
+  const std::optional<SurfaceHit> hit = first_surface_hit(start, ray.origin, ray.direction);
+  if (!hit || scene_body_of(start, hit->tet) != scene_body) return std::nullopt;
+  return ray.origin + hit->distance * ray.direction;
 }
 
 std::set<int> nodes_under_brush(const Frame& start, int scene_body, const Vec3& place, const Vec3& direction,
@@ -90,6 +70,7 @@ std::set<int> nodes_under_brush(const Frame& start, int scene_body, const Vec3& 
 
 std::vector<Vec3> places_of_nodes(const Frame& start, int scene_body, const std::set<int>& nodes) {
   std::vector<Vec3> places;
+  if (nodes.empty()) return places;
   for_each_node(start, scene_body, [&](NodeId node) {
     if (nodes.contains(start.nodes.points[node])) places.push_back(start.nodes.positions[node]);
   });

@@ -9,6 +9,7 @@
 #include "ui/model/entry_choice.h"
 #include "ui/model/entry_place.h"
 #include "ui/model/region_outline.h"
+#include "ui/panels/chosen_region.h"
 #include "ui/panels/view_drawing.h"
 #include "ui/widgets/field_range.h"
 #include "ui/widgets/style.h"
@@ -105,9 +106,7 @@ void let_go(Panel& panel, const GizmoDrag& drag) {
 }
 
 void go_on(Panel& panel, GizmoDrag& drag) {
-  const bool lost = target_of(panel) != drag.entry || panel.history.revision() != drag.revision ||
-                    ImGui::IsKeyPressed(key::kEscape, false);
-  if (lost) drag.cancelled = true;
+  if (gesture_lost(panel, target_of(panel), drag.entry, drag.revision)) drag.cancelled = true;
   if (!drag.cancelled) {
     follow_ray(drag, view_camera(panel).ray(pixel_of(panel, ImGui::GetIO().MousePos)),
                drag_steps(panel, drag.start.position));

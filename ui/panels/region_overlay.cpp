@@ -4,10 +4,10 @@
 #include <string>
 
 #include "sim/scene/body_pose.h"
-#include "ui/model/entry_choice.h"
 #include "ui/model/entry_place.h"
 #include "ui/model/gizmo_geometry.h"
 #include "ui/model/units.h"
+#include "ui/panels/chosen_region.h"
 #include "ui/panels/view_drawing.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -26,15 +26,12 @@ struct ShownRegion {
 };
 
 std::optional<ShownRegion> shown_region(const Panel& panel) {
-  if (panel.input.frame.step != 0) return std::nullopt;
-  const Scene& scene = panel.history.scene();
-  const std::optional<SceneEntry> entry = active_entry(panel.state, scene);
-  if (!entry || !region_of(scene, *entry)) return std::nullopt;
-  const std::optional<int> body = body_of(scene, *entry);
-  if (!body) return std::nullopt;
+  const std::optional<ChosenRegion> chosen = chosen_region(panel);
+  if (!chosen) return std::nullopt;
   const std::optional<RegionDrag>& drag = panel.state.region_drag;
-  const Region& region = drag && !drag->cancelled && drag->entry == *entry ? drag->region : *region_of(scene, *entry);
-  return ShownRegion{*entry, region, pose_of(scene.bodies[static_cast<std::size_t>(*body)])};
+  const bool drags = drag && !drag->cancelled && drag->entry == chosen->entry;
+  return ShownRegion{chosen->entry, drags ? drag->region : chosen->region,
+                     pose_of(panel.history.scene().bodies[static_cast<std::size_t>(chosen->scene_body)])};
 }
 
 /// The grip under the mouse, the nearest to the eye where there are several; nothing where there is none.
@@ -125,9 +122,8 @@ bool drag_region(Panel& panel) {
                         .grabbed = view_camera(panel).ray(pixel_of(panel, mouse))};
   }
   if (!drag) return false;
-  const bool lost = !shown || shown->entry != drag->entry || panel.history.revision() != drag->revision ||
-                    ImGui::IsKeyPressed(key::kEscape, false);
-  if (lost) drag->cancelled = true;
+  const std::optional<SceneEntry> now = shown ? std::optional(shown->entry) : std::nullopt;
+  if (gesture_lost(panel, now, drag->entry, drag->revision)) drag->cancelled = true;
   if (!drag->cancelled) follow_cursor(panel, *drag, shown->pose);
   if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return true;
   let_region_go(panel, *drag);

@@ -4,9 +4,9 @@
 #include <string>
 #include <utility>
 
-#include "ui/model/entry_choice.h"
 #include "ui/model/entry_place.h"
 #include "ui/model/painted_region.h"
+#include "ui/panels/chosen_region.h"
 #include "ui/panels/view_drawing.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -16,24 +16,8 @@ namespace {
 
 constexpr float kBrushRadius = 24;  // design pixels
 
-/// A region that can be painted.
-struct Canvas {
-  SceneEntry entry;
-  int scene_body = 0;
-  Region region;
-};
-
-std::optional<Canvas> canvas_of(const Panel& panel) {
-  if (panel.input.frame.step != 0) return std::nullopt;
-  const Scene& scene = panel.history.scene();
-  const std::optional<SceneEntry> entry = active_entry(panel.state, scene);
-  const std::optional<int> body = entry ? body_of(scene, *entry) : std::nullopt;
-  if (!body || !region_of(scene, *entry)) return std::nullopt;
-  return Canvas{*entry, *body, *region_of(scene, *entry)};
-}
-
 /// Where the brush is put down at a point of the picture; whether the body is there.
-bool put_down(const Panel& panel, const Canvas& canvas, RegionStroke& stroke, const Vec2& pixel) {
+bool put_down(const Panel& panel, const ChosenRegion& canvas, RegionStroke& stroke, const Vec2& pixel) {
   const Frame& frame = panel.input.frame;
   const ViewCamera camera = view_camera(panel);
   const ViewRay ray = camera.ray(pixel);
@@ -52,7 +36,7 @@ bool put_down(const Panel& panel, const Canvas& canvas, RegionStroke& stroke, co
 }
 
 /// Begins a stroke where the button went down on the body.
-void begin_stroke(Panel& panel, const Canvas& canvas) {
+void begin_stroke(Panel& panel, const ChosenRegion& canvas) {
   RegionStroke stroke{
       .entry = canvas.entry,
       .revision = panel.history.revision(),
@@ -63,7 +47,7 @@ void begin_stroke(Panel& panel, const Canvas& canvas) {
 }
 
 /// Puts the brush down along the way of the mouse, so densely that there are no gaps.
-void follow_mouse(const Panel& panel, const Canvas& canvas, RegionStroke& stroke) {
+void follow_mouse(const Panel& panel, const ChosenRegion& canvas, RegionStroke& stroke) {
   const Vec2 from = stroke.last, to = pixel_of(panel, ImGui::GetIO().MousePos);
   const int places = static_cast<int>(std::ceil((to - from).norm() / (kBrushRadius * ui_scale(panel))));
   for (int i = 1; i <= places; ++i) put_down(panel, canvas, stroke, from + (to - from) * i / places);
@@ -89,14 +73,13 @@ void draw_node(const Panel& panel, ImDrawList* list, const Vec3& place) {
 
 bool paint_region(Panel& panel) {
   std::optional<RegionStroke>& stroke = panel.state.region_stroke;
-  const std::optional<Canvas> canvas = canvas_of(panel);
+  const std::optional<ChosenRegion> canvas = chosen_region(panel);
   if (!stroke && panel.state.paint_regions && canvas && ImGui::IsItemActivated() &&
       ImGui::IsMouseClicked(ImGuiMouseButton_Left))
     begin_stroke(panel, *canvas);
   if (!stroke) return false;
-  if (!canvas || canvas->entry != stroke->entry || panel.history.revision() != stroke->revision ||
-      ImGui::IsKeyPressed(key::kEscape, false))
-    stroke->cancelled = true;
+  const std::optional<SceneEntry> now = canvas ? std::optional(canvas->entry) : std::nullopt;
+  if (gesture_lost(panel, now, stroke->entry, stroke->revision)) stroke->cancelled = true;
   if (!stroke->cancelled) follow_mouse(panel, *canvas, *stroke);
   if (ImGui::IsMouseDown(ImGuiMouseButton_Left)) return true;
   end_stroke(panel, *stroke);
@@ -105,7 +88,7 @@ bool paint_region(Panel& panel) {
 }
 
 void draw_painted_region(Panel& panel) {
-  const std::optional<Canvas> canvas = canvas_of(panel);
+  const std::optional<ChosenRegion> canvas = chosen_region(panel);
   if (!canvas) return;
   const std::optional<RegionStroke>& stroke = panel.state.region_stroke;
   const auto* list = std::get_if<NodeListRegion>(&canvas->region);
