@@ -201,13 +201,12 @@ class ContactWorld {
   struct Encounter {
     ProxyId a, b;
     double approach = 0;  ///< the fastest that they come together [m/s]
+    double time = 0;      ///< free flight that is left to them: up to `tolerance` before they touch [s]
   };
-  /// Pairs that, moving freely for `dt`, would meet with an approach speed above `minimum_speed` [m/s] that could hurt
-  /// one of them, each once. On the safe side: an object that turns counts as if all of it moved with its fastest
-  /// point. Pairs that touch already count if they approach that fast.
-  std::vector<Encounter> expected_impacts(double dt, double minimum_speed) const;
-  /// How long there are none of these, 0..`maximum`, to within `tolerance` [s].
-  double time_before_impact(double maximum, double minimum_speed, double tolerance) const;
+  /// Pairs that, moving and turning freely for `dt`, would meet with an approach speed above `minimum_speed` [m/s] that
+  /// could hurt one of them, each once. On the safe side: of all corners that may get as far. Pairs that touch already,
+  /// or may within `tolerance` [s], count as meeting now.
+  std::vector<Encounter> expected_impacts(double dt, double minimum_speed, double tolerance) const;
 
   /// A hash of what is kept from one substep to the next: impulses at contacts, allowed overlaps, who lies still.
   std::uint64_t memory_hash() const;

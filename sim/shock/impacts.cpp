@@ -18,8 +18,6 @@ constexpr int kRounds = 4;
 constexpr double kReachOfCracks = 0.25;
 /// Candidates are listed for about so many microsteps, within an edge length.
 constexpr double kMicrostepsOfCandidates = 24;
-/// Slower approaches are rounding [m/s].
-constexpr double kNegligibleSpeed = 1e-9;
 
 std::array<int, 3> nodes_of(const Solid& solid, const SurfaceSide& side) {
   std::array<int, 3> nodes{};
@@ -44,6 +42,8 @@ std::array<double, 3> nearest_weights(const Vec3& p, const Vec3& a, const Vec3& 
   const double sum = va + vb + vc;
   return {va / sum, vb / sum, vc / sum};
 }
+
+int body_at(const Solid& solid, int node) { return solid.body_of_slot(solid.star(node).front() / 4); }
 
 /// How high the tet behind a side is over it, undeformed [m].
 double height_behind(const Solid& solid, const SurfaceSide& side) {
@@ -141,9 +141,7 @@ void Impacts::list_near_part(const Solid& solid, const Obstacle& obstacle, int p
   }
 }
 
-const SurfaceLaw& Impacts::surface_at(const Solid& solid, int node) const {
-  return surfaces_[solid.body_of_slot(solid.star(node).front() / 4)];
-}
+const SurfaceLaw& Impacts::surface_at(const Solid& solid, int node) const { return surfaces_[body_at(solid, node)]; }
 
 /// Nodes near sides of other bodies, by a sweep along x.
 void Impacts::list_pairs(const Solid& solid) {
@@ -228,6 +226,7 @@ void Impacts::touch_convex(const Solid& solid, int index) {
   const Obstacle& obstacle = obstacles_[index];
   Candidates& candidates = candidates_[index];
   const Pose& pose = obstacle.state.pose;
+  const std::size_t first_touch = touches_.size();
   for (PartAndNode& near : candidates.nodes) {
     if (is_clear(near)) continue;
     const Vec3 place = solid.position(near.node);
@@ -256,12 +255,41 @@ void Impacts::touch_convex(const Solid& solid, int index) {
     if (shallowest) touches_.push_back(*shallowest);
     first = at;
   }
+  drop_clamps(solid, first_touch);
+}
+
+/// Of touches with one other thing, those from `first` on: what has got through a body is behind sides that look away
+/// from each other. Both would be held, and whatever vibrates between them pressed ever tighter: it goes out the
+/// shorter way alone.
+void Impacts::drop_clamps(const Solid& solid, std::size_t first) {
+  constexpr double kOpposite = -0.5;  // cosine
+  const auto clamp = [&](const Touch& a, const Touch& b) {
+    return a.normal.dot(b.normal) < kOpposite && (b.place - a.place).dot(a.normal) < 0 &&
+           body_at(solid, a.nodes[0]) == body_at(solid, b.nodes[0]);
+  };
+  const std::span<Touch> found = std::span(touches_).subspan(first);
+  if (found.size() < 2) return;
+  std::vector<std::uint8_t> dropped(found.size(), 0);
+  for (std::size_t a = 0; a < found.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if (clamp(found[a], found[b])) dropped[found[a].depth > found[b].depth ? a : b] = 1;
+  std::size_t kept = first;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (dropped[i] == 0) touches_[kept++] = found[i];
+  touches_.resize(kept);
 }
 
 /// Each node against the side of another body that it lies behind least deep.
 void Impacts::touch_bodies(const Solid& solid) {
+  std::size_t first_touch = touches_.size();  ///< of one body
+  int body = -1;
   for (auto at = pairs_.begin(); at != pairs_.end();) {
     const int node = at->node;
+    if (body_at(solid, node) != body) {
+      drop_clamps(solid, first_touch);
+      first_touch = touches_.size();
+      body = body_at(solid, node);
+    }
     const Vec3 place = solid.position(node);
     std::optional<Touch> shallowest;
     for (; at != pairs_.end() && at->node == node; ++at) {
@@ -273,6 +301,7 @@ void Impacts::touch_bodies(const Solid& solid) {
     }
     if (shallowest) touches_.push_back(*shallowest);
   }
+  drop_clamps(solid, first_touch);
 }
 
 void Impacts::find_touches(const Solid& solid) {
@@ -283,78 +312,6 @@ void Impacts::find_touches(const Solid& solid) {
   order_.resize(touches_.size());
   std::iota(order_.begin(), order_.end(), 0);
   std::ranges::stable_sort(order_, std::ranges::greater(), [&](int index) { return touches_[index].depth; });
-}
-
-Vec3 Impacts::approach_of(const Solid& solid, const Touch& touch) const {
-  Vec3 velocity =
-      touch.obstacle >= 0 ? obstacles_[touch.obstacle].velocity_at(touch.place) : solid.velocity(touch.other_node);
-  for (int i = 0; i < touch.count; ++i) velocity -= touch.weights[i] * solid.velocity(touch.nodes[i]);
-  return velocity;
-}
-
-double Impacts::mobility_of(const Solid& solid, const Touch& touch, const Vec3& direction) const {
-  double sum = touch.obstacle >= 0 ? obstacles_[touch.obstacle].mobility(touch.place, direction)
-                                   : solid.mobility(touch.other_node, direction);
-  for (int i = 0; i < touch.count; ++i)
-    sum += touch.weights[i] * touch.weights[i] * solid.mobility(touch.nodes[i], direction);
-  return sum;
-}
-
-double Impacts::friction_of(const Solid& solid, const Touch& touch) const {
-  const double own = surface_at(solid, touch.nodes[0]).friction;
-  const double other =
-      touch.obstacle >= 0 ? obstacles_[touch.obstacle].friction : surface_at(solid, touch.other_node).friction;
-  return std::sqrt(own * other);
-}
-
-void Impacts::act(Solid& solid, const Touch& touch, const Vec3& impulse) {
-  for (int i = 0; i < touch.count; ++i) push_node(solid, touch.nodes[i], touch.weights[i] * impulse);
-  touch.obstacle >= 0 ? obstacles_[touch.obstacle].push(touch.place, -impulse)
-                      : push_node(solid, touch.other_node, -impulse);
-}
-
-void Impacts::take_back(Solid& solid, const Touch& touch, const Vec3& impulse, double time) {
-  const auto shift = [&](int node, const Vec3& fraction) {
-    const double size = fraction.norm();
-    if (size > 0) shift_node(solid, node, time * solid.mobility(node, fraction / size) * fraction);
-  };
-  for (int i = 0; i < touch.count; ++i) shift(touch.nodes[i], touch.weights[i] * impulse);
-  if (touch.obstacle < 0) return shift(touch.other_node, -impulse);
-  Obstacle& obstacle = obstacles_[touch.obstacle];
-  obstacle.state.pose.translation -= time * obstacle.inverse_mass * impulse;
-}
-
-/// A push stops the approach and takes back the overlap, as far as the last motion at that speed made it: forces that
-/// press two surfaces together would else let them creep into each other step by step, and waves lose their energy.
-bool Impacts::push(Solid& solid, Touch& touch, double dt, double min_speed) {
-  const Vec3 velocity = approach_of(solid, touch);
-  const double speed = -velocity.dot(touch.normal);
-  if (speed <= kNegligibleSpeed) return false;
-  const double mobility = mobility_of(solid, touch, touch.normal);
-  if (mobility == 0) return false;
-  Vec3 impulse = -speed / mobility * touch.normal;  // on the solid
-  const Vec3 sliding = velocity + speed * touch.normal;
-  const double slip = sliding.norm();
-  if (slip > 0) {
-    const double stopping = slip / mobility_of(solid, touch, sliding / slip);
-    impulse += std::min(friction_of(solid, touch) * speed / mobility, stopping) / slip * sliding;
-  }
-  act(solid, touch, impulse);
-  Vec3 after = approach_of(solid, touch);
-  // Friction and the levers of light things may turn a push into a gain: then it goes no further than where it takes
-  // most.
-  if (impulse.dot(velocity + after) < 0) {
-    const double fraction = impulse.dot(velocity) / impulse.dot(velocity - after);
-    act(solid, touch, (fraction - 1) * impulse);
-    impulse *= fraction;
-    after = velocity + fraction * (after - velocity);
-  }
-  lost_ += 0.5 * impulse.dot(velocity + after);
-  const double time = std::min(dt, touch.depth / speed);
-  take_back(solid, touch, impulse, time);
-  touch.depth -= time * speed;
-  if (speed > min_speed) blows_.push_back({touch.nodes[0], touch.obstacle, touch.place, touch.normal, impulse, speed});
-  return true;
 }
 
 double Impacts::fastest_of(const Solid& solid) const {

@@ -133,6 +133,7 @@ class Impacts {
   void find_touches(const Solid& solid);
   void touch_sphere(const Solid& solid, int obstacle);
   void touch_convex(const Solid& solid, int obstacle);
+  void drop_clamps(const Solid& solid, std::size_t first);
   void touch_bodies(const Solid& solid);
   /// How far a point is from lying behind a side, no deeper than half the tet there: 0 where it does [m].
   double gap_behind(const Solid& solid, const SurfaceSide& side, const Vec3& point, Touch& touch) const;

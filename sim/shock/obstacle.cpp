@@ -34,6 +34,13 @@ void Obstacle::push(const Vec3& place, const Vec3& impulse) {
   energy_gained += 0.5 * impulse.dot(before + velocity_at(place));
 }
 
+void Obstacle::shift(const Vec3& place, const Vec3& impulse, double time) {
+  if (inverse_mass == 0) return;
+  const Vec3 turn = time * (inverse_inertia_now_ * (place - state.pose.translation).cross(impulse));
+  state.pose.translation += time * inverse_mass * impulse;
+  if (!is_sphere()) state.pose.rotation = (Quat(rotation_by(turn)) * state.pose.rotation).normalized();
+}
+
 double Obstacle::mobility(const Vec3& place, const Vec3& direction) const {
   if (inverse_mass == 0) return 0;
   const Vec3 lever = (place - state.pose.translation).cross(direction);

@@ -33,6 +33,8 @@ struct Obstacle {
     return state.velocity + state.angular_velocity.cross(place - state.pose.translation);
   }
   void push(const Vec3& place, const Vec3& impulse);
+  /// Moves and turns it as far as the change of velocities by that impulse would in `time` [s].
+  void shift(const Vec3& place, const Vec3& impulse, double time);
   /// The velocity change along a unit direction at a place by a unit impulse there [1/kg].
   double mobility(const Vec3& place, const Vec3& direction) const;
   /// Moves it by its velocity, for what it has waited as well: once at least, before it is pushed.

@@ -90,11 +90,10 @@ void step_explicitly(WorldState& world, double time_step) {
 
 /// Up to the next impact, and on: waves and the pace of cracks are not followed.
 void step_implicitly(WorldState& world, double time_step) {
-  const double tolerance = time_step / 512;
-  const double quiet_time = time_before_impact(world, time_step, tolerance);
+  const double quiet_time = time_before(expected_impacts(world, time_step), time_step);
   world.report.substeps = 0;
   for (const double dt : {quiet_time, time_step - quiet_time}) {
-    if (dt < tolerance) continue;
+    if (dt < impact_tolerance(world)) continue;
     substep(world, dt);
     ++world.report.substeps;
   }

@@ -5,6 +5,7 @@
 #include "crack_area.h"
 #include "scenes.h"
 #include "sim/core/parallel.h"
+#include "sim/scene/scene_reader.h"
 #include "sim/world/world.h"
 
 namespace griffith {
@@ -122,6 +123,15 @@ TEST(Hybrid, AWallThatTearsOffItsFootBreaksAsInExplicitSteps) {
   }
   EXPECT_GT(hybrid, 0.7 * explicitly);
   EXPECT_LT(hybrid, 1.3 * explicitly);
+}
+
+TEST(Hybrid, DebrisThatSpinsBesideTheGroundCutsNoStepToPieces) {
+  World world(read_scene(std::string(GRIFFITH_SOURCE_DIR) + "/scenes/vase_shot.json"));
+  for (int step = 0; step < 110; ++step) {
+    world.step();
+    EXPECT_LE(world.frame().report.substeps, 16) << step;
+  }
+  EXPECT_GT(world.frame().bodies.size(), 300u);
 }
 
 TEST(Hybrid, SlowBlowsAndRestNeedNoMicrosteps) {

@@ -105,8 +105,8 @@ TEST(SleepingSnapshot, WakesAsTheWorldDoes) {
   for (const char* name : {"block_stack", "wall_small"}) {
     const Scene scene = read_scene(std::string(GRIFFITH_SOURCE_DIR) + "/scenes/" + name + ".json");
     World world(scene);
-    while (world.frame().report.sleeping_bodies < 3 && world.frame().step < 600) world.step();
-    ASSERT_GE(world.frame().report.sleeping_bodies, 3) << name;
+    while (world.frame().report.sleeping_bodies < 2 && world.frame().step < 600) world.step();
+    ASSERT_GE(world.frame().report.sleeping_bodies, 2) << name;
     World copy = world;
     const World copy_of_copy = copy;
     const int step = static_cast<int>(world.frame().step);

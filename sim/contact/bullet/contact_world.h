@@ -6,6 +6,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -63,6 +64,9 @@ struct Object {
 
   bool is_free() const { return body && mobility == Mobility::free; }
   bool moves() const { return is_free() && !asleep; }
+  bool is_sphere() const {
+    return kind != Kind::ground && shape.parts.front()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
+  }
   /// Speed of its fastest point [m/s].
   double speed() const { return state.velocity.norm() + state.angular_velocity.norm() * shape.radius; }
   /// Whether impulses change its velocities in the present solve.
@@ -224,9 +228,9 @@ struct ContactWorld::Impl : contact::ContactState {
                                         double fraction, double dt, const SweepRule& rule) const;
   Vec3 velocity_at_touch(const contact::Object& projectile, Vec3 velocity, const TouchAhead& touch, const Vec3& center,
                          double dt) const;
-  double striking_speed(std::size_t a, std::size_t b, double dt, double minimum_speed) const;
-  std::vector<ContactWorld::Encounter> expected_impacts(double dt, double minimum_speed) const;
-  double time_before_impact(double maximum, double minimum_speed, double tolerance) const;
+  std::optional<ContactWorld::Encounter> expected_impact(std::size_t first, std::size_t second, double dt,
+                                                         double minimum_speed, double tolerance) const;
+  std::vector<ContactWorld::Encounter> expected_impacts(double dt, double minimum_speed, double tolerance) const;
 
   std::vector<contact::Retired> retired;  ///< deleted with the next detection; they outlive what knows them
   btDefaultCollisionConfiguration configuration;

@@ -35,13 +35,6 @@ PlacedShape placed(const Object& object, std::size_t part, const Vec3& center, d
   return shape;
 }
 
-/// How near to the origin a point comes that is displaced from `start`.
-double nearest_distance(const Vec3& start, const Vec3& displacement) {
-  const double length_squared = displacement.squaredNorm();
-  const double nearest = length_squared > 0 ? std::clamp(-start.dot(displacement) / length_squared, 0.0, 1.0) : 0;
-  return (start + nearest * displacement).norm();
-}
-
 /// Whether the spheres round the two objects come near enough to touch.
 bool may_touch(const Sweep& sweep, double ground_height) {
   const auto& [a, b, start, displacement, gap] = sweep;
@@ -76,15 +69,6 @@ Pose pose_after(const Object& object, double fraction, double dt) {
     pose.rotation =
         rotated(pose.rotation, fraction * (dt * object.state.angular_velocity + object.correction.rotation));
   return pose;
-}
-
-bool is_sphere(const Object& object) {
-  return object.kind != Kind::ground && object.shape.parts.front()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
-}
-
-/// The fastest that rotation brings a surface point nearer to anything [m/s].
-double turning_speed(const Object& object) {
-  return is_sphere(object) ? 0 : object.state.angular_velocity.norm() * object.shape.radius;
 }
 
 /// Turns a projectile; its angular momentum stays.
@@ -150,7 +134,7 @@ Vec3 ContactWorld::Impl::velocity_after(const Vec3& velocity, const Vec3& displa
 /// Turns a projectile as far as nothing is in its way: with the next detection, contacts stop it there.
 void ContactWorld::Impl::turn_free(Object& object, double dt) {
   constexpr double kLargestTurn = 0.2, kMinTurn = 1e-3;  // [rad]
-  if (is_sphere(object)) {
+  if (object.is_sphere()) {
     turn(object, turn_of(object, dt, 1));
     return place(object);
   }
@@ -240,8 +224,8 @@ double ContactWorld::Impl::allowed_depth(const Object& projectile, const Object&
                             return (&a == &projectile && &b == &other) || (&a == &other && &b == &projectile);
                           });
   if (!yields_now) return kTouchFraction * projectile.shape.radius;
-  return is_sphere(projectile) ? kElasticFraction * projectile.shape.radius
-                               : projectile.shape.parts.front()->getMargin();
+  return projectile.is_sphere() ? kElasticFraction * projectile.shape.radius
+                                : projectile.shape.parts.front()->getMargin();
 }
 
 namespace {
@@ -287,87 +271,6 @@ std::vector<ContactWorld::Impl::TouchAhead> ContactWorld::Impl::touches_ahead(co
   }
   std::ranges::stable_sort(touches, {}, &TouchAhead::fraction);
   return touches;
-}
-
-/// How fast two objects would meet, 0 if they do not, or too slowly to hurt either.
-double ContactWorld::Impl::striking_speed(std::size_t first, std::size_t second, double dt,
-                                          double minimum_speed) const {
-  const Object &a = objects[first], &b = objects[second];
-  const double damage_speed = std::max(minimum_speed, std::min(a.impact_speed, b.impact_speed));
-  const auto velocity = [&](const Object& object) {
-    return object.moves() ? Vec3(object.state.velocity + dt * gravity) : object.state.velocity;
-  };
-  const Vec3 relative = velocity(a) - velocity(b);
-  const double turning = turning_speed(a) + turning_speed(b);
-  if (relative.norm() + turning <= damage_speed) return 0;
-  double fastest = 0;
-  const Sweep sweep{a, b, a.state.pose.translation, dt * relative, dt * turning};
-  for_each_touch(sweep, ground_height, [&](const Touch& touch, std::size_t) {
-    fastest = std::max(fastest, turning - touch.normal.dot(relative));
-  });
-  return fastest > damage_speed ? fastest : 0;
-}
-
-/// Sorts the swept extents along x and looks at those that overlap, where at least one object is fast enough.
-std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double dt, double minimum_speed) const {
-  struct Extent {
-    std::size_t object;
-    Eigen::AlignedBox3d box;
-    bool fast;
-  };
-  std::vector<Extent> extents;
-  std::vector<Encounter> found;
-  const auto look = [&](std::size_t a, std::size_t b) {
-    const double speed = striking_speed(a, b, dt, minimum_speed);
-    if (speed > 0)
-      found.push_back({ProxyId(static_cast<std::int64_t>(a)), ProxyId(static_cast<std::int64_t>(b)), speed});
-  };
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    const Object& object = objects[i];
-    if (!object.body) continue;
-    if (object.kind == Kind::ground) {
-      for (std::size_t j = 0; j < objects.size(); ++j)
-        if (objects[j].moves()) look(j, i);
-      continue;
-    }
-    const double speed = (object.state.velocity + dt * gravity).norm() + turning_speed(object);
-    const Vec3 center = object.state.pose.translation, reach = Vec3::Constant(object.shape.radius + dt * speed);
-    extents.push_back({i, {center - reach, center + reach}, speed > minimum_speed / 2});
-  }
-  std::stable_sort(extents.begin(), extents.end(),
-                   [](auto& left, auto& right) { return left.box.min().x() < right.box.min().x(); });
-  for (auto a = extents.begin(); a != extents.end(); ++a)
-    for (auto b = a + 1; b != extents.end() && b->box.min().x() <= a->box.max().x(); ++b) {
-      if ((!a->fast && !b->fast) || !a->box.intersects(b->box)) continue;
-      if (!objects[a->object].moves() && !objects[b->object].moves()) continue;
-      look(a->object, b->object);
-    }
-  return found;
-}
-
-/// By bisection, each time among those alone that meet before the end of the interval.
-double ContactWorld::Impl::time_before_impact(double maximum, double minimum_speed, double tolerance) const {
-  std::vector<Encounter> first = expected_impacts(maximum, minimum_speed);
-  if (first.empty()) return maximum;
-  const auto meet = [&](double time) {
-    return [this, time, minimum_speed](const Encounter& pair) {
-      return striking_speed(pair.a, pair.b, time, minimum_speed) > 0;
-    };
-  };
-  if (std::ranges::any_of(first, meet(tolerance))) return 0;  // debris, mostly
-  double calm = tolerance, struck = maximum;
-  while (struck - calm > tolerance) {
-    const double middle = 0.5 * (calm + struck);
-    std::vector<Encounter> earlier;
-    std::ranges::copy_if(first, std::back_inserter(earlier), meet(middle));
-    if (earlier.empty()) {
-      calm = middle;
-    } else {
-      struck = middle;
-      first = std::move(earlier);
-    }
-  }
-  return calm;
 }
 
 }  // namespace griffith

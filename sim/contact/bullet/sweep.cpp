@@ -77,9 +77,12 @@ bool comes_nearer(const Vec3& displacement, const Vec3& normal) {
   return -normal.dot(displacement) > 1e-9 * displacement.norm();
 }
 
-namespace {
+double nearest_distance(const Vec3& start, const Vec3& displacement) {
+  const double length_squared = displacement.squaredNorm();
+  const double nearest = length_squared > 0 ? std::clamp(-start.dot(displacement) / length_squared, 0.0, 1.0) : 0;
+  return (start + nearest * displacement).norm();
+}
 
-/// Whether the boxes round two convex shapes come as near as `gap` [m] on the way: cheap, and no for most.
 bool boxes_meet(const PlacedShape& moving, const Vec3& displacement, const PlacedShape& other, double gap) {
   btVector3 low, high, other_low, other_high;
   moving.convex->getAabb(moving.transform, low, high);
@@ -91,8 +94,6 @@ bool boxes_meet(const PlacedShape& moving, const Vec3& displacement, const Place
   }
   return true;
 }
-
-}  // namespace
 
 std::optional<Touch> first_touch(PlacedShape moving, const Vec3& displacement, const PlacedShape& other, double gap) {
   constexpr int kMaxAdvances = 32;

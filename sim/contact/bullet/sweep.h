@@ -29,6 +29,12 @@ struct Touch {
   Vec3 normal;      ///< unit, from the other shape to the moving one
 };
 
+/// How near to the origin a point comes that is displaced from `start` [m].
+double nearest_distance(const Vec3& start, const Vec3& displacement);
+
+/// Whether the boxes round two convex shapes come as near as `gap` [m] on the way: cheap, and no for most.
+bool boxes_meet(const PlacedShape& moving, const Vec3& displacement, const PlacedShape& other, double gap);
+
 /// Whether a displacement brings a shape nearer to one that lies against `normal`: more than rounding does.
 bool comes_nearer(const Vec3& displacement, const Vec3& normal);
 

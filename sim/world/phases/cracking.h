@@ -19,6 +19,9 @@ struct Opened {
   std::size_t first_event = 0;
 };
 
+/// Whether crack() would find anything to part at a node: its plane may leave all elements round it on one side.
+bool may_crack(const WorldState& world, NodeId node);
+
 /// Opens the mesh at an overloaded node, across the plane of its separation, or tears it off its support; whether
 /// anything was parted. Elements at the node need their present states.
 bool crack(WorldState& world, NodeId node, Opened& opened);

@@ -6,9 +6,17 @@
 
 namespace griffith {
 
-double time_before_impact(const WorldState& world, double maximum, double tolerance) {
-  return world.contact_world.time_before_impact(maximum, min_impact_speed(world), tolerance);
+std::vector<ContactWorld::Encounter> expected_impacts(const WorldState& world, double duration) {
+  return world.contact_world.expected_impacts(duration, min_impact_speed(world), impact_tolerance(world));
 }
+
+double time_before(const std::vector<ContactWorld::Encounter>& impacts, double maximum) {
+  double time = maximum;
+  for (const ContactWorld::Encounter& impact : impacts) time = std::min(time, impact.time);
+  return time;
+}
+
+double impact_tolerance(const WorldState& world) { return world.model->scene.simulation.time_step / 512; }
 
 // What rests falls by g·dt in every step, and is caught again.
 double min_impact_speed(const WorldState& world) {

@@ -1,11 +1,17 @@
 #pragma once
 
+#include <vector>
+
 #include "sim/world/world_state.h"
 
 namespace griffith {
 
-/// The longest time in which nothing strikes hard enough to hurt, up to `maximum` and within `tolerance` [s].
-double time_before_impact(const WorldState& world, double maximum, double tolerance);
+/// What may strike hard enough to hurt within `duration` [s]; see ContactWorld::expected_impacts().
+std::vector<ContactWorld::Encounter> expected_impacts(const WorldState& world, double duration);
+/// The time until the first of them, `maximum` where there are none [s].
+double time_before(const std::vector<ContactWorld::Encounter>& impacts, double maximum);
+/// What is nearer than this counts as now [s].
+double impact_tolerance(const WorldState& world);
 /// No slower approach is an impact [m/s].
 double min_impact_speed(const WorldState& world);
 

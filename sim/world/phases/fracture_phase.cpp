@@ -110,6 +110,13 @@ void date_open_faces(WorldState& world, const std::vector<TetId>& parted) {
 
 }  // namespace
 
+bool may_crack(const WorldState& world, NodeId node) {
+  const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
+  if (is_remeshed(world, body) || world.nodes.has_support[node] != 0) return true;
+  const auto above = tets_above(world.mesh, world.nodes.positions, node, world.nodes.separations[node].direction);
+  return std::ranges::adjacent_find(above, std::ranges::not_equal_to()) != above.end();
+}
+
 bool crack(WorldState& world, NodeId node, Opened& opened) {
   const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
   const Vec3 normal = world.nodes.separations[node].direction;

@@ -7,6 +7,7 @@
 
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/energy/energy_phase.h"
+#include "sim/world/phases/cracking.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/expected_impacts.h"
 #include "sim/world/phases/motion_phase.h"
@@ -207,15 +208,33 @@ bool yields_now(const WorldState& world, const Body& body, const Body& struck, d
   return body.motion.mass < kMuchHeavier * struck.motion.mass && suits_microsteps(world, body, impact_speed);
 }
 
+/// Whether a body is to enter when it is struck at this speed [m/s].
+bool is_hurt_by(const WorldState& world, BodyId struck, double approach) {
+  return struck.valid() && approach >= damage_speed(world, world.bodies[struck]) &&
+         suits_microsteps(world, world.bodies[struck], approach);
+}
+
+/// Whether a body is to enter for it.
+bool is_blow(const WorldState& world, const ContactWorld::Encounter& impact) {
+  const BodyId first = world.body_of(impact.a), second = world.body_of(impact.b);
+  return !have_just_parted(world, first, second) &&
+         (is_hurt_by(world, first, impact.approach) || is_hurt_by(world, second, impact.approach));
+}
+
+/// What else strikes, debris mostly, is caught by the implicit step.
+double time_before_blow(const WorldState& world, double maximum) {
+  std::vector<ContactWorld::Encounter> blows = expected_impacts(world, maximum);
+  std::erase_if(blows, [&](const auto& impact) { return !is_blow(world, impact); });
+  return time_before(blows, maximum);
+}
+
 /// Lets the bodies enter that something will strike hard enough to hurt within `duration` [s].
 void enter_struck_bodies(WorldState& world, double duration) {
-  const double minimum = min_impact_speed(world);
-  for (const auto& [a, b, approach] : world.contact_world.expected_impacts(duration, minimum)) {
+  for (const auto& [a, b, approach, time] : expected_impacts(world, duration)) {
     const BodyId first = world.body_of(a), second = world.body_of(b);
     if (have_just_parted(world, first, second)) continue;
     for (const auto& [struck, other] : {std::pair(first, second), std::pair(second, first)}) {
-      if (!struck.valid() || approach < damage_speed(world, world.bodies[struck])) continue;
-      if (!suits_microsteps(world, world.bodies[struck], approach)) continue;
+      if (!is_hurt_by(world, struck, approach)) continue;
       enter_shock(world, world.bodies[struck], approach);
       if (other.valid() && yields_now(world, world.bodies[other], world.bodies[struck], approach))
         enter_shock(world, world.bodies[other], approach);
@@ -248,10 +267,9 @@ void cut_shocks_short(WorldState& world) {
 }  // namespace
 
 double next_stretch(WorldState& world, double left) {
-  const double time_step = world.model->scene.simulation.time_step, tolerance = time_step / 512;
   if (!in_shock(world)) {
-    const double calm = time_before_impact(world, left, tolerance);
-    if (calm > tolerance || calm == left) return calm;
+    const double calm = time_before_blow(world, left);
+    if (calm > impact_tolerance(world) || calm == left) return calm;
   }
   if (microsteps_left(world) < 1) {
     cut_shocks_short(world);
@@ -266,7 +284,9 @@ double next_stretch(WorldState& world, double left) {
 void enter_overloaded_bodies(WorldState& world) {
   if (!world.model->scene.simulation.fracture || microsteps_left(world) < 1) return;
   for (Body& body : world.bodies) {
-    const auto is_overloaded = [&](NodeId node) { return world.nodes.separations[node].utilization > 1; };
+    const auto is_overloaded = [&](NodeId node) {
+      return world.nodes.separations[node].utilization > 1 && may_crack(world, node);
+    };
     if (body.sways() && std::ranges::any_of(body.nodes, is_overloaded) && suits_microsteps(world, body, 0))
       enter_shock(world, body, 0);
   }

@@ -1,0 +1,197 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "sim/contact/bullet/contact_world.h"
+#include "sim/contact/bullet/sweep.h"
+#include "sim/core/rotation.h"
+
+namespace griffith {
+
+using namespace contact;
+
+namespace {
+
+/// When and how two convex parts touch.
+struct Meeting {
+  double time = 0;  ///< [s]
+  Separation apart = {};
+};
+
+/// An object in free flight, as a time step of that length would take it: x + t (v + t g), and turning uniformly.
+struct Flight {
+  const Object& object;
+  Vec3 velocity, acceleration, spin;  ///< [m/s], [m/s²], [rad/s]
+
+  Pose pose_after(double time) const {
+    const Pose& start = object.state.pose;
+    return {start.translation + displacement_after(time), Quat(rotation_by(time * spin)) * start.rotation};
+  }
+  Vec3 displacement_after(double time) const { return time * velocity_after(time); }
+  Vec3 velocity_after(double time) const { return velocity + time * acceleration; }
+  /// The fastest that turning moves a point along a unit vector [m/s].
+  double turning_speed(const Vec3& direction) const { return spin.cross(direction).norm() * object.shape.radius; }
+  double turning_speed() const { return spin.norm() * object.shape.radius; }
+};
+
+/// Turning spheres come no nearer to anything.
+Flight flight_of(const Object& object, const Vec3& gravity) {
+  const RigidState& state = object.state;
+  return {object, state.velocity, object.moves() ? gravity : Vec3::Zero(),
+          object.is_sphere() ? Vec3::Zero() : state.angular_velocity};
+}
+
+/// A convex part of an object in flight.
+struct FlyingPart {
+  const Flight& flight;
+  std::size_t index;
+  double ground_height;  ///< of that which has no parts [m]
+
+  PlacedShape shape_after(double time) const {
+    if (flight.object.kind == Kind::ground) return {nullptr, btTransform::getIdentity(), ground_height};
+    return {flight.object.shape.parts[index].get(), to_bullet(flight.pose_after(time)), 0};
+  }
+  /// Points of it that may be the first to strike something: its corners, or where a sphere touches.
+  std::vector<Vec3> striking_points(double time, const Vec3& touched) const {
+    if (flight.object.kind == Kind::ground) return {};
+    if (flight.object.is_sphere()) return {touched};
+    std::vector<Vec3> points;
+    const Pose pose = flight.pose_after(time);
+    for (const btVector3& corner : static_cast<const HullShape&>(*flight.object.shape.parts[index]).corners())
+      points.push_back(pose.to_world(from_bullet(corner)));
+    return points;
+  }
+};
+
+/// The time in which something at this speed and acceleration covers x = t (v + t a), none if it turns back before.
+std::optional<double> time_to_cover(double distance, double speed, double acceleration) {
+  const double square = speed * speed + 4 * acceleration * distance;
+  if (square < 0 || speed + std::sqrt(square) <= 0) return std::nullopt;
+  return 2 * distance / (speed + std::sqrt(square));
+}
+
+/// When a part of one first touches a part of the other within `dt` [s], if it does. Conservative advancement (Mirtich
+/// 1996): no point can cross the plane between them sooner than after an advance. It ends where the next advance would
+/// be shorter than `tolerance` [s].
+std::optional<Meeting> first_meeting(const FlyingPart& part_of_a, const FlyingPart& part_of_b, double dt,
+                                     double tolerance) {
+  constexpr int kMaxAdvances = 64;
+  const Flight &a = part_of_a.flight, &b = part_of_b.flight;
+  Meeting meeting;
+  for (int i = 0; i < kMaxAdvances; ++i) {
+    meeting.apart = separation(part_of_a.shape_after(meeting.time), part_of_b.shape_after(meeting.time));
+    if (meeting.apart.distance <= 0) return meeting;
+    const Vec3& normal = meeting.apart.normal;
+    const double pull = -normal.dot(a.acceleration - b.acceleration);
+    const double speed = a.turning_speed(normal) + b.turning_speed(normal) -
+                         normal.dot(a.velocity_after(meeting.time) - b.velocity_after(meeting.time));
+    const auto advance = time_to_cover(meeting.apart.distance, speed + meeting.time * pull, pull);
+    if (!advance || meeting.time + *advance > dt) return std::nullopt;
+    if (*advance < tolerance) return meeting;
+    meeting.time += *advance;
+  }
+  return meeting;
+}
+
+/// The fastest that corners of two parts strike the other within `dt` [s], from their meeting on: those that get across
+/// the plane between the two in what is left of it.
+double striking_speed(const FlyingPart& part_of_a, const FlyingPart& part_of_b, const Meeting& meeting, double dt) {
+  const Flight &a = part_of_a.flight, &b = part_of_b.flight;
+  const auto& [distance, normal, point_on_b] = meeting.apart;
+  const Vec3 point_on_a = point_on_b + distance * normal;
+  const double left = dt - meeting.time,
+               bend = 0.5 * left * left * (a.spin.norm() * a.turning_speed() + b.spin.norm() * b.turning_speed());
+  double fastest = 0;
+  const auto velocity_at = [&](const Flight& flight, const Vec3& place) {
+    const Vec3 arm = place - flight.object.state.pose.translation - flight.displacement_after(meeting.time);
+    return Vec3(flight.velocity_after(dt) + flight.spin.cross(arm));
+  };
+  const auto strike = [&](const Vec3& place, double height) {
+    const double speed = -normal.dot(velocity_at(a, place) - velocity_at(b, place));
+    if (height - std::max(distance, 0.0) <= left * speed + bend) fastest = std::max(fastest, speed);
+  };
+  for (const Vec3& place : part_of_a.striking_points(meeting.time, point_on_a))
+    strike(place, normal.dot(place - point_on_b));
+  for (const Vec3& place : part_of_b.striking_points(meeting.time, point_on_b))
+    strike(place, normal.dot(point_on_a - place));
+  return fastest;
+}
+
+/// Whether the spheres round two objects come together within `dt` [s], on ways that are off the straight by `slack`.
+bool may_meet(const Flight& a, const Flight& b, double ground_height, double dt, double slack) {
+  const Vec3 start = a.object.state.pose.translation,
+             displacement = a.displacement_after(dt) - b.displacement_after(dt);
+  const double reach = a.object.shape.radius + slack;
+  if (b.object.kind == Kind::ground) return start.y() + std::min(0.0, displacement.y()) <= ground_height + reach;
+  return nearest_distance(start - b.object.state.pose.translation, displacement) <= reach + b.object.shape.radius;
+}
+
+}  // namespace
+
+std::optional<ContactWorld::Encounter> ContactWorld::Impl::expected_impact(std::size_t first, std::size_t second,
+                                                                           double dt, double minimum_speed,
+                                                                           double tolerance) const {
+  const Flight a = flight_of(objects[first], gravity), b = flight_of(objects[second], gravity);
+  const double damage_speed = std::max(minimum_speed, std::min(a.object.impact_speed, b.object.impact_speed));
+  const Vec3 relative = a.velocity_after(dt) - b.velocity_after(dt), pull = a.acceleration - b.acceleration;
+  const double turning = a.turning_speed() + b.turning_speed(), slack = 0.25 * dt * dt * pull.norm();
+  if (relative.norm() + dt * pull.norm() + turning <= damage_speed || !may_meet(a, b, ground_height, dt, slack))
+    return std::nullopt;
+  std::optional<Encounter> impact;
+  const std::size_t b_parts = b.object.kind == Kind::ground ? 1 : b.object.shape.parts.size();
+  for (std::size_t i = 0; i < a.object.shape.parts.size(); ++i)
+    for (std::size_t j = 0; j < b_parts; ++j) {
+      const FlyingPart part_of_a{a, i, ground_height}, part_of_b{b, j, ground_height};
+      const PlacedShape moving = part_of_a.shape_after(0), other = part_of_b.shape_after(0);
+      if (other.convex && !boxes_meet(moving, dt * relative, other, dt * turning + slack)) continue;
+      const auto meeting = first_meeting(part_of_a, part_of_b, dt, tolerance);
+      if (!meeting) continue;
+      const double approach = striking_speed(part_of_a, part_of_b, *meeting, dt);
+      if (approach <= damage_speed) continue;
+      if (!impact)
+        impact = {ProxyId(static_cast<std::int64_t>(first)), ProxyId(static_cast<std::int64_t>(second)), 0, dt};
+      impact->approach = std::max(impact->approach, approach);
+      impact->time = std::min(impact->time, std::max(0.0, meeting->time - tolerance));
+    }
+  return impact;
+}
+
+/// Sorts the swept extents along x and looks at those that overlap, where at least one object is fast enough.
+std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double dt, double minimum_speed,
+                                                                          double tolerance) const {
+  struct Extent {
+    std::size_t object;
+    Eigen::AlignedBox3d box;
+    bool fast;
+  };
+  std::vector<Extent> extents;
+  std::vector<Encounter> found;
+  const auto look = [&](std::size_t a, std::size_t b) {
+    if (const auto impact = expected_impact(a, b, dt, minimum_speed, tolerance)) found.push_back(*impact);
+  };
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const Object& object = objects[i];
+    if (!object.body) continue;
+    if (object.kind == Kind::ground) {
+      for (std::size_t j = 0; j < objects.size(); ++j)
+        if (objects[j].moves()) look(j, i);
+      continue;
+    }
+    const Flight flight = flight_of(object, gravity);
+    const double speed = flight.velocity.norm() + dt * flight.acceleration.norm() + flight.turning_speed();
+    const Vec3 center = object.state.pose.translation, reach = Vec3::Constant(object.shape.radius + dt * speed);
+    extents.push_back({i, {center - reach, center + reach}, speed > minimum_speed / 2});
+  }
+  std::stable_sort(extents.begin(), extents.end(),
+                   [](auto& left, auto& right) { return left.box.min().x() < right.box.min().x(); });
+  for (auto a = extents.begin(); a != extents.end(); ++a)
+    for (auto b = a + 1; b != extents.end() && b->box.min().x() <= a->box.max().x(); ++b) {
+      if ((!a->fast && !b->fast) || !a->box.intersects(b->box)) continue;
+      if (!objects[a->object].moves() && !objects[b->object].moves()) continue;
+      look(a->object, b->object);
+    }
+  return found;
+}
+
+}  // namespace griffith

@@ -1,0 +1,129 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sim/shock/impacts.h"
+
+namespace griffith::shock {
+namespace {
+
+/// Slower approaches are rounding [m/s].
+constexpr double kNegligibleSpeed = 1e-9;
+
+Vec3 force_on(const Solid& solid, int node) { return solid.acceleration(node) / solid.node(node).inverse_mass; }
+
+}  // namespace
+
+Vec3 Impacts::approach_of(const Solid& solid, const Touch& touch) const {
+  Vec3 velocity =
+      touch.obstacle >= 0 ? obstacles_[touch.obstacle].velocity_at(touch.place) : solid.velocity(touch.other_node);
+  for (int i = 0; i < touch.count; ++i) velocity -= touch.weights[i] * solid.velocity(touch.nodes[i]);
+  return velocity;
+}
+
+double Impacts::mobility_of(const Solid& solid, const Touch& touch, const Vec3& direction) const {
+  double sum = touch.obstacle >= 0 ? obstacles_[touch.obstacle].mobility(touch.place, direction)
+                                   : solid.mobility(touch.other_node, direction);
+  for (int i = 0; i < touch.count; ++i)
+    sum += touch.weights[i] * touch.weights[i] * solid.mobility(touch.nodes[i], direction);
+  return sum;
+}
+
+double Impacts::friction_of(const Solid& solid, const Touch& touch) const {
+  const double own = surface_at(solid, touch.nodes[0]).friction;
+  const double other =
+      touch.obstacle >= 0 ? obstacles_[touch.obstacle].friction : surface_at(solid, touch.other_node).friction;
+  return std::sqrt(own * other);
+}
+
+void Impacts::act(Solid& solid, const Touch& touch, const Vec3& impulse) {
+  for (int i = 0; i < touch.count; ++i) push_node(solid, touch.nodes[i], touch.weights[i] * impulse);
+  touch.obstacle >= 0 ? obstacles_[touch.obstacle].push(touch.place, -impulse)
+                      : push_node(solid, touch.other_node, -impulse);
+}
+
+void Impacts::take_back(Solid& solid, const Touch& touch, const Vec3& impulse, double time) {
+  const auto shift = [&](int node, const Vec3& fraction) {
+    const double size = fraction.norm();
+    if (size > 0) shift_node(solid, node, time * solid.mobility(node, fraction / size) * fraction);
+  };
+  for (int i = 0; i < touch.count; ++i) shift(touch.nodes[i], touch.weights[i] * impulse);
+  touch.obstacle >= 0 ? obstacles_[touch.obstacle].shift(touch.place, -impulse, time)
+                      : shift(touch.other_node, -impulse);
+}
+
+/// A push stops the approach and takes back the overlap, as far as the last motion at that speed made it: forces that
+/// press two surfaces together would else let them creep into each other step by step, and waves lose their energy.
+bool Impacts::push(Solid& solid, Touch& touch, double dt, double min_speed) {
+  const Vec3 velocity = approach_of(solid, touch);
+  const double speed = -velocity.dot(touch.normal);
+  if (speed <= kNegligibleSpeed) return false;
+  const double mobility = mobility_of(solid, touch, touch.normal);
+  if (mobility == 0) return false;
+  Vec3 impulse = -speed / mobility * touch.normal;  // on the solid
+  const Vec3 sliding = velocity + speed * touch.normal;
+  const double slip = sliding.norm();
+  if (slip > 0) {
+    const double stopping = slip / mobility_of(solid, touch, sliding / slip);
+    impulse += std::min(friction_of(solid, touch) * speed / mobility, stopping) / slip * sliding;
+  }
+  act(solid, touch, impulse);
+  Vec3 after = approach_of(solid, touch);
+  // Friction and the levers of light things may turn a push into a gain: then it goes no further than where it takes
+  // most.
+  if (impulse.dot(velocity + after) < 0) {
+    const double fraction = impulse.dot(velocity) / impulse.dot(velocity - after);
+    act(solid, touch, (fraction - 1) * impulse);
+    impulse *= fraction;
+    after = velocity + fraction * (after - velocity);
+  }
+  lost_ += 0.5 * impulse.dot(velocity + after);
+  const double time = std::min(dt, touch.depth / speed);
+  take_back(solid, touch, impulse, time);
+  touch.depth -= time * speed;
+  if (speed > min_speed) blows_.push_back({touch.nodes[0], touch.obstacle, touch.place, touch.normal, impulse, speed});
+  return true;
+}
+
+Impacts::Pushed& Impacts::pushed(const Solid& solid, int node) {
+  if (pushed_at_.size() < static_cast<std::size_t>(solid.node_count())) pushed_at_.resize(solid.node_count(), -1);
+  if (pushed_at_[node] < 0) {
+    pushed_at_[node] = static_cast<int>(pushed_.size());
+    pushed_.push_back({node});
+  }
+  return pushed_[pushed_at_[node]];
+}
+
+void Impacts::push_node(Solid& solid, int node, const Vec3& impulse) {
+  const Vec3 before = solid.velocity(node);
+  solid.push(node, impulse);
+  pushed(solid, node).change += solid.velocity(node) - before;
+}
+
+void Impacts::shift_node(Solid& solid, int node, const Vec3& displacement) {
+  solid.shift(node, displacement);
+  pushed(solid, node).displacement += displacement;
+}
+
+/// The forces of a microstep worked at the mean of the velocities before and after them. Their work over the way that a
+/// node really went is that less their work over what its velocities say beyond its way: half of what pushes changed
+/// after the last motion, and half of what was taken back of the next.
+void Impacts::record_pushed(const Solid& solid) {
+  for (const Pushed& pushed : pushed_)
+    if (!pushed.displacement.isZero(0)) lost_ += 0.5 * force_on(solid, pushed.node).dot(pushed.displacement);
+}
+
+void Impacts::settle_pushed(const Solid& solid, double dt) {
+  for (const Pushed& pushed : pushed_) {
+    const Vec3 beside = dt * pushed.change - pushed.displacement;
+    if (!beside.isZero(0)) lost_ -= 0.5 * force_on(solid, pushed.node).dot(beside);
+    pushed_at_[pushed.node] = -1;
+  }
+  pushed_.clear();
+}
+
+double Impacts::lost(const Solid& solid, double dt) {
+  settle_pushed(solid, dt);
+  return lost_;
+}
+
+}  // namespace griffith::shock
