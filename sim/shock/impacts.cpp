@@ -281,7 +281,7 @@ void Impacts::drop_clamps(const Solid& solid, std::size_t first) {
 
 /// Each node against the side of another body that it lies behind least deep.
 void Impacts::touch_bodies(const Solid& solid) {
-  std::size_t first_touch = touches_.size();  ///< of one body
+  std::size_t first_touch = touches_.size();  // of one body
   int body = -1;
   for (auto at = pairs_.begin(); at != pairs_.end();) {
     const int node = at->node;

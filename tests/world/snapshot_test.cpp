@@ -102,11 +102,11 @@ TEST(SnapshotViews, ShowTheCopysOwnBodies) {
 
 /// Contacts among sleepers, which nobody looks at, are part of a copy: it shows when they wake.
 TEST(SleepingSnapshot, WakesAsTheWorldDoes) {
-  for (const char* name : {"block_stack", "wall_small"}) {
+  for (const char* name : {"block_stack", "walls_4"}) {
     const Scene scene = read_scene(std::string(GRIFFITH_SOURCE_DIR) + "/scenes/" + name + ".json");
     World world(scene);
-    while (world.frame().report.sleeping_bodies < 2 && world.frame().step < 600) world.step();
-    ASSERT_GE(world.frame().report.sleeping_bodies, 2) << name;
+    while (world.frame().report.sleeping_bodies < 3 && world.frame().step < 600) world.step();
+    ASSERT_GE(world.frame().report.sleeping_bodies, 3) << name;
     World copy = world;
     const World copy_of_copy = copy;
     const int step = static_cast<int>(world.frame().step);

@@ -67,11 +67,19 @@ struct Object {
   bool is_sphere() const {
     return kind != Kind::ground && shape.parts.front()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
   }
+  /// Of its convex parts; the ground counts as one.
+  std::size_t part_count() const { return kind == Kind::ground ? 1 : shape.parts.size(); }
   /// Speed of its fastest point [m/s].
   double speed() const { return state.velocity.norm() + state.angular_velocity.norm() * shape.radius; }
   /// Whether impulses change its velocities in the present solve.
   bool responds() const { return elastic || moves(); }
 };
+
+/// A convex part of an object where the object lies there, or the ground.
+PlacedShape placed(const Object& object, std::size_t part, const btTransform& place, double ground_height);
+/// Whether the spheres round two objects come within `gap` [m] of each other while `a` is displaced from `start`.
+bool may_touch(const Object& a, const Vec3& start, const Vec3& displacement, const Object& b, double gap,
+               double ground_height);
 
 /// Whether a point of an object of this radius has gone farther than `distance` [m] from where it was.
 bool has_left(const Pose& then, const Pose& now, double distance, double radius);

@@ -49,8 +49,7 @@ struct FlyingPart {
   double ground_height;  ///< of that which has no parts [m]
 
   PlacedShape shape_after(double time) const {
-    if (flight.object.kind == Kind::ground) return {nullptr, btTransform::getIdentity(), ground_height};
-    return {flight.object.shape.parts[index].get(), to_bullet(flight.pose_after(time)), 0};
+    return placed(flight.object, index, to_bullet(flight.pose_after(time)), ground_height);
   }
   /// Points of it that may be the first to strike something: its corners, or where a sphere touches.
   std::vector<Vec3> striking_points(double time, const Vec3& touched) const {
@@ -118,15 +117,6 @@ double striking_speed(const FlyingPart& part_of_a, const FlyingPart& part_of_b, 
   return fastest;
 }
 
-/// Whether the spheres round two objects come together within `dt` [s], on ways that are off the straight by `slack`.
-bool may_meet(const Flight& a, const Flight& b, double ground_height, double dt, double slack) {
-  const Vec3 start = a.object.state.pose.translation,
-             displacement = a.displacement_after(dt) - b.displacement_after(dt);
-  const double reach = a.object.shape.radius + slack;
-  if (b.object.kind == Kind::ground) return start.y() + std::min(0.0, displacement.y()) <= ground_height + reach;
-  return nearest_distance(start - b.object.state.pose.translation, displacement) <= reach + b.object.shape.radius;
-}
-
 }  // namespace
 
 std::optional<ContactWorld::Encounter> ContactWorld::Impl::expected_impact(std::size_t first, std::size_t second,
@@ -135,16 +125,17 @@ std::optional<ContactWorld::Encounter> ContactWorld::Impl::expected_impact(std::
   const Flight a = flight_of(objects[first], gravity), b = flight_of(objects[second], gravity);
   const double damage_speed = std::max(minimum_speed, std::min(a.object.impact_speed, b.object.impact_speed));
   const Vec3 relative = a.velocity_after(dt) - b.velocity_after(dt), pull = a.acceleration - b.acceleration;
-  const double turning = a.turning_speed() + b.turning_speed(), slack = 0.25 * dt * dt * pull.norm();
-  if (relative.norm() + dt * pull.norm() + turning <= damage_speed || !may_meet(a, b, ground_height, dt, slack))
+  const double turning = a.turning_speed() + b.turning_speed();
+  if (relative.norm() + dt * pull.norm() + turning <= damage_speed) return std::nullopt;
+  const double bend = 0.25 * dt * dt * pull.norm();  // of their ways, off the straight
+  if (!may_touch(a.object, a.object.state.pose.translation, dt * relative, b.object, bend, ground_height))
     return std::nullopt;
   std::optional<Encounter> impact;
-  const std::size_t b_parts = b.object.kind == Kind::ground ? 1 : b.object.shape.parts.size();
   for (std::size_t i = 0; i < a.object.shape.parts.size(); ++i)
-    for (std::size_t j = 0; j < b_parts; ++j) {
+    for (std::size_t j = 0; j < b.object.part_count(); ++j) {
       const FlyingPart part_of_a{a, i, ground_height}, part_of_b{b, j, ground_height};
       const PlacedShape moving = part_of_a.shape_after(0), other = part_of_b.shape_after(0);
-      if (other.convex && !boxes_meet(moving, dt * relative, other, dt * turning + slack)) continue;
+      if (other.convex && !boxes_meet(moving, dt * relative, other, dt * turning + bend)) continue;
       const auto meeting = first_meeting(part_of_a, part_of_b, dt, tolerance);
       if (!meeting) continue;
       const double approach = striking_speed(part_of_a, part_of_b, *meeting, dt);

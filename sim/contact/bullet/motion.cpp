@@ -12,6 +12,18 @@ namespace griffith {
 
 using namespace contact;
 
+PlacedShape contact::placed(const Object& object, std::size_t part, const btTransform& place, double ground_height) {
+  if (object.kind == Kind::ground) return {nullptr, btTransform::getIdentity(), ground_height};
+  return {object.shape.parts[part].get(), place, 0};
+}
+
+bool contact::may_touch(const Object& a, const Vec3& start, const Vec3& displacement, const Object& b, double gap,
+                        double ground_height) {
+  if (b.kind == Kind::ground)
+    return start.y() + std::min(0.0, displacement.y()) <= ground_height + a.shape.radius + gap;
+  return nearest_distance(start - b.state.pose.translation, displacement) <= a.shape.radius + b.shape.radius + gap;
+}
+
 namespace {
 
 /// Swept projectiles come to rest overlapping by this share of their radius, so that the next detection sees the
@@ -28,31 +40,22 @@ struct Sweep {
   double gap;         ///< that counts as touching [m]
 };
 
-PlacedShape placed(const Object& object, std::size_t part, const Vec3& center, double ground_height) {
-  if (object.kind == Kind::ground) return {nullptr, btTransform::getIdentity(), ground_height};
-  PlacedShape shape{object.shape.parts[part].get(), object.body->getWorldTransform(), 0};
-  shape.transform.setOrigin(to_bullet(center));
-  return shape;
-}
-
-/// Whether the spheres round the two objects come near enough to touch.
-bool may_touch(const Sweep& sweep, double ground_height) {
-  const auto& [a, b, start, displacement, gap] = sweep;
-  if (b.kind == Kind::ground)
-    return start.y() + std::min(0.0, displacement.y()) <= ground_height + a.shape.radius + gap;
-  return nearest_distance(start - b.state.pose.translation, displacement) <= a.shape.radius + b.shape.radius + gap;
+btTransform moved_to(const Object& object, const Vec3& center) {
+  btTransform place = object.body->getWorldTransform();
+  place.setOrigin(to_bullet(center));
+  return place;
 }
 
 /// Calls `use` with the touch of each pair of convex parts that comes near enough, and b's part.
 template <class Use>
 void for_each_touch(const Sweep& sweep, double ground_height, Use use) {
   const auto& [a, b, start, displacement, gap] = sweep;
-  if (!may_touch(sweep, ground_height)) return;
-  const std::size_t b_parts = b.kind == Kind::ground ? 1 : b.shape.parts.size();
+  if (!may_touch(a, start, displacement, b, gap, ground_height)) return;
   for (std::size_t i = 0; i < a.shape.parts.size(); ++i)
-    for (std::size_t j = 0; j < b_parts; ++j) {
-      const PlacedShape other = placed(b, j, b.state.pose.translation, ground_height);
-      if (const auto touch = first_touch(placed(a, i, start, ground_height), displacement, other, gap)) use(*touch, j);
+    for (std::size_t j = 0; j < b.part_count(); ++j) {
+      const PlacedShape other = placed(b, j, moved_to(b, b.state.pose.translation), ground_height);
+      if (const auto touch = first_touch(placed(a, i, moved_to(a, start), ground_height), displacement, other, gap))
+        use(*touch, j);
     }
 }
 
@@ -162,10 +165,11 @@ double ContactWorld::Impl::deepest_overlap(const Object& object) const {
   const Vec3& center = object.state.pose.translation;
   for (const Object& other : objects) {
     if (&other == &object || !other.body || other.kind == Kind::ground) continue;
-    if (!may_touch({object, other, center, Vec3::Zero(), 0}, ground_height)) continue;
+    if (!may_touch(object, center, Vec3::Zero(), other, 0, ground_height)) continue;
     for (std::size_t part = 0; part < other.shape.parts.size(); ++part) {
-      const PlacedShape shape = placed(other, part, other.state.pose.translation, ground_height);
-      deepest = std::max(deepest, -separation(placed(object, 0, center, ground_height), shape).distance);
+      const PlacedShape shape = placed(other, part, moved_to(other, other.state.pose.translation), ground_height);
+      deepest =
+          std::max(deepest, -separation(placed(object, 0, moved_to(object, center), ground_height), shape).distance);
     }
   }
   return deepest;
