@@ -86,6 +86,24 @@ TEST(Outliner, CtrlAndShiftChooseSeveral) {
   EXPECT_THAT(chosen(ui), ElementsAre(tip, foot)) << "a range is counted from where the first one began";
 }
 
+TEST(Outliner, ArrowKeysGoAlongTheListThatWasClicked) {
+  UiDriver ui(full_scene());
+  const SceneEntry side{EntryKind::camera, 1}, front{EntryKind::camera, 0}, foot{EntryKind::probe, 1};
+  ui.press_key(key::kDown);
+  EXPECT_THAT(chosen(ui), ElementsAre(SceneEntry{EntryKind::body, 0})) << "the list has no focus yet";
+  ui.click("probes/1");
+  ui.press_key(key::kDown);
+  EXPECT_THAT(chosen(ui), ElementsAre(front));
+  for (int i = 0; i < 3; ++i) ui.press_key(key::kDown);
+  EXPECT_THAT(chosen(ui), ElementsAre(side)) << "the last one stays";
+  ui.press_key(key::kUp, false, true);
+  ui.press_key(key::kUp, false, true);
+  EXPECT_THAT(chosen(ui), ElementsAre(foot, front, side));
+  ui.press_key(key::kDown, false, true);
+  EXPECT_THAT(chosen(ui), ElementsAre(front, side)) << "a range shrinks as it grew";
+  EXPECT_TRUE(ui.history.entries().empty());
+}
+
 TEST(Outliner, ANameIsTypedInPlaceAndUndone) {
   UiDriver ui(full_scene());
   ui.state.hidden_bodies = {"left"};

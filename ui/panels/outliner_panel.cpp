@@ -78,14 +78,39 @@ std::vector<OutlinerRow> shown_rows(const Panel& panel, std::vector<BodyRow> bod
   return outliner_rows(panel.history.scene(), bodies, filter);
 }
 
+using Rows = std::vector<OutlinerRow>;
+
+void scroll_to(Rows::difference_type row, float line) {
+  const float top = line * static_cast<float>(row), room = ImGui::GetWindowHeight() - line;
+  if (top < ImGui::GetScrollY() || top + line > ImGui::GetScrollY() + room) ImGui::SetScrollY(top - room / 2);
+}
+
 /// Scrolls to the active entry where it was chosen elsewhere: in the view, by an edit, to be renamed.
-void follow_active(Panel& panel, const std::vector<OutlinerRow>& rows, float line) {
+void follow_active(Panel& panel, const Rows& rows, float line) {
   const std::optional<SceneEntry> active = active_entry(panel.state, panel.history.scene());
   if (std::exchange(panel.state.listed_entry, active) == active || panel.state.list_pieces) return;
   const auto row = std::ranges::find(rows, active, [](const OutlinerRow& other) { return std::optional(other.entry); });
-  if (row == rows.end()) return;
-  const float top = line * static_cast<float>(row - rows.begin()), room = ImGui::GetWindowHeight() - line;
-  if (top < ImGui::GetScrollY() || top + line > ImGui::GetScrollY() + room) ImGui::SetScrollY(top - room / 2);
+  if (row != rows.end()) scroll_to(row - rows.begin(), line);
+}
+
+/// The row from which the arrow keys go on: the active one, or the other end of what Shift has chosen.
+Rows::const_iterator row_of_keys(const Panel& panel, const Rows& rows) {
+  if (panel.state.list_pieces)
+    return std::ranges::find_if(rows, [&](const OutlinerRow& row) { return is_chosen(panel, row); });
+  const std::vector<SceneEntry> chosen = chosen_entries(panel.state, panel.history.scene());
+  if (chosen.empty()) return rows.end();
+  return std::ranges::find(rows, ImGui::GetIO().KeyShift ? chosen.front() : chosen.back(), &OutlinerRow::entry);
+}
+
+/// Up and Down choose the row beside, with Shift all the way to it, while the list has the focus.
+void choose_by_keys(Panel& panel, const Rows& rows, float line) {
+  const int direction = ImGui::IsKeyPressed(key::kDown) - ImGui::IsKeyPressed(key::kUp);
+  if (direction == 0 || rows.empty() || !ImGui::IsWindowFocused() || ImGui::GetIO().WantTextInput) return;
+  const auto now = row_of_keys(panel, rows);
+  const auto last = std::ssize(rows) - 1;
+  const auto next = now == rows.end() ? 0 : std::clamp<Rows::difference_type>(now - rows.begin() + direction, 0, last);
+  choose_row(panel, rows, rows[static_cast<std::size_t>(next)]);
+  scroll_to(next, line);
 }
 
 void draw_table(Panel& panel, std::vector<BodyRow> bodies, std::size_t lines) {
@@ -95,7 +120,8 @@ void draw_table(Panel& panel, std::vector<BodyRow> bodies, std::size_t lines) {
   if (!ImGui::BeginTable("##outliner", 6, kFlags, {0, height + 4 * ui_scale(panel)})) return;
   begin_columns(panel, bodies);
   apply_sorting(bodies);
-  const std::vector<OutlinerRow> rows = shown_rows(panel, std::move(bodies));
+  const Rows rows = shown_rows(panel, std::move(bodies));
+  choose_by_keys(panel, rows, line);
   follow_active(panel, rows, line);
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(rows.size()));

@@ -25,6 +25,8 @@ void begin_renaming(Panel& panel, const SceneEntry& entry) {
   if (has_name(entry.kind)) issue(panel, {.id = CommandId::rename});
 }
 
+}  // namespace
+
 void choose_row(Panel& panel, const std::vector<OutlinerRow>& rows, const OutlinerRow& row) {
   const Scene& scene = panel.history.scene();
   if (row.body.piece.valid()) return choose_piece(panel, row);
@@ -47,6 +49,8 @@ bool is_chosen(const Panel& panel, const OutlinerRow& row) {
   const Selection& selection = panel.state.selection;
   return selection.valid() && panel.input.frame.elements.bodies[selection.tet] == row.body.piece;
 }
+
+namespace {
 
 ImU32 state_color(const BodyRow& row) {
   return row.elastic > 0 ? palette::kAccent : row.rigid > 0 ? palette::kText : palette::kTextDim;

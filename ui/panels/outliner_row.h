@@ -12,6 +12,10 @@ namespace griffith::ui {
 /// listed, over which Shift chooses.
 void draw_outliner_row(Panel& panel, const std::vector<OutlinerRow>& rows, const OutlinerRow& row);
 
+/// Chooses a row as a click on it does: with Ctrl besides the others, with Shift all from the active one.
+void choose_row(Panel& panel, const std::vector<OutlinerRow>& rows, const OutlinerRow& row);
+bool is_chosen(const Panel& panel, const OutlinerRow& row);
+
 /// "17.1 t".
 std::string mass_text(double mass);
 
