@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -16,11 +17,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 6> kPhases = {"step", "contact", "elasticity", "shock", "separation", "fracture"};
+constexpr std::array<const char*, 7> kPhases = {"step",       "contact",  "elasticity", "shock",
+                                                "separation", "fracture", "processor"};
 
-std::array<double, 6> phase_times(const StepTimings& t) {
-  return {t.step, t.contact, t.elasticity, t.shock, t.separation, t.fracture};
-}
+/// Milliseconds of processor time that all threads have taken so far.
+double processor_milliseconds() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 struct TimeSummary {
   double median = 0, p99 = 0, max = 0, total = 0;
@@ -72,7 +73,10 @@ void add_energy(Json& json, const EnergyAccount& energy) {
 }  // namespace
 
 RunStatistics::RunStatistics(const Frame& start, double time_step, int threads)
-    : time_step_(time_step), threads_(threads), initial_mass_(mass_of_bodies(start)) {
+    : time_step_(time_step),
+      threads_(threads),
+      initial_mass_(mass_of_bodies(start)),
+      processor_(processor_milliseconds()) {
   total_.substeps = 0;
 }
 
@@ -84,8 +88,12 @@ void RunStatistics::add(const Frame& frame) {
     ++scaled.impacts;
     if (body.scaled->factor < scaled.slowest.factor) scaled = {frame.step, scaled.impacts, *body.scaled};
   }
-  const std::array<double, 6> times = phase_times(frame.report.milliseconds);
+  const double processor = processor_milliseconds();
+  const StepTimings& t = frame.report.milliseconds;
+  const std::array<double, 7> times = {t.step,       t.contact,  t.elasticity,          t.shock,
+                                       t.separation, t.fracture, processor - processor_};
   for (std::size_t i = 0; i < times.size(); ++i) milliseconds_[i].push_back(times[i]);
+  processor_ = processor;
 }
 
 std::string RunStatistics::json(const Frame& frame, std::uint64_t state_hash) const {

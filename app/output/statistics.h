@@ -21,10 +21,11 @@ class RunStatistics {
   void add(const Frame& frame);
 
   /// One JSON object. `energy` is the account since the start: energy_entries() by their keys, `unaccounted`, `put_in`
-  /// (the sum of all sources) and `crack_area`. SI units, times in milliseconds. Totals describe `frame`, the last one;
-  /// step_counters() by their keys are sums over all steps, or the largest of any, as they say. `scaled_impacts` lists
-  /// for each scene body whose impacts were scaled (ScaledImpact) the slowest, with the effective material and the
-  /// reason.
+  /// (the sum of all sources) and `crack_area`. SI units. `ms` has the times in milliseconds of steps, of their phases,
+  /// and `processor` time of all threads from the end of one step to that of the next. Totals describe `frame`, the
+  /// last one; step_counters() by their keys are sums over all steps, or the largest of any, as they say.
+  /// `scaled_impacts` lists for each scene body whose impacts were scaled (ScaledImpact) the slowest, with the
+  /// effective material and the reason.
   std::string json(const Frame& frame, std::uint64_t state_hash) const;
 
   /// Says it for a person, in a few lines.
@@ -41,7 +42,8 @@ class RunStatistics {
     ScaledImpact slowest;
   };
   std::map<int, ScaledBody> scaled_;                 ///< by scene body
-  std::array<std::vector<double>, 6> milliseconds_;  ///< of step, contact, elasticity, shock, separation, fracture
+  double processor_;                                 ///< time of all threads when the last step ended [ms]
+  std::array<std::vector<double>, 7> milliseconds_;  ///< of the step, its phases, and processor time of all threads
 };
 
 }  // namespace griffith::app

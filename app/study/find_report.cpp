@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "app/shared/text_table.h"
 #include "app/shared/processes.h"
 
 namespace griffith::app {
@@ -43,20 +44,6 @@ std::string seen(const Find& find, std::size_t condition, const Trial& trial) {
   return text;
 }
 
-/// The lines as columns of equal width.
-std::string table_text(const std::vector<std::vector<std::string>>& lines) {
-  std::vector<std::size_t> widths(lines[0].size(), 0);
-  for (const auto& line : lines)
-    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
-  std::string text;
-  for (const auto& line : lines) {
-    std::string row;
-    for (std::size_t i = 0; i < line.size(); ++i) row.append(line[i]).append(widths[i] + 2 - line[i].size(), ' ');
-    text += row.erase(row.find_last_not_of(' ') + 1) + "\n";
-  }
-  return text;
-}
-
 std::string trial_table(const Find& find, const Trials& trials) {
   std::vector<std::vector<std::string>> lines = {{find.pointer.substr(1)}};
   for (const Condition& condition : find.conditions) lines[0].push_back(condition.text);
@@ -64,7 +51,7 @@ std::string trial_table(const Find& find, const Trials& trials) {
     std::vector<std::string>& line = lines.emplace_back(1, number_text(value));
     for (std::size_t i = 0; i < find.conditions.size(); ++i) line.push_back(seen(find, i, trial));
   }
-  return table_text(lines);
+  return text_table(lines);
 }
 
 /// A condition that holds on one side of the flip alone.

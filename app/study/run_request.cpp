@@ -13,16 +13,6 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// The scene and its settings, behind `beginning`.
-Words with_scene(Words beginning, const RunRequest& request) {
-  beginning.push_back(request.scene.string());
-  for (const SceneSetting& setting : request.settings) {
-    beginning.emplace_back("--set");
-    beginning.push_back(setting.pointer.substr(1) + "=" + setting_word(setting.value));
-  }
-  return beginning;
-}
-
 /// Whether somebody may have sent the signal who wants this program to end, too, or needed the memory.
 bool from_without(const ProcessOutcome& outcome) {
   constexpr std::array kSignals = {SIGKILL, SIGTERM, SIGINT, SIGHUP};
@@ -31,6 +21,15 @@ bool from_without(const ProcessOutcome& outcome) {
 }
 
 }  // namespace
+
+Words with_scene(Words beginning, const RunRequest& request) {
+  beginning.push_back(request.scene.string());
+  for (const SceneSetting& setting : request.settings) {
+    beginning.emplace_back("--set");
+    beginning.push_back(setting.pointer.substr(1) + "=" + setting_word(setting.value));
+  }
+  return beginning;
+}
 
 Words simulate_words(const RunRequest& request, const std::filesystem::path& record) {
   Words words = with_scene({request.program.string(), "simulate"}, request);

@@ -19,6 +19,8 @@ struct RunRequest {
   int frames = 0;
 };
 
+/// The words `beginning`, then the scene and its settings.
+std::vector<std::string> with_scene(std::vector<std::string> beginning, const RunRequest& request);
 /// The arguments that make the run and write its record.
 std::vector<std::string> simulate_words(const RunRequest& request, const std::filesystem::path& record);
 /// The arguments that write a small picture of the run after `frame` steps.

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <limits>
 #include <stdexcept>
 #include <system_error>
 
@@ -55,7 +56,8 @@ void limit(__rlimit_resource resource, rlim_t maximum) {
 [[noreturn]] void become(char* const* arguments, const ProcessLimits& limits, int output) {
   setpgid(0, 0);
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  limit(RLIMIT_AS, static_cast<rlim_t>(limits.memory_bytes));
+  if (limits.memory_bytes < std::numeric_limits<std::int64_t>::max())
+    limit(RLIMIT_AS, static_cast<rlim_t>(limits.memory_bytes));
   limit(RLIMIT_CPU, static_cast<rlim_t>(std::ceil(std::max(limits.seconds, limits.processor_seconds))) + 1);
   limit(RLIMIT_CORE, 0);
   dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);

@@ -10,7 +10,7 @@ namespace griffith {
 /// What another program may use.
 struct ProcessLimits {
   double seconds = 0;             ///< of real time, > 0
-  std::int64_t memory_bytes = 0;  ///< of address space, > 0
+  std::int64_t memory_bytes = 0;  ///< of address space, > 0; no limit where it is the largest number there is
   double processor_seconds = 0;   ///< of all threads; 0: as many as of real time
 };
 

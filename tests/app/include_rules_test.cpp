@@ -80,7 +80,7 @@ TEST(IncludeRules, ThirdPartyLibrariesStayInTheirPlaces) {
       "^(sim/(scene/|recording/versions\\.cpp$)|app/(editor/preferences_file|export/(bake_json|html_player)|output/"
       "((mesh_)?statistics|crack_event_file)|"
       "render/(read_render_jobs|picture_output)|regress/run_suite|"
-      "study/(run_record|sweep_folder|sweep_page|find_report))\\.cpp$)");
+      "study/(bench(_report)?|run_record|sweep_folder|sweep_page|find_report))\\.cpp$)");
   expect_only_in("^assimp/", "^sim/meshing/import_objects\\.cpp$");
   expect_only_in("^GLFW/", "^app/editor/window\\.cpp$");
   expect_only_in("^CLI/", "^app/cli/");

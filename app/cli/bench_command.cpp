@@ -1,0 +1,67 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "app/cli/commands.h"
+#include "app/output/output.h"
+#include "app/shared/scene_files.h"
+#include "app/study/bench.h"
+#include "sim/core/error.h"
+#include "sim/core/replace_file.h"
+#include "sim/core/termination_hold.h"
+
+namespace griffith::app {
+namespace {
+
+struct BenchOptions {
+  BenchDefinition definition;
+  std::vector<std::string> set;  ///< "POINTER=VALUE"
+  std::filesystem::path json;    ///< empty: the table alone
+};
+
+void bench(BenchOptions options) {
+  BenchDefinition& definition = options.definition;
+  if (!options.json.empty()) check_replaceable(options.json);
+  definition.settings = settings(options.set);
+  if (definition.scenes.empty()) definition.scenes = scene_files({});
+  if (definition.scenes.empty())
+    throw InputError("bench", "there is no folder of scenes here or above the program", "name the scenes to be timed");
+  const TerminationHold hold;
+  const std::vector<BenchResult> results = run_bench(definition, [&hold] { return hold.requested(); });
+  std::printf("%s", bench_table(results).c_str());
+  if (!options.json.empty()) replace_file(options.json, bench_json(definition, results));
+}
+
+}  // namespace
+
+Command add_bench(CLI::App& program) {
+  CLI::App* command = program.add_subcommand("bench", "Time the steps of scenes");
+  const auto options = std::make_shared<BenchOptions>();
+  BenchDefinition& definition = options->definition;
+  command->add_option("SCENE", definition.scenes, "Scene files; all that come with the program if none is named")
+      ->type_name("FILE");
+  add_settings(*command, options->set);
+  command->add_option("--frames", definition.frames, "Time steps of each run, 120 if not given")
+      ->check(CLI::Range(1, kMaxFrames))
+      ->type_name("N");
+  command->add_option("--repeats", definition.repeats, "Runs of each kind, of which the least times count; 3")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("N");
+  command->add_option("--thread-counts", definition.threads, "Numbers of threads to compare, 1,2 if not given")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 1024))
+      ->type_name("LIST");
+  command->add_option("--json", options->json, "Write all that was measured as JSON, too")->type_name("FILE");
+  command->footer(
+      "Examples:\n"
+      "  griffith bench scenes/wall_large.json scenes/glass_pane.json\n"
+      "  griffith bench --frames 60 --repeats 5 --thread-counts 1 --json times.json\n\n"
+      "Every run is a process of its own. The least of several is told, since other work of the machine only adds. A\n"
+      "scene that ends in another state with other threads, or another time, is an error: the same bits are promised.");
+  return {command, [options] {
+            bench(*options);
+            return kDone;
+          }};
+}
+
+}  // namespace griffith::app
