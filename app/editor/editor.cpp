@@ -158,7 +158,7 @@ Editor::PictureKey Editor::picture_key() const {
           camera_.target};
 }
 
-void Editor::draw_picture(int samples) {
+void Editor::draw_picture(std::optional<int> samples) {
   receive_world();  // before the picture, which else would be of another world than the panels
   frame_for_layout();
   follow_comparison();

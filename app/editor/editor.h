@@ -60,8 +60,9 @@ class Editor {
   /// Makes one time step.
   void step();
 
-  /// Draws the scene in the size that the panels left for it, if anything in it changed. `samples`: per pixel.
-  void draw_picture(int samples);
+  /// Draws the scene in the size that the panels left for it, if anything in it changed. `samples`: per pixel, those of the
+  /// quality if absent.
+  void draw_picture(std::optional<int> samples);
   /// Draws the panels into the current ImGui frame and carries out what the user asked for.
   void draw_panels(const ui::Fonts& fonts);
 
@@ -267,7 +268,7 @@ class Editor {
     bool operator==(const PictureKey&) const = default;
   };
   PictureKey picture_key() const;
-  void draw_comparison(const PictureKey& key, int samples);
+  void draw_comparison(const PictureKey& key, std::optional<int> samples);
 
   ui::EditHistory history_;
   ui::EditorState state_;

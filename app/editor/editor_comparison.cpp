@@ -22,7 +22,7 @@ void Editor::follow_comparison() {
   compared_->follow(timeline_);
 }
 
-void Editor::draw_comparison(const PictureKey& key, int samples) {
+void Editor::draw_comparison(const PictureKey& key, std::optional<int> samples) {
   if (!compared_) return;
   compared_->draw(built_, state_.view, range_.range(), hidden_bodies(), picture_camera(),
                   picture_options(key.width, key.height, samples, state_.view));

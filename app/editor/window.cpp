@@ -34,7 +34,7 @@ static_assert(ui::key::kSpace == GLFW_KEY_SPACE && ui::key::kEscape == GLFW_KEY_
               ui::key::kHome == GLFW_KEY_HOME && ui::key::kF1 == GLFW_KEY_F1 && ui::key::kF12 == GLFW_KEY_F12);
 static_assert(ui::key::kLeftShift == GLFW_KEY_LEFT_SHIFT && ui::key::kRightSuper == GLFW_KEY_RIGHT_SUPER);
 
-constexpr int kWidth = 1500, kHeight = 940, kSamples = 4;
+constexpr int kWidth = 1500, kHeight = 940;
 constexpr int kMinWidth = 1024, kMinHeight = 600;  // design pixels; smaller, panels would cover each other
 constexpr double kLongestFrame = 0.25;             // seconds; what is longer was an interruption
 
@@ -173,7 +173,7 @@ std::string graphics_of_window() {
 }
 
 void draw_frame(Editor& editor, ImGuiContextOwner& imgui, const Window& window, WindowInput& input) {
-  editor.draw_picture(kSamples);
+  editor.draw_picture(std::nullopt);
   input.begin_frame();
   imgui.begin_frame();
   editor.draw_panels(imgui.fonts());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include "renderer/renderer.h"
 #include "sim/scene/scene.h"
@@ -21,14 +22,17 @@ inline render::Quality picture_quality(PictureQuality quality) {
   return quality == PictureQuality::standard ? render::Quality::standard : render::Quality::draft;
 }
 
-/// How to draw a picture of this size [pixels] and view: lines are as thick in proportion to the picture's height,
+/// Samples a pixel that a quality has: a draft has no smoothed edges.
+inline int samples_of(PictureQuality quality) { return quality == PictureQuality::draft ? 1 : 4; }
+
+/// How to draw a picture of this size [pixels] and view, with the samples a pixel of its quality if absent: lines are as thick in proportion to the picture's height,
 /// whatever its resolution, as long as they can be seen.
-inline render::RenderOptions picture_options(int width, int height, int samples, const ViewSettings& view) {
+inline render::RenderOptions picture_options(int width, int height, std::optional<int> samples, const ViewSettings& view) {
   constexpr float kDesignHeight = 720, kMinScale = 0.6f;
   render::RenderOptions options;
   options.width = width;
   options.height = height;
-  options.samples = samples;
+  options.samples = samples.value_or(samples_of(view.quality));
   options.quality = picture_quality(view.quality);
   options.edges = view.edges;
   options.unlit_scalars = !view.shading;

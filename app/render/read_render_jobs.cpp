@@ -77,7 +77,7 @@ void read_field(const Place& place, std::string_view name, RenderJob& job) {
   if (name == "views") return read_names(place, job.views);
   if (name == "cameras") return read_names(place, job.cameras);
   if (name == "size") return read_size(place, job);
-  if (name == "samples") return read(place, job.samples, between(1, 16));
+  if (name == "samples") return read(place, job.samples.emplace(), between(1, 16));
   if (name == "node") return read(place, job.node.emplace(), between(0, kMaxNode));
   if (name == "ui") return read(place, job.interface, Flag{});
   if (name == "open_sections") return read(place, job.open_sections, Flag{});
@@ -173,7 +173,7 @@ std::string render_jobs_json(const std::vector<RenderJob>& jobs, const std::file
     if (job.views != RenderJob{}.views) json["views"] = job.views;
     if (job.cameras != RenderJob{}.cameras) json["cameras"] = job.cameras;
     json["size"] = {job.width, job.height};
-    if (job.samples != 1) json["samples"] = job.samples;
+    if (job.samples && job.samples != 1) json["samples"] = *job.samples;
     if (job.node) json["node"] = *job.node;
     if (job.interface) json["ui"] = true;
     if (job.open_sections) json["open_sections"] = true;

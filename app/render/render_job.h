@@ -21,7 +21,7 @@ struct RenderJob {
   // What stands for "as the scene says" is empty.
   std::vector<std::string> views = {""}, cameras = {""};
   int width = 1280, height = 720;     ///< [pixels]
-  int samples = 4;                    ///< per pixel
+  std::optional<int> samples;         ///< per pixel; absent: as the picture's quality has
   std::optional<int> node;            ///< whose forces and plane are shown; the most loaded one if absent
   bool interface = false;             ///< draw the editor's panels too
   bool open_sections = false;         ///< of the panels: all that can be folded

@@ -113,7 +113,7 @@ enum class ElementStyle {
 
 /// How much a picture takes to be beautiful. Colours of scalars without shading are the same in each.
 enum class PictureQuality {
-  draft,     ///< plain light and hard shadows: the fastest
+  draft,     ///< plain light, hard shadows, rough edges: the fastest
   standard,  ///< soft shadows, ambient occlusion, see-through glass
   high,      ///< the same with more samples
 };

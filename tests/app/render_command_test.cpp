@@ -50,6 +50,12 @@ TEST(RenderCommand, OptionsChangeThePicture) {
   EXPECT_EQ(rendered("other.png", "--frame 4 --legend --camera front"), plain);
 }
 
+TEST(RenderCommand, ADraftHasRoughEdgesUnlessAskedOtherwise) {
+  const std::string draft = "--frame 4 --no-legend --set view/quality=draft";
+  EXPECT_EQ(rendered("draft.png", draft), rendered("rough.png", draft + " --samples 1"));
+  EXPECT_FALSE(rendered("smooth.png", draft + " --samples 4") == rendered("rough.png", draft + " --samples 1"));
+}
+
 TEST(RenderCommand, NodeIsExplainedAndOneThatIsNotThereRefused) {
   const std::string common = "render " + small_wall_file().string() + " -o " + (test_folder() / "n.png").string() +
                              " --size 200x120 --frame 6 --view candidate_plane+element_forces --node ";
