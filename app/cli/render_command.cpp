@@ -176,7 +176,9 @@ void add_how(CLI::App& command, RenderOptions& options) {
           },
           "Size of the picture, 1280x720 if not given")
       ->type_name("WxH");
-  command.add_option("--samples", options.job.samples, "Samples per pixel; if not given 4, or 1 in draft quality, without smoothed edges")
+  command
+      .add_option("--samples", options.job.samples,
+                  "Samples per pixel; if not given 4, or 1 in draft quality, without smoothed edges")
       ->check(CLI::Range(1, 16))
       ->type_name("S");
   command.add_flag("--ui", options.job.interface, "Draw the editor's panels into the picture");

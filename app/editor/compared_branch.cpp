@@ -50,6 +50,7 @@ ComparedBranch::ComparedBranch(Timeline timeline, int branch, EmbeddedDisplay di
 
 void ComparedBranch::follow(const Timeline& shown) {
   timeline_.go_to(shown.step());
+  if (std::exchange(shown_branch_, shown.branch()) != shown.branch()) divergence_.reset(), compared_to_ = -1;
   const std::int64_t common = std::min(shown.last_step(), timeline_.last_step());
   if (divergence_ || common == compared_to_) return;
   divergence_ = first_divergence(shown, timeline_);

@@ -50,6 +50,7 @@ class ComparedBranch {
   EmbeddedDisplay display_;
   render::Renderer renderer_;
   std::optional<Divergence> divergence_;
+  int shown_branch_ = -1;          ///< with which it was compared
   std::int64_t compared_to_ = -1;  ///< the last step that both were known to have
 };
 

@@ -60,8 +60,8 @@ class Editor {
   /// Makes one time step.
   void step();
 
-  /// Draws the scene in the size that the panels left for it, if anything in it changed. `samples`: per pixel, those of the
-  /// quality if absent.
+  /// Draws the scene in the size that the panels left for it, if anything in it changed. `samples`: per pixel, those of
+  /// the quality if absent.
   void draw_picture(std::optional<int> samples);
   /// Draws the panels into the current ImGui frame and carries out what the user asked for.
   void draw_panels(const ui::Fonts& fonts);

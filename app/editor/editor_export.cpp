@@ -14,12 +14,13 @@ void Editor::export_run(const std::filesystem::path& path) {
 
 void Editor::go_on_with_export() {
   if (!export_) return;
-  if (std::exchange(state_.cancel_work, false)) {
-    export_.reset();
-    return log(ui::LogLevel::warning, "The export was cancelled: nothing was written.");
-  }
   try {
-    if (const std::optional<std::string> written = export_->go_on()) {
+    if (std::exchange(state_.cancel_work, false)) {
+      const std::string written = export_->cancel();
+      log(ui::LogLevel::warning,
+          "The export was cancelled: " + (written.empty() ? "nothing was written." : "wrote " + written + " before."));
+      export_.reset();
+    } else if (const std::optional<std::string> written = export_->go_on()) {
       log(ui::LogLevel::info, "Wrote " + *written);
       export_.reset();
     }

@@ -41,9 +41,8 @@ void Editor::ask_where_to_save(fs::path proposed) {
 }
 
 std::string Editor::what_saving_would_lose(const fs::path& file) const {
+  if (!is_taken(file)) return {};
   std::error_code error;
-  const bool there = fs::exists(fs::symlink_status(file, error));
-  if (!there) return {};
   if (path_.empty() || !fs::equivalent(file, path_, error)) return file.string() + " is there already.";
   if (time_of_file(file) == file_time_) return {};
   if (file_time_ == fs::file_time_type::min())

@@ -2,6 +2,7 @@
 
 #include "app/editor/editor.h"
 #include "app/editor/preferences_file.h"
+#include "app/shared/scene_files.h"
 #include "sim/core/replace_file.h"
 #include "sim/scene/scene_difference.h"
 #include "ui/model/entry_choice.h"
@@ -21,11 +22,8 @@ void Editor::use_macros(fs::path folder) {
 }
 
 void Editor::list_macros() {
-  macros_.clear();
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(macro_folder_, error))
-    if (entry.path().extension() == ".script") macros_.push_back(entry.path());
-  std::ranges::sort(macros_);
+  macros_ = files_in(macro_folder_);
+  std::erase_if(macros_, [](const fs::path& file) { return file.extension() != ".script"; });
 }
 
 MacroMoment Editor::macro_moment() const {

@@ -29,8 +29,7 @@ fs::path file_of_run(const std::string& scene, ui::SavedKind kind) {
 fs::file_time_type newest_time(const fs::path& path) {
   fs::file_time_type newest = time_of_file(path);
   if (path.extension() == ".node") newest = std::max(newest, time_of_file(fs::path(path).replace_extension(".ele")));
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(path, error)) newest = std::max(newest, time_of_file(entry.path()));
+  for (const fs::path& file : files_in(path)) newest = std::max(newest, time_of_file(file));
   return newest;
 }
 
@@ -64,9 +63,10 @@ Recording Editor::recorded_run() const {
 }
 
 void Editor::save_run(const ui::Command& command) {
-  std::error_code error;
-  if (!command.replace && fs::exists(fs::symlink_status(command.path, error))) {
-    state_.replacement = ui::Replacement{command, command.path.string() + " is there already."};
+  const bool is_export = command.id == ui::CommandId::export_run;
+  const fs::path old = is_export ? file_in_the_way(command.path, timeline_) : command.path;
+  if (!command.replace && is_taken(old)) {
+    state_.replacement = ui::Replacement{command, old.string() + " is there already."};
     return;
   }
   check_replaceable(command.path);

@@ -93,8 +93,7 @@ void Editor::go_on_with_holding() {
   if (std::exchange(state_.cancel_work, false)) holding_->cancel();
   const std::optional<HoldingAnswer> answer = holding_->take();
   if (!answer) return;
-  const RunToCrack& run = holding_->run();
-  state_.report = holding_report(*answer, run, frame().materials[run.scene_body]);
+  state_.report = holding_report(*answer, holding_->run());
   holding_.reset();
 }
 

@@ -11,9 +11,6 @@
 namespace griffith::app {
 namespace {
 
-constexpr double kAfter = 0.1;  ///< for how long the node must stand when a run is made again [s]
-constexpr double kLargestFactor = 8;
-
 std::string text_of(double factor) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g", factor);
@@ -44,7 +41,7 @@ bool steps_whole(World& world, int scene_body, const Vec3& place, const Monitor&
 bool stands(World world, const RunToCrack& run, const Monitor& monitor) {
   std::vector<WorldInput> inputs = run.inputs;
   auto next = inputs.begin();
-  const std::int64_t after = std::llround(kAfter / run.scene.simulation.time_step);
+  const std::int64_t after = std::llround(kTimeToStand / run.scene.simulation.time_step);
   for (std::int64_t step = 0; step <= run.steps + after; ++step) {
     for (; next != inputs.end() && next->step <= step; ++next) apply(world, *next);
     if (!steps_whole(world, run.scene_body, run.place, monitor)) return false;
@@ -100,9 +97,9 @@ HoldingFactor strength_that_holds(const World& before, int scene_body, NodeId no
 RunToCrack run_to_crack(const Timeline& timeline, NodeId node) {
   const Frame frame = timeline.world().frame();
   const BodyId body = frame.elements.bodies[frame.nodes.stars[node].front()];
-  RunToCrack run{
-      timeline.world().scene(),        timeline.inputs(), timeline.step(), node, frame.bodies[body].scene_body,
-      frame.nodes.rest_positions[node]};
+  const int scene_body = frame.bodies[body].scene_body;
+  RunToCrack run{timeline.world().scene(),         timeline.inputs(),          timeline.step(), node, scene_body,
+                 frame.nodes.rest_positions[node], frame.materials[scene_body]};
   std::erase_if(run.inputs, [&](const WorldInput& input) { return input.step > timeline.step(); });
   return run;
 }

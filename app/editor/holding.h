@@ -10,6 +10,9 @@
 
 namespace griffith::app {
 
+/// For how long a node must stand when a run is made again [s], and up to what factor speeds and thicknesses are tried.
+inline constexpr double kTimeToStand = 0.1, kLargestFactor = 8;
+
 /// What a factor has to be for something to hold, found by trying.
 struct HoldingFactor {
   double breaks = 1, holds = 1;  ///< tried: at the first it does not hold, at the second it does
@@ -35,6 +38,7 @@ struct RunToCrack {
   NodeId node;                     ///< before that step
   int scene_body = 0;              ///< it belongs to
   Vec3 place = Vec3::Zero();       ///< of it, in the undeformed body [m]
+  Material material;               ///< of the body, in force before that step
 };
 
 /// The run that led to where a timeline is, just before a node cracks.

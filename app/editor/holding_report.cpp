@@ -37,7 +37,8 @@ double common_speed(const RunToCrack& run) {
 
 std::string speed_fact(const std::optional<HoldingFactor>& slowness, const RunToCrack& run) {
   if (!slowness) return "Speed: nothing was shot or thrown.";
-  if (!slowness->found) return "Speed: it cracks at an eighth of the speed, too.";
+  if (!slowness->breaks_at_one) return "Speed: when the run is made again the node stands, so none can be told.";
+  if (!slowness->found) return "Speed: it cracks at " + times(1 / kLargestFactor) + " the speed, too.";
   const double fraction = 1 / slowness->holds, now = common_speed(run);
   return "Speed: it stands at " + times(fraction) + " the speed" +
          (now > 0 ? ", " + instead_of(now, fraction, "m/s") : "") + ".";
@@ -46,7 +47,8 @@ std::string speed_fact(const std::optional<HoldingFactor>& slowness, const RunTo
 std::string thickness_fact(const std::optional<HoldingFactor>& factor, const RunToCrack& run) {
   const std::optional<Thickness> now = thickness_of(run.scene.bodies[run.scene_body].shape);
   if (!now || !factor) return "Thickness: a mesh from a file has none that could be changed.";
-  if (!factor->found) return "Thickness: it cracks at eight times the thickness, too.";
+  if (!factor->breaks_at_one) return "Thickness: when the run is made again the node stands, so none can be told.";
+  if (!factor->found) return "Thickness: it cracks at " + times(kLargestFactor) + " the thickness, too.";
   return "Thickness: it stands at " + times(factor->holds) + " the thickness, " +
          instead_of(now->length, factor->holds, "m") + ".";
 }
@@ -55,16 +57,17 @@ std::string thickness_fact(const std::optional<HoldingFactor>& factor, const Run
 std::string effort(const HoldingAnswer& answer) {
   const int runs = (answer.slowness ? answer.slowness->runs : 0) + (answer.thickness ? answer.thickness->runs : 0);
   return "Tried, each to within 1 %: the step " + std::to_string(answer.strength.runs) +
-         " times, the run from its start " + std::to_string(runs) + " times, up to .1 s after the crack.";
+         " times, the run from its start " + std::to_string(runs) + " times, up to " +
+         format_quantity(kTimeToStand, "s", 2) + " after the crack.";
 }
 
 }  // namespace
 
-ui::WorkReport holding_report(const HoldingAnswer& answer, const RunToCrack& run, const Material& material) {
+ui::WorkReport holding_report(const HoldingAnswer& answer, const RunToCrack& run) {
   ui::WorkReport report;
   report.title = "What would have held node " + std::to_string(run.node.value) + ":";
   const bool ended_early = answer.cancelled || !answer.problem.empty();
-  if (answer.strength.runs > 0) report.facts.push_back(strength_fact(answer.strength, material));
+  if (answer.strength.runs > 0) report.facts.push_back(strength_fact(answer.strength, run.material));
   if (answer.slowness || !ended_early) report.facts.push_back(speed_fact(answer.slowness, run));
   if (answer.thickness || !ended_early) report.facts.push_back(thickness_fact(answer.thickness, run));
   report.facts.push_back(effort(answer));

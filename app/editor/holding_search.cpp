@@ -29,7 +29,7 @@ HoldingAnswer HoldingSearch::search(const World& before) {
     answer.thickness = thickness_that_holds(run_, monitor);
   } catch (const Cancelled&) {
     answer.cancelled = true;
-  } catch (const InputError& error) {
+  } catch (const std::exception& error) {  // of its memory, say: the editor goes on
     answer.problem = error.what();
   }
   return answer;

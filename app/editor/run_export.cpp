@@ -12,6 +12,7 @@
 #include "app/output/video_writer.h"
 #include "app/picture/picture_options.h"
 #include "app/picture/steady_range.h"
+#include "app/shared/scene_files.h"
 #include "renderer/renderer.h"
 #include "sim/core/monitor.h"
 #include "sim/core/replace_file.h"
@@ -25,6 +26,13 @@ bool is_pictures(const fs::path& path) { return path.extension() == ".png"; }
 
 std::string of_steps(const char* doing, std::int64_t step, const Timeline& timeline) {
   return std::string(doing) + " step " + std::to_string(step) + " of " + std::to_string(timeline.last_step());
+}
+
+/// "wall.png" as "wall_0012.png".
+fs::path numbered(const fs::path& path, std::int64_t step) {
+  std::array<char, 24> number;
+  std::snprintf(number.data(), number.size(), "_%04lld.png", static_cast<long long>(step));
+  return fs::path(path).replace_extension() += number.data();
 }
 
 std::string written_text(const fs::path& path, std::size_t frames) {
@@ -69,6 +77,14 @@ class BakeExport : public RunExport {
   std::string stage() const override {
     return "Baking step " + std::to_string(progress_.step) + " of " + std::to_string(last_step_);
   }
+  std::string cancel() override {
+    progress_.cancelled = true;
+    try {
+      return result_.get();
+    } catch (const Cancelled&) {
+      return {};
+    }
+  }
 
  private:
   std::int64_t last_step_;
@@ -99,25 +115,25 @@ class PictureExport : public RunExport {
     return written_text(path_, static_cast<std::size_t>(next_ - timeline_.first_step()));
   }
   std::string stage() const override { return of_steps("Drawing", next_, timeline_); }
+  std::string cancel() override {
+    const std::int64_t pictures = next_ - timeline_.first_step();
+    return video_ || pictures == 0 ? "" : written_text(path_, static_cast<std::size_t>(pictures));
+  }
 
  private:
   render::Image picture() {
-    constexpr int kSamples = 4;
     const Frame frame = timeline_.world().frame();
     range_.follow(frame, view_.view.quantity);
     follow_first_cracks(display_, frame, scene_);
     const render::DrawScene drawn =
         draw_scene_from_frame(frame, display_, scene_, view_.view, {}, range_.range(), view_.hidden);
-    renderer_.render(drawn, view_.camera, picture_options(view_.width, view_.height, kSamples, view_.view));
+    renderer_.render(drawn, view_.camera, picture_options(view_.width, view_.height, std::nullopt, view_.view));
     return renderer_.image();
   }
 
-  /// "wall.png" as "wall_0012.png".
   void write(const render::Image& image) {
     if (video_) return video_->add(image);
-    std::array<char, 24> number;
-    std::snprintf(number.data(), number.size(), "_%04lld.png", static_cast<long long>(next_));
-    replace_file(fs::path(path_).replace_extension() += number.data(), render::encode_png(image));
+    replace_file(numbered(path_, next_), render::encode_png(image));
   }
 
   fs::path path_;
@@ -132,6 +148,13 @@ class PictureExport : public RunExport {
 };
 
 }  // namespace
+
+fs::path file_in_the_way(const fs::path& path, const Timeline& timeline) {
+  if (!is_pictures(path)) return path;
+  for (std::int64_t step = timeline.first_step(); step <= timeline.last_step(); ++step)
+    if (const fs::path picture = numbered(path, step); is_taken(picture)) return picture;
+  return path;
+}
 
 void check_export(const fs::path& path) {
   if (is_video_path(path)) return check_video_path(path);

@@ -1,5 +1,6 @@
 #include "app/output/energy_table.h"
 
+#include "app/output/csv_field.h"
 #include "sim/mesh/number_text.h"
 
 namespace griffith::app {
@@ -12,10 +13,7 @@ EnergyTable::EnergyTable(const Frame& frame) : csv_("step,time [s]") {
 
 void EnergyTable::add(const Frame& frame) {
   append_number(csv_, frame.step);
-  const auto append = [&](double value) {
-    csv_ += ',';
-    append_number(csv_, value);
-  };
+  const auto append = [&](double value) { append_csv_number(csv_, value); };
   append(frame.time);
   for (const EnergyEntry& entry : energy_entries()) append(frame.energy.*entry.value);
   append(frame.energy.unaccounted());

@@ -10,6 +10,7 @@
 
 #include "app/shared/components.h"
 #include "app/shared/hash_text.h"
+#include "app/shared/quantile.h"
 #include "sim/world/step_counters.h"
 
 namespace griffith::app {
@@ -27,15 +28,9 @@ struct TimeSummary {
   double median = 0, p99 = 0, max = 0, total = 0;
 };
 
-TimeSummary summarize(std::vector<double> times) {
-  if (times.empty()) return {};
-  std::sort(times.begin(), times.end());
-  const auto at = [&times](double fraction) {
-    return times[static_cast<std::size_t>(fraction * static_cast<double>(times.size() - 1) + 0.5)];
-  };
-  TimeSummary summary{at(0.5), at(0.99), times.back(), 0};
-  for (const double time : times) summary.total += time;
-  return summary;
+TimeSummary summarize(const std::vector<double>& times) {
+  return {quantile(times, 0.5), quantile(times, 0.99), quantile(times, 1),
+          std::accumulate(times.begin(), times.end(), 0.0)};
 }
 
 std::int64_t peak_memory_bytes() {
@@ -66,7 +61,7 @@ void add_energy(Json& json, const EnergyAccount& energy) {
   Json& account = json["energy"];
   for (const EnergyEntry& entry : energy_entries()) account[entry.key] = energy.*entry.value;
   account["unaccounted"] = energy.unaccounted();
-  account["put_in"] = energy.turned_over();
+  account["turned_over"] = energy.turned_over();
   account["crack_area"] = energy.crack_area;
 }
 

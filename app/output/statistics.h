@@ -20,10 +20,10 @@ class RunStatistics {
   /// Takes in the step that led to `frame`.
   void add(const Frame& frame);
 
-  /// One JSON object. `energy` is the account since the start: energy_entries() by their keys, `unaccounted`, `put_in`
-  /// (the sum of all sources) and `crack_area`. SI units. `ms` has the times in milliseconds of steps, of their phases,
-  /// and `processor` time of all threads from the end of one step to that of the next. Totals describe `frame`, the
-  /// last one; step_counters() by their keys are sums over all steps, or the largest of any, as they say.
+  /// One JSON object. `energy` is the account since the start: energy_entries() by their keys, `unaccounted`,
+  /// `turned_over` (the sum of all sources) and `crack_area`. SI units. `ms` has the times in milliseconds of steps, of
+  /// their phases, and `processor` time of all threads from the end of one step to that of the next. Totals describe
+  /// `frame`, the last one; step_counters() by their keys are sums over all steps, or the largest of any, as they say.
   /// `scaled_impacts` lists for each scene body whose impacts were scaled (ScaledImpact) the slowest, with the
   /// effective material and the reason.
   std::string json(const Frame& frame, std::uint64_t state_hash) const;

@@ -85,7 +85,7 @@ VideoWriter::VideoWriter(fs::path path, int width, int height, double frames_per
   std::ranges::copy(words_of(kind_of(path_)->encoder), std::back_inserter(words));
   words.push_back((folder_.path() / video_name(path_)).string());
   const std::string command = shell_command(words) + " 2>" + shell_command({(folder_.path() / "log").string()});
-  pipe_ = popen(command.c_str(), "w");
+  pipe_ = popen(command.c_str(), "we");
   if (!pipe_) throw std::runtime_error("ffmpeg could not be started");
 }
 

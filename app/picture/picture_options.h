@@ -25,9 +25,10 @@ inline render::Quality picture_quality(PictureQuality quality) {
 /// Samples a pixel that a quality has: a draft has no smoothed edges.
 inline int samples_of(PictureQuality quality) { return quality == PictureQuality::draft ? 1 : 4; }
 
-/// How to draw a picture of this size [pixels] and view, with the samples a pixel of its quality if absent: lines are as thick in proportion to the picture's height,
-/// whatever its resolution, as long as they can be seen.
-inline render::RenderOptions picture_options(int width, int height, std::optional<int> samples, const ViewSettings& view) {
+/// How to draw a picture of this size [pixels] and view, with the samples a pixel of its quality if absent: lines are
+/// as thick in proportion to the picture's height, whatever its resolution, as long as they can be seen.
+inline render::RenderOptions picture_options(int width, int height, std::optional<int> samples,
+                                             const ViewSettings& view) {
   constexpr float kDesignHeight = 720, kMinScale = 0.6f;
   render::RenderOptions options;
   options.width = width;

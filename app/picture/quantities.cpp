@@ -111,7 +111,8 @@ Vec2 symmetric_range(const Vec2& range) {
 
 Vec2 automatic_range(const Frame& frame, std::string_view key, const QuantityValues& values) {
   if (key == "utilization" || key == "element_quality") return {0, 1};
-  Vec2 range(std::min(0.0f, quantile(values.values, 0.02)), std::max(0.0f, quantile(values.values, 0.98)));
+  Vec2 range(std::min(0.0f, quantile(finite(values.values), 0.02)),
+             std::max(0.0f, quantile(finite(values.values), 0.98)));
   const double missing = min_width(frame, key) - (range[1] - range[0]);
   if (missing > 0)
     (range[1] > 0 || range[0] == 0 ? range[1] : range[0]) += range[1] > 0 || range[0] == 0 ? missing : -missing;

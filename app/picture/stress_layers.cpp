@@ -35,7 +35,7 @@ StressField stress_field(const ShownMesh& shown) {
     field.tets.push_back({tet, center, principal_values(stress)});
     sizes.push_back(field.tets.back().stress.values.cwiseAbs().maxCoeff());
   }
-  field.typical = quantile(std::move(sizes), kTypical);
+  field.typical = quantile(finite(std::move(sizes)), kTypical);
   return field;
 }
 
@@ -91,7 +91,7 @@ void add_separation_axes(const ShownMesh& shown, render::DrawScene& picture) {
   std::vector<double> sizes;
   for (const NodeSeparation& separation : frame.nodes.separations)
     if (!separation.tensor.isZero(0)) sizes.push_back(separation.tensor.norm());
-  const double typical = quantile(std::move(sizes), kTypical),
+  const double typical = quantile(finite(std::move(sizes)), kTypical),
                reach = 0.5 * shown.element_size * shown.view.glyph_scale;
   for (std::size_t i = 0; i < frame.nodes.separations.size(); ++i) {
     const NodeSeparation& separation = frame.nodes.separations[i];
@@ -118,7 +118,7 @@ void add_velocities(const ShownMesh& shown, render::DrawScene& picture) {
   std::vector<double> speeds;
   for (std::size_t i = 0; i < on_surface.size(); ++i)
     if (on_surface[i]) speeds.push_back(frame.nodes.velocities[i].norm());
-  const double typical = quantile(std::move(speeds), kTypical);
+  const double typical = quantile(finite(std::move(speeds)), kTypical);
   if (!(typical > 0)) return;
   const double reach = 1.2 * shown.element_size * shown.view.glyph_scale;
   for (std::size_t i = 0; i < on_surface.size(); ++i) {

@@ -7,6 +7,7 @@
 
 #include "app/output/output.h"
 #include "app/render/read_render_jobs.h"
+#include "app/shared/scene_files.h"
 #include "sim/core/error.h"
 #include "sim/core/read_file.h"
 #include "sim/core/replace_file.h"
@@ -24,11 +25,9 @@ bool is_golden(const fs::path& stem) {
 
 /// Folders in `folder`, sorted.
 std::vector<fs::path> folders_in(const fs::path& folder) {
-  std::vector<fs::path> folders;
+  std::vector<fs::path> folders = files_in(folder);
   std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-    if (entry.is_directory()) folders.push_back(entry.path());
-  std::ranges::sort(folders);
+  std::erase_if(folders, [&](const fs::path& path) { return !fs::is_directory(path, error); });
   return folders;
 }
 
@@ -110,12 +109,10 @@ std::vector<std::string> unused_goldens(const fs::path& suite, const std::string
       return std::set<std::string>(names.begin(), names.end());
     }());
   std::vector<std::string> unused;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(suite / kGoldenFolder / renderer_folder(renderer), error)) {
-    const std::string name = entry.path().stem().string();
-    if (entry.path().extension() == ".json" && !used.contains(name)) unused.push_back(name);
+  for (const fs::path& file : files_in(suite / kGoldenFolder / renderer_folder(renderer))) {
+    const std::string name = file.stem().string();
+    if (file.extension() == ".json" && !used.contains(name)) unused.push_back(name);
   }
-  std::ranges::sort(unused);
   return unused;
 }
 

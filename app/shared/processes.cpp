@@ -74,9 +74,10 @@ void work_side_by_side(std::size_t count, int jobs, const std::function<void(std
       next = count;
     }
   };
-  std::vector<std::thread> threads;
-  for (std::size_t i = 0; i < std::min(count, static_cast<std::size_t>(jobs)); ++i) threads.emplace_back(go_on);
-  for (std::thread& thread : threads) thread.join();
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 0; i < std::min(count, static_cast<std::size_t>(jobs)); ++i) threads.emplace_back(go_on);
+  }
   if (failure) std::rethrow_exception(failure);
 }
 

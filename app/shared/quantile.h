@@ -7,14 +7,26 @@
 
 namespace griffith::app {
 
-/// What lies at `fraction` (0..1) of the sorted finite values; 0 without any.
+/// What lies at `fraction` (0..1) of the sorted values, between neighbours in proportion. What is not a number does not
+/// count; 0 without any.
 template <class Number>
 Number quantile(std::vector<Number> values, double fraction) {
-  std::erase_if(values, [](Number value) { return !std::isfinite(value); });
+  std::erase_if(values, [](Number value) { return std::isnan(value); });
   if (values.empty()) return 0;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+  const double place = fraction * static_cast<double>(values.size() - 1);
+  const auto below = values.begin() + static_cast<std::ptrdiff_t>(place);
+  std::nth_element(values.begin(), below, values.end());
+  const auto weight = static_cast<Number>(place - std::floor(place));
+  if (weight == 0) return *below;
+  const Number above = *std::min_element(below + 1, values.end());
+  return *below == above ? above : (1 - weight) * *below + weight * above;
+}
+
+/// Leaves the finite values.
+template <class Number>
+std::vector<Number> finite(std::vector<Number> values) {
+  std::erase_if(values, [](Number value) { return !std::isfinite(value); });
+  return values;
 }
 
 }  // namespace griffith::app

@@ -27,13 +27,23 @@ std::vector<fs::path> samples() {
 }  // namespace
 
 std::vector<fs::path> scenes_in(const fs::path& folder) {
+  std::vector<fs::path> files = files_in(folder);
+  std::erase_if(files, [](const fs::path& file) { return !looks_like_scene(file); });
+  return files;
+}
+
+std::vector<fs::path> files_in(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    if (looks_like_scene(entry->path())) files.push_back(entry->path());
-  }
-  std::sort(files.begin(), files.end());
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    files.push_back(entry->path());
+  std::ranges::sort(files);
   return files;
+}
+
+bool is_taken(const fs::path& path) {
+  std::error_code error;
+  return fs::exists(fs::symlink_status(path, error));
 }
 
 std::vector<fs::path> scene_files(const fs::path& current) {

@@ -15,6 +15,12 @@ std::vector<std::filesystem::path> scenes_in(const std::filesystem::path& folder
 /// "griffith_0001.png" in the working folder, with the first number that is free.
 std::filesystem::path free_screenshot_path();
 
+/// What is in a folder, sorted; nothing where it cannot be read.
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder);
+
+/// Whether something has this name, be it a link to nothing.
+bool is_taken(const std::filesystem::path& path);
+
 /// When the file was written last; the earliest time where there is none.
 std::filesystem::file_time_type time_of_file(const std::filesystem::path& path);
 

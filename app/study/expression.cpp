@@ -5,6 +5,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "app/study/parameter.h"
 #include "sim/core/error.h"
 
 namespace griffith::app {
@@ -92,20 +93,17 @@ class ExpressionReader {
 
 /// The length of the settings that `text` begins with, up to their colon; 0 where it has none.
 std::size_t settings_length(const std::string& text) {
-  const std::size_t equals = text.find('='), colon = text.find(':');
-  if (equals == std::string::npos || colon == std::string::npos || equals > colon) return 0;
+  const std::size_t equals = text.find('='), colon = split_outside_brackets(text, ':').front().size();
+  if (equals == std::string::npos || colon == text.size() || equals > colon) return 0;
   const bool comparison = text.substr(0, colon).find_first_of("<>!") != std::string::npos || text[equals + 1] == '=';
   return comparison ? 0 : colon;
 }
 
-std::vector<SceneSetting> read_condition_settings(std::string_view text, const std::string& where) {
+std::vector<SceneSetting> read_condition_settings(const std::string& text, const std::string& where) {
   std::vector<SceneSetting> settings;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(','), text.size());
-    std::string setting(text.substr(0, end));
+  for (std::string& setting : split_outside_brackets(text, ',')) {
     setting.erase(0, std::min(setting.find_first_not_of(' '), setting.size()));
     settings.push_back(read_setting(setting, where));
-    text.remove_prefix(std::min(end + 1, text.size()));
   }
   return settings;
 }
@@ -146,8 +144,7 @@ Condition read_condition(const std::string& text, const std::string& where) {
   if (length == 0) return {text, {}, read_expression(text, where)};
   std::string expression = text.substr(length + 1);
   expression.erase(0, std::min(expression.find_first_not_of(' '), expression.size()));
-  return {text, read_condition_settings(std::string_view(text).substr(0, length), where),
-          read_expression(expression, where)};
+  return {text, read_condition_settings(text.substr(0, length), where), read_expression(expression, where)};
 }
 
 }  // namespace griffith::app

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/shared/processes.h"
+#include "app/shared/quantile.h"
 #include "sim/core/error.h"
 #include "sim/core/read_file.h"
 #include "sim/core/temporary_folder.h"
@@ -226,9 +227,7 @@ bool Trial::holds() const { return std::ranges::all_of(proportions, &Proportion:
 double Trial::median(std::size_t condition, std::size_t outcome) const {
   std::vector<double> values;
   for (const Outcomes& run : outcomes[condition]) values.push_back(run[outcome]);
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
+  return quantile(std::move(values), 0.5);
 }
 
 Trials find(const Find& find, const Effort& effort) {

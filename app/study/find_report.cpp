@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "app/shared/text_table.h"
 #include "app/shared/processes.h"
+#include "app/shared/text_table.h"
 
 namespace griffith::app {
 namespace {

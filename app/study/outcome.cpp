@@ -4,20 +4,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "app/shared/quantile.h"
 #include "sim/core/error.h"
 #include "sim/scene/field.h"
 
 namespace griffith::app {
 namespace {
-
-/// What lies at `fraction` of the ascending values, between neighbours in proportion; 0 without any.
-double interpolated_quantile(std::span<const double> sorted, double fraction) {
-  if (sorted.empty()) return 0;
-  const double at = fraction * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(at);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return std::lerp(sorted[below], sorted[above], at - static_cast<double>(below));
-}
 
 double largest_fraction(const EndOfRun& run) {
   const double mass = std::accumulate(run.masses.begin(), run.masses.end(), 0.0);
@@ -36,11 +28,10 @@ constexpr OutcomeKind kKinds[] = {
      [](const Run& run) { return static_cast<double>(run.frame.fragments); }},
     {"largest_piece", "-", "Mass of the heaviest piece over that of all", largest_fraction},
     {"mass_p10", "kg", "Mass below which a tenth of the pieces lie",
-     [](const Run& run) { return interpolated_quantile(run.masses, 0.1); }},
-    {"mass_p50", "kg", "Mass of the median piece",
-     [](const Run& run) { return interpolated_quantile(run.masses, 0.5); }},
+     [](const Run& run) { return quantile(run.masses, 0.1); }},
+    {"mass_p50", "kg", "Mass of the median piece", [](const Run& run) { return quantile(run.masses, 0.5); }},
     {"mass_p90", "kg", "Mass below which nine tenths of the pieces lie",
-     [](const Run& run) { return interpolated_quantile(run.masses, 0.9); }},
+     [](const Run& run) { return quantile(run.masses, 0.9); }},
     {"crack_events", "", "Nodes at which the mesh parted",
      [](const Run& run) { return static_cast<double>(run.frame.crack_events.size()); }},
     {"crack_area", "m²", "Area that cracks opened, one side of each",

@@ -30,24 +30,6 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-/// The items of a list, parted at the commas outside of brackets, braces and quotes.
-std::vector<std::string> list_items(const std::string& text) {
-  std::vector<std::string> items(1);
-  int depth = 0;
-  bool quoted = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (c == '"' && (i == 0 || text[i - 1] != '\\')) quoted = !quoted;
-    if (!quoted) depth += (c == '[' || c == '{') - (c == ']' || c == '}');
-    if (c == ',' && depth == 0 && !quoted) {
-      items.emplace_back();
-    } else {
-      items.back() += c;
-    }
-  }
-  return items;
-}
-
 /// "5", "log" and "5log" into `range`; false for another text.
 bool read_spacing(std::string text, ValueRange& range) {
   if (text.ends_with("log")) {
@@ -60,6 +42,23 @@ bool read_spacing(std::string text, ValueRange& range) {
 }
 
 }  // namespace
+
+std::vector<std::string> split_outside_brackets(const std::string& text, char separator) {
+  std::vector<std::string> parts(1);
+  int depth = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"' && (i == 0 || text[i - 1] != '\\')) quoted = !quoted;
+    if (!quoted) depth += (c == '[' || c == '{') - (c == ']' || c == '}');
+    if (c == separator && depth == 0 && !quoted) {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
 
 double ValueRange::at(double fraction) const {
   const double value = logarithmic ? low * std::pow(high / low, fraction) : std::lerp(low, high, fraction);
@@ -104,7 +103,7 @@ Parameter read_parameter(const std::string& text, const std::string& where) {
   const std::string values = text.substr(equals + 1);
   parameter.range = read_range(values, where);
   if (!parameter.range) {
-    for (const std::string& item : list_items(values)) {
+    for (const std::string& item : split_outside_brackets(values, ',')) {
       if (item.empty()) refuse(where, text, "has an empty value");
       parameter.values.push_back(setting_value(item));
     }

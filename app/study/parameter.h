@@ -27,6 +27,9 @@ struct Parameter {
   std::optional<ValueRange> range;    ///< that the values are from, where there is one
 };
 
+/// Parts a text at the separators outside of brackets, braces and quotes.
+std::vector<std::string> split_outside_brackets(const std::string& text, char separator);
+
 /// The JSON text of a number: the shortest that reads back as the same double.
 std::string number_text(double value);
 

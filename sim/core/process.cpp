@@ -20,7 +20,7 @@ namespace griffith {
 namespace {
 
 constexpr int kNotFound = 127;  ///< the shell's exit code for a program that cannot be started
-constexpr int kPollMilliseconds = 50;
+constexpr int kPollMilliseconds = 50, kPollClosedMilliseconds = 5;  // while it writes; once it has closed its output
 constexpr std::size_t kMaxOutput = 1 << 20;
 
 /// A pipe whose ends close by themselves.
@@ -107,14 +107,16 @@ class LineReader {
   std::string line_;
 };
 
-/// Waits for the process to end by itself.
-void reap(pid_t child, ProcessOutcome& outcome) {
+/// Takes in how the process ended; `options` as wait4(2) has them. False while it runs.
+bool reap(pid_t child, int options, ProcessOutcome& outcome) {
   int status = 0;
   rusage usage{};
-  while (wait4(child, &status, 0, &usage) < 0 && errno == EINTR) {
+  pid_t ended = -1;
+  while ((ended = wait4(child, &status, options, &usage)) < 0 && errno == EINTR) {
   }
+  if (ended == 0) return false;
   outcome.peak_memory_bytes = std::int64_t{1024} * usage.ru_maxrss;
-  if (outcome.end != ProcessOutcome::End::exited) return;
+  if (outcome.end != ProcessOutcome::End::exited) return true;
   if (WIFEXITED(status)) {
     outcome.code = WEXITSTATUS(status);
     if (outcome.code == kNotFound) outcome.end = ProcessOutcome::End::not_found;
@@ -123,6 +125,7 @@ void reap(pid_t child, ProcessOutcome& outcome) {
     const bool overtime = outcome.code == SIGXCPU;
     outcome.end = overtime ? ProcessOutcome::End::out_of_time : ProcessOutcome::End::killed_by_signal;
   }
+  return true;
 }
 
 }  // namespace
@@ -137,18 +140,20 @@ ProcessOutcome run_process(const std::vector<std::string>& arguments, const Proc
   pipe.close_writer();
   LineReader reader(on_line);
   ProcessOutcome outcome;
-  for (bool open = true; open;) {
+  // A child may close its output and go on.
+  for (bool open = true; open || !reap(child, WNOHANG, outcome);) {
     pollfd waiting = {pipe.reader(), POLLIN, 0};
-    if (poll(&waiting, 1, kPollMilliseconds) > 0) open = reader.read_from(pipe.reader());
+    const int ready = poll(&waiting, open ? 1 : 0, open ? kPollMilliseconds : kPollClosedMilliseconds);
+    if (open && ready > 0) open = reader.read_from(pipe.reader());
     const bool late = std::chrono::duration<double>(Clock::now() - begin).count() > limits.seconds;
     const bool stop = cancelled && cancelled();
-    if (!open || !(late || stop)) continue;
+    if (!late && !stop) continue;
     outcome.end = stop ? ProcessOutcome::End::cancelled : ProcessOutcome::End::out_of_time;
     kill(-child, SIGKILL);
     kill(child, SIGKILL);  // it may not lead its own group yet
+    reap(child, 0, outcome);
     break;
   }
-  reap(child, outcome);
   outcome.output = std::move(reader.text);
   return outcome;
 }

@@ -9,6 +9,7 @@
 
 #include "sim/core/bytes.h"
 #include "sim/core/error.h"
+#include "sim/core/hash_bytes.h"
 #include "sim/core/read_file.h"
 #include "sim/core/replace_file.h"
 
@@ -18,14 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Changes whenever the same surface and options would give another mesh than before.
-constexpr std::string_view kFormat = "griffith mesh 3\n";
-
-/// FNV-1a (Fowler, Noll & Vo 1991).
-std::uint64_t hash(std::string_view bytes, std::uint64_t start) {
-  for (const char byte : bytes) start = (start ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
-  return start;
-}
-constexpr std::uint64_t kStart = 0xcbf29ce484222325u, kOtherStart = 0x9e3779b97f4a7c15u;
+constexpr std::string_view kFormat = "griffith mesh 4\n";
 
 std::string options_text(const MeshingOptions& options) {
   char text[160];
@@ -55,7 +49,7 @@ std::optional<FilledSurface> decode(std::string_view bytes) {
   Header header;
   if (!bytes.starts_with(kFormat)) return std::nullopt;
   bytes.remove_prefix(kFormat.size());
-  if (!take(bytes, &sum, 1) || hash(bytes, kStart) != sum || !take(bytes, &header, 1)) return std::nullopt;
+  if (!take(bytes, &sum, 1) || hash_bytes(bytes) != sum || !take(bytes, &header, 1)) return std::nullopt;
   FilledSurface filled;
   filled.method = static_cast<MeshingMethod>(header.method);
   const bool whole = take_values(bytes, filled.refusal, header.refusal_length) &&
@@ -74,11 +68,11 @@ fs::path default_mesh_cache() {
 
 fs::path cache_entry(const fs::path& folder, const TriangleSurface& surface, const MeshingOptions& options) {
   const std::string settings = std::string(kFormat) + options_text(options);
-  std::array<std::uint64_t, 2> key = {kStart, kOtherStart};
+  std::array<std::uint64_t, 2> key = {0, 1};
   for (std::uint64_t& part : key)
     for (const std::string_view bytes :
          {std::string_view(settings), bytes_of(surface.points), bytes_of(surface.triangles)})
-      part = hash(bytes, part);
+      part = hash_bytes(bytes, part);
   char name[48];
   std::snprintf(name, sizeof name, "%016llx%016llx.tets", static_cast<unsigned long long>(key[0]),
                 static_cast<unsigned long long>(key[1]));
@@ -98,7 +92,7 @@ void write_cache_entry(const fs::path& path, const FilledSurface& filled) {
                          static_cast<std::int32_t>(filled.soup.tets.size())};
   std::string content(bytes_of(std::span(&header, 1)));
   content.append(filled.refusal).append(bytes_of(filled.soup.points)).append(bytes_of(filled.soup.tets));
-  const std::uint64_t sum = hash(content, kStart);
+  const std::uint64_t sum = hash_bytes(content);
   std::error_code ignored;
   fs::create_directories(path.parent_path(), ignored);
   try {

@@ -1,6 +1,7 @@
 #include "sim/meshing/orient_surface.h"
 
 #include <algorithm>
+#include <unordered_map>
 #include <utility>
 
 #include "sim/meshing/surface_edges.h"
@@ -71,9 +72,15 @@ int make_consistent(TriangleSurface& surface, const Shell& shell, const std::vec
 
 TriangleSurface part_of(const TriangleSurface& surface, const Shell& shell) {
   TriangleSurface part;
-  part.points = surface.points;
-  for (const int triangle : shell.triangles) part.triangles.push_back(surface.triangles[triangle]);
-  weld_points(part);
+  std::unordered_map<int, int> renumbered;
+  for (const int triangle : shell.triangles) {
+    std::array<int, 3>& corners = part.triangles.emplace_back(surface.triangles[triangle]);
+    for (int& corner : corners) {
+      const auto [entry, is_new] = renumbered.try_emplace(corner, static_cast<int>(part.points.size()));
+      if (is_new) part.points.push_back(surface.points[corner]);
+      corner = entry->second;
+    }
+  }
   return part;
 }
 

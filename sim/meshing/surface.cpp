@@ -1,15 +1,18 @@
 #include "sim/meshing/surface.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "sim/core/sort_unique.h"
 
 namespace griffith {
 namespace {
 
-/// Per point: the first point with the same coordinates.
-std::vector<int> first_equal_points(const std::vector<Vec3>& points) {
-  std::vector<int> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
+/// Per point of a triangle: the first one with the same coordinates.
+std::vector<int> first_equal_points(const TriangleSurface& surface) {
+  const std::vector<Vec3>& points = surface.points;
+  std::vector<int> order;
+  for (const auto& triangle : surface.triangles) order.insert(order.end(), triangle.begin(), triangle.end());
+  sort_unique(order);
   const auto key = [&](int i) { return std::tuple(points[i].x(), points[i].y(), points[i].z()); };
   std::sort(order.begin(), order.end(), [&](int a, int b) { return std::pair(key(a), a) < std::pair(key(b), b); });
   std::vector<int> first(points.size());
@@ -23,7 +26,7 @@ std::vector<int> first_equal_points(const std::vector<Vec3>& points) {
 }  // namespace
 
 void weld_points(TriangleSurface& surface) {
-  const std::vector<int> first = first_equal_points(surface.points);
+  const std::vector<int> first = first_equal_points(surface);
   std::vector<int> renumbered(surface.points.size(), -1);
   for (auto& triangle : surface.triangles)
     for (int& corner : triangle) renumbered[corner = first[corner]] = 0;

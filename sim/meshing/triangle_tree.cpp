@@ -6,6 +6,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "sim/geometry/closest_on_triangle.h"
+
 namespace griffith {
 namespace {
 
@@ -95,7 +97,9 @@ void TriangleTree::find_nearest(int index, const Vec3& point, Nearest& best) con
     return;
   }
   for (int i = node.begin; i < node.end; ++i) {
-    const Vec3 candidate = nearest_point(triangles_[order_[i]], point);
+    const std::array<Vec3, 3>& corners = triangles_[order_[i]];
+    const Vec3 weights = closest_on_triangle(point, corners);
+    const Vec3 candidate = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
     const double distance = (candidate - point).norm();
     if (distance < best.distance) best = {distance, candidate, order_[i]};
   }
@@ -127,20 +131,6 @@ bool TriangleTree::visit_box(int index, const Eigen::AlignedBox3d& box, const st
   for (int i = node.begin; i < node.end; ++i)
     if (box_of(triangles_[order_[i]]).intersects(box) && !visit(order_[i])) return false;
   return true;
-}
-
-Vec3 nearest_point(const std::array<Vec3, 3>& corners, const Vec3& point) {
-  const auto& [a, b, c] = corners;
-  const Vec3 ab = b - a, ac = c - a, ap = point - a, bp = point - b, cp = point - c;
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d1 <= 0 && d2 <= 0) return a;
-  if (d3 >= 0 && d4 <= d3) return b;
-  if (d6 >= 0 && d5 <= d6) return c;
-  const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + d1 / (d1 - d3) * ab;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + d2 / (d2 - d6) * ac;
-  if (va <= 0 && d4 >= d3 && d5 >= d6) return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
-  return a + (vb * ab + vc * ac) / (va + vb + vc);
 }
 
 }  // namespace griffith

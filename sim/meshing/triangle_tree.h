@@ -50,7 +50,4 @@ class TriangleTree {
   std::vector<Node> nodes_;                     ///< the root first
 };
 
-/// The point of a triangle that is nearest to `point` (Ericson, Real-Time Collision Detection, 2005, 5.1.5).
-Vec3 nearest_point(const std::array<Vec3, 3>& corners, const Vec3& point);
-
 }  // namespace griffith

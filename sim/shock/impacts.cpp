@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "sim/core/sort_unique.h"
+#include "sim/geometry/closest_on_triangle.h"
 #include "sim/mesh/tet_mesh.h"
 
 namespace griffith::shock {
@@ -23,24 +24,6 @@ std::array<int, 3> nodes_of(const Solid& solid, const SurfaceSide& side) {
   std::array<int, 3> nodes{};
   for (int i = 0; i < 3; ++i) nodes[i] = solid.corner(side.slot, kTetFaces[side.face][i]);
   return nodes;
-}
-
-/// The point of triangle abc nearest to p, as barycentric weights (Ericson 2005, 5.1.5).
-std::array<double, 3> nearest_weights(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
-  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
-  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
-  const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    const double w = (d4 - d3) / (d4 - d3 + d5 - d6);
-    return {0, 1 - w, w};
-  }
-  const double sum = va + vb + vc;
-  return {va / sum, vb / sum, vc / sum};
 }
 
 int body_at(const Solid& solid, int node) { return solid.body_of_slot(solid.star(node).front() / 4); }
@@ -189,7 +172,8 @@ void Impacts::touch_sphere(const Solid& solid, int index) {
     Touch touch{.nodes = nodes_of(solid, near.side), .obstacle = index};
     const Vec3 a = solid.position(touch.nodes[0]), b = solid.position(touch.nodes[1]),
                c = solid.position(touch.nodes[2]);
-    touch.weights = nearest_weights(center, a, b, c);
+    const Vec3 weights = closest_on_triangle(center, {a, b, c});
+    touch.weights = {weights[0], weights[1], weights[2]};
     touch.place = touch.weights[0] * a + touch.weights[1] * b + touch.weights[2] * c;
     const Vec3 away = center - touch.place;
     touch.depth = sphere.radius - away.norm();

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "sim/core/error.h"
+#include "sim/geometry/disjoint_sets.h"
 #include "sim/splinters/convex_cells.h"
 #include "sim/splinters/object_cell.h"
 
@@ -43,10 +44,6 @@ class Assembly {
   bool share_a_side(int a, int b);
   void unite_planes();
   int slot(int cell, int plane) const { return first_slot_[cell] + plane; }
-  int root(int slot) {
-    while (group_[slot] != slot) slot = group_[slot] = group_[group_[slot]];
-    return slot;
-  }
   void fit_planes(std::span<const std::pair<int, int>> sides);
   CellPartition partition() const;
 
@@ -54,7 +51,7 @@ class Assembly {
   double tolerance_;
   std::string file_;
   std::vector<SharedSide> shared_;
-  std::vector<int> first_slot_, group_;
+  std::vector<int> first_slot_;
 };
 
 /// Sweeps along x over the boxes.
@@ -110,17 +107,14 @@ void Assembly::unite_planes() {
     for (std::size_t plane = 0; plane < cells_[cell].planes.size(); ++plane)
       sides.emplace_back(static_cast<int>(cell), static_cast<int>(plane));
   }
-  group_.resize(sides.size());
-  std::iota(group_.begin(), group_.end(), 0);
-  for (const SharedSide& side : shared_) {
-    const int a = root(slot(side.a, side.plane_a)), b = root(slot(side.b, side.plane_b));
-    group_[std::max(a, b)] = std::min(a, b);
-  }
-  std::ranges::stable_sort(sides, {}, [&](const auto& side) { return root(slot(side.first, side.second)); });
+  DisjointSets sets(static_cast<int>(sides.size()));
+  for (const SharedSide& side : shared_) sets.join(slot(side.a, side.plane_a), slot(side.b, side.plane_b));
+  const auto group_of = [&](const auto& side) { return sets.find(slot(side.first, side.second)); };
+  std::ranges::stable_sort(sides, {}, group_of);
   for (std::size_t i = 0; i < sides.size();) {
-    const int group = root(slot(sides[i].first, sides[i].second));
+    const int group = group_of(sides[i]);
     std::size_t end = i;
-    while (end < sides.size() && root(slot(sides[end].first, sides[end].second)) == group) ++end;
+    while (end < sides.size() && group_of(sides[end]) == group) ++end;
     fit_planes(std::span(sides).subspan(i, end - i));
     i = end;
   }

@@ -47,16 +47,24 @@ std::uint64_t hash_of_mesh(const WorldState& world) {
       .value();
 }
 
+std::uint64_t hash_of_stresses(const WorldState& world) {
+  const ElementArrays& elements = world.elements;
+  return FieldHash().add(elements.stresses).add(elements.plastic_strains).add(elements.similarity_strains).value();
+}
+
 std::uint64_t hash_of_separations(const WorldState& world) {
   static_assert(sizeof(NodeSeparation) == 16 * sizeof(double), "it has no padding");
   const NodeArrays& nodes = world.nodes;
-  return FieldHash().add(nodes.separations).add(nodes.reactions).add(nodes.strength_factors).value();
+  FieldHash hash;
+  hash.add(nodes.separations).add(nodes.reactions).add(nodes.strength_factors).add(nodes.has_support);
+  return hash.value();
 }
 
 std::uint64_t hash_of_cracks(const WorldState& world) {
   FieldHash hash;
   hash.add(world.elements.opened).add(world.mesh.neighbours).add(world.nodes.at_crack_front);
-  hash.add(world.nodes.pushed_at).add(world.splinter_state.open_walls).add_whole(world.crack_events.size());
+  hash.add(world.nodes.pushed_at).add(world.splinter_state.open_walls).add(world.splinter_state.attached);
+  hash.add_whole(world.crack_events.size());
   for (const PostponedCrack& crack : world.postponed)
     hash.add_whole(crack.node).add_real(crack.separation.eigenvalue, crack.separation.utilization);
   return hash.value();
@@ -76,6 +84,7 @@ void add_body(const Body& body, FieldHash& hash) {
 std::uint64_t hash_of_bodies(const WorldState& world) {
   FieldHash hash;
   for (const Body& body : world.bodies) add_body(body, hash);
+  hash.add(world.nodes.similarity_starts).add_real(world.last_microstep_work);
   return hash.value();
 }
 
@@ -101,7 +110,7 @@ constexpr std::array<std::uint64_t (*)(const WorldState&), kStateFields.size()> 
     [](const WorldState& world) { return hash_values(world.nodes.positions); },
     [](const WorldState& world) { return hash_values(world.nodes.velocities); },
     hash_of_mesh,
-    [](const WorldState& world) { return hash_values(world.elements.stresses); },
+    hash_of_stresses,
     hash_of_separations,
     hash_of_cracks,
     hash_of_bodies,

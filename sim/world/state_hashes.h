@@ -10,7 +10,7 @@ namespace griffith {
 /// Earlier ones tend to follow from later ones of the step before.
 ///   positions, velocities   of nodes
 ///   mesh         corners of tets and their bodies, rest positions, masses
-///   stresses     of elements
+///   stresses     of elements, and strains without stress
 ///   separations  separation tensors of nodes with what they are judged by, forces of supports
 ///   cracks       faces that opened, crack fronts, cracks put off, walls of splinters
 ///   bodies       motion, rest and shock of pieces

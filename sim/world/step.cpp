@@ -78,6 +78,7 @@ void substep(WorldState& world, double dt) {
 /// In equal substeps; where cracks or cuts leave smaller elements, what is left of the step goes on in shorter ones.
 void step_explicitly(WorldState& world, double time_step) {
   constexpr double kRounding = 1e-9;
+  world.report.substeps = 0;
   for (double left = time_step; left > 0; ++world.report.substeps) {
     const double count = std::max(1.0, std::ceil((1 - kRounding) * left / stable_substep(world)));
     const double dt = left / count;
@@ -90,10 +91,11 @@ void step_explicitly(WorldState& world, double time_step) {
 
 /// Up to the next impact, and on: waves and the pace of cracks are not followed.
 void step_implicitly(WorldState& world, double time_step) {
-  const double quiet_time = time_before(expected_impacts(world, time_step), time_step);
+  const double impact = time_before(expected_impacts(world, time_step), time_step), tolerance = impact_tolerance(world);
+  const bool is_cut = impact >= tolerance && time_step - impact >= tolerance;
   world.report.substeps = 0;
-  for (const double dt : {quiet_time, time_step - quiet_time}) {
-    if (dt < impact_tolerance(world)) continue;
+  for (const double dt : {is_cut ? impact : 0, is_cut ? time_step - impact : time_step}) {
+    if (dt == 0) continue;
     substep(world, dt);
     ++world.report.substeps;
   }
@@ -126,6 +128,7 @@ void step_by_stretches(WorldState& world, double time_step) {
     }
     if (world.model->scene.simulation.fracture) open_cracks(world, stretch);
   }
+  world.last_microstep_work = world.scratch.microstep_work;
   rigidify_quiet_bodies(world);
   update_sleep(world, time_step);
 }

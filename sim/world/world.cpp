@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "sim/core/hash_bytes.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/conditions/projectiles.h"
 #include "sim/world/energy/energy_phase.h"
@@ -20,20 +21,6 @@
 
 namespace griffith {
 namespace {
-
-/// FNV-1a over bytes (Fowler, Noll & Vo 1991).
-class Hash {
- public:
-  template <class T>
-  void add(const std::vector<T>& values) {
-    const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
-    for (std::size_t i = 0; i < values.size() * sizeof(T); ++i) value_ = (value_ ^ bytes[i]) * 0x100000001b3u;
-  }
-  std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325u;
-};
 
 /// Takes on the material that is in force now.
 void change_bodies(WorldState& world, int scene_body) {
@@ -148,7 +135,9 @@ ProjectileBurst World::fire(const ProjectileBurst& burst) { return fire_burst(im
 
 void World::set_material(int scene_body, const Material& material) {
   WorldState& world = impl_->state;
-  assert(scene_body >= 0 && scene_body < static_cast<int>(world.materials.size()));
+  if (scene_body < 0 || scene_body >= static_cast<int>(world.materials.size()))
+    throw InputError("material", "is of body " + std::to_string(scene_body) + ", which is none of the scene",
+                     "take an index of Scene::bodies");
   check_substep_count(world, scene_body, material);
   const EnergyNow before = energy_now(world);
   const bool stays = world.step > 0 && differ_in_resistance_alone(world.materials[scene_body], material);
@@ -184,12 +173,8 @@ std::size_t World::memory() const {
 
 std::uint64_t World::state_hash() const {
   const WorldState& world = impl_->state;
-  Hash hash;
-  hash.add(world.nodes.positions);
-  hash.add(world.nodes.velocities);
-  hash.add(world.mesh.tets);
-  hash.add(world.elements.bodies);
-  return hash.value();
+  const std::uint64_t motion = hash_values(world.nodes.velocities, hash_values(world.nodes.positions));
+  return hash_values(world.elements.bodies, hash_values(world.mesh.tets, motion));
 }
 
 StateHashes World::state_hashes() const { return hash_state(impl_->state); }

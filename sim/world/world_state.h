@@ -154,6 +154,7 @@ struct WorldState {
   std::vector<Vec3> load_forces;  ///< per node, for the frame [N]; empty without loads
   Totals totals;
   EnergyAccount energy, energy_before;  ///< so far; before the present step
+  double last_microstep_work = 0;       ///< Scratch::microstep_work of the last step
   double potential_at_start = 0;        ///< of gravity, with what was launched since [J]
   Scratch scratch;
 

@@ -110,6 +110,21 @@ TEST_F(ComparisonTest, GoingToTheComparedBranchLetsTheTwoChangePlaces) {
   EXPECT_THAT(value("compare/difference"), HasSubstr("Branch 1 differs from step 4"));
 }
 
+TEST_F(ComparisonTest, ABranchThatBeginsMeanwhileIsComparedAnew) {
+  fork();
+  click("time/compare");
+  draw(2);
+  click("compare/0");
+  draw(2);
+  press_key(ui::key::kEscape);
+  EXPECT_THAT(value("compare/difference"), HasSubstr("Branch 0 differs from step 4"));
+  editor_.execute({.id = CommandId::go_to_step, .step = 2});
+  editor_.execute({.id = CommandId::fire});
+  run(3);
+  ASSERT_EQ(editor_.timeline().branch(), 2);
+  EXPECT_THAT(value("compare/difference"), HasSubstr("Branch 0 differs from step 3"));
+}
+
 TEST_F(ComparisonTest, PlotsShowTheValuesOfBothBranches) {
   fork();
   press_key('B');

@@ -6,6 +6,7 @@
 
 #include "editor_fixture.h"
 #include "renderer/image.h"
+#include "sim/core/replace_file.h"
 
 namespace griffith::app {
 namespace {
@@ -61,6 +62,27 @@ TEST_F(ExportTest, PicturesAreNumberedByTheirSteps) {
   }
   EXPECT_NE(render::load_png(test_folder() / "wall_0000.png"), render::load_png(test_folder() / "wall_0003.png"));
   EXPECT_FALSE(fs::exists(test_folder() / "wall_0004.png"));
+}
+
+TEST_F(ExportTest, PicturesOfOthersAreNotReplacedUnasked) {
+  run(2);
+  replace_file(test_folder() / "wall_0001.png", "not mine");
+  write(test_folder() / "wall.png");
+  draw(2);
+  ASSERT_TRUE(editor_.state().replacement);
+  EXPECT_THAT(editor_.state().replacement->problem, HasSubstr("wall_0001.png is there already"));
+  EXPECT_EQ(beginning(test_folder() / "wall_0001.png", 8), "not mine");
+  EXPECT_TRUE(editor_.state().work.empty());
+}
+
+TEST_F(ExportTest, ACancelledOneTellsThePicturesThatAreThere) {
+  run(5);
+  write(test_folder() / "wall.png");
+  draw(2);
+  editor_.state().cancel_work = true;
+  wait_for_work();
+  EXPECT_TRUE(fs::exists(test_folder() / "wall_0000.png"));
+  EXPECT_THAT(editor_.state().log.back().text, HasSubstr("cancelled: wrote "));
 }
 
 TEST_F(ExportTest, AVideoOfTheView) {

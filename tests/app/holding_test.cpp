@@ -171,14 +171,14 @@ TEST(Holding, TheReportSaysWhatWasFoundAndWhatWasNot) {
   HoldingAnswer answer;
   answer.strength = {1.24, 1.25, true, true, 6};
   answer.slowness = HoldingFactor{1.9, 2, true, true, 8};
-  ui::WorkReport report = holding_report(answer, run, run.scene.bodies[0].material);
+  ui::WorkReport report = holding_report(answer, run);
   EXPECT_THAT(report.title, HasSubstr("node 7"));
   EXPECT_THAT(report.facts[0], HasSubstr("1.25 times the strength"));
   EXPECT_THAT(report.facts[1], HasSubstr("20 m/s instead of 40 m/s"));
   EXPECT_TRUE(report.warnings.empty());
   answer.slowness.reset();
   answer.cancelled = true;
-  report = holding_report(answer, run, run.scene.bodies[0].material);
+  report = holding_report(answer, run);
   EXPECT_EQ(report.facts.size(), 2u) << "what was not tried is not told";
   EXPECT_THAT(report.warnings[0], HasSubstr("Cancelled"));
 }

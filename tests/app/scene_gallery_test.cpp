@@ -124,7 +124,7 @@ TEST_F(SceneBrowsing, EditsAreAskedForBeforeAnotherSceneIsOpened) {
   other.name = "other";
   write_scene(other, test_folder() / "other.json");
   editor_.open(small_wall_file());
-  draw(2);
+  wait_for_work();
   choose_material("concrete");
   press_key('O', true, true);
   draw(3);

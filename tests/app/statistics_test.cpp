@@ -35,7 +35,8 @@ TEST(Statistics, EveryFieldIsThereAndMakesSense) {
   for (const StepCounter& counter : step_counters()) EXPECT_GE(stats[counter.key].get<double>(), 0) << counter.key;
   EXPECT_TRUE(stats["scaled_impacts"].is_array());
   for (const EnergyEntry& entry : energy_entries()) EXPECT_TRUE(stats["energy"][entry.key].is_number()) << entry.key;
-  EXPECT_LT(std::abs(stats["energy"]["unaccounted"].get<double>()), 0.01 * stats["energy"]["put_in"].get<double>());
+  EXPECT_LT(std::abs(stats["energy"]["unaccounted"].get<double>()),
+            0.01 * stats["energy"]["turned_over"].get<double>());
   EXPECT_EQ(stats["frames"], 25);
   EXPECT_EQ(stats["threads"], 1);
   EXPECT_GE(stats["substeps"].get<int>(), 25);

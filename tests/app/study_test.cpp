@@ -184,6 +184,10 @@ TEST(Expression, AConditionMayHaveSettings) {
   EXPECT_EQ(condition.settings, (std::vector<SceneSetting>{{"/projectiles/0/speed", "3"}, {"/name", "\"x\""}}));
   EXPECT_EQ(condition.expression.comparisons.size(), 2u);
   EXPECT_TRUE(read_condition("pieces == 5", "").settings.empty());
+  const Condition place = read_condition(R"(projectiles/0/position=[0, 1, 5], name="a:b": pieces > 1)", "");
+  ASSERT_EQ(place.settings.size(), 2u);
+  EXPECT_EQ(place.settings[0].value, "[0, 1, 5]");
+  EXPECT_EQ(place.settings[1].value, "\"a:b\"");
 }
 
 /// By the closed form of the interval, solved by hand: (2 p n + z² ± z √(z² + 4 p n (1 − p))) / (2 (n + z²)).

@@ -1,3 +1,4 @@
+#include "sim/core/hash_bytes.h"
 #include "sim/core/temporary_folder.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/mesh_report.h"
@@ -11,19 +12,12 @@
 namespace griffith::fuzz {
 namespace {
 
-/// FNV-1a, with which entries begin behind their first line.
-std::uint64_t hash_of(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
-  return hash;
-}
-
 /// Damages an entry, and signs it again most of the time: else every damage would be found by its sum.
 std::string mutate_entry(const std::string& entry, RandomValues& random) {
   const std::size_t sum = entry.find('\n') + 1, content = sum + sizeof(std::uint64_t);
   if (chance(random, 0.1)) return mutate_bytes(entry, random);
   const std::string damaged = mutate_bytes(entry.substr(content), random);
-  const std::uint64_t hash = hash_of(damaged);
+  const std::uint64_t hash = hash_bytes(damaged);
   return entry.substr(0, sum) + std::string(reinterpret_cast<const char*>(&hash), sizeof hash) + damaged;
 }
 

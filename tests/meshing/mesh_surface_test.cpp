@@ -10,6 +10,7 @@
 #include <random>
 
 #include "sim/core/error.h"
+#include "sim/core/hash_bytes.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/topology.h"
 #include "sim/meshing/mesh_cache.h"
@@ -252,9 +253,8 @@ TEST(MeshSurface, DamagedCacheEntriesAreIgnored) {
 void write_crafted_entry(const std::filesystem::path& path, const std::array<std::int32_t, 4>& header,
                          const std::string& content) {
   const std::string bytes = std::string(reinterpret_cast<const char*>(header.data()), sizeof header) + content;
-  std::uint64_t sum = 0xcbf29ce484222325u;  // FNV-1a
-  for (const char byte : bytes) sum = (sum ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
-  std::ofstream(path, std::ios::binary) << "griffith mesh 3\n"
+  const std::uint64_t sum = hash_bytes(bytes);
+  std::ofstream(path, std::ios::binary) << "griffith mesh 4\n"
                                         << std::string(reinterpret_cast<const char*>(&sum), sizeof sum) << bytes;
 }
 

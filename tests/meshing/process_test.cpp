@@ -36,6 +36,12 @@ TEST(Process, GivesLinesOutputAndExitCode) {
   EXPECT_TRUE(shell("true").succeeded());
 }
 
+TEST(Process, IsHeldToItsTimeWhenItHasClosedItsOutput) {
+  const ProcessLimits brief = {0.3, kLimits.memory_bytes};
+  EXPECT_LT(seconds_of([&] { EXPECT_EQ(shell("exec >&- 2>&-; sleep 20", brief).end, End::out_of_time); }), 10);
+  EXPECT_EQ(shell("exec >&- 2>&-; sleep 0.1; exit 7").code, 7);
+}
+
 TEST(Process, HasNoInput) { EXPECT_EQ(shell("cat; echo end").output, "end\n"); }
 
 TEST(Process, AProgramThatIsNotThereIsNotFound) {

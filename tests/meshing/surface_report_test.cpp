@@ -6,6 +6,7 @@
 #include <random>
 
 #include "sim/core/error.h"
+#include "sim/geometry/closest_on_triangle.h"
 #include "sim/meshing/self_intersection.h"
 #include "sim/meshing/triangle_tree.h"
 #include "surfaces.h"
@@ -181,8 +182,11 @@ TEST(TriangleTree, NearestPointAndWindingNumberAgreeWithAllTriangles) {
   for (int sample = 0; sample < 300; ++sample) {
     const Vec3 point(uniform(random), uniform(random), uniform(random) / 3);
     double nearest = 1e9;
-    for (int i = 0; i < static_cast<int>(torus.triangles.size()); ++i)
-      nearest = std::min(nearest, (nearest_point(corners_of(torus, i), point) - point).norm());
+    for (int i = 0; i < static_cast<int>(torus.triangles.size()); ++i) {
+      const std::array<Vec3, 3> corners = corners_of(torus, i);
+      const Vec3 w = closest_on_triangle(point, corners);
+      nearest = std::min(nearest, (w[0] * corners[0] + w[1] * corners[1] + w[2] * corners[2] - point).norm());
+    }
     EXPECT_NEAR(tree.nearest(point).distance, nearest, 1e-12);
     const double to_core = std::hypot(std::hypot(point.x(), point.y()) - 1, point.z());
     if (std::abs(to_core - 0.345) < 0.01) continue;

@@ -155,6 +155,17 @@ TEST(ExplicitIntegration, TakesTheSubstepsThatStabilityAsksFor) {
   EXPECT_LT(std::abs(tip_deflection(soft)), 0.1) << "stable";
 }
 
+/// What sways softly takes one, and is said to.
+TEST(ExplicitIntegration, CountsASingleSubstepAsOne) {
+  Scene scene = beam();
+  scene.simulation.integrator = Integrator::symplectic_euler;
+  scene.simulation.time_step = 1e-5;
+  scene.bodies[0].material.young_modulus = 1e6;
+  World world(scene);
+  world.step();
+  EXPECT_EQ(world.frame().report.substeps, 1);
+}
+
 /// Damping this strong needs 10⁸ substeps: more than an int's worth of them must neither wrap round nor be made.
 TEST(ExplicitIntegration, RefusesMoreSubstepsThanItMakes) {
   Scene scene = beam();

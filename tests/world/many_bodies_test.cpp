@@ -129,6 +129,19 @@ TEST(ManyBodies, ACrowdOfProjectilesIsRefused) {
   EXPECT_EQ(problem_of(scene), "none");
 }
 
+TEST(ManyBodies, ShotsAndMaterialsThatAreNoneAreRefused) {
+  World world((Scene()));
+  for (const auto& spoil : std::vector<std::function<void(ProjectileBurst&)>>{
+           [](ProjectileBurst& burst) { burst.count = 0; }, [](ProjectileBurst& burst) { burst.speed = NAN; },
+           [](ProjectileBurst& burst) { burst.direction.setZero(); }}) {
+    ProjectileBurst burst;
+    world.fire(burst);
+    spoil(burst);
+    EXPECT_THROW(world.fire(burst), InputError);
+  }
+  EXPECT_THROW(world.set_material(0, {}), InputError);
+}
+
 /// Refused while it runs as in a file, and then as if it had not been fired.
 TEST(ManyBodies, ACrowdOfShotsIsRefused) {
   World world((Scene()));

@@ -12,9 +12,6 @@ struct SurfacePoint {
   Vec3 weights = Vec3::Zero();
 };
 
-/// Barycentric weights of the point of triangle abc closest to p.
-Vec3 closest_on_triangle(const Vec3& p, const std::array<Vec3, 3>& corners);
-
 /// Finds points of a body's present surface (world space); void when its nodes move.
 class SurfaceSearch {
  public:

@@ -8,6 +8,7 @@
 
 #include "sim/core/error.h"
 #include "sim/elasticity/principal_stress.h"
+#include "sim/geometry/closest_on_triangle.h"
 #include "sim/scene/field.h"
 #include "sim/world/bodies/surface_point.h"
 #include "sim/world/world_state.h"

@@ -81,6 +81,8 @@ struct Demand {
   int tets = 0;
   double microsteps = 0;         ///< of what is left of the step
   double highest_frequency = 0;  ///< as slowed now [rad/s]
+
+  double work() const { return microsteps * kMicrostepWork * tets; }  ///< [µs]
 };
 
 Demand demand_of(const WorldState& world, double left) {
@@ -148,10 +150,11 @@ double microsteps_left(const WorldState& world) {
 
 double stretch_of_shock(const WorldState& world, double left) {
   constexpr double kShortest = 1.0 / 16;  // of a time step
-  const double time_step = world.model->scene.simulation.time_step,
-               stretch = std::min(left, std::max({kShortest * time_step, time_step - left, time_to_follow(world)})),
-               affordable = microsteps_left(world) / demand_of(world, stretch).microsteps;
-  return std::min(1.0, affordable) * stretch;
+  const double time_step = world.model->scene.simulation.time_step, work = demand_of(world, left).work();
+  const double as_last_step = work > 0 ? left * world.last_microstep_work / work : 0;
+  const double stretch =
+      std::min(left, std::max({kShortest * time_step, time_step - left, time_to_follow(world), as_last_step}));
+  return std::min(1.0, microsteps_left(world) / demand_of(world, stretch).microsteps) * stretch;
 }
 
 namespace {
@@ -207,7 +210,7 @@ void choose_similarity(WorldState& world, double left) {
   const double budget = 1e3 * world.model->scene.simulation.step_budget;
   const double available = std::max(budget - world.scratch.microstep_work, kMinFraction * budget);
   const Demand demand = demand_of(world, left);
-  const double work = demand.microsteps * kMicrostepWork * demand.tets, followed = stretch_of_shock(world, left) / left;
+  const double work = demand.work(), followed = stretch_of_shock(world, left) / left;
   const bool is_too_much = followed * work > kFractionOfOneShock * available;
   const auto is_scaled = [](const Body& body) { return body.shock && body.shock->similarity < 1; };
   if (!is_too_much && std::ranges::none_of(world.bodies, is_scaled)) return;

@@ -55,7 +55,7 @@ double microsteps_left(const WorldState& world);
 
 /// How long the next stretch is of a step that has `left` [s] to go: until waves have been followed, but not too short,
 /// as each begins with contacts and with what the microsteps know of the bodies. Where blows prolong a shock, it is as
-/// long as all before [s].
+/// long as all before, or takes as much work as those of the last step did: heaps rattle on [s].
 double stretch_of_shock(const WorldState& world, double left);
 
 }  // namespace griffith
