@@ -4,6 +4,7 @@
 #include <map>
 
 #include "sim/fracture/strength_variation.h"
+#include "sim/geometry/face_key.h"
 #include "sim/meshing/surface.h"
 
 namespace griffith::app {
@@ -72,14 +73,10 @@ bool lies_on(const OpenedFace& face, const OpenedFace& other) {
 /// Which face lies back to back with each; -1: none is known. Cracks leave two copies of a face with the same corners
 /// at rest.
 std::vector<int> partners(std::span<const OpenedFace> faces) {
-  using Key = std::pair<int, std::array<std::array<double, 3>, 3>>;
-  std::map<Key, int> waiting;
+  std::map<std::pair<int, FaceKey>, int> waiting;
   std::vector<int> partner(faces.size(), -1);
   for (int i = 0; i < std::ssize(faces); ++i) {
-    Key key{faces[i].scene_body, {}};
-    for (int k = 0; k < 3; ++k) key.second[k] = {faces[i].rest[k].x(), faces[i].rest[k].y(), faces[i].rest[k].z()};
-    std::ranges::sort(key.second);
-    const auto [other, is_new] = waiting.try_emplace(key, i);
+    const auto [other, is_new] = waiting.try_emplace({faces[i].scene_body, face_key(faces[i].rest)}, i);
     if (is_new) continue;
     partner[i] = other->second, partner[other->second] = i;
     waiting.erase(other);

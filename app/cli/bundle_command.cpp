@@ -33,7 +33,7 @@ struct BundleOptions {
 /// Draws a world that began as `first` as `griffith render` does, or says in `parts` why it cannot. Returns what drew
 /// it.
 std::string add_picture(const World& first, const World& world, const Scene& scene, ReportParts& parts) try {
-  constexpr int kWidth = 1280, kHeight = 720, kSamples = 4;
+  constexpr int kWidth = 1280, kHeight = 720;
   const render::EglContext context(std::nullopt);
   const Frame frame = world.frame();
   SteadyRange range;
@@ -43,7 +43,7 @@ std::string add_picture(const World& first, const World& world, const Scene& sce
   const render::DrawScene drawn = draw_scene_from_frame(frame, display, scene, scene.view, {}, range.range());
   render::Renderer renderer;
   const render::Camera camera = scene_camera(scene, "", drawn, static_cast<float>(kWidth) / kHeight);
-  renderer.render(drawn, camera, picture_options(kWidth, kHeight, kSamples, scene.view));
+  renderer.render(drawn, camera, picture_options(kWidth, kHeight, std::nullopt, scene.view));
   parts.picture = renderer.image();
   return context.renderer();
 } catch (const std::exception& error) {

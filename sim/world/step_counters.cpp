@@ -9,7 +9,8 @@ constexpr auto kSum = CounterTotal::sum, kLargest = CounterTotal::largest;
 constexpr auto kNone = CounterConcern::none, kWarning = CounterConcern::warning, kError = CounterConcern::error;
 
 constexpr StepCounter kCounters[] = {
-    {"substeps", "Substeps", "", "Implicit steps that the step was made of.", kSum, kNone, &StepReport::substeps},
+    {"substeps", "Substeps", "", "Parts that the step was made of, each with contacts of its own.", kSum, kNone,
+     &StepReport::substeps},
     {"microsteps", "Microsteps", "", "Explicit steps of bodies in shock.", kSum, kNone, &StepReport::microsteps},
     {"contacts", "Contacts", "", "Points at which things touched.", kSum, kNone, &StepReport::contacts},
     {"cracks_postponed", "Cracks postponed", "", "Over the budget of cracks a step; they follow in the next steps.",

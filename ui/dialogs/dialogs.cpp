@@ -11,7 +11,7 @@
 namespace griffith::ui {
 namespace {
 
-constexpr char kWorkTitle[] = "Building the bodies";
+constexpr char kWorkTitle[] = "Working";
 
 constexpr std::array<std::pair<const char*, const char*>, 8> kMouseHelp = {{
     {"Left drag", "turn about the target"},

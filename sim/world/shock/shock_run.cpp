@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "sim/geometry/face_key.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/contact_views.h"
@@ -122,7 +123,7 @@ std::vector<shock::SurfaceSide> ShockRun::surface_of_bodies() const {
 /// Faces that cracks opened before, paired by their places at rest.
 std::vector<shock::CrackSides> ShockRun::cracks_of_bodies() const {
   const TetMesh& mesh = world_.mesh;
-  std::map<std::array<double, 3>, std::pair<TetId, int>> unpaired;
+  std::map<FaceKey, std::pair<TetId, int>> unpaired;
   std::vector<shock::CrackSides> cracks;
   for (const TetId tet : tets_) {
     if (!tet.valid()) continue;
@@ -130,12 +131,7 @@ std::vector<shock::CrackSides> ShockRun::cracks_of_bodies() const {
       if (mesh.neighbours[tet][face].valid() || world_.elements.first_surface[tet] >> face & 1) continue;
       std::array<Vec3, 3> places;
       for (int i = 0; i < 3; ++i) places[i] = mesh.rest_positions[mesh.tets[tet][kTetFaces[face][i]]];
-      std::ranges::sort(places, [](const Vec3& a, const Vec3& b) {
-        return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-      });
-      const Vec3 sum = places[0] + 2 * places[1] + 4 * places[2];  // tells faces apart, whichever corner comes first
-      const std::array<double, 3> key{sum[0], sum[1], sum[2]};
-      const auto [other, is_new] = unpaired.try_emplace(key, tet, face);
+      const auto [other, is_new] = unpaired.try_emplace(face_key(places), tet, face);
       if (is_new) continue;
       const auto [partner, partner_face] = other->second;
       cracks.push_back(crack_sides(mesh, partner, partner_face, tet, slot_of_tet_[partner], slot_of_tet_[tet]));

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "sim/core/linear_algebra.h"
+
+namespace griffith {
+
+/// The corners of a triangle, the same whichever comes first and whichever way round they go.
+using FaceKey = std::array<std::array<double, 3>, 3>;
+
+inline FaceKey face_key(const std::array<Vec3, 3>& corners) {
+  FaceKey key;
+  for (int i = 0; i < 3; ++i) key[i] = {corners[i].x(), corners[i].y(), corners[i].z()};
+  std::ranges::sort(key);
+  return key;
+}
+
+}  // namespace griffith
