@@ -180,6 +180,33 @@ TEST_F(RendererTest, PuffsAreSeenThroughAndNotPicked) {
   EXPECT_EQ(brightness(0.9f, -1.5f), without) << "behind the sphere";
 }
 
+/// Each changes a pixel by less than a step of its colour; together they must change all three channels in proportion.
+/// Rounded to the nearest step, green and blue would be some 50 steps off.
+TEST_F(RendererTest, ManyFaintPuffsFadeInTheirOwnHue) {
+  constexpr int kPuffs = 200;
+  constexpr float kOpacity = 0.004f;
+  const Puff puff{camera().target, 4, {0.8f, 0.4f, 0.3f}, kOpacity};
+  const auto mean_colour = [&](const std::vector<Puff>& puffs) {
+    DrawScene scene;
+    scene.puffs = puffs;
+    const Image image = picture(scene, options(1));
+    Vector3f sum = Vector3f::Zero();
+    for (int y = -4; y <= 4; ++y)
+      for (int x = -4; x <= 4; ++x)
+        for (int i = 0; i < 3; ++i) sum[i] += image.pixel(kWidth / 2 + x, kHeight / 2 + y)[i];
+    return Vector3f(sum / 81);
+  };
+  Puff dense = puff;
+  dense.opacity = 1;
+  const float left = std::pow(1 - kOpacity, kPuffs);
+  const Vector3f expected = left * mean_colour({}) + (1 - left) * mean_colour({dense});
+  std::vector<Puff> puffs(kPuffs, puff);
+  for (int i = 0; i < kPuffs; ++i) puffs[i].center.x() += 1e-3f * static_cast<float>(i);
+  const Vector3f faint = mean_colour(puffs);
+  EXPECT_LT((faint - expected).cwiseAbs().maxCoeff(), 10)
+      << faint.transpose() << " instead of " << expected.transpose();
+}
+
 TEST_F(RendererTest, MarkedEdgesAreDrawnAndOnlyThose) {
   DrawScene scene = screen_filling_square(camera());
   RenderOptions how = options();

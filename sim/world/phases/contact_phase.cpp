@@ -189,11 +189,11 @@ Response update_response(WorldState& world, TouchedBody& touched, ElasticRespons
   }
   const Eigen::Matrix3Xd added = impulses - response.impulses;
   if (added.isZero(0)) return {};
-  Response update_response{respond(world, touched, dt, impulses, added, nodal), true};
+  Response given{respond(world, touched, dt, impulses, added, nodal), true};
   const Eigen::Matrix3Xd velocities = point_velocities(world, touched), moved = velocities - response.velocities;
   const Eigen::Matrix3Xd expected = griffith::respond(response.compliance, added);
   const double negligible = kNegligible * dt * world.model->scene.gravity.norm() * std::sqrt(added.cols());
-  update_response.matches_prediction = (moved - expected).norm() <= kForeseen * expected.norm() + negligible;
+  given.matches_prediction = (moved - expected).norm() <= kForeseen * expected.norm() + negligible;
   const double ratio = moved.cwiseProduct(added).sum() / expected.cwiseProduct(added).sum();
   if (learns && ratio > 0 && !world.integrates_explicitly()) {
     const double factor = std::clamp(ratio * body.compliance_factor, 0.1, 100.0);
@@ -202,21 +202,21 @@ Response update_response(WorldState& world, TouchedBody& touched, ElasticRespons
   }
   response.impulses = impulses;
   response.velocities = velocities;
-  return update_response;
+  return given;
 }
 
 /// All bodies answer; whether all did as foreseen.
 bool update_responses(WorldState& world, TouchedBodies& touched, double dt, bool learns = true) {
   std::vector<Vec3> nodal(world.nodes.positions.size());
-  std::vector<Response> responds(touched.bodies.size());
-  parallel_for(static_cast<int>(responds.size()), 1, [&](int begin, int end) {
+  std::vector<Response> responses(touched.bodies.size());
+  parallel_for(static_cast<int>(responses.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i)
-      responds[i] = update_response(world, touched.bodies[i], touched.responses[i], dt, learns, nodal);
+      responses[i] = update_response(world, touched.bodies[i], touched.responses[i], dt, learns, nodal);
   });
   bool matches_prediction = true;
-  for (std::size_t i = 0; i < responds.size(); ++i) {
-    count_solve(world, responds[i].solve);
-    matches_prediction &= responds[i].matches_prediction;
+  for (std::size_t i = 0; i < responses.size(); ++i) {
+    count_solve(world, responses[i].solve);
+    matches_prediction &= responses[i].matches_prediction;
   }
   return matches_prediction;
 }

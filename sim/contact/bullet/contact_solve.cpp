@@ -93,8 +93,8 @@ std::vector<ContactConstraint> ContactWorld::Impl::constraints(double dt) const 
 /// A slower approach does not strike: that of what falls from rest within a substep, and of a fall through a small
 /// share of the smaller object's size [m/s].
 double ContactWorld::Impl::touching_speed(const Object& a, const Object& b, double dt) const {
-  constexpr double kQuietFraction = 0.06;
-  return std::max(2 * dt * gravity.norm(), kQuietFraction * std::sqrt(gravity.norm() * smaller_radius(a, b)));
+  constexpr double kSettledFraction = 0.06;
+  return std::max(2 * dt * gravity.norm(), kSettledFraction * std::sqrt(gravity.norm() * smaller_radius(a, b)));
 }
 
 /// A gap that closes in this substep is struck now, at full speed, rather than half now and half in the next one.
@@ -126,7 +126,7 @@ double ContactWorld::Impl::target_velocity(const Contact& contact, double dt) co
 
 int ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elastic, bool again) {
   assert(dt > 0);
-  std::vector<SolverBody> answering = rigid_solver_bodies(dt);
+  std::vector<SolverBody> solver_bodies = rigid_solver_bodies(dt);
   solved = constraints(dt);
   for (Object& object : objects) object.elastic = false;
   std::vector<const ElasticResponse*> response_of(objects.size(), nullptr);
@@ -141,7 +141,7 @@ int ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elasti
   const auto free_velocity = [&](const ContactEnd& end) {
     if (const ElasticResponse* response = response_of[end.solver_body])
       return Vec3(response->free_velocities.col(end.point));
-    return rigid_velocity(answering[end.solver_body], end);
+    return rigid_velocity(solver_bodies[end.solver_body], end);
   };
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     contacts[i].approach = -contacts[i].normal.dot(free_velocity(solved[i].a) - free_velocity(solved[i].b));
@@ -150,13 +150,13 @@ int ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elasti
   parallel_for(static_cast<int>(elastic.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const ElasticResponse& response = elastic[i];
-      SolverBody& solver_body = answering[response.object];
+      SolverBody& solver_body = solver_bodies[response.object];
       solver_body.compliance = &response.compliance;
       solver_body.elastic.emplace(response.compliance,
                                   response.velocities - respond(response.compliance, response.impulses));
     }
   });
-  const int relaxations = solve_impulses(solved, answering, again ? kAgain : SolverLimits());
+  const int relaxations = solve_impulses(solved, solver_bodies, again ? kAgain : SolverLimits());
   for (std::size_t i = 0; i < contacts.size(); ++i) contacts[i].impulse = solved[i].axes * solved[i].impulse;
   remember_impulses(dt);
   return relaxations;
