@@ -114,7 +114,7 @@ void Editor::begin_renaming() {
   state_.body_filter = {};
   state_.listed_entry.reset();  // it is scrolled to
   state_.renamed = entry;
-  std::snprintf(state_.new_name.data(), state_.new_name.size(), "%s", ui::entry_name(history_.scene(), *entry).c_str());
+  state_.new_name = ui::entry_name(history_.scene(), *entry);
 }
 
 void Editor::toggle_hidden() {

@@ -39,9 +39,7 @@ void click_with(UiDriver& ui, int modifier, const std::string& tag) {
 /// Waits until the box for the entry's name has the focus.
 void begin_renaming(UiDriver& ui, const SceneEntry& entry) {
   ui.state.renamed = entry;
-  const std::string name = entry_name(ui.history.scene(), entry);
-  ui.state.new_name = {};
-  name.copy(ui.state.new_name.data(), name.size());
+  ui.state.new_name = entry_name(ui.history.scene(), entry);
   for (int i = 0; i < 4; ++i) ui.frame();
 }
 

@@ -133,7 +133,7 @@ struct EditorState {
   std::vector<SceneEntry> entries;           ///< chosen in the outliner, in that order; empty: the selected body
   std::optional<SceneEntry> listed_entry;    ///< the active one, when the outliner was drawn last
   std::optional<SceneEntry> renamed;         ///< whose name is being typed
-  std::array<char, 128> new_name = {};
+  std::string new_name;
   std::set<std::string> hidden_bodies;        ///< by name: not drawn
   bool list_pieces = false;                   ///< the list of bodies holds each piece by itself
   std::array<char, 64> body_filter = {};      ///< what the listed ones have in their name or state

@@ -1,5 +1,7 @@
 #include "ui/panels/outliner_row.h"
 
+#include <imgui_stdlib.h>
+
 #include <algorithm>
 #include <array>
 #include <initializer_list>
@@ -97,16 +99,16 @@ void name_box(Panel& panel, const OutlinerRow& row) {
   ImGui::SetNextItemWidth(-FLT_MIN);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {4 * ui_scale(panel), 0});  // as high as other rows
   if (ImGui::IsWindowAppearing() || !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
-  const bool entered = ImGui::InputText("##name", state.new_name.data(), state.new_name.size(),
+  const bool entered = ImGui::InputText("##name", &state.new_name,
                                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   const bool left = ImGui::IsItemDeactivated();
   ImGui::PopStyleVar();
-  tag_last_item(panel.tags, tag, state.new_name.data());
+  tag_last_item(panel.tags, tag, state.new_name);
   field_tooltip(panel, tag, "Enter takes the name, Escape leaves it as it was.");
   if (!entered && !left) return;
   state.renamed.reset();
   if (ImGui::IsKeyPressed(key::kEscape, false)) return;
-  const std::string name = state.new_name.data();
+  const std::string name = state.new_name;
   std::string problem;
   panel.history.change("Rename " + row.name, [&](Scene& scene) { problem = rename_entry(scene, row.entry, name); });
   panel.history.finish();

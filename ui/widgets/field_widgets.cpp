@@ -1,7 +1,8 @@
 #include "ui/widgets/field_widgets.h"
 
+#include <imgui_stdlib.h>
+
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -12,8 +13,6 @@
 
 namespace griffith::ui {
 namespace {
-
-constexpr std::size_t kLongestText = 1024;
 
 NumberField number_field(const FieldRow& row, const Numbers& numbers) {
   return {.tag = row.tag, .label = row.label, .numbers = numbers, .tooltip = row.description};
@@ -29,17 +28,15 @@ std::string label_with_unit(const FieldRow& row, const SiPrefix& prefix, const N
 /// A text box over the rest of the row; `finished` when it was left, or Enter pressed. A right click begins to type, as
 /// in fields of numbers.
 Edit text_box(Panel& panel, const FieldRow& row, std::string& value, ImGuiInputTextFlags flags = 0) {
-  std::array<char, kLongestText> text = {};
-  std::snprintf(text.data(), text.size(), "%s", value.c_str());
-  const bool entered =
-      ImGui::InputText(("##" + row.tag).c_str(), text.data(), text.size(), flags | ImGuiInputTextFlags_AutoSelectAll);
+  std::string text = value;
+  const bool entered = ImGui::InputText(("##" + row.tag).c_str(), &text, flags | ImGuiInputTextFlags_AutoSelectAll);
   if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) ImGui::SetKeyboardFocusHere(-1);
   Edit edit;
   edit.finished = ImGui::IsItemDeactivatedAfterEdit();
   tag_last_item(panel.tags, row.tag, value);
   field_tooltip(panel, row.tag, row.description);
-  edit.changed = entered && value != text.data();
-  if (entered) value = text.data();
+  edit.changed = entered && value != text;
+  if (entered) value = text;
   return edit;
 }
 
