@@ -1,7 +1,9 @@
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <assimp/Importer.hpp>
+#include <cctype>
 #include <exception>
 #include <new>
 #include <span>
@@ -120,8 +122,9 @@ std::vector<SurfaceObject> import_objects(const std::filesystem::path& path) {
   require_known_vertices(*scene, path);
   std::vector<SurfaceObject> objects;
   add_objects(*scene, *scene->mRootNode, aiMatrix4x4(), objects);
-  const std::string extension = path.extension().string();
-  if (extension == ".stl" || extension == ".STL")  // has normals of facets alone, which would hide that it is smooth
+  std::string extension = path.extension().string();
+  std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (extension == ".stl")  // has normals of facets alone, which would hide that it is smooth
     for (SurfaceObject& object : objects) object.surface.normals.clear();
   return objects;
 }

@@ -73,7 +73,7 @@ TEST(IncludeRules, PanelsMakeNoGraphicsCallAndKnowNoWorld) {
 }
 
 TEST(IncludeRules, ThirdPartyLibrariesStayInTheirPlaces) {
-  expect_only_in(kBullet, "^sim/(contact/|geometry/convex_hull\\.cpp$)");
+  expect_only_in(kBullet, "^sim/(contact/bullet/|geometry/convex_hull\\.cpp$)");
   expect_only_in("^(tbb|oneapi/tbb)/", "^sim/core/parallel\\.cpp$");
   expect_only_in(
       "^nlohmann/",
