@@ -29,6 +29,7 @@ void bench(BenchOptions options) {
   const TerminationHold hold;
   const std::vector<BenchResult> results = run_bench(definition, [&hold] { return hold.requested(); });
   std::printf("%s", bench_table(results).c_str());
+  std::fflush(stdout);  // a signal that was held ends the program below
   if (!options.json.empty()) replace_file(options.json, bench_json(definition, results));
 }
 

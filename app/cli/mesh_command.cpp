@@ -71,45 +71,47 @@ void make_mesh(const MeshOptions& options) {
   outputs.finish();
 }
 
+/// How the tetrahedra are to be.
+void add_meshing(CLI::App& command, MeshingOptions& meshing) {
+  const std::map<std::string, MeshingMethod> methods = {{"automatic", MeshingMethod::automatic},
+                                                        {"tetgen", MeshingMethod::tetgen},
+                                                        {"volumetric", MeshingMethod::volumetric}};
+  command
+      .add_option("--element-size", meshing.element_size, "Edge of a tetrahedron [m]; 1/20 of the size if not given")
+      ->check(CLI::Range(1e-6, 1e5))
+      ->type_name("M");
+  command
+      .add_option("--method", meshing.method,
+                  "automatic (the default), tetgen (keeps the surface's triangles) or volumetric (takes any surface)")
+      ->transform(CLI::CheckedTransformer(methods).description(""))
+      ->type_name("NAME");
+  command.add_option("--grading", meshing.grading, "how many times longer edges may be deep inside; 1 if not given")
+      ->check(CLI::Range(1.0, 100.0))
+      ->type_name("G");
+  command
+      .add_option("--quality", meshing.radius_edge_ratio,
+                  "TetGen: most circumradius over shortest edge; 1.4 if not given")
+      ->check(CLI::Range(1.1, 10.0))
+      ->type_name("Q");
+  command
+      .add_option("--min-dihedral", meshing.min_dihedral_angle,
+                  "TetGen: angle between faces to work for; 10 if not given")
+      ->check(CLI::Range(0.0, 18.0))
+      ->type_name("DEGREES");
+}
+
 }  // namespace
 
 Command add_mesh(CLI::App& program) {
   CLI::App* command = program.add_subcommand("mesh", "Fill a surface with tetrahedra");
   const auto options = std::make_shared<MeshOptions>();
-  const std::map<std::string, MeshingMethod> methods = {{"automatic", MeshingMethod::automatic},
-                                                        {"tetgen", MeshingMethod::tetgen},
-                                                        {"volumetric", MeshingMethod::volumetric}};
   command->add_option("SURFACE", options->surface, "Surface: .obj, .stl, .ply, .off, .gltf or .glb")
       ->required()
       ->type_name("FILE");
   command->add_option("-o,--output", options->output, "Mesh to write: .msh, .vtu or .node")
       ->required()
       ->type_name("FILE");
-  command
-      ->add_option("--element-size", options->meshing.element_size,
-                   "Edge of a tetrahedron [m]; 1/20 of the size if not given")
-      ->check(CLI::Range(1e-6, 1e5))
-      ->type_name("M");
-  command
-      ->add_option("--method", options->meshing.method,
-                   "automatic (the default), tetgen (keeps the surface's triangles) or volumetric (takes any surface)")
-      ->transform(CLI::CheckedTransformer(methods).description(""))
-      ->type_name("NAME");
-  command
-      ->add_option("--grading", options->meshing.grading,
-                   "how many times longer edges may be deep inside; 1 if not given")
-      ->check(CLI::Range(1.0, 100.0))
-      ->type_name("G");
-  command
-      ->add_option("--quality", options->meshing.radius_edge_ratio,
-                   "TetGen: most circumradius over shortest edge; 1.4 if not given")
-      ->check(CLI::Range(1.1, 10.0))
-      ->type_name("Q");
-  command
-      ->add_option("--min-dihedral", options->meshing.min_dihedral_angle,
-                   "TetGen: angle between faces to work for; 10 if not given")
-      ->check(CLI::Range(0.0, 18.0))
-      ->type_name("DEGREES");
+  add_meshing(*command, options->meshing);
   command->add_option("--scale", options->scale, "Metres per unit of the file; 1 if not given")
       ->check(CLI::Range(1e-9, 1e6))
       ->type_name("S");

@@ -84,7 +84,7 @@ void expect_same_state(const BenchResult& result, const std::vector<BenchResult>
                                std::to_string(result.threads) + ". The same bits are promised: please report this");
 }
 
-/// All that the scene files of a bench are checked for before hours of runs.
+/// The runs to be made of each scene; a file that cannot be read is told before any.
 std::vector<RunRequest> requests_of(const BenchDefinition& bench) {
   std::vector<RunRequest> requests;
   for (const fs::path& scene : bench.scenes) {

@@ -1,7 +1,10 @@
 #include "ui/widgets/icons.h"
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <iterator>
+#include <utility>
 
 namespace griffith::ui {
 namespace {
@@ -91,87 +94,85 @@ void draw_box(const Pen& pen) {
   pen.line(0.8f, 0.35f, 0.35f, 0.8f);
 }
 
+/// What each icon looks like; none for Icon::none.
+using Drawing = std::pair<Icon, void (*)(const Pen& pen)>;
+constexpr Drawing kDrawings[] = {
+    {Icon::play,
+     [](const Pen& pen) {
+       pen.triangle({-0.6f, -0.85f}, {-0.6f, 0.85f}, {0.85f, 0});
+     }},
+    {Icon::pause,
+     [](const Pen& pen) {
+       pen.box(-0.65f, -0.8f, -0.15f, 0.8f);
+       pen.box(0.15f, -0.8f, 0.65f, 0.8f);
+     }},
+    {Icon::step,
+     [](const Pen& pen) {
+       pen.triangle({-0.7f, -0.8f}, {-0.7f, 0.8f}, {0.4f, 0});
+       pen.box(0.45f, -0.8f, 0.75f, 0.8f);
+     }},
+    {Icon::step_back,
+     [](const Pen& pen) {
+       pen.triangle({0.7f, -0.8f}, {0.7f, 0.8f}, {-0.4f, 0});
+       pen.box(-0.75f, -0.8f, -0.45f, 0.8f);
+     }},
+    {Icon::to_start,
+     [](const Pen& pen) {
+       for (const float x : {-0.1f, 0.75f}) pen.triangle({x, -0.7f}, {x, 0.7f}, {x - 0.75f, 0});
+       pen.line(-0.9f, -0.7f, -0.9f, 0.7f);
+     }},
+    {Icon::to_end,
+     [](const Pen& pen) {
+       for (const float x : {-0.75f, 0.1f}) pen.triangle({x, -0.7f}, {x, 0.7f}, {x + 0.75f, 0});
+       pen.line(0.9f, -0.7f, 0.9f, 0.7f);
+     }},
+    {Icon::reset, [](const Pen& pen) { draw_turn(pen, 1); }},
+    {Icon::fire,
+     [](const Pen& pen) {
+       pen.disc(0.35f, -0.1f, 0.45f);
+       for (const float y : {-0.4f, 0.0f, 0.4f}) pen.line(-0.9f, y - 0.1f, -0.35f + 0.2f * (y == 0), y - 0.1f);
+     }},
+    {Icon::open,
+     [](const Pen& pen) {
+       pen.box(-0.85f, -0.65f, -0.1f, -0.3f);
+       pen.frame(-0.85f, -0.4f, 0.85f, 0.65f);
+     }},
+    {Icon::camera,
+     [](const Pen& pen) {
+       pen.frame(-0.9f, -0.45f, 0.9f, 0.7f);
+       pen.box(-0.3f, -0.75f, 0.3f, -0.4f);
+       pen.disc(0, 0.12f, 0.3f);
+     }},
+    {Icon::frame, [](const Pen& pen) { draw_corners(pen); }},
+    {Icon::help, [](const Pen& pen) { pen.text("?"); }},
+    {Icon::undo, [](const Pen& pen) { draw_bow(pen, -1); }},
+    {Icon::redo, [](const Pen& pen) { draw_bow(pen, 1); }},
+    {Icon::body, [](const Pen& pen) { draw_box(pen); }},
+    {Icon::support,
+     [](const Pen& pen) {
+       pen.triangle({0, -0.6f}, {-0.65f, 0.4f}, {0.65f, 0.4f});
+       pen.line(-0.9f, 0.65f, 0.9f, 0.65f);
+     }},
+    {Icon::load,
+     [](const Pen& pen) {
+       pen.line(0, -0.9f, 0, 0.1f);
+       pen.triangle({-0.5f, 0}, {0.5f, 0}, {0, 0.8f});
+     }},
+    {Icon::projectile, [](const Pen& pen) { pen.disc(0, 0, 0.6f); }},
+    {Icon::probe,
+     [](const Pen& pen) {
+       pen.arc(0.6f, 0, 2 * kPi);
+       pen.disc(0, 0, 0.2f);
+     }},
+    {Icon::eye, [](const Pen& pen) { draw_eye(pen, true); }},
+    {Icon::closed_eye, [](const Pen& pen) { draw_eye(pen, false); }},
+};
+
 }  // namespace
 
 void draw_icon(ImDrawList* list, Icon icon, ImVec2 center, float size, ImU32 color) {
-  const Pen pen(list, center, size, color);
-  switch (icon) {
-    case Icon::none:
-      break;
-    case Icon::play:
-      pen.triangle({-0.6f, -0.85f}, {-0.6f, 0.85f}, {0.85f, 0});
-      break;
-    case Icon::pause:
-      pen.box(-0.65f, -0.8f, -0.15f, 0.8f);
-      pen.box(0.15f, -0.8f, 0.65f, 0.8f);
-      break;
-    case Icon::step:
-      pen.triangle({-0.7f, -0.8f}, {-0.7f, 0.8f}, {0.4f, 0});
-      pen.box(0.45f, -0.8f, 0.75f, 0.8f);
-      break;
-    case Icon::step_back:
-      pen.triangle({0.7f, -0.8f}, {0.7f, 0.8f}, {-0.4f, 0});
-      pen.box(-0.75f, -0.8f, -0.45f, 0.8f);
-      break;
-    case Icon::to_start:
-      for (const float x : {-0.1f, 0.75f}) pen.triangle({x, -0.7f}, {x, 0.7f}, {x - 0.75f, 0});
-      pen.line(-0.9f, -0.7f, -0.9f, 0.7f);
-      break;
-    case Icon::to_end:
-      for (const float x : {-0.75f, 0.1f}) pen.triangle({x, -0.7f}, {x, 0.7f}, {x + 0.75f, 0});
-      pen.line(0.9f, -0.7f, 0.9f, 0.7f);
-      break;
-    case Icon::reset:
-      draw_turn(pen, 1);
-      break;
-    case Icon::fire:
-      pen.disc(0.35f, -0.1f, 0.45f);
-      for (const float y : {-0.4f, 0.0f, 0.4f}) pen.line(-0.9f, y - 0.1f, -0.35f + 0.2f * (y == 0), y - 0.1f);
-      break;
-    case Icon::open:
-      pen.box(-0.85f, -0.65f, -0.1f, -0.3f);
-      pen.frame(-0.85f, -0.4f, 0.85f, 0.65f);
-      break;
-    case Icon::camera:
-      pen.frame(-0.9f, -0.45f, 0.9f, 0.7f);
-      pen.box(-0.3f, -0.75f, 0.3f, -0.4f);
-      pen.disc(0, 0.12f, 0.3f);
-      break;
-    case Icon::frame:
-      draw_corners(pen);
-      break;
-    case Icon::help:
-      pen.text("?");
-      break;
-    case Icon::undo:
-      draw_bow(pen, -1);
-      break;
-    case Icon::redo:
-      draw_bow(pen, 1);
-      break;
-    case Icon::body:
-      draw_box(pen);
-      break;
-    case Icon::support:
-      pen.triangle({0, -0.6f}, {-0.65f, 0.4f}, {0.65f, 0.4f});
-      pen.line(-0.9f, 0.65f, 0.9f, 0.65f);
-      break;
-    case Icon::load:
-      pen.line(0, -0.9f, 0, 0.1f);
-      pen.triangle({-0.5f, 0}, {0.5f, 0}, {0, 0.8f});
-      break;
-    case Icon::projectile:
-      pen.disc(0, 0, 0.6f);
-      break;
-    case Icon::probe:
-      pen.arc(0.6f, 0, 2 * kPi);
-      pen.disc(0, 0, 0.2f);
-      break;
-    case Icon::eye:
-    case Icon::closed_eye:
-      draw_eye(pen, icon == Icon::eye);
-      break;
-  }
+  const auto* drawing = std::ranges::find(kDrawings, icon, &Drawing::first);
+  if (drawing != std::end(kDrawings)) drawing->second(Pen(list, center, size, color));
 }
 
 }  // namespace griffith::ui
