@@ -15,14 +15,20 @@
 namespace griffith::app {
 namespace {
 
-TEST(Quantile, IsWhatLiesThereAmongTheFiniteSortedValues) {
+TEST(Quantile, IsWhatLiesThereAmongTheSortedValues) {
   const float none = std::numeric_limits<float>::quiet_NaN(), endless = std::numeric_limits<float>::infinity();
   const std::vector<float> values = {7, none, 3, 9, -endless, 1, 5, endless};
-  EXPECT_EQ(quantile(values, 0), 1);
+  EXPECT_EQ(quantile(finite(values), 0), 1);
+  EXPECT_EQ(quantile(finite(values), 0.5), 5);
+  EXPECT_FLOAT_EQ(quantile(finite(values), 0.6f), 5.8f) << "between neighbours in proportion";
+  EXPECT_EQ(quantile(finite(values), 1), 9);
+  EXPECT_EQ(quantile(values, 0), -endless);
   EXPECT_EQ(quantile(values, 0.5), 5);
-  EXPECT_EQ(quantile(values, 1), 9);
+  EXPECT_EQ(quantile(values, 1), endless);
+  EXPECT_EQ(quantile(std::vector{1.0f, endless, endless}, 0.75), endless);
   EXPECT_EQ(quantile(std::vector<double>{}, 0.5), 0);
-  EXPECT_EQ(quantile(std::vector{none, endless}, 0.5), 0);
+  EXPECT_EQ(quantile(finite(std::vector{none, endless}), 0.5), 0);
+  EXPECT_EQ(quantile(std::vector{none, none}, 0.5), 0);
 }
 
 TEST(Quantities, EveryQuantityOfTheMenuHasValuesAndARange) {
