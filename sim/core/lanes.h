@@ -1,8 +1,13 @@
 #pragma once
 
-// Eight things side by side, such as tetrahedra: one single-precision number of each in a vector register, and the
-// transposes between such registers and arrays of nodes. Written with the compiler's vector types, so that it runs
-// wherever it compiles.
+// Things side by side, such as tetrahedra: one number of each in a vector register, eight in single precision or four
+// in double, and the transposes between such registers and arrays of nodes. Written with the compiler's vector types,
+// so that it runs wherever it compiles.
+
+#include <cmath>
+#include <cstring>
+
+#include "sim/core/linear_algebra.h"
 
 namespace griffith::simd {
 
@@ -12,6 +17,10 @@ using Lanes = float __attribute__((vector_size(32)));      ///< one number of ea
 using Quad = float __attribute__((vector_size(16)));       ///< x, y, z and one more
 using WideQuad = double __attribute__((vector_size(32)));  ///< the same in double precision
 
+inline constexpr int kDoubleLanes = 4;
+using DoubleLanes = WideQuad;                                ///< one double-precision number of each of four
+using DoubleMask = decltype(DoubleLanes{} < DoubleLanes{});  ///< of comparisons: all bits of a lane or none
+
 inline Lanes all(float x) { return Lanes{x, x, x, x, x, x, x, x}; }
 inline Lanes at_least(Lanes x, float minimum) { return x > all(minimum) ? x : all(minimum); }
 inline Lanes at_most(Lanes x, float maximum) { return x < all(maximum) ? x : all(maximum); }
@@ -19,6 +28,45 @@ inline Lanes at_most(Lanes x, float maximum) { return x < all(maximum) ? x : all
 inline Lanes root(Lanes x) {
   for (int lane = 0; lane < kLanes; ++lane) x[lane] = __builtin_sqrtf(x[lane]);
   return x;
+}
+
+inline DoubleLanes root(DoubleLanes x) {
+  for (int lane = 0; lane < kDoubleLanes; ++lane) x[lane] = __builtin_sqrt(x[lane]);
+  return x;
+}
+inline bool any(DoubleMask mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
+inline bool every(DoubleMask mask) { return (mask[0] & mask[1] & mask[2] & mask[3]) != 0; }
+
+// The same for one number, so that a template computes one element or four.
+inline double root(double x) { return std::sqrt(x); }
+inline bool any(bool mask) { return mask; }
+inline bool every(bool mask) { return mask; }
+template <class Real>
+Real absolute(Real x) {
+  return x < 0.0 ? -x : x;
+}
+
+/// Four doubles from anywhere.
+inline WideQuad load(const double* numbers) {
+  WideQuad loaded;
+  std::memcpy(&loaded, numbers, sizeof loaded);
+  return loaded;
+}
+
+/// The product of a 3×3 matrix, stored by columns, and (x, y, z) in the first three lanes; the fourth counts for
+/// nothing.
+inline WideQuad product(const double* columns, double x, double y, double z) {
+  const WideQuad last = load(columns + 5);
+  return load(columns) * x + load(columns + 3) * y + __builtin_shufflevector(last, last, 1, 2, 3, 0) * z;
+}
+
+/// The 3×3 matrix with these columns in their first three lanes.
+inline Mat3 matrix_of(const WideQuad* columns) {
+  Mat3 m;
+  std::memcpy(m.data(), columns, 4 * sizeof(double));
+  std::memcpy(m.data() + 3, columns + 1, 4 * sizeof(double));
+  std::memcpy(m.data() + 6, columns + 2, 3 * sizeof(double));
+  return m;
 }
 
 /// The x, y and z of eight rows.

@@ -21,6 +21,8 @@ RestElement rest_element(const Corners& rest_corners);
 struct ElasticLaw {
   ElementModel model = ElementModel::corotational;
   double lambda = 0, mu = 0;  ///< [Pa]
+
+  bool operator==(const ElasticLaw&) const = default;
 };
 ElasticLaw elastic_law(const Material& material);
 
@@ -47,10 +49,10 @@ ElementDeformation element_deformation(ElementModel model, const RestElement& re
 struct ElementState {
   Mat3 frame = Mat3::Identity();  ///< B
   Mat3 stress = Mat3::Zero();
-  Mat3 tensile_stress = Mat3::Zero();  ///< tensile_part() of the stress
-  Mat3 tension = Mat3::Zero();         ///< the tensile part as Cauchy stress in the world frame [Pa]
-  double tension_norm = 0;             ///< Frobenius norm of `tension` [Pa]
-  double energy_density = 0;           ///< ½ sigma : epsilon per rest volume [J/m³]
+  Mat3 tensile_traction = Mat3::Zero();  ///< B sigma⁺, sigma⁺ the tensile_part() of the stress [Pa]
+  Mat3 tension = Mat3::Zero();           ///< the tensile part as Cauchy stress in the world frame [Pa]
+  double tension_norm = 0;               ///< Frobenius norm of `tension` [Pa]
+  double energy_density = 0;             ///< ½ sigma : epsilon per rest volume [J/m³]
   bool inverted = false;
 };
 
@@ -66,15 +68,5 @@ Mat3 cauchy_stress(const Mat3& frame, const Mat3& stress);
 inline Corners nodal_forces(const RestElement& rest, const Mat3& frame, const Mat3& stress) {
   return -rest.volume * (frame * stress) * rest.shape_gradients;
 }
-
-/// Blocks K_i0 .. K_i3, one after the other.
-using StiffnessRow = Eigen::Matrix<double, 3, 12, Eigen::DontAlign>;
-
-/// A corner's row of the element's stiffness for the implicit step [N/m], with a_i = B g_i:
-///   K_ij = V [ lambda a_i a_jᵀ + mu a_j a_iᵀ + mu (g_i·g_j) B Bᵀ + (g_iᵀ sigma⁺ g_j) I ]
-/// The last, geometric term is there for Green's strain alone; its tensile part sigma⁺ keeps the matrix positive
-/// semidefinite under compression too, and in pure tension K = −∂f/∂x exactly. The corotational row leaves out the
-/// change of Q, so that it is exact at rest.
-StiffnessRow stiffness_row(const ElasticLaw& law, const RestElement& rest, const ElementState& state, int corner);
 
 }  // namespace griffith

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/lanes.h"
 #include "sim/elasticity/principal_stress.h"
 
 namespace griffith {
@@ -24,7 +25,7 @@ bool counts(const SeparationInput& input, TetId tet, NodeId node) {
 
 int local_corner(const SeparationInput& input, TetId tet, NodeId node) {
   const auto& corners = input.tets[tet];
-  return static_cast<int>(std::ranges::find(corners, node) - corners.begin());
+  return (corners[1] == node) + 2 * (corners[2] == node) + 3 * (corners[3] == node);
 }
 
 /// The unit normal n with the largest n·S n / n·T n.
@@ -34,24 +35,60 @@ Vec3 weakest_normal(const Mat3& tensor, const DirectionalStrength& strength) {
   return (root * largest_principal(root * tensor * root).direction).normalized();
 }
 
+/// A split force in the first three lanes; the fourth counts for nothing.
+struct ForceLanes {
+  simd::WideQuad tensile = {}, compressive = {};
+};
+
+ForceLanes force_lanes(const RestElement& rest, const ElementState& state, int corner) {
+  const auto gradient = rest.shape_gradients.col(corner);
+  const simd::WideQuad part = simd::product(state.tensile_traction.data(), gradient[0], gradient[1], gradient[2]);
+  const simd::WideQuad stress = simd::product(state.stress.data(), gradient[0], gradient[1], gradient[2]);
+  const simd::WideQuad whole = simd::product(state.frame.data(), stress[0], stress[1], stress[2]);
+  return {-rest.volume * part, rest.volume * (part - whole)};
+}
+
+/// A sum of force_dyad().
+struct Dyads {
+  simd::WideQuad columns[3] = {};
+
+  void add(const simd::WideQuad& force, double factor) {
+    const double length = std::sqrt(force[0] * force[0] + force[1] * force[1] + force[2] * force[2]);
+    const simd::WideQuad scaled = force * (length > 0 ? factor / length : 0);
+    for (int i = 0; i < 3; ++i) columns[i] += scaled * force[i];
+  }
+  Mat3 matrix() const {
+    Mat3 m;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) m(j, i) = columns[i][j];
+    return m;
+  }
+};
+
 /// Sums over the elements round a node, seen across a plane.
 struct StarSums {
   double area = 0, volume = 0, largest = 0;
   Mat3 tension = Mat3::Zero();  ///< volume times stress
 };
 
+constexpr int kColumnStarts[3] = {0, 3, 5};  // of the four numbers in which column i of a 3×3 matrix lies
+
 StarSums sum_star(const SeparationInput& input, NodeId node, const Vec3& normal) {
   StarSums sums;
+  const bool all_count = !constrained(input, node);
+  simd::WideQuad tension[3] = {};
   for (TetId tet : input.stars[node]) {
-    if (!counts(input, tet, node)) continue;
+    if (!all_count && anchored(input, tet)) continue;
     const RestElement& rest = input.rest_elements[tet];
     const ElementState& state = input.states[tet];
-    const Vec3 face = cofactor(state.frame) * rest.shape_gradients.col(local_corner(input, tet, node));
-    sums.area += 0.5 * rest.volume * std::abs(face.dot(normal));
+    const Vec3 across = cofactor(state.frame).transpose() * normal;
+    sums.area += 0.5 * rest.volume * std::abs(across.dot(rest.shape_gradients.col(local_corner(input, tet, node))));
     sums.volume += rest.volume;
-    sums.tension += rest.volume * state.tension;
+    for (int i = 0; i < 3; ++i) tension[i] += rest.volume * simd::load(state.tension.data() + kColumnStarts[i]);
     sums.largest = std::max(sums.largest, state.tension_norm);
   }
+  sums.tension << tension[0][0], tension[1][0], tension[2][1], tension[0][1], tension[1][1], tension[2][2],
+      tension[0][2], tension[1][2], tension[2][3];
   return sums;
 }
 
@@ -67,22 +104,26 @@ SplitForce split_force(const SeparationInput& input, TetId tet, NodeId node) {
 }
 
 SplitForce split_force(const RestElement& rest, const ElementState& state, int corner) {
-  const Vec3 gradient = rest.shape_gradients.col(corner);
-  const Vec3 tensile = -rest.volume * (state.frame * (state.tensile_stress * gradient));
-  return {tensile, -rest.volume * (state.frame * (state.stress * gradient)) - tensile};
+  const ForceLanes forces = force_lanes(rest, state, corner);
+  return {Vec3(forces.tensile[0], forces.tensile[1], forces.tensile[2]),
+          Vec3(forces.compressive[0], forces.compressive[1], forces.compressive[2])};
 }
 
 Mat3 separation_tensor(const SeparationInput& input, NodeId node) {
-  Mat3 sum = Mat3::Zero();
-  SplitForce total;
+  Dyads sum;
+  ForceLanes total;
   for (TetId tet : input.stars[node]) {
-    const SplitForce force = split_force(input, tet, node);
-    sum += force_dyad(force.tensile) - force_dyad(force.compressive);
-    total.tensile += force.tensile;
-    total.compressive += force.compressive;
+    const ForceLanes forces = force_lanes(input.rest_elements[tet], input.states[tet], local_corner(input, tet, node));
+    sum.add(forces.tensile, 0.5);
+    sum.add(forces.compressive, -0.5);
+    total.tensile += forces.tensile;
+    total.compressive += forces.compressive;
   }
-  if (!constrained(input, node)) sum += force_dyad(total.compressive) - force_dyad(total.tensile);
-  return 0.5 * sum;
+  if (!constrained(input, node)) {
+    sum.add(total.tensile, -0.5);
+    sum.add(total.compressive, 0.5);
+  }
+  return sum.matrix();
 }
 
 CandidatePlane candidate_plane(const SeparationInput& input, NodeId node, const Mat3& tensor,

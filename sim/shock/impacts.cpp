@@ -205,6 +205,12 @@ double Impacts::gap_behind(const Solid& solid, const SurfaceSide& side, const Ve
   return kFraction * beyond * area / longest;
 }
 
+bool Impacts::is_nearer(const Solid& solid, const Touch& touch, const Touch& other) const {
+  constexpr double kNear = 0.02;  // of an edge, as far as corners that meet corners shift
+  if (std::abs(touch.depth - other.depth) > kNear * element_size_) return touch.depth < other.depth;
+  return approach_of(solid, touch).dot(touch.normal) < approach_of(solid, other).dot(other.normal);
+}
+
 /// Nodes inside a convex part, and its sample points behind sides.
 void Impacts::touch_convex(const Solid& solid, int index) {
   const Obstacle& obstacle = obstacles_[index];
@@ -234,7 +240,7 @@ void Impacts::touch_convex(const Solid& solid, int index) {
       Touch touch{.obstacle = index};
       const double gap = gap_behind(solid, at->side, place, touch);
       record_gap(*at, gap);
-      if (gap == 0 && (!shallowest || touch.depth < shallowest->depth)) shallowest = touch;
+      if (gap == 0 && (!shallowest || is_nearer(solid, touch, *shallowest))) shallowest = touch;
     }
     if (shallowest) touches_.push_back(*shallowest);
     first = at;
@@ -281,7 +287,7 @@ void Impacts::touch_bodies(const Solid& solid) {
       Touch touch{.other_node = node};
       const double gap = gap_behind(solid, at->side, place, touch);
       record_gap(*at, gap);
-      if (gap == 0 && (!shallowest || touch.depth < shallowest->depth)) shallowest = touch;
+      if (gap == 0 && (!shallowest || is_nearer(solid, touch, *shallowest))) shallowest = touch;
     }
     if (shallowest) touches_.push_back(*shallowest);
   }

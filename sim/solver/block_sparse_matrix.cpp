@@ -3,29 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstring>
 
 #include "sim/core/lanes.h"
 #include "sim/core/parallel.h"
 
 namespace griffith {
-namespace {
-
-simd::WideQuad load(const double* numbers) {
-  simd::WideQuad loaded;
-  std::memcpy(&loaded, numbers, sizeof loaded);
-  return loaded;
-}
-
-/// A x in the first three lanes; the fourth counts for nothing.
-simd::WideQuad product(const Mat3& a, const double* x) {
-  const double* columns = a.data();
-  const simd::WideQuad last = load(columns + 5);
-  return load(columns) * x[0] + load(columns + 3) * x[1] + __builtin_shufflevector(last, last, 1, 2, 3, 0) * x[2];
-}
-
-}  // namespace
-
 int BlockSparseMatrix::slot(int row, int column) const {
   const auto begin = columns.begin() + row_starts[row], end = columns.begin() + row_starts[row + 1];
   const auto found = std::lower_bound(begin, end, column);
@@ -39,8 +21,10 @@ void multiply(const BlockSparseMatrix& a, const NodeVectors& x, NodeVectors& y) 
   parallel_for(a.rows(), 1024, [&](int begin, int end) {
     for (int row = begin; row < end; ++row) {
       simd::WideQuad sum = {};
-      for (int k = a.row_starts[row]; k < a.row_starts[row + 1]; ++k)
-        sum += product(a.blocks[k], x.data() + 3 * a.columns[k]);
+      for (int k = a.row_starts[row]; k < a.row_starts[row + 1]; ++k) {
+        const double* of_column = x.data() + 3 * a.columns[k];
+        sum += simd::product(a.blocks[k].data(), of_column[0], of_column[1], of_column[2]);
+      }
       y.col(row) = Vec3(sum[0], sum[1], sum[2]);
     }
   });

@@ -111,7 +111,8 @@ std::size_t ElasticSystem::memory() const {
            rows.tets.size() * sizeof(ElementRows::TetAtNode) + rows.nodes.size() * 4 * sizeof(int);
   };
   const std::size_t preconditioners = (fixed_preconditioner_ ? 2 : 1) * preconditioner_->memory();
-  return sizeof(*this) + rows_memory(rows_) + rows_memory(support_rows_) + preconditioners;
+  const std::size_t inputs = inputs_ ? inputs_->memory() : 0;
+  return sizeof(*this) + rows_memory(rows_) + rows_memory(support_rows_) + preconditioners + inputs;
 }
 
 void ElasticSystem::patch(const TetMesh& mesh, std::span<const NodeId> body_nodes,
@@ -121,6 +122,7 @@ void ElasticSystem::patch(const TetMesh& mesh, std::span<const NodeId> body_node
   rebuild_support_rows(mesh, body_nodes, constraints, row_of_node);
   preconditioner_->patch(rows_.matrix, previous_rows, aggregate_size(rows_.matrix.rows()));
   fixed_preconditioner_.reset();
+  inputs_.reset();
 }
 
 void ElasticSystem::rebuild_support_rows(const TetMesh& mesh, std::span<const NodeId> body_nodes,
@@ -149,6 +151,9 @@ void ElasticSystem::assemble(const ImplicitStep& step, const ElasticLaw& law,
 void ElasticSystem::assemble(const MatrixFactors& factors, const ElasticLaw& law,
                              std::span<const RestElement> rest_elements, std::span<const ElementState> states,
                              std::span<const Vec3> positions, std::span<const double> masses) {
+  if (!inputs_) inputs_.emplace(rows_, support_rows_);
+  if (inputs_->still_hold(factors, law, states, masses)) return;
+  inputs_->record(factors, law, states, masses);
   rows_.assemble(factors, law, rest_elements, states, masses);
   support_rows_.assemble(factors, law, rest_elements, states, masses);
   project_sliding_rows();

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/solver/assembly_inputs.h"
 #include "sim/solver/conjugate_gradient.h"
 #include "sim/solver/element_rows.h"
 #include "sim/solver/node_constraint.h"
@@ -55,8 +56,9 @@ class ElasticSystem {
   /// Whether no node is constrained, so that the body's rigid motion follows from the forces alone.
   bool is_free() const { return supports().empty(); }
 
-  /// Builds the matrix and its preconditioner for the present states and positions. Spans are per node or tet of the
-  /// mesh; all tets of a body share `law`.
+  /// Builds the matrix and its preconditioner for the present states and positions, or keeps them where they would come
+  /// out the same (AssemblyInputs::still_hold()). Spans are per node or tet of the mesh; all tets of a body share
+  /// `law`.
   void assemble(const ImplicitStep& step, const ElasticLaw& law, std::span<const RestElement> rest_elements,
                 std::span<const ElementState> states, std::span<const Vec3> positions, std::span<const double> masses);
 
@@ -129,6 +131,7 @@ class ElasticSystem {
   std::vector<SlidingRow> sliding_;
   std::vector<int> row_of_support_column_;          // per block of support_rows_, -1 for held nodes
   std::vector<Vec3> solved_reactions_, reactions_;  // of the last solve(); with the last respond()
+  std::optional<AssemblyInputs> inputs_;            // of the matrix; none since the rows changed
   std::optional<RigidModePreconditioner> preconditioner_, fixed_preconditioner_;  // the second for hold()
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/core/parallel.h"
+#include "sim/elasticity/stiffness.h"
 
 namespace griffith {
 namespace {
@@ -105,14 +106,19 @@ void ElementRows::assemble(const MatrixFactors& factors, const ElasticLaw& law,
                            std::span<const RestElement> rest_elements, std::span<const ElementState> states,
                            std::span<const double> masses) {
   parallel_for(matrix.rows(), 256, [&](int begin, int end) {
+    std::vector<simd::WideQuad> columns;  // of the row's blocks
     for (int row = begin; row < end; ++row) {
-      for (int k = matrix.row_starts[row]; k < matrix.row_starts[row + 1]; ++k) matrix.blocks[k].setZero();
+      const int first = matrix.row_starts[row], last = matrix.row_starts[row + 1];
+      columns.assign(3 * static_cast<std::size_t>(last - first), simd::WideQuad{});
       for (int e = tet_starts[row]; e < tet_starts[row + 1]; ++e) {
         const TetAtNode& entry = tets[e];
-        const StiffnessRow stiffness = stiffness_row(law, rest_elements[entry.tet], states[entry.tet], entry.corner);
+        const StiffnessRow stiffness =
+            stiffness_row(law, rest_elements[entry.tet], states[entry.tet], entry.corner, factors.stiffness);
         for (int i = 0; i < 4; ++i)
-          if (entry.slots[i] >= 0) matrix.blocks[entry.slots[i]] += factors.stiffness * stiffness.middleCols<3>(3 * i);
+          for (int k = 0; k < 3 && entry.slots[i] >= 0; ++k)
+            columns[3 * (entry.slots[i] - first) + k] += stiffness.columns[3 * i + k];
       }
+      for (int k = first; k < last; ++k) matrix.blocks[k] = simd::matrix_of(&columns[3 * (k - first)]);
       const TetAtNode& any = tets[tet_starts[row]];
       matrix.blocks[any.slots[any.corner]].diagonal().array() += factors.mass * masses[nodes[row]];
     }

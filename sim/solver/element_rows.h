@@ -14,6 +14,8 @@ namespace griffith {
 struct MatrixFactors {
   double mass = 1;
   double stiffness = 1;
+
+  bool operator==(const MatrixFactors&) const = default;
 };
 
 /// Rows of mass · M + stiffness · K, one a node, and what they are assembled from: the tets of the node's star.

@@ -12,6 +12,9 @@
 namespace griffith {
 namespace {
 
+/// The factors of a matrix this close do as well: where little moves, most of the set-up is saved.
+constexpr double kSameMatrix = 1e-3;
+
 /// A matrix with the same product MᵀM and no more rows than columns.
 Eigen::MatrixXf with_few_rows(Eigen::MatrixXf modes) {
   const Eigen::Index columns = modes.cols();
@@ -63,7 +66,7 @@ RigidModePreconditioner::RigidModePreconditioner(const BlockSparseMatrix& matrix
 }
 
 std::size_t RigidModePreconditioner::memory() const {
-  return aggregates_.size() * (2 * sizeof(int) + sizeof(Vec3) + sizeof(Mat3)) + coarse_slots_.size() * sizeof(int) +
+  return aggregates_.size() * (2 * sizeof(int) + 2 * sizeof(Vec3) + sizeof(Mat3)) + coarse_slots_.size() * sizeof(int) +
          static_cast<std::size_t>(coarse_.nonZeros()) * (2 * sizeof(double) + sizeof(int)) + triangle_.memory();
 }
 
@@ -73,6 +76,7 @@ void RigidModePreconditioner::patch(const BlockSparseMatrix& matrix, const std::
   for (int row = 0; row < matrix.rows(); ++row)
     aggregates[row] = previous_rows[row] < 0 ? -1 : aggregates_[previous_rows[row]];
   aggregates_ = patch_aggregates(matrix, aggregate_size, std::move(aggregates));
+  is_patched_ = true;
   collect_members();
   build_coarse_pattern(matrix);
 }
@@ -85,22 +89,51 @@ void RigidModePreconditioner::collect_members() {
   }
 }
 
-void RigidModePreconditioner::update(const BlockSparseMatrix& matrix, const NodeVectors& positions) {
-  inverse_diagonal_.resize(matrix.rows());
-  parallel_for(matrix.rows(), 1024, [&](int begin, int end) {
-    for (int node = begin; node < end; ++node)
-      inverse_diagonal_[node] = matrix.blocks[matrix.slot(node, node)].inverse();
-  });
-  arms_.resize(3, matrix.rows());
+NodeVectors RigidModePreconditioner::arms(const NodeVectors& positions) const {
+  NodeVectors arms(3, positions.cols());
   for (const std::vector<int>& nodes : members_) {
     Vec3 center = Vec3::Zero();
     for (int node : nodes) center += positions.col(node);
     center /= static_cast<double>(nodes.size());
-    for (int node : nodes) arms_.col(node) = positions.col(node) - center;
+    for (int node : nodes) arms.col(node) = positions.col(node) - center;
   }
-  if (const double square = arms_.squaredNorm(); square > 0) arms_ *= std::sqrt(arms_.cols() / square);
+  if (const double square = arms.squaredNorm(); square > 0) arms *= std::sqrt(arms.cols() / square);
+  return arms;
+}
+
+RigidModePreconditioner::Fingerprint RigidModePreconditioner::fingerprint(const BlockSparseMatrix& matrix,
+                                                                          const NodeVectors& positions) const {
+  Fingerprint found{arms(positions), {}, {}};
+  found.inverse_diagonal.resize(matrix.rows());
+  parallel_for(matrix.rows(), 1024, [&](int begin, int end) {
+    for (int node = begin; node < end; ++node)
+      found.inverse_diagonal[node] = matrix.blocks[matrix.slot(node, node)].inverse();
+  });
+  multiply(matrix, NodeVectors::Ones(3, matrix.rows()), found.pushes);
+  return found;
+}
+
+bool RigidModePreconditioner::is_close(const Fingerprint& a, const Fingerprint& b) {
+  constexpr double kSquare = kSameMatrix * kSameMatrix;
+  if (a.arms.cols() != b.arms.cols()) return false;
+  if (!((a.arms - b.arms).squaredNorm() <= kSquare * a.arms.squaredNorm())) return false;
+  if (!((a.pushes - b.pushes).squaredNorm() <= kSquare * a.pushes.squaredNorm())) return false;
+  double change = 0, size = 0;
+  for (std::size_t node = 0; node < a.inverse_diagonal.size(); ++node) {
+    change += (a.inverse_diagonal[node] - b.inverse_diagonal[node]).squaredNorm();
+    size += a.inverse_diagonal[node].squaredNorm();
+  }
+  return change <= kSquare * size;
+}
+
+void RigidModePreconditioner::update(const BlockSparseMatrix& matrix, const NodeVectors& positions) {
+  Fingerprint found = fingerprint(matrix, positions);
+  if (!is_patched_ && is_close(found, known_)) return;
+  known_ = std::move(found);
+  is_patched_ = false;
   if (members_.empty()) return void(triangle_ = {});  // every node is held
   if (coarse_.cols() != 6 * aggregate_count()) allocate_coarse_matrix();
+  ++assemblies_;
   assemble_coarse_matrix(matrix);
   factor_coarse_matrix();
 }
@@ -171,8 +204,8 @@ void RigidModePreconditioner::assemble_coarse_matrix(const BlockSparseMatrix& ma
         products.assign(neighbours, RigidModes::Zero());
         for (int k = matrix.row_starts[node]; k < matrix.row_starts[node + 1]; ++k)
           if (coarse_slots_[k] >= 0)
-            products[coarse_slots_[k]].noalias() += matrix.blocks[k] * rigid_modes(arms_.col(matrix.columns[k]));
-        const RigidModes modes_here = rigid_modes(arms_.col(node));
+            products[coarse_slots_[k]].noalias() += matrix.blocks[k] * rigid_modes(known_.arms.col(matrix.columns[k]));
+        const RigidModes modes_here = rigid_modes(known_.arms.col(node));
         for (int slot = 0; slot < neighbours; ++slot)
           CoarseBlock(first + 6 * slot, 6, 6, Eigen::OuterStride<>(6 * neighbours)) +=
               products[slot].transpose() * modes_here;
@@ -188,8 +221,6 @@ void RigidModePreconditioner::assemble_coarse_matrix(const BlockSparseMatrix& ma
 }
 
 void RigidModePreconditioner::factor_coarse_matrix() {
-  // The factors of a matrix this close do as well: where little moves, most of the set-up is saved.
-  constexpr double kSameMatrix = 1e-3;
   const auto values = coarse_.coeffs();
   if (factored_.size() == values.size() &&
       (values - factored_).matrix().squaredNorm() <= kSameMatrix * kSameMatrix * factored_.matrix().squaredNorm())
@@ -213,7 +244,7 @@ std::vector<simd::Lanes> RigidModePreconditioner::solve_coarse(const NodeVectors
     Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
     for (int node : members_[a]) {
       force += r.col(node);
-      torque += arms_.col(node).cross(r.col(node));
+      torque += known_.arms.col(node).cross(r.col(node));
     }
     for (int i = 0; i < 3; ++i) {
       modes[a][i] = static_cast<float>(force[i]);
@@ -232,7 +263,7 @@ void RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) const 
     for (int node = begin; node < end; ++node) {
       const simd::Lanes modes = coarse[aggregates_[node]];
       const Vec3 shift(modes[0], modes[1], modes[2]), turn(modes[3], modes[4], modes[5]);
-      z.col(node) = inverse_diagonal_[node] * r.col(node) + shift + turn.cross(arms_.col(node));
+      z.col(node) = known_.inverse_diagonal[node] * r.col(node) + shift + turn.cross(known_.arms.col(node));
     }
   });
 }
@@ -244,13 +275,13 @@ Eigen::MatrixXd RigidModePreconditioner::coarse_loads(std::span<const WeightedRo
     for (int k = 0; k < 3; ++k)
       if (const int row = points[i].rows[k]; row >= 0)
         loads.block<6, 3>(6 * aggregates_[row], 3 * static_cast<Eigen::Index>(i)) +=
-            rigid_modes(arms_.col(row)).transpose() * points[i].weights[k].transpose();
+            rigid_modes(known_.arms.col(row)).transpose() * points[i].weights[k].transpose();
   return loads;
 }
 
 PointCompliance RigidModePreconditioner::compliance(std::span<const WeightedRows> points,
                                                     const Eigen::MatrixXd& loads) const {
-  PointCompliance compliance = node_compliance(points, inverse_diagonal_);
+  PointCompliance compliance = node_compliance(points, known_.inverse_diagonal);
   Eigen::MatrixXf half(loads.rows(), loads.cols());
   for (Eigen::Index column = 0; column < loads.cols(); ++column)
     half.col(column) = half_solved(triangle_, loads.col(column));
@@ -259,21 +290,21 @@ PointCompliance RigidModePreconditioner::compliance(std::span<const WeightedRows
 }
 
 PointCompliance RigidModePreconditioner::compliance(std::span<const WeightedRows> points) const {
-  if (!has_coarse_space()) return node_compliance(points, inverse_diagonal_);
+  if (!has_coarse_space()) return node_compliance(points, known_.inverse_diagonal);
   return compliance(points, coarse_loads(points));
 }
 
 PointCompliance RigidModePreconditioner::deforming_compliance(std::span<const WeightedRows> points,
                                                               const NodeVectors& positions,
                                                               const Eigen::VectorXd& masses) const {
-  if (!has_coarse_space()) return node_compliance(points, inverse_diagonal_);
+  if (!has_coarse_space()) return node_compliance(points, known_.inverse_diagonal);
   const RigidMotion body = rigid_motion(positions, NodeVectors::Zero(3, positions.cols()), masses);
   const auto modes_of_body = [&](int row) { return rigid_modes(positions.col(row) - body.center); };
   // What inertia puts against unit accelerations as a whole, and the accelerations that each load causes.
   Eigen::Matrix<double, Eigen::Dynamic, 6> inertia = Eigen::MatrixXd::Zero(6 * aggregate_count(), 6);
   for (int row = 0; row < static_cast<int>(masses.size()); ++row)
     inertia.middleRows<6>(6 * aggregates_[row]) +=
-        masses[row] * rigid_modes(arms_.col(row)).transpose() * modes_of_body(row);
+        masses[row] * rigid_modes(known_.arms.col(row)).transpose() * modes_of_body(row);
   Eigen::MatrixXd accelerations = Eigen::MatrixXd::Zero(6, 3 * static_cast<Eigen::Index>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i)
     for (int k = 0; k < 3; ++k)

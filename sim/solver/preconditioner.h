@@ -47,7 +47,8 @@ class RigidModePreconditioner {
   /// Fits the aggregates to a matrix whose pattern changed; `previous_rows`: the row that each row was, -1 for new
   /// ones. Aggregates stand where they still hold together.
   void patch(const BlockSparseMatrix& matrix, const std::vector<int>& previous_rows, int aggregate_size);
-  /// Takes the values of `matrix` and the positions of its nodes [m]. The matrix must be positive definite.
+  /// Takes the values of `matrix` and the positions of its nodes [m]. The matrix must be positive definite. What is
+  /// known of a matrix that differs by a thousandth does as well and is kept.
   void update(const BlockSparseMatrix& matrix, const NodeVectors& positions);
   void apply(const NodeVectors& r, NodeVectors& z) const;
   /// J P Jᵀ, P what apply() applies, J one row of 3×3 blocks a point [1/kg].
@@ -56,13 +57,23 @@ class RigidModePreconditioner {
   /// part is J Π R (Rᵀ A R)⁻¹ Rᵀ Πᵀ Jᵀ, Π the projector along the rigid motions. One column or entry a node.
   PointCompliance deforming_compliance(std::span<const WeightedRows> points, const NodeVectors& positions,
                                        const Eigen::VectorXd& masses) const;
-  /// How often update() found the coarse matrix changed enough to factor it anew.
+  /// How often update() found the coarse matrix changed enough to assemble, and to factor it anew.
+  int assembly_count() const { return assemblies_; }
   int factorization_count() const { return factorizations_; }
   /// About [bytes].
   std::size_t memory() const;
   int aggregate_count() const { return static_cast<int>(members_.size()); }
 
  private:
+  /// What of a matrix and the places of its nodes tells whether the coarse matrix is another.
+  struct Fingerprint {
+    NodeVectors arms;                    ///< per node: (x − c)/l
+    std::vector<Mat3> inverse_diagonal;  ///< per node: changes with the stiffness
+    NodeVectors pushes;                  ///< A (1, 1, 1, …), to which stiffness adds nothing: changes with the masses
+  };
+  Fingerprint fingerprint(const BlockSparseMatrix& matrix, const NodeVectors& positions) const;
+  static bool is_close(const Fingerprint& a, const Fingerprint& b);
+  NodeVectors arms(const NodeVectors& positions) const;
   void collect_members();
   void build_coarse_pattern(const BlockSparseMatrix& matrix);
   void allocate_coarse_matrix();
@@ -75,17 +86,17 @@ class RigidModePreconditioner {
   PointCompliance compliance(std::span<const WeightedRows> points, const Eigen::MatrixXd& loads) const;
   bool has_coarse_space() const { return triangle_.rows() > 0; }
 
-  std::vector<int> aggregates_;            // per node
-  std::vector<std::vector<int>> members_;  // per aggregate: its nodes, ascending
-  NodeVectors arms_;                       // per node: (x − c)/l
-  std::vector<Mat3> inverse_diagonal_;
+  std::vector<int> aggregates_;                // per node
+  std::vector<std::vector<int>> members_;      // per aggregate: its nodes, ascending
+  Fingerprint known_;                          // of the matrix that was assembled last
+  bool is_patched_ = false;                    // since then
   std::vector<std::vector<int>> coarse_rows_;  // per aggregate: itself and its neighbours of a higher number
   std::vector<int> coarse_slots_;              // per block of the matrix: index into the column's coarse_rows_, or -1
   Eigen::SparseMatrix<double> coarse_;         // Rᵀ A R: the lower triangle, by 6×6 blocks
   CopyableCholesky coarse_factors_;
   BlockTriangle triangle_;   // of the factors, for apply(), which need not be more exact; empty without any
   Eigen::ArrayXd factored_;  // values of the coarse matrix when it was factored
-  int factorizations_ = 0;
+  int assemblies_ = 0, factorizations_ = 0;
 };
 
 }  // namespace griffith

@@ -8,6 +8,7 @@
 #include "sim/elasticity/element.h"
 #include "sim/elasticity/polar_decomposition.h"
 #include "sim/elasticity/principal_stress.h"
+#include "sim/elasticity/stiffness.h"
 #include "tests/random_values.h"
 
 namespace griffith {

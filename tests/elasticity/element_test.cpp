@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "sim/elasticity/stiffness.h"
 #include "tests/elasticity/random_element.h"
 
 namespace griffith {
@@ -41,7 +42,8 @@ Eigen::Matrix<double, 12, 12> difference_quotient(const ElasticLaw& law, const R
 Eigen::Matrix<double, 12, 12> stiffness_of(const ElasticLaw& law, const RestElement& rest, const Corners& corners) {
   Eigen::Matrix<double, 12, 12> stiffness;
   for (int i = 0; i < 4; ++i)
-    stiffness.middleRows<3>(3 * i) = stiffness_row(law, rest, elastic_state(law, rest, corners), i);
+    for (int j = 0; j < 4; ++j)
+      stiffness.block<3, 3>(3 * i, 3 * j) = stiffness_row(law, rest, elastic_state(law, rest, corners), i).block(j);
   return stiffness;
 }
 

@@ -165,6 +165,7 @@ TEST(Preconditioner, ReusesItsFactorsAtNoCostWhereLittleMoves) {
     positions = system.gather(body.positions);
     kept.update(system.matrix(), positions);
     EXPECT_EQ(kept.factorization_count(), 1);
+    EXPECT_EQ(kept.assembly_count(), 1);
     renewed.update(system.matrix(), positions);
     const NodeVectors b = random_vectors(random, static_cast<int>(positions.cols()));
     NodeVectors x = NodeVectors::Zero(3, b.cols()), y = x;
@@ -177,6 +178,12 @@ TEST(Preconditioner, ReusesItsFactorsAtNoCostWhereLittleMoves) {
     body.assemble(system, step);
     kept.update(system.matrix(), system.gather(body.positions));
     EXPECT_EQ(kept.factorization_count(), 2);
+    EXPECT_EQ(kept.assembly_count(), 2);
+    // Stiff bodies hide their masses in the matrix, but rigid motions are made of nothing else.
+    for (double& mass : body.masses) mass *= 2;
+    body.assemble(system, step);
+    kept.update(system.matrix(), system.gather(body.positions));
+    EXPECT_EQ(kept.assembly_count(), 3);
   }
 }
 

@@ -1,6 +1,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
+#include "sim/elasticity/stiffness.h"
 #include "tests/random_values.h"
 #include "tests/validation/specimen.h"
 
@@ -111,7 +112,7 @@ double stiffness_error(const ElasticLaw& law, const Element& element) {
   for (int i = 0; i < 12; ++i) {
     const Corners force_slope = slope(forces, element.corners, i);
     for (int corner = 0; corner < 4; ++corner) {
-      const Vec3 column = stiffness_row(law, element.rest, state, corner).col(i);
+      const Vec3 column = stiffness_row(law, element.rest, state, corner).block(i / 3).col(i % 3);
       error += (column + force_slope.col(corner)).squaredNorm();
       size += column.squaredNorm();
     }

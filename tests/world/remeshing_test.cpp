@@ -128,7 +128,7 @@ Scene plate_pulled_apart(double width) {
 
 TEST(Remeshing, SupportsHoldTheMiddleOfAnEdgeWhereTheyHoldBothEnds) {
   int on_cut_edges = 0;  // not every crack cuts one
-  for (const double width : {0.25, 0.3, 0.35, 0.4}) {
+  for (const double width : {0.5, 0.55, 0.6, 0.7}) {
     World world(plate_pulled_apart(width));
     const std::size_t nodes = world.frame().nodes.positions.size();
     for (int step = 0; step < 60; ++step) world.step();

@@ -9,7 +9,7 @@
 #include "sim/elasticity/plasticity.h"
 #include "sim/mesh/topology.h"
 #include "sim/solver/pivot.h"
-#include "sim/world/corners.h"
+#include "sim/world/element_states.h"
 #include "sim/world/phases/explicit_phase.h"
 #include "sim/world/phases/motion_phase.h"
 #include "sim/world/shock/similarity.h"
@@ -18,28 +18,21 @@
 namespace griffith {
 namespace {
 
-void update_element(WorldState& world, const ElasticLaw& law, const std::optional<PlasticLaw>& plastic,
-                    double similarity, TetId tet) {
-  ElementArrays& elements = world.elements;
-  const ElementDeformation deformation =
-      element_deformation(law.model, elements.rest_elements[tet], corners_of(world.mesh, tet, world.nodes.positions));
-  if (plastic) elements.plastic_strains[tet] = flow(*plastic, deformation, elements.plastic_strains[tet]);
-  elements.states[tet] = element_state(law, deformation, stress_free_strain(world, tet));
-  elements.states[tet].energy_density *= similarity;
-  elements.stresses[tet] = cauchy_stress(elements.states[tet].frame, elements.states[tet].stress);
-}
-
 /// Elastic plus external force of the body's nodes, per node of the mesh; only the body's own entries are written.
 void add_elastic_forces(const WorldState& world, const Body& body, std::vector<Vec3>& forces) {
   const ElementArrays& elements = world.elements;
   parallel_for(static_cast<int>(body.nodes.size()), 1024, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const NodeId node = body.nodes[i];
+      simd::WideQuad sum = {};
       for (TetId tet : world.mesh.stars[node]) {
-        const int corner = local_corner(world.mesh, tet, node);
-        const Vec3 traction = elements.states[tet].stress * elements.rest_elements[tet].shape_gradients.col(corner);
-        forces[node] -= elements.rest_elements[tet].volume * (elements.states[tet].frame * traction);
+        const RestElement& rest = elements.rest_elements[tet];
+        const ElementState& state = elements.states[tet];
+        const auto gradient = rest.shape_gradients.col(local_corner(world.mesh, tet, node));
+        const simd::WideQuad stress = simd::product(state.stress.data(), gradient[0], gradient[1], gradient[2]);
+        sum -= rest.volume * simd::product(state.frame.data(), stress[0], stress[1], stress[2]);
       }
+      forces[node] += Vec3(sum[0], sum[1], sum[2]);
     }
   });
 }
@@ -100,11 +93,22 @@ ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt)
 }
 
 void update_elements(WorldState& world, const Body& body) {
-  const ElasticLaw law = law_in_shock(world, body);
+  ElementArrays& elements = world.elements;
+  const PlacedElements placed{law_in_shock(world, body), world.mesh, elements.rest_elements, world.nodes.positions};
   const std::optional<PlasticLaw> plastic = plastic_law(world.material_of(body));
   const double similarity = body.shock ? body.shock->similarity : 1;
+  const auto strain_of = [&](TetId tet, const FourDeformations& deformations, int lane) {
+    Mat3& strain = elements.plastic_strains[tet];
+    if (plastic) strain = flow(*plastic, deformations.of(lane), strain);
+    return stress_free_strain(world, tet);
+  };
+  const auto write = [&](TetId tet, const FourStates& states, int lane) {
+    elements.states[tet] = states.of(lane);
+    elements.states[tet].energy_density *= similarity;
+    elements.stresses[tet] = states.cauchy_stress.of(lane);
+  };
   parallel_for(static_cast<int>(body.tets.size()), 1024, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) update_element(world, law, plastic, similarity, body.tets[i]);
+    find_states(placed, std::span(body.tets).subspan(begin, end - begin), strain_of, write);
   });
 }
 

@@ -5,7 +5,7 @@
 #include "sim/core/parallel.h"
 #include "sim/solver/static_solve.h"
 #include "sim/world/bodies/bodies.h"
-#include "sim/world/corners.h"
+#include "sim/world/element_states.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/phases/motion_phase.h"
 #include "sim/world/world_state.h"
@@ -17,14 +17,12 @@ StaticProblem problem_of(const WorldState& world, const Body& body, std::span<co
                          std::span<const Vec3> loads, std::span<const PressedFace> pressed) {
   const ElasticLaw law = elastic_law(world.material_of(body));
   const auto evaluate = [&world, &body, law](std::span<const Vec3> positions, std::span<ElementState> states) {
-    const ElementArrays& elements = world.elements;
+    const PlacedElements placed{law, world.mesh, world.elements.rest_elements, positions};
     parallel_for(static_cast<int>(body.tets.size()), 1024, [&](int begin, int end) {
-      for (int i = begin; i < end; ++i) {
-        const TetId tet = body.tets[i];
-        const ElementDeformation deformation =
-            element_deformation(law.model, elements.rest_elements[tet], corners_of(world.mesh, tet, positions));
-        states[tet] = element_state(law, deformation, elements.plastic_strains[tet]);
-      }
+      find_states(
+          placed, std::span(body.tets).subspan(begin, end - begin),
+          [&](TetId tet, const FourDeformations&, int) { return world.elements.plastic_strains[tet]; },
+          [&](TetId tet, const FourStates& found, int lane) { states[tet] = found.of(lane); });
     });
   };
   StaticProblem problem{world.mesh, body.tets, world.elements.rest_elements, law, world.nodes.masses, displacements,

@@ -3,6 +3,7 @@
 
 #include "sim/core/parallel.h"
 #include "sim/mesh/topology.h"
+#include "sim/world/element_states.h"
 #include "sim/world/phases/separation_phase.h"
 #include "sim/world/shock/shock_run.h"
 #include "sim/world/shock/similarity.h"
@@ -60,16 +61,17 @@ double ShockRun::transit_time(NodeId node) const {
   return element_size_at(world_, node) / slowed_wave_speed(world_, body_of(node));
 }
 
-/// The state of an element as it is now, of which the separation tensors are made.
-void ShockRun::bring_up_to_date(TetId tet) {
-  const int slot = slot_of_tet_[tet];
-  Corners corners;
-  for (int i = 0; i < 4; ++i) corners.col(i) = solid_.position(solid_.corner(slot, i));
-  const Body& body = world_.bodies[world_.elements.bodies[tet]];
-  const ElasticLaw law = law_in_shock(world_, body);
-  const ElementDeformation deformation = element_deformation(law.model, world_.elements.rest_elements[tet], corners);
-  if (solid_.is_relieved(slot)) let_sliver_yield(tet, deformation.strain);
-  world_.elements.states[tet] = element_state(law, deformation, stress_free_strain(world_, tet));
+/// Finds the states of elements of a body as they are now, of which the separation tensors are made.
+void ShockRun::bring_up_to_date(std::span<const TetId> tets, const Body& body) {
+  const PlacedElements placed{law_in_shock(world_, body), world_.mesh, world_.elements.rest_elements,
+                              world_.nodes.positions};
+  find_states(
+      placed, tets,
+      [&](TetId tet, const FourDeformations& deformations, int lane) {
+        if (solid_.is_relieved(slot_of_tet_[tet])) let_sliver_yield(tet, deformations.strain.of(lane));
+        return stress_free_strain(world_, tet);
+      },
+      [&](TetId tet, const FourStates& states, int lane) { world_.elements.states[tet] = states.of(lane); });
 }
 
 /// Nodes that are judged need the states of all elements round them, and places to split their stars by.
@@ -86,8 +88,16 @@ void ShockRun::bring_stars_up_to_date() {
         world_.nodes.positions[nodes_[corner]] = solid_.position(corner);
       }
     }
+  const auto body_of_tet = [&](TetId tet) { return world_.elements.bodies[tet]; };
+  std::ranges::sort(stale_, {}, [&](TetId tet) { return std::pair(body_of_tet(tet), tet); });
   parallel_for(static_cast<int>(stale_.size()), kGrain, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) bring_up_to_date(stale_[i]);
+    const std::span<const TetId> tets = std::span(stale_).subspan(begin, end - begin);
+    for (auto first = tets.begin(); first != tets.end();) {
+      const BodyId body = body_of_tet(*first);
+      const auto last = std::find_if(first, tets.end(), [&](TetId tet) { return body_of_tet(tet) != body; });
+      bring_up_to_date({first, last}, world_.bodies[body]);
+      first = last;
+    }
   });
 }
 

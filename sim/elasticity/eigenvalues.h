@@ -1,0 +1,97 @@
+#pragma once
+
+#include "sim/core/lane_matrices.h"
+
+// Closed forms of symmetric 3×3 matrices, of one or of four side by side.
+
+namespace griffith::simd {
+
+template <class Real>
+struct Vector3 {
+  Real x, y, z;
+};
+
+/// cos(⅓ arccos r) for r in [0, 1], the largest root of 4c³ − 3c = r, by Newton's iteration.
+template <class Real>
+Real cosine_of_third(Real r) {
+  Real c = 0.5 + 0.5 * root(0.5 * (1.0 + r));  // within 0.013
+  for (int i = 0; i < 3; ++i) c -= ((4.0 * c * c - 3.0) * c - r) / (12.0 * c * c - 3.0);
+  return c;
+}
+
+/// The largest or smallest eigenvalue, whichever lies apart from the middle one: mean ± 2ρ cos θ with
+/// ρ² = |deviator|²/6 and cos 3θ = |det(deviator)|/(2ρ³) (Smith 1961).
+template <class Real>
+Real isolated_eigenvalue(const Symmetric3<Real>& m) {
+  const Real zero = {};
+  const Real mean = m.trace() / 3.0;
+  const Symmetric3<Real> deviator = add_to_diagonal(m, -mean);
+  const Real radius = root(deviator.squared_norm() / 6.0), cube = radius * radius * radius;
+  const Real determinant = deviator.determinant();
+  const Real quotient = absolute(determinant) / (2.0 * cube);
+  const Real bounded = quotient < 1.0 ? quotient : zero + 1.0;
+  const Real distance = 2.0 * radius * cosine_of_third<Real>(cube > 0.0 ? bounded : zero);
+  return mean + (determinant < 0.0 ? -distance : distance);
+}
+
+/// A unit eigenvector of an isolated eigenvalue: the longest row of the adjugate of (m − value·I).
+template <class Real>
+Vector3<Real> eigenvector(const Symmetric3<Real>& m, Real value) {
+  const Real zero = {};
+  const Symmetric3<Real> s = add_to_diagonal(m, -value);
+  const Symmetric3<Real> a{s.yy * s.zz - s.yz * s.yz, s.xx * s.zz - s.xz * s.xz, s.xx * s.yy - s.xy * s.xy,
+                           s.xz * s.yz - s.xy * s.zz, s.xy * s.yz - s.xz * s.yy, s.xy * s.xz - s.yz * s.xx};
+  // The adjugate is (product of the gaps) n nᵀ: its diagonal tells which row is long.
+  const Real x = absolute(a.xx), y = absolute(a.yy), z = absolute(a.zz);
+  const auto y_is_longer = y >= z;
+  const Vector3<Real> other{y_is_longer ? a.xy : a.xz, y_is_longer ? a.yy : a.yz, y_is_longer ? a.yz : a.zz};
+  const auto y_beats_x = y > x;
+  const auto z_beats_x = z > x;
+  const auto other_is_longer = y_beats_x | z_beats_x;
+  const Vector3<Real> row{other_is_longer ? other.x : a.xx, other_is_longer ? other.y : a.xy,
+                          other_is_longer ? other.z : a.xz};
+  const Real length = root(row.x * row.x + row.y * row.y + row.z * row.z);
+  const auto found = length > 0.0;
+  return {found ? row.x / length : zero + 1.0, found ? row.y / length : zero, found ? row.z / length : zero};
+}
+
+/// n·m n.
+template <class Real>
+Real normal_component(const Symmetric3<Real>& m, const Vector3<Real>& n) {
+  return n.x * (m.xx * n.x + m.xy * n.y + m.xz * n.z) + n.y * (m.xy * n.x + m.yy * n.y + m.yz * n.z) +
+         n.z * (m.xz * n.x + m.yz * n.y + m.zz * n.z);
+}
+
+/// The positive part of a symmetric matrix with eigenvalues `sum`/2 ± d in the plane of the projector, 0 across it.
+template <class Real>
+Symmetric3<Real> positive_part_in_plane(const Symmetric3<Real>& m, const Symmetric3<Real>& projector, Real sum) {
+  const Real mean = 0.5 * sum;
+  const Symmetric3<Real> deviator = m - mean * projector;
+  const Real d = root(0.5 * deviator.squared_norm());
+  const Real half = 0.5 * (mean + d) / d;
+  const Symmetric3<Real> mixed = half * (deviator - (-d) * projector);
+  return select(mean >= d, m, select(mean <= -d, Symmetric3<Real>{}, mixed));
+}
+
+/// Sum of max(0, v_i) n_i n_iᵀ over the eigenpairs.
+template <class Real>
+Symmetric3<Real> tensile_part(const Symmetric3<Real>& s) {
+  const Real zero = {};
+  const Real trace = s.trace(), squared_norm = s.squared_norm();
+  // By their invariants, are all principal values of one sign, beyond rounding?
+  const auto minors_are_positive = s.sum_of_minors() > 0.0;
+  const auto is_definite = trace * s.determinant() > 1e-12 * squared_norm * squared_norm;
+  const auto one_sign = minors_are_positive & is_definite;
+  const Symmetric3<Real> whole = select(trace > 0.0, s, Symmetric3<Real>{});
+  if (every(one_sign)) return whole;
+  // One eigenpair stands apart from the others and is taken off; what is left is a problem in the plane.
+  const Vector3<Real> n = eigenvector(s, isolated_eigenvalue(s));
+  const Symmetric3<Real> dyad{n.x * n.x, n.y * n.y, n.z * n.z, n.x * n.y, n.x * n.z, n.y * n.z};
+  const Real value = normal_component(s, n);
+  const Symmetric3<Real> projector{1.0 - dyad.xx, 1.0 - dyad.yy, 1.0 - dyad.zz, -dyad.xy, -dyad.xz, -dyad.yz};
+  const Symmetric3<Real> in_plane = positive_part_in_plane(s - value * dyad, projector, trace - value);
+  const Symmetric3<Real> mixed = in_plane - (value > 0.0 ? -value : zero) * dyad;
+  return select(one_sign, whole, mixed);
+}
+
+}  // namespace griffith::simd

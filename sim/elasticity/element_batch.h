@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+
+#include "sim/elasticity/element_kernel.h"
+
+namespace griffith {
+
+// Four elements side by side, to the bits of one at a time.
+
+using FourDeformations = simd::Deformation<simd::DoubleLanes>;
+using FourStates = simd::State<simd::DoubleLanes>;
+
+/// element_deformation() of four elements.
+FourDeformations element_deformations(ElementModel model, const std::array<const RestElement*, 4>& rests,
+                                      const std::array<Corners, 4>& corners);
+
+/// element_state() of them.
+FourStates element_states(const ElasticLaw& law, const FourDeformations& deformations,
+                          const std::array<Mat3, 4>& stress_free_strains);
+
+}  // namespace griffith

@@ -1,0 +1,99 @@
+#pragma once
+
+#include "sim/elasticity/eigenvalues.h"
+#include "sim/elasticity/element.h"
+#include "sim/elasticity/rotation_kernel.h"
+
+// What element.h tells of an element, for one (Real = double) or for four side by side (DoubleLanes), to the same bits.
+
+namespace griffith::simd {
+
+/// ElementDeformation of each lane.
+template <class Real>
+struct Deformation {
+  Matrix3<Real> frame;
+  Symmetric3<Real> strain;
+  decltype(Real{} > Real{}) inverted;
+
+  ElementDeformation of(int lane) const { return {frame.of(lane), strain.of(lane), lane_of(inverted, lane)}; }
+};
+
+/// ElementState of each lane, and its stress as Cauchy stress in the world frame [Pa].
+template <class Real>
+struct State {
+  Matrix3<Real> frame;
+  Symmetric3<Real> stress;
+  Matrix3<Real> tensile_traction;
+  Symmetric3<Real> tension, cauchy_stress;
+  Real tension_norm, energy_density;
+  decltype(Real{} > Real{}) inverted;
+
+  ElementState of(int lane) const {
+    return {frame.of(lane),
+            stress.of(lane),
+            tensile_traction.of(lane),
+            tension.of(lane),
+            lane_of(tension_norm, lane),
+            lane_of(energy_density, lane),
+            lane_of(inverted, lane)};
+  }
+};
+
+/// F = sum_i x_i g_iᵀ; rows are components, columns corners.
+template <class Real>
+Matrix3<Real> gradient_of(const Real (&places)[3][4], const Real (&shape_gradients)[3][4]) {
+  Matrix3<Real> gradient = {};
+  for (int corner = 0; corner < 4; ++corner)
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) gradient.at[i][j] += places[i][corner] * shape_gradients[j][corner];
+  return gradient;
+}
+
+/// `gradient`: F.
+template <class Real>
+Deformation<Real> deformation_of(ElementModel model, const Matrix3<Real>& gradient) {
+  const Real zero = {};
+  const Real ratio = determinant(gradient, cofactor(gradient));
+  Deformation<Real> deformation;
+  deformation.inverted = !(ratio > 0.0);
+  if (model == ElementModel::corotational || any(deformation.inverted)) {
+    deformation.frame = rotation_of(gradient);
+    deformation.strain = add_to_diagonal(symmetric_product(deformation.frame, gradient), zero - 1.0);
+  }
+  if (model == ElementModel::green_strain) {
+    const Symmetric3<Real> metric = symmetric_product(gradient, gradient);
+    const Symmetric3<Real> green = (zero + 0.5) * add_to_diagonal(metric, zero - 1.0);
+    deformation.frame = select(deformation.inverted, deformation.frame, gradient);
+    deformation.strain = select(deformation.inverted, deformation.strain, green);
+  }
+  return deformation;
+}
+
+/// B sigma Bᵀ / det B from B sigma. The volume ratio counts as 0.01 at least, so that a flat element's stress stays
+/// finite.
+template <class Real>
+Symmetric3<Real> pushed_forward(const Matrix3<Real>& traction, const Matrix3<Real>& frame, Real volume_ratio) {
+  const Real zero = {};
+  const Real bounded = volume_ratio < 0.01 ? zero + 0.01 : volume_ratio;
+  return (1.0 / bounded) * times_transposed(traction, frame);
+}
+
+template <class Real>
+State<Real> state_of(const ElasticLaw& law, const Deformation<Real>& deformation,
+                     const Symmetric3<Real>& stress_free_strain) {
+  const Real zero = {};
+  const Symmetric3<Real> strain = deformation.strain - stress_free_strain;
+  State<Real> state;
+  state.frame = deformation.frame;
+  state.stress = add_to_diagonal((zero + 2 * law.mu) * strain, law.lambda * strain.trace());
+  state.tensile_traction = state.frame * tensile_part(state.stress);
+  const Real volume_ratio = determinant(state.frame, cofactor(state.frame));
+  state.tension = pushed_forward(state.tensile_traction, state.frame, volume_ratio);
+  state.cauchy_stress = pushed_forward(state.frame * state.stress, state.frame, volume_ratio);
+  state.tension_norm = root(state.tension.squared_norm());
+  state.energy_density = 0.5 * contract(state.stress, strain);
+  state.inverted = deformation.inverted;
+  return state;
+}
+
+}  // namespace griffith::simd

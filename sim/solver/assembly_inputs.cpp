@@ -1,0 +1,49 @@
+#include "sim/solver/assembly_inputs.h"
+
+#include <algorithm>
+
+#include "sim/core/parallel.h"
+
+namespace griffith {
+
+AssemblyInputs::AssemblyInputs(const ElementRows& rows, const ElementRows& supports) : nodes_(rows.nodes) {
+  nodes_.insert(nodes_.end(), supports.nodes.begin(), supports.nodes.end());
+  for (const ElementRows::TetAtNode& entry : rows.tets) {
+    const auto corner = entry.slots.begin() + entry.corner;
+    const bool is_first = std::all_of(entry.slots.begin(), corner, [](int slot) { return slot < 0; });
+    if (is_first) tets_.push_back(entry.tet);  // once, though each of its corners has a row
+  }
+  for (const ElementRows::TetAtNode& entry : supports.tets) tets_.push_back(entry.tet);
+}
+
+void AssemblyInputs::record(const MatrixFactors& factors, const ElasticLaw& law, std::span<const ElementState> states,
+                            std::span<const double> masses) {
+  is_recorded_ = true;
+  factors_ = factors;
+  law_ = law;
+  frames_.resize(tets_.size());
+  for (std::size_t i = 0; i < tets_.size(); ++i) frames_[i] = states[tets_[i]].frame.cast<float>();
+  masses_.resize(nodes_.size());
+  for (std::size_t i = 0; i < nodes_.size(); ++i) masses_[i] = masses[nodes_[i]];
+}
+
+bool AssemblyInputs::still_hold(const MatrixFactors& factors, const ElasticLaw& law,
+                                std::span<const ElementState> states, std::span<const double> masses) const {
+  constexpr double kSameFrame = 1e-4;
+  if (!(is_recorded_ && factors == factors_ && law == law_)) return false;
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    if (masses[nodes_[i]] != masses_[i]) return false;
+  const double turned = parallel_sum(static_cast<int>(tets_.size()), [&](int begin, int end) {
+    double count = 0;
+    for (int i = begin; i < end; ++i)
+      count += !((states[tets_[i]].frame - frames_[i].cast<double>()).squaredNorm() <= kSameFrame * kSameFrame);
+    return count;
+  });
+  return turned == 0;
+}
+
+std::size_t AssemblyInputs::memory() const {
+  return tets_.size() * (sizeof(TetId) + sizeof(Frame)) + nodes_.size() * (sizeof(NodeId) + sizeof(double));
+}
+
+}  // namespace griffith
