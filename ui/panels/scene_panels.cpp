@@ -14,9 +14,10 @@ bool header(const Panel& panel, const char* tag, const std::string& text) {
   return open;
 }
 
-/// What the entry was called before the edit that is going on.
+/// What the entry was called before the edit that is going on, unless that is what made it.
 std::string old_name(const EditHistory& history, const SceneEntry& entry) {
-  return full_name(history.editing() ? history.entries().back().before : history.scene(), entry);
+  const bool was_there = history.editing() && has_entry(history.entries().back().before, entry);
+  return full_name(was_there ? history.entries().back().before : history.scene(), entry);
 }
 
 /// Why the edited entry cannot have its name; empty: it can. Probes follow their body to its new one.
