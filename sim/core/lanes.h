@@ -53,11 +53,16 @@ inline WideQuad load(const double* numbers) {
   return loaded;
 }
 
-/// The product of a 3×3 matrix, stored by columns, and (x, y, z) in the first three lanes; the fourth counts for
-/// nothing.
-inline WideQuad product(const double* columns, double x, double y, double z) {
-  const WideQuad last = load(columns + 5);
-  return load(columns) * x + load(columns + 3) * y + __builtin_shufflevector(last, last, 1, 2, 3, 0) * z;
+/// Column i of a 3×3 matrix that is stored by columns, in the first three lanes; the fourth counts for nothing.
+inline WideQuad column(const double* matrix, int i) {
+  if (i < 2) return load(matrix + 3 * i);
+  const WideQuad shifted = load(matrix + 5);  // not beyond the end
+  return __builtin_shufflevector(shifted, shifted, 1, 2, 3, 0);
+}
+
+/// The product of such a matrix and (x, y, z), in the same lanes.
+inline WideQuad product(const double* matrix, double x, double y, double z) {
+  return column(matrix, 0) * x + column(matrix, 1) * y + column(matrix, 2) * z;
 }
 
 /// The 3×3 matrix with these columns in their first three lanes.

@@ -45,9 +45,7 @@ Vector3<Real> eigenvector(const Symmetric3<Real>& m, Real value) {
   const Real x = absolute(a.xx), y = absolute(a.yy), z = absolute(a.zz);
   const auto y_is_longer = y >= z;
   const Vector3<Real> other{y_is_longer ? a.xy : a.xz, y_is_longer ? a.yy : a.yz, y_is_longer ? a.yz : a.zz};
-  const auto y_beats_x = y > x;
-  const auto z_beats_x = z > x;
-  const auto other_is_longer = y_beats_x | z_beats_x;
+  const auto other_is_longer = (y > x) | (z > x);
   const Vector3<Real> row{other_is_longer ? other.x : a.xx, other_is_longer ? other.y : a.xy,
                           other_is_longer ? other.z : a.xz};
   const Real length = root(row.x * row.x + row.y * row.y + row.z * row.z);

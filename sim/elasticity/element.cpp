@@ -24,13 +24,7 @@ ElasticLaw elastic_law(const Material& material) {
 }
 
 ElementDeformation element_deformation(ElementModel model, const RestElement& rest, const Corners& corners) {
-  double places[3][4], shape_gradients[3][4];
-  for (int i = 0; i < 3; ++i)
-    for (int corner = 0; corner < 4; ++corner) {
-      places[i][corner] = corners(i, corner);
-      shape_gradients[i][corner] = rest.shape_gradients(i, corner);
-    }
-  return simd::deformation_of(model, simd::gradient_of(places, shape_gradients)).of(0);
+  return simd::deformation_of(model, simd::gradient_of<double>(corners, rest.shape_gradients)).of(0);
 }
 
 ElementState element_state(const ElasticLaw& law, const ElementDeformation& deformation, const Mat3& plastic_strain) {

@@ -15,13 +15,13 @@ DoubleLanes gather_lanes(const Get& get) {
 
 FourDeformations element_deformations(ElementModel model, const std::array<const RestElement*, 4>& rests,
                                       const std::array<Corners, 4>& corners) {
-  DoubleLanes places[3][4], shape_gradients[3][4];
-  for (int i = 0; i < 3; ++i)
-    for (int corner = 0; corner < 4; ++corner) {
-      places[i][corner] = gather_lanes([&](int lane) { return corners[lane](i, corner); });
-      shape_gradients[i][corner] = gather_lanes([&](int lane) { return rests[lane]->shape_gradients(i, corner); });
-    }
-  return simd::deformation_of(model, simd::gradient_of(places, shape_gradients));
+  const auto place = [&](int i, int corner) {
+    return gather_lanes([&](int lane) { return corners[lane](i, corner); });
+  };
+  const auto slope = [&](int i, int corner) {
+    return gather_lanes([&](int lane) { return rests[lane]->shape_gradients(i, corner); });
+  };
+  return simd::deformation_of(model, simd::gradient_of<DoubleLanes>(place, slope));
 }
 
 FourStates element_states(const ElasticLaw& law, const FourDeformations& deformations,

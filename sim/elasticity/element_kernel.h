@@ -39,13 +39,17 @@ struct State {
   }
 };
 
-/// F = sum_i x_i g_iᵀ; rows are components, columns corners.
-template <class Real>
-Matrix3<Real> gradient_of(const Real (&places)[3][4], const Real (&shape_gradients)[3][4]) {
+/// F = sum_i x_i g_iᵀ: place(i, corner) and slope(i, corner) are components of corners and of shape gradients.
+template <class Real, class Place, class Slope>
+Matrix3<Real> gradient_of(const Place& place, const Slope& slope) {
   Matrix3<Real> gradient = {};
-  for (int corner = 0; corner < 4; ++corner)
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) gradient.at[i][j] += places[i][corner] * shape_gradients[j][corner];
+  for (int corner = 0; corner < 4; ++corner) {
+    const Real g[3] = {slope(0, corner), slope(1, corner), slope(2, corner)};
+    for (int i = 0; i < 3; ++i) {
+      const Real x = place(i, corner);
+      for (int j = 0; j < 3; ++j) gradient.at[i][j] += x * g[j];
+    }
+  }
   return gradient;
 }
 

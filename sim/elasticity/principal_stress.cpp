@@ -7,6 +7,7 @@
 #include "sim/elasticity/eigenvalues.h"
 
 namespace griffith {
+
 PrincipalValues principal_values(const Mat3& symmetric) {
   Eigen::SelfAdjointEigenSolver<Mat3> solver;
   solver.computeDirect(symmetric);

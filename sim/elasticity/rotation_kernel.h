@@ -15,7 +15,8 @@ Matrix3<Real> rotation_of(const Matrix3<Real>& gradient) {
   // Of the squared change. Convergence is quadratic, with half the square of the change left: 5e-15.
   constexpr double kTolerance = 1e-14;
   Matrix3<Real> q = gradient;
-  auto is_searching = Real{}<1.0, is_found = Real{}> 1.0;
+  auto is_searching = (Real{} < 1.0);
+  auto is_found = !is_searching;
   for (int i = 0; i < kMaxIterations && any(is_searching); ++i) {
     const Matrix3<Real> c = cofactor(q);
     const Real det = determinant(q, c);

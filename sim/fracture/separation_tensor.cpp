@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/core/lanes.h"
+#include "sim/elasticity/corner_traction.h"
 #include "sim/elasticity/principal_stress.h"
 
 namespace griffith {
@@ -43,8 +43,7 @@ struct ForceLanes {
 ForceLanes force_lanes(const RestElement& rest, const ElementState& state, int corner) {
   const auto gradient = rest.shape_gradients.col(corner);
   const simd::WideQuad part = simd::product(state.tensile_traction.data(), gradient[0], gradient[1], gradient[2]);
-  const simd::WideQuad stress = simd::product(state.stress.data(), gradient[0], gradient[1], gradient[2]);
-  const simd::WideQuad whole = simd::product(state.frame.data(), stress[0], stress[1], stress[2]);
+  const simd::WideQuad whole = corner_traction(rest, state, corner);
   return {-rest.volume * part, rest.volume * (part - whole)};
 }
 
@@ -57,12 +56,6 @@ struct Dyads {
     const simd::WideQuad scaled = force * (length > 0 ? factor / length : 0);
     for (int i = 0; i < 3; ++i) columns[i] += scaled * force[i];
   }
-  Mat3 matrix() const {
-    Mat3 m;
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) m(j, i) = columns[i][j];
-    return m;
-  }
 };
 
 /// Sums over the elements round a node, seen across a plane.
@@ -71,24 +64,20 @@ struct StarSums {
   Mat3 tension = Mat3::Zero();  ///< volume times stress
 };
 
-constexpr int kColumnStarts[3] = {0, 3, 5};  // of the four numbers in which column i of a 3×3 matrix lies
-
 StarSums sum_star(const SeparationInput& input, NodeId node, const Vec3& normal) {
   StarSums sums;
-  const bool all_count = !constrained(input, node);
   simd::WideQuad tension[3] = {};
   for (TetId tet : input.stars[node]) {
-    if (!all_count && anchored(input, tet)) continue;
+    if (!counts(input, tet, node)) continue;
     const RestElement& rest = input.rest_elements[tet];
     const ElementState& state = input.states[tet];
     const Vec3 across = cofactor(state.frame).transpose() * normal;
     sums.area += 0.5 * rest.volume * std::abs(across.dot(rest.shape_gradients.col(local_corner(input, tet, node))));
     sums.volume += rest.volume;
-    for (int i = 0; i < 3; ++i) tension[i] += rest.volume * simd::load(state.tension.data() + kColumnStarts[i]);
+    for (int i = 0; i < 3; ++i) tension[i] += rest.volume * simd::column(state.tension.data(), i);
     sums.largest = std::max(sums.largest, state.tension_norm);
   }
-  sums.tension << tension[0][0], tension[1][0], tension[2][1], tension[0][1], tension[1][1], tension[2][2],
-      tension[0][2], tension[1][2], tension[2][3];
+  sums.tension = simd::matrix_of(tension);
   return sums;
 }
 
@@ -123,7 +112,7 @@ Mat3 separation_tensor(const SeparationInput& input, NodeId node) {
     sum.add(total.tensile, -0.5);
     sum.add(total.compressive, 0.5);
   }
-  return sum.matrix();
+  return simd::matrix_of(sum.columns);
 }
 
 CandidatePlane candidate_plane(const SeparationInput& input, NodeId node, const Mat3& tensor,

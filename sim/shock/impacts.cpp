@@ -19,6 +19,8 @@ constexpr int kRounds = 4;
 constexpr double kReachOfCracks = 0.25;
 /// Candidates are listed for about so many microsteps, within an edge length.
 constexpr double kMicrostepsOfCandidates = 24;
+/// Of a side: corners that meet corners touch though they shift a little.
+constexpr double kCornerShift = 0.02;
 
 std::array<int, 3> nodes_of(const Solid& solid, const SurfaceSide& side) {
   std::array<int, 3> nodes{};
@@ -185,7 +187,6 @@ void Impacts::touch_sphere(const Solid& solid, int index) {
 }
 
 double Impacts::gap_behind(const Solid& solid, const SurfaceSide& side, const Vec3& point, Touch& touch) const {
-  constexpr double kOutside = 0.02;  // of a side: corners that meet corners touch though they shift a little
   constexpr double kFraction = 0.5;  // sides turn about their edges
   constexpr double kDeepest = 0.5;   // of the height behind: what lies deeper, of a thin sheet beyond it, is not behind
   touch.nodes = nodes_of(solid, side);
@@ -199,15 +200,14 @@ double Impacts::gap_behind(const Solid& solid, const SurfaceSide& side, const Ve
   if (touch.depth > deepest) return kFraction * (touch.depth - deepest);
   touch.weights = weights_in_triangle(a, b, c, normal, area * area, point);
   touch.place = point;
-  const double beyond = -kOutside - std::ranges::min(touch.weights);
+  const double beyond = -kCornerShift - std::ranges::min(touch.weights);
   if (!(beyond > 0)) return 0;
   const double longest = std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
   return kFraction * beyond * area / longest;
 }
 
 bool Impacts::is_nearer(const Solid& solid, const Touch& touch, const Touch& other) const {
-  constexpr double kNear = 0.02;  // of an edge, as far as corners that meet corners shift
-  if (std::abs(touch.depth - other.depth) > kNear * element_size_) return touch.depth < other.depth;
+  if (std::abs(touch.depth - other.depth) > kCornerShift * element_size_) return touch.depth < other.depth;
   return approach_of(solid, touch).dot(touch.normal) < approach_of(solid, other).dot(other.normal);
 }
 
@@ -233,16 +233,16 @@ void Impacts::touch_convex(const Solid& solid, int index) {
   };
   for (auto first = candidates.samples.begin(); first != candidates.samples.end();) {
     const Vec3 place = pose.to_world(obstacle.solids[first->part].samples[first->sample]);
-    std::optional<Touch> shallowest;
+    std::optional<Touch> nearest;
     auto at = first;
     for (; at != candidates.samples.end() && same_sample(*at, *first); ++at) {
       if (is_clear(*at)) continue;
       Touch touch{.obstacle = index};
       const double gap = gap_behind(solid, at->side, place, touch);
       record_gap(*at, gap);
-      if (gap == 0 && (!shallowest || is_nearer(solid, touch, *shallowest))) shallowest = touch;
+      if (gap == 0 && (!nearest || is_nearer(solid, touch, *nearest))) nearest = touch;
     }
-    if (shallowest) touches_.push_back(*shallowest);
+    if (nearest) touches_.push_back(*nearest);
     first = at;
   }
   drop_clamps(solid, first_touch);
@@ -281,15 +281,15 @@ void Impacts::touch_bodies(const Solid& solid) {
       body = body_at(solid, node);
     }
     const Vec3 place = solid.position(node);
-    std::optional<Touch> shallowest;
+    std::optional<Touch> nearest;
     for (; at != pairs_.end() && at->node == node; ++at) {
       if (is_clear(*at)) continue;
       Touch touch{.other_node = node};
       const double gap = gap_behind(solid, at->side, place, touch);
       record_gap(*at, gap);
-      if (gap == 0 && (!shallowest || is_nearer(solid, touch, *shallowest))) shallowest = touch;
+      if (gap == 0 && (!nearest || is_nearer(solid, touch, *nearest))) nearest = touch;
     }
-    if (shallowest) touches_.push_back(*shallowest);
+    if (nearest) touches_.push_back(*nearest);
   }
   drop_clamps(solid, first_touch);
 }

@@ -100,6 +100,37 @@ TEST(ElasticSystem, ImplicitEulerNeverGainsEnergy) {
   }
 }
 
+TEST(ElasticSystem, KeepsItsMatrixUntilWhatItIsMadeOfChanges) {
+  ElasticBox body(Vec3(2, 1, 1), 0.5, 1e8);
+  ElasticSystem system = body.system();
+  ImplicitStep step{.dt = 0.01};
+  std::vector<Mat3> kept;
+  const auto changes = [&] {
+    body.update_states();
+    body.assemble(system, step);
+    const bool changed = kept != system.matrix().blocks;
+    kept = system.matrix().blocks;
+    return changed;
+  };
+  const auto turn = [&](double angle) {
+    const Mat3 rotation = Eigen::AngleAxisd(angle, Vec3::UnitZ()).toRotationMatrix();
+    for (Vec3& position : body.positions) position = rotation * position;
+  };
+  EXPECT_TRUE(changes());
+  turn(3e-5);
+  EXPECT_FALSE(changes());
+  // Small turns add up, since they are counted from where the matrix was made.
+  turn(1e-4);
+  EXPECT_TRUE(changes());
+  step.dt = 0.02;
+  EXPECT_TRUE(changes());
+  body.masses[0] *= 2;
+  EXPECT_TRUE(changes());
+  body.material.young_modulus *= 2;
+  EXPECT_TRUE(changes());
+  EXPECT_FALSE(changes());
+}
+
 TEST(ElasticSystem, HeldNodesStayAndSupportTheRest) {
   ElasticBox body(Vec3(2, 1, 1), 0.5, 1e8);
   for (std::size_t i = 0; i < body.constraints.size(); ++i)

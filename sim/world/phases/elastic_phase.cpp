@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "sim/core/parallel.h"
+#include "sim/elasticity/corner_traction.h"
 #include "sim/elasticity/plasticity.h"
 #include "sim/mesh/topology.h"
 #include "sim/solver/pivot.h"
@@ -27,10 +28,7 @@ void add_elastic_forces(const WorldState& world, const Body& body, std::vector<V
       simd::WideQuad sum = {};
       for (TetId tet : world.mesh.stars[node]) {
         const RestElement& rest = elements.rest_elements[tet];
-        const ElementState& state = elements.states[tet];
-        const auto gradient = rest.shape_gradients.col(local_corner(world.mesh, tet, node));
-        const simd::WideQuad stress = simd::product(state.stress.data(), gradient[0], gradient[1], gradient[2]);
-        sum -= rest.volume * simd::product(state.frame.data(), stress[0], stress[1], stress[2]);
+        sum -= rest.volume * corner_traction(rest, elements.states[tet], local_corner(world.mesh, tet, node));
       }
       forces[node] += Vec3(sum[0], sum[1], sum[2]);
     }
