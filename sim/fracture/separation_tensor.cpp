@@ -47,14 +47,21 @@ ForceLanes force_lanes(const RestElement& rest, const ElementState& state, int c
   return {-rest.volume * part, rest.volume * (part - whole)};
 }
 
-/// A sum of force_dyad().
+/// A sum of m(f⁺) − m(f⁻).
 struct Dyads {
   simd::WideQuad columns[3] = {};
 
-  void add(const simd::WideQuad& force, double factor) {
+  /// Adds `factor` times that of the forces: 1 and −1 cancel exactly.
+  void add(const ForceLanes& forces, double factor) {
+    const simd::WideQuad tensile = direction_of(forces.tensile), compressive = direction_of(forces.compressive);
+    for (int i = 0; i < 3; ++i)
+      columns[i] += factor * (tensile * forces.tensile[i] - compressive * forces.compressive[i]);
+  }
+
+ private:
+  static simd::WideQuad direction_of(const simd::WideQuad& force) {
     const double length = std::sqrt(force[0] * force[0] + force[1] * force[1] + force[2] * force[2]);
-    const simd::WideQuad scaled = force * (length > 0 ? factor / length : 0);
-    for (int i = 0; i < 3; ++i) columns[i] += scaled * force[i];
+    return force * (length > 0 ? 1 / length : 0);
   }
 };
 
@@ -103,16 +110,12 @@ Mat3 separation_tensor(const SeparationInput& input, NodeId node) {
   ForceLanes total;
   for (TetId tet : input.stars[node]) {
     const ForceLanes forces = force_lanes(input.rest_elements[tet], input.states[tet], local_corner(input, tet, node));
-    sum.add(forces.tensile, 0.5);
-    sum.add(forces.compressive, -0.5);
+    sum.add(forces, 1);
     total.tensile += forces.tensile;
     total.compressive += forces.compressive;
   }
-  if (!constrained(input, node)) {
-    sum.add(total.tensile, -0.5);
-    sum.add(total.compressive, 0.5);
-  }
-  return simd::matrix_of(sum.columns);
+  if (!constrained(input, node)) sum.add(total, -1);
+  return 0.5 * simd::matrix_of(sum.columns);
 }
 
 CandidatePlane candidate_plane(const SeparationInput& input, NodeId node, const Mat3& tensor,

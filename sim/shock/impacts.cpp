@@ -19,8 +19,6 @@ constexpr int kRounds = 4;
 constexpr double kReachOfCracks = 0.25;
 /// Candidates are listed for about so many microsteps, within an edge length.
 constexpr double kMicrostepsOfCandidates = 24;
-/// Of a side: corners that meet corners touch though they shift a little.
-constexpr double kCornerShift = 0.02;
 
 std::array<int, 3> nodes_of(const Solid& solid, const SurfaceSide& side) {
   std::array<int, 3> nodes{};
@@ -187,6 +185,7 @@ void Impacts::touch_sphere(const Solid& solid, int index) {
 }
 
 double Impacts::gap_behind(const Solid& solid, const SurfaceSide& side, const Vec3& point, Touch& touch) const {
+  constexpr double kOutside = 0.02;  // of a side: corners that meet corners touch though they shift a little
   constexpr double kFraction = 0.5;  // sides turn about their edges
   constexpr double kDeepest = 0.5;   // of the height behind: what lies deeper, of a thin sheet beyond it, is not behind
   touch.nodes = nodes_of(solid, side);
@@ -200,14 +199,16 @@ double Impacts::gap_behind(const Solid& solid, const SurfaceSide& side, const Ve
   if (touch.depth > deepest) return kFraction * (touch.depth - deepest);
   touch.weights = weights_in_triangle(a, b, c, normal, area * area, point);
   touch.place = point;
-  const double beyond = -kCornerShift - std::ranges::min(touch.weights);
+  const double beyond = -kOutside - std::ranges::min(touch.weights);
   if (!(beyond > 0)) return 0;
   const double longest = std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
   return kFraction * beyond * area / longest;
 }
 
 bool Impacts::is_nearer(const Solid& solid, const Touch& touch, const Touch& other) const {
-  if (std::abs(touch.depth - other.depth) > kCornerShift * element_size_) return touch.depth < other.depth;
+  // Of an edge: beyond rounding and what a microstep brings. Things that overlap would else leap from side to side.
+  constexpr double kSameDepth = 1e-4;
+  if (std::abs(touch.depth - other.depth) > kSameDepth * element_size_) return touch.depth < other.depth;
   return approach_of(solid, touch).dot(touch.normal) < approach_of(solid, other).dot(other.normal);
 }
 

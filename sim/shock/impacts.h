@@ -138,7 +138,7 @@ class Impacts {
   /// How far a point is from lying behind a side, no deeper than half the tet there: 0 where it does [m].
   double gap_behind(const Solid& solid, const SurfaceSide& side, const Vec3& point, Touch& touch) const;
   /// Whether what is behind two sides is rather touched by the first: by the one behind which it lies less deep; where
-  /// both are near, as at an edge, by the one that it comes through.
+  /// that is the same, as at an edge, by the one that it comes through.
   bool is_nearer(const Solid& solid, const Touch& touch, const Touch& other) const;
   Vec3 approach_of(const Solid& solid, const Touch& touch) const;
   double mobility_of(const Solid& solid, const Touch& touch, const Vec3& direction) const;
