@@ -221,7 +221,7 @@ void ShockRun::follow(std::span<const NodeCopy> copies, const std::vector<TetId>
     for (int face = 0; face < 4; ++face) {
       const TetId was = neighbours[i][face];
       if (!was.valid() || mesh.neighbours[star[i]][face].valid() || was < star[i]) continue;
-      impacts_->open(crack_sides(mesh, star[i], face, was, slot_of_tet_[star[i]], slot_of_tet_[was]));
+      impacts_->open(solid_, crack_sides(mesh, star[i], face, was, slot_of_tet_[star[i]], slot_of_tet_[was]));
     }
   for (const TetId tet : star)
     for (const NodeId near : mesh.tets[tet])

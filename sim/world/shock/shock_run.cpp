@@ -53,7 +53,7 @@ void ShockRun::build(std::vector<shock::Obstacle> obstacles) {
   seen_.assign(tets_.size(), -1);
   looks_.assign(nodes_.size(), {});
   for (int i = 0; i < solid_.node_count(); ++i) update_threshold(i);
-  impacts_.emplace(surface_of_bodies(), cracks_of_bodies(), std::move(obstacles), surfaces_, size);
+  impacts_.emplace(solid_, surface_of_bodies(), cracks_of_bodies(), std::move(obstacles), surfaces_, size);
 }
 
 void ShockRun::add_body(const Body& body, const std::vector<Vec3>& external) {
