@@ -63,6 +63,8 @@ class Impacts {
 
   std::span<Obstacle> obstacles() { return obstacles_; }
   std::span<const Blow> blows() const { return blows_; }
+  /// What finding and pushing has taken so far, in microseconds of a usual core: counted, not timed.
+  double work() const { return work_; }
 
   /// What the pushes took in microsteps of `dt` [s] [J], each at the mean velocity of its microstep, which ends with
   /// the next one's forces: those the solid has to know.
@@ -143,6 +145,7 @@ class Impacts {
   std::vector<PlacedNode> nodes_along(const Solid& solid, std::span<const BoxedSide> sides, int axis) const;
   void list_pairs(const Solid& solid);
   void find_touches(const Solid& solid);
+  std::size_t candidate_count() const;
   void touch_sphere(const Solid& solid, int obstacle);
   void touch_convex(const Solid& solid, int obstacle);
   void drop_clamps(const Solid& solid, std::size_t first);
@@ -181,7 +184,7 @@ class Impacts {
   std::vector<Blow> blows_;
   std::vector<Pushed> pushed_;
   std::vector<int> pushed_at_;  ///< per node: index into pushed_, or -1
-  double lost_ = 0;
+  double lost_ = 0, work_ = 0;
   double element_size_, margin_ = 0;
   double travelled_ = 0;      ///< bound on how much nearer any two things can have come [m]
   double listed_until_ = -1;  ///< candidates are complete up to there [m]

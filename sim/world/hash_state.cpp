@@ -84,7 +84,7 @@ void add_body(const Body& body, FieldHash& hash) {
 std::uint64_t hash_of_bodies(const WorldState& world) {
   FieldHash hash;
   for (const Body& body : world.bodies) add_body(body, hash);
-  hash.add(world.nodes.similarity_starts).add_real(world.last_microstep_work);
+  hash.add(world.nodes.similarity_starts).add_real(world.last_microstep_work, world.shock_overhead);
   return hash.value();
 }
 

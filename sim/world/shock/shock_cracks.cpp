@@ -20,6 +20,8 @@ constexpr double kCrackSpeed = 0.3;
 constexpr float kScreeningFraction = 0.97F;
 /// Elements and nodes that are judged side by side: fewer are done before another thread could start.
 constexpr int kGrain = 128;
+/// What the look at a node takes with the elements round it, and a crack [µs of a usual core].
+constexpr double kLookWork = 1, kCrackWork = 20;
 
 }  // namespace
 
@@ -105,6 +107,7 @@ void ShockRun::look() {
   ++looks_made_;
   overloaded_.clear();
   std::erase_if(flagged_, [&](int index) { return time_ < looks_[index].ready; });
+  work_ += kLookWork * static_cast<double>(flagged_.size());
   bring_stars_up_to_date();
   const SeparationInput input = separation_input(world_);
   parallel_for(static_cast<int>(flagged_.size()), kGrain, [&](int begin, int end) {
@@ -171,6 +174,7 @@ void ShockRun::open(const Overload& overload) {
   }
   if (!cracked) return;
   ++world_.report.cracks;
+  work_ += kCrackWork;
   opened_.bodies.insert(id);
   world_.bodies[id].shock->last_event = time_;
   const bool torn_off = world_.crack_events.back().torn_off;

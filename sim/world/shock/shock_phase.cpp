@@ -268,6 +268,7 @@ void cut_shocks_short(WorldState& world) {
 
 double next_stretch(WorldState& world, double left) {
   if (!in_shock(world)) {
+    world.shock_overhead = 1;
     const double calm = time_before_blow(world, left);
     if (calm > impact_tolerance(world) || calm == left) return calm;
   }

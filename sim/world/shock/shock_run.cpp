@@ -174,11 +174,20 @@ void ShockRun::run(double duration) {
     book_account();
     if (rebuild_) {
       world_.time = time_;
+      work_ += impacts_->work();
       build({impacts_->obstacles().begin(), impacts_->obstacles().end()});
     }
   }
+  book_work();
+}
+
+/// Counts what the shock took, for the length of the next stretches and their scaling.
+void ShockRun::book_work() {
   world_.report.microsteps += static_cast<int>(microsteps_);
-  world_.scratch.microstep_work += kMicrostepWork * static_cast<double>(microsteps_ * solid_.tet_slots());
+  const double of_elements = kMicrostepWork * static_cast<double>(microsteps_ * solid_.tet_slots());
+  const double work = of_elements + work_ + impacts_->work();
+  world_.scratch.microstep_work += work;
+  world_.shock_overhead = work / of_elements;
 }
 
 void ShockRun::record_blows() {

@@ -81,8 +81,10 @@ struct Demand {
   int tets = 0;
   double microsteps = 0;         ///< of what is left of the step
   double highest_frequency = 0;  ///< as slowed now [rad/s]
+  double overhead = 1;           ///< see WorldState::shock_overhead
 
-  double work() const { return microsteps * kMicrostepWork * tets; }  ///< [µs]
+  double work_of_microstep() const { return overhead * kMicrostepWork * tets; }  ///< [µs]
+  double work() const { return microsteps * work_of_microstep(); }               ///< [µs]
 };
 
 Demand demand_of(const WorldState& world, double left) {
@@ -93,6 +95,7 @@ Demand demand_of(const WorldState& world, double left) {
     demand.highest_frequency = std::max(demand.highest_frequency, body.shock->similarity * body.shock->frequency);
   }
   demand.microsteps = left * demand.highest_frequency / kMicrostepAtFrequency;
+  demand.overhead = world.shock_overhead;
   return demand;
 }
 
@@ -219,7 +222,7 @@ void choose_similarity(WorldState& world, double left) {
   ScaledImpact told;
   told.tets = demand.tets;
   told.microsteps = demand.microsteps;
-  told.affordable = available / (kMicrostepWork * demand.tets);
+  told.affordable = available / demand.work_of_microstep();
   const std::vector<int> groups = groups_in_shock(world, left);
   const std::vector<GroupDemand> demands = group_demands(world, groups);
   for (Body& body : world.bodies) {
