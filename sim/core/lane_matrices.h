@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "sim/core/lanes.h"
 #include "sim/core/linear_algebra.h"
 
@@ -38,6 +40,14 @@ inline Matrix3<double> numbers(const Mat3& m) {
   Matrix3<double> copy;
   copy.set(0, m);
   return copy;
+}
+
+/// Four matrices side by side.
+inline Matrix3<DoubleLanes> side_by_side(const std::array<Mat3, kDoubleLanes>& m) {
+  Matrix3<DoubleLanes> lanes;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) lanes.at[i][j] = DoubleLanes{m[0](i, j), m[1](i, j), m[2](i, j), m[3](i, j)};
+  return lanes;
 }
 
 template <class Real>

@@ -107,11 +107,10 @@ void ShockRun::look() {
   std::erase_if(flagged_, [&](int index) { return time_ < looks_[index].ready; });
   bring_stars_up_to_date();
   const SeparationInput input = separation_input(world_);
-  parallel_for(static_cast<int>(flagged_.size()), kGrain, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      const NodeId node = nodes_[flagged_[i]];
-      world_.nodes.separations[node] = evaluate_node(world_, input, body_of(node), node, false);
-    }
+  std::vector<NodeId> looked_at;
+  for (const int index : flagged_) looked_at.push_back(nodes_[index]);
+  parallel_for(static_cast<int>(looked_at.size()), kGrain, [&](int begin, int end) {
+    evaluate_nodes(world_, input, std::span(looked_at).subspan(begin, end - begin), false);
   });
   for (const int index : flagged_) judge(index);
   std::ranges::sort(overloaded_, [](const Overload& a, const Overload& b) {
