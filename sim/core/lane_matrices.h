@@ -59,11 +59,9 @@ struct Symmetric3 {
   Real sum_of_minors() const { return xx * yy - xy * xy + (xx * zz - xz * xz) + (yy * zz - yz * yz); }
   Real determinant() const { return xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz); }
 
-  Mat3 of(int lane) const {
-    const double x = lane_of(xy, lane), y = lane_of(xz, lane), z = lane_of(yz, lane);
-    Mat3 m;
-    m << lane_of(xx, lane), x, y, x, lane_of(yy, lane), z, y, z, lane_of(zz, lane);
-    return m;
+  SymmetricMat3 of(int lane) const {
+    return {lane_of(xx, lane), lane_of(yy, lane), lane_of(zz, lane),
+            lane_of(xy, lane), lane_of(xz, lane), lane_of(yz, lane)};
   }
 };
 

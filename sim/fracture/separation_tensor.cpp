@@ -77,7 +77,7 @@ struct StarSums {
 
 StarSums sum_star(const SeparationInput& input, NodeId node, const Vec3& normal) {
   StarSums sums;
-  simd::WideQuad tension[3] = {};
+  simd::WideQuad diagonal = {}, others = {};  // of volume times tension
   for (TetId tet : input.stars[node]) {
     if (!counts(input, tet, node)) continue;
     const RestElement& rest = input.rest_elements[tet];
@@ -85,10 +85,12 @@ StarSums sum_star(const SeparationInput& input, NodeId node, const Vec3& normal)
     const Vec3 across = cofactor(state.frame).transpose() * normal;
     sums.area += 0.5 * rest.volume * std::abs(across.dot(rest.shape_gradients.col(local_corner(input, tet, node))));
     sums.volume += rest.volume;
-    for (int i = 0; i < 3; ++i) tension[i] += rest.volume * simd::column(state.tension.data(), i);
+    const SymmetricMat3& t = state.tension;
+    diagonal += rest.volume * simd::WideQuad{t.xx, t.yy, t.zz, 0};
+    others += rest.volume * simd::WideQuad{t.xy, t.xz, t.yz, 0};
     sums.largest = std::max(sums.largest, state.tension_norm);
   }
-  sums.tension = simd::matrix_of(tension);
+  sums.tension = SymmetricMat3{diagonal[0], diagonal[1], diagonal[2], others[0], others[1], others[2]};
   return sums;
 }
 
@@ -221,7 +223,7 @@ std::array<CandidatePlane, 4> candidate_planes(const SeparationInput& input, con
 double tension_fraction(const SeparationInput& input, TetId tet, NodeId node, const CandidatePlane& plane) {
   if (!counts(input, tet, node)) return 0;
   const ElementState& state = input.states[tet];
-  return input.rest_elements[tet].volume / plane.volume * plane.normal.dot(state.tension * plane.normal);
+  return input.rest_elements[tet].volume / plane.volume * plane.normal.dot(state.tension.full() * plane.normal);
 }
 
 DirectionalStrength strength_at(const SeparationInput& input, NodeId node, const Weakness& weakness) {

@@ -69,7 +69,7 @@ void ShockRun::bring_up_to_date(std::span<const TetId> tets, const Body& body) {
       placed, tets,
       [&](TetId tet, const FourDeformations& deformations, int lane) {
         if (solid_.is_relieved(slot_of_tet_[tet])) let_sliver_yield(tet, deformations.strain.of(lane));
-        return stress_free_strain(world_, tet);
+        return world_.elements.stress_free_strain(tet);
       },
       [&](TetId tet, const FourStates& states, int lane) { world_.elements.states[tet] = states.of(lane); });
 }
