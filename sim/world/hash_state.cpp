@@ -49,7 +49,12 @@ std::uint64_t hash_of_mesh(const WorldState& world) {
 
 std::uint64_t hash_of_stresses(const WorldState& world) {
   const ElementArrays& elements = world.elements;
-  return FieldHash().add(elements.stresses).add(elements.plastic_strains).add(elements.similarity_strains).value();
+  // Strains that take no room are zero.
+  const std::vector<Mat3> zeros(elements.plastic_strains.empty() ? elements.states.size() : 0, Mat3::Zero());
+  FieldHash hash;
+  hash.add(elements.stresses).add(zeros.empty() ? elements.plastic_strains : zeros);
+  hash.add(zeros.empty() ? elements.similarity_strains : zeros);
+  return hash.value();
 }
 
 std::uint64_t hash_of_separations(const WorldState& world) {

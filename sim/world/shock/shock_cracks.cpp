@@ -71,7 +71,7 @@ void ShockRun::bring_up_to_date(std::span<const TetId> tets, const Body& body) {
       placed, tets,
       [&](TetId tet, const FourDeformations& deformations, int lane) {
         if (solid_.is_relieved(slot_of_tet_[tet])) let_sliver_yield(tet, deformations.strain.of(lane));
-        return stress_free_strain(world_, tet);
+        return world_.elements.stress_free_strain(tet);
       },
       [&](TetId tet, const FourStates& states, int lane) { world_.elements.states[tet] = states.of(lane); });
 }
@@ -110,11 +110,10 @@ void ShockRun::look() {
   work_ += kLookWork * static_cast<double>(flagged_.size());
   bring_stars_up_to_date();
   const SeparationInput input = separation_input(world_);
-  parallel_for(static_cast<int>(flagged_.size()), kGrain, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      const NodeId node = nodes_[flagged_[i]];
-      world_.nodes.separations[node] = evaluate_node(world_, input, body_of(node), node, false);
-    }
+  std::vector<NodeId> looked_at;
+  for (const int index : flagged_) looked_at.push_back(nodes_[index]);
+  parallel_for(static_cast<int>(looked_at.size()), kGrain, [&](int begin, int end) {
+    evaluate_nodes(world_, input, std::span(looked_at).subspan(begin, end - begin), false);
   });
   for (const int index : flagged_) judge(index);
   std::ranges::sort(overloaded_, [](const Overload& a, const Overload& b) {

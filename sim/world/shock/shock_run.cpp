@@ -97,7 +97,7 @@ void ShockRun::add_elements(const Body& body, const Mat3& turn) {
     for (int i = 0; i < 4; ++i) corners[i] = local(world_.mesh.tets[tet][i]);
     rest_elements.push_back(
         {turn * world_.elements.rest_elements[tet].shape_gradients, world_.elements.rest_elements[tet].volume});
-    offsets.push_back(turn * stress_free_strain(world_, tet) * turn.transpose());
+    offsets.push_back(turn * world_.elements.stress_free_strain(tet) * turn.transpose());
   }
   ElasticLaw law = law_in_shock(world_, body);  // of stress; forces are those of E′ = f² E
   law.lambda *= body.shock->similarity, law.mu *= body.shock->similarity;

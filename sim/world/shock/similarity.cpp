@@ -278,7 +278,7 @@ Mat3 strain_of(const ElasticLaw& law, const Mat3& stress) {
 }
 
 /// The shape and stress that a body had: what of its strain the full stiffness does not explain is permanent.
-void keep_shape(WorldState& world, const Body& body, const BodySnapshot& before) {
+void keep_shape(WorldState& world, const Body& body, const BodySnapshot& before, const std::vector<Mat3>& stresses) {
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     world.nodes.positions[body.nodes[i]] = before.positions[i];
     world.nodes.velocities[body.nodes[i]] = before.velocities[i];
@@ -288,7 +288,7 @@ void keep_shape(WorldState& world, const Body& body, const BodySnapshot& before)
     const TetId tet = body.tets[i];
     const Corners corners = corners_of(world.mesh, tet, world.nodes.positions);
     const Mat3 strain = element_deformation(law.model, world.elements.rest_elements[tet], corners).strain;
-    world.elements.plastic_strains[tet] = strain - strain_of(law, before.stresses[i]);
+    world.elements.plastic_strains[tet] = strain - strain_of(law, stresses[i]);
   }
   update_elements(world, body);
 }
@@ -300,9 +300,10 @@ void end_similarity(WorldState& world, Body& body) {
   constexpr double kMaxGain = 1.05;  // of elastic energy: where supports hold on to what moves
   const RigidMotion motion = motion_of(world, body);
   const BodySnapshot before = snapshot(world, body);
+  const std::vector<Mat3> stresses = stresses_of(world, body);
   const double energy = energy_of(world, body), elastic = elastic_energy(world, body);
   take_true_shape(world, body);
-  if (elastic_energy(world, body) > kMaxGain * elastic) keep_shape(world, body, before);
+  if (elastic_energy(world, body) > kMaxGain * elastic) keep_shape(world, body, before, stresses);
   update_motion(world, body);
   const Vec3 displacement = body.motion.center - motion.center;
   world.energy.scaling += energy - energy_of(world, body) + motion.mass * world.model->scene.gravity.dot(displacement);
