@@ -176,6 +176,7 @@ void enter_shock(WorldState& world, Body& body, double impact_speed) {
     place_rigid_nodes(world, body);
     make_elastic(world, body);
   }
+  if (impact_speed > 0) ++world.report.impacts;
   body.shock = Shock{world.time, impact_speed, highest_frequency(world, body)};
 }
 
