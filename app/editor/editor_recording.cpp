@@ -93,7 +93,7 @@ void Editor::write_recorded_run(const fs::path& path) {
 
 void Editor::write_plots(const fs::path& path) {
   if (path.extension() == ".png") {
-    state_.plots.shown = true;
+    state_.plots.shown = state_.plots.for_picture = true;
     wanted_picture_ = {ui::SavedKind::plots, path};
     return;
   }
@@ -117,6 +117,7 @@ std::optional<PictureRequest> Editor::take_picture_request() { return std::excha
 
 void Editor::save_window_picture(const PictureRequest& request, const render::Image& window,
                                  const std::string& graphics) {
+  state_.plots.for_picture = false;
   try {
     if (request.kind == ui::SavedKind::plots) return save_plots_picture(request.file, window);
     save_report(request.file, window, graphics);

@@ -193,7 +193,7 @@ Scene large_blocks() {
   for (int i = 0; i < 3; ++i) {
     BodyDescription block;
     block.name = "block " + std::to_string(i + 1);
-    block.shape = BoxShape{Vec3::Constant(1), Vec3::Constant(1.0 / 20)};
+    block.shape = BoxShape{Vec3::Constant(1), Vec3::Constant(1.0 / 28)};
     block.position = Vec3(1.5 * i, 0.5, 0);
     scene.bodies.push_back(block);
   }

@@ -214,6 +214,7 @@ TEST_F(TimeTest, SoManyStepsAreMadeAsAreAskedFor) {
 TEST_F(TimeTest, HoldingTheRightButtonAimsAndLettingGoFires) {
   const ui::WidgetTag* view = ui::find_tag(editor_.tags(), "viewport");
   ASSERT_TRUE(view);
+  editor_.step();  // the scene's own shot is on its way
   const std::size_t shots = editor_.frame().projectiles.size();
   const auto hold = [&](bool down) {
     queue_.button(1, down);

@@ -49,6 +49,7 @@ struct StepSpan {
 struct PlotsState {
   bool shown = false;
   std::optional<StepSpan> zoom;  ///< the steps that are shown; none: all
+  bool for_picture = false;      ///< all strips are to be seen, and nothing that follows the mouse
   float height = 0;              ///< of the panel [pixels]; 0: not laid out yet
 };
 

@@ -110,6 +110,7 @@ void values_tooltip(Panel& panel, std::int64_t step) {
 
 /// Of the strip drawn last: a click or a drag goes to a step.
 void follow_mouse(Panel& panel, const PlotView& view) {
+  if (panel.state.plots.for_picture) return;
   const bool held = ImGui::IsItemActive();
   if (!held && !ImGui::IsItemHovered()) return;
   const std::int64_t pointed = view.step_at(static_cast<double>(ImGui::GetIO().MousePos.x));
@@ -143,7 +144,7 @@ RunCurves shown_part(const Panel& panel, const RunCurves& curves) {
 float strip_height(const Panel& panel, std::size_t count) {
   const float spacing = ImGui::GetStyle().ItemSpacing.y, strips = static_cast<float>(count);
   const float room = ImGui::GetContentRegionAvail().y - plot_times_height(panel) - strips * spacing;
-  return std::max(kMinimumStrip * ui_scale(panel), room / strips);
+  return std::max(panel.state.plots.for_picture ? 1 : kMinimumStrip * ui_scale(panel), room / strips);
 }
 
 }  // namespace
