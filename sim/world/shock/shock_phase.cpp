@@ -177,6 +177,7 @@ void enter_shock(WorldState& world, Body& body, double impact_speed) {
     make_elastic(world, body);
   }
   world.elements.allow_strains();
+  if (impact_speed > 0) ++world.report.impacts;
   body.shock = Shock{world.time, impact_speed, highest_frequency(world, body)};
 }
 
