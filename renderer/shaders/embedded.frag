@@ -4,6 +4,7 @@ uniform samplerBuffer scalars, colors, materials;
 uniform int scalar_kind, selected_tet;
 uniform bool has_piece_colors, draw_edges, unlit, checker;
 in vec3 position;
+centroid in vec3 covered;  // a place in the part of the pixel that the polygon covers
 in vec3 smooth_normal;
 in vec2 uv;
 in vec3 rest;
@@ -29,7 +30,8 @@ vec3 carried_slope(vec3 slope) {
 Matter matter_here() {
   vec3 fibre = vec3(material(7), material(8), material(9));
   vec3 place = (rest - fibre * dot(fibre, rest)) / material(6);
-  vec4 n = noise(place) + 0.5 * noise(2.3 * place + 11.0);
+  float width = 0.7 * length(fwidth(place));
+  vec4 n = seen(width) * noise(place) + 0.5 * seen(2.3 * width) * noise(2.3 * place + 11.0);
   Matter matter = Matter(vec3(1.0 + material(4) * n.w), 2.0 * material(5) * n.xyz);
 #ifdef GRAIN
   float pixel = 0.7 * length(fwidth(rest));
@@ -81,7 +83,7 @@ void main() {
   if (labels.x == selected_tet || material(10) == 0.0) discard;
   bool inner = ((labels.w >> 20) & 1) != 0;
   vec3 color = material_color(vec3(1.0));
-  emit_glass(color, material(10), position, normalize(normal_here() + matter_here().slope), inner);
+  emit_glass(color, material(10), covered, position, normalize(normal_here() + matter_here().slope), inner);
 }
 #else
 void main() {

@@ -9,6 +9,7 @@ layout(location = 4) in vec4 normal_products;  // with the edges of the tet, bef
 layout(location = 5) in vec4 other_normal_products;
 layout(location = 6) in vec2 corner_uv;
 out vec3 position;
+centroid out vec3 covered;
 out vec3 smooth_normal;  // of length 0: none
 out vec2 uv;
 out vec3 rest;
@@ -43,6 +44,7 @@ void main() {
     position += share[i] * point_at(point);
     if (scalar_kind == 2) scalar += share[i] * texelFetch(scalars, point).r;
   }
+  covered = position;
   smooth_normal = carried_normal(carrier == corner_labels.x ? normal_products.xyz : other_normal_products.xyz);
   uv = corner_uv;
   rest = corner_rest;

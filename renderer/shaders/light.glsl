@@ -30,13 +30,21 @@ float hard_visibility(vec3 place) {
   return sum / 9.0;
 }
 
+// Sum over the 2×2 pixels that are shaded together.
+float sum_of_quad(float value) {
+  vec2 side = 1.0 - 2.0 * mod(floor(gl_FragCoord.xy), 2.0);
+  float row = 2.0 * value + side.x * dFdx(value);
+  return max(2.0 * row + side.y * dFdy(row), 0.0);
+}
+
 // The penumbra is as wide as what casts the shadow is far away (Fernando 2005, "Percentage-closer soft shadows"). The
 // search is closer towards its middle, where low things cast narrow shadows, counts what is near for more, and passes
-// over what is too low for its penumbra to reach here. `slope`: of the lit plane's depth.
+// over what is too low for its penumbra to reach here. Neighbouring pixels search together. `slope`: of the lit plane's depth.
 float soft_visibility(vec3 place, vec2 slope) {
+  const float kSure = 4.0;  // blockers that one search must have found for a shadow to begin without a step
   int count = int(effects.y);
   mat2 turn = turn_here();
-  float sum = 0.0, blockers = 0.0;
+  float sum = 0.0, blockers = 0.0, found = 0.0;
   for (int i = 0; i < count / 2; ++i) {
     vec2 offset = turn * disc_point(i, count / 2);
     offset *= kWidest * dot(offset, offset);
@@ -46,8 +54,12 @@ float soft_visibility(vec3 place, vec2 slope) {
       float weight = 1.0 / (0.02 * kWidest + length(offset));
       sum += weight * height;
       blockers += weight;
+      found += 1.0;
     }
   }
+  sum = sum_of_quad(sum);
+  blockers = sum_of_quad(blockers);
+  found = sum_of_quad(found);
   if (blockers == 0.0) return 1.0;
   float penumbra = clamp(effects.x * sum / blockers, kNarrowest, kWidest);
   float lit = 0.0;
@@ -55,7 +67,7 @@ float soft_visibility(vec3 place, vec2 slope) {
     vec2 offset = penumbra * turn * disc_point(i, count);
     lit += texture(shadow_map, place + vec3(offset, dot(slope, offset)));
   }
-  return lit / float(count);
+  return mix(1.0, lit / float(count), min(found / kSure, 1.0));
 }
 
 // Share of the lamp's light that clear matter lets through.
