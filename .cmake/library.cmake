@@ -22,7 +22,7 @@ function(griffith_library name)
                                               $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${target} PUBLIC Eigen3::Eigen PRIVATE $<BUILD_INTERFACE:griffith_compiler>)
   griffith_precompile(${target})
-  griffith_join_sources(${target})
+  griffith_join_sources(${target} 12)
   griffith_keep_own_copies(${target})
 endfunction()
 

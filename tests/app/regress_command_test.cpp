@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const fs::path& path) {
+std::string content_of(const fs::path& path) {
   std::ifstream file(path);
   return {std::istreambuf_iterator<char>(file), {}};
 }
@@ -85,10 +85,10 @@ TEST_F(RegressCommand, AcceptingOnePictureLeavesTheOthers) {
   Scene scene = small_wall();
   scene.view.edge_width = 3;
   write_scene(scene, suite_ / "wall.json");
-  const std::string other = text_of(golden("wall_utilization_0009.png"));
+  const std::string other = content_of(golden("wall_utilization_0009.png"));
   const Outcome accepted = regress("--accept wall_body_0009");
   EXPECT_EQ(accepted.code, 0) << accepted.output;
-  EXPECT_EQ(text_of(golden("wall_utilization_0009.png")), other);
+  EXPECT_EQ(content_of(golden("wall_utilization_0009.png")), other);
   EXPECT_EQ(regress("--only wall_utilization_0009").code, 1);
   const Outcome alone = regress("--only wall_body_0009");
   EXPECT_EQ(alone.code, 0) << alone.output;
@@ -106,8 +106,8 @@ TEST_F(RegressCommand, AJobThatCannotBeDrawnFailsAloneAndSaysWhy) {
   EXPECT_NE(outcome.output.find("gone.json"), std::string::npos) << outcome.output;
   EXPECT_EQ(outcome.output.find("Graphics:"), std::string::npos) << outcome.output;
   EXPECT_NE(outcome.output.find("no job draws the golden picture panels"), std::string::npos) << outcome.output;
-  EXPECT_NE(text_of(test_folder() / "results.xml").find("errors=\"1\""), std::string::npos);
-  EXPECT_NE(text_of(suite_ / "report.html").find("gone"), std::string::npos);
+  EXPECT_NE(content_of(test_folder() / "results.xml").find("errors=\"1\""), std::string::npos);
+  EXPECT_NE(content_of(suite_ / "report.html").find("gone"), std::string::npos);
 }
 
 TEST_F(RegressCommand, AGoldenPictureOfAnotherRendererIsComparedAndToldOf) {
@@ -115,7 +115,7 @@ TEST_F(RegressCommand, AGoldenPictureOfAnotherRendererIsComparedAndToldOf) {
   fs::rename(golden("").parent_path(), suite_ / "goldens" / "Some-Other-Card");
   const Outcome outcome = regress("");
   EXPECT_EQ(outcome.code, 0) << outcome.output;
-  EXPECT_NE(text_of(suite_ / "report.html").find("Some-Other-Card"), std::string::npos);
+  EXPECT_NE(content_of(suite_ / "report.html").find("Some-Other-Card"), std::string::npos);
 }
 
 TEST_F(RegressCommand, OnlyWhatIsNamedIsAccepted) {

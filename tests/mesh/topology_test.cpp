@@ -16,8 +16,8 @@ namespace {
 using ::testing::IsEmpty;
 using testing::RandomValues;
 
-TetSoup box_soup() { return make_box(Vec3(3, 2, 2), Vec3::Ones(), BoxPattern::five_tet); }
-TetMesh box_mesh() { return build_mesh(box_soup()); }
+TetSoup five_tet_box() { return make_box(Vec3(3, 2, 2), Vec3::Ones(), BoxPattern::five_tet); }
+TetMesh box_mesh() { return build_mesh(five_tet_box()); }
 
 std::vector<int> shuffled(int count, RandomValues& random) {
   std::vector<int> order(count);
@@ -27,7 +27,7 @@ std::vector<int> shuffled(int count, RandomValues& random) {
 }
 
 TEST(TopologyTest, DoesNotDependOnTheNumbering) {
-  const TetSoup soup = box_soup();
+  const TetSoup soup = five_tet_box();
   const TetMesh mesh = build_mesh(soup);
   RandomValues random(1);
   const auto node_of = shuffled(static_cast<int>(soup.points.size()), random);

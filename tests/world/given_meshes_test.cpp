@@ -7,7 +7,7 @@
 namespace griffith {
 namespace {
 
-const Vec3 kSize(1, 2, 0.5), kCell(0.25, 0.25, 0.25);
+const Vec3 kBoxSize(1, 2, 0.5), kBoxCell(0.25, 0.25, 0.25);
 
 /// Something that falls on the ground and breaks there.
 Scene drop(const Shape& shape) {
@@ -26,8 +26,8 @@ std::uint64_t hash_after(World world, int steps) {
 }
 
 TEST(GivenMeshes, AreWhatTheSameShapeIs) {
-  const std::uint64_t expected = hash_after(World(drop(BoxShape{kSize, kCell, BoxPattern::kuhn})), 30);
-  const TetSoup box = make_box(kSize, kCell, BoxPattern::kuhn);
+  const std::uint64_t expected = hash_after(World(drop(BoxShape{kBoxSize, kBoxCell, BoxPattern::kuhn})), 30);
+  const TetSoup box = make_box(kBoxSize, kBoxCell, BoxPattern::kuhn);
   EXPECT_EQ(hash_after(World(drop(MeshFileShape{"a box"}), {{"a box", box}}), 30), expected);
 
   TetSoup in_quarters = box;
@@ -35,11 +35,11 @@ TEST(GivenMeshes, AreWhatTheSameShapeIs) {
   for (std::array<int, 4>& tet : in_quarters.tets) std::swap(tet[0], tet[1]);  // prepare() turns them round
   const World scaled(drop(MeshFileShape{"a box", 0.25}), {{"a box", in_quarters}});
   EXPECT_THAT(scaled.frame().nodes.rest_positions, ::testing::SizeIs(box.points.size()));
-  EXPECT_NEAR(scaled.frame().totals.mass, kSize.prod() * Material().density, 1e-9);
+  EXPECT_NEAR(scaled.frame().totals.mass, kBoxSize.prod() * Material().density, 1e-9);
 }
 
 TEST(GivenMeshes, ThatCannotBeSimulatedAreNamed) {
-  TetSoup soup = make_box(kSize, kCell, BoxPattern::kuhn);
+  TetSoup soup = make_box(kBoxSize, kBoxCell, BoxPattern::kuhn);
   soup.tets[7][2] = 12345;
   try {
     const World world(drop(MeshFileShape{"a box"}), {{"a box", soup}});

@@ -29,7 +29,7 @@ Scene heap(int count) {
   return scene;
 }
 
-std::uint64_t hash_after(int steps, int threads) {
+std::uint64_t hash_of_heap(int steps, int threads) {
   const ThreadLimit limit(threads);
   World world(heap(200));
   for (int i = 0; i < steps; ++i) world.step();
@@ -38,9 +38,9 @@ std::uint64_t hash_after(int steps, int threads) {
 
 TEST(ManyBodies, TheSameBitsForOneTwoAndFourThreads) {
   for (const int steps : {0, 5}) {
-    const std::uint64_t one = hash_after(steps, 1);
-    EXPECT_EQ(hash_after(steps, 2), one);
-    EXPECT_EQ(hash_after(steps, 4), one);
+    const std::uint64_t one = hash_of_heap(steps, 1);
+    EXPECT_EQ(hash_of_heap(steps, 2), one);
+    EXPECT_EQ(hash_of_heap(steps, 4), one);
   }
 }
 

@@ -116,7 +116,7 @@ Scene struck_plank(const Material& material, double rest, double speed) {
   return scene;
 }
 
-bool breaks(const Scene& scene) {
+bool shot_breaks(const Scene& scene) {
   World world(scene);
   const double end = scene.projectiles[0].start + 0.3 / scene.projectiles[0].speed + 0.1;
   while (world.frame().time < end && world.frame().crack_events.empty()) world.step();
@@ -127,7 +127,7 @@ double breaking_speed(const std::function<Scene(double)>& scene_at) {
   double holds = 0.01, breaking = 300;
   while (breaking > 1.05 * holds) {
     const double middle = std::sqrt(holds * breaking);
-    (breaks(scene_at(middle)) ? breaking : holds) = middle;
+    (shot_breaks(scene_at(middle)) ? breaking : holds) = middle;
   }
   return breaking;
 }
@@ -150,7 +150,7 @@ TEST(Rest, DoesNotMakeABodyStronger) {
       scene.simulation.time_step = 1.0 / 2000;
       return scene;
     });
-    EXPECT_TRUE(breaks(scene_of(kind, 0.5, 1.3 * fresh))) << "kind " << kind << " at " << fresh << " m/s";
+    EXPECT_TRUE(shot_breaks(scene_of(kind, 0.5, 1.3 * fresh))) << "kind " << kind << " at " << fresh << " m/s";
   }
 }
 

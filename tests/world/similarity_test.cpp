@@ -63,14 +63,14 @@ double lowest_factor(const World& world) {
   return lowest;
 }
 
-struct Outcome {
+struct ShotOutcome {
   bool broke = false;
   double factor = 1;
 };
 
-Outcome outcome_of(const Scene& scene, double speed) {
+ShotOutcome outcome_of(const Scene& scene, double speed) {
   World world(scene);
-  Outcome outcome;
+  ShotOutcome outcome;
   const double time = 0.6 / speed + 0.03;
   while (world.frame().time < time && world.frame().crack_events.empty()) {
     world.step();
@@ -92,7 +92,7 @@ BreakingSpeed breaking_speed(const std::function<Scene(double)>& scene_at, doubl
     Scene scene = scene_at(middle);
     scene.simulation.time_step = time_step;
     scene.simulation.step_budget = budget;
-    const Outcome outcome = outcome_of(scene, middle);
+    const ShotOutcome outcome = outcome_of(scene, middle);
     (outcome.broke ? found.speed : holds) = middle;
     found.factor = std::min(found.factor, outcome.factor);
   }
