@@ -148,7 +148,8 @@ PlotView draw_plot_strip(Panel& panel, const std::string& tag, const PlotStrip& 
   ImGui::PopFont();
   const float mouse = ImGui::GetIO().MousePos.x;
   const bool points = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-  if (points && !panel.state.plots.for_picture && mouse >= static_cast<float>(view.left) && mouse <= static_cast<float>(view.right))
+  if (points && !panel.state.plots.for_picture && mouse >= static_cast<float>(view.left) &&
+      mouse <= static_cast<float>(view.right))
     draw_step_line(view, view.step_at(static_cast<double>(mouse)), palette::kTextDim, scale);
   return view;
 }
