@@ -128,7 +128,7 @@ struct DrawScene {
   Surface surface;
   EmbeddedSurface embedded;
   std::vector<Sphere> spheres;
-  std::vector<Sphere> crumbs;  ///< more of them, of no weight for what is framed and where shadows fall
+  std::vector<Sphere> crumbs;  ///< chips within them, of no weight for what is framed and where shadows fall
   std::vector<Puff> puffs;     ///< nor these
   std::vector<Line> lines;
   std::vector<Point> points;

@@ -44,7 +44,8 @@ void add_fan(std::vector<std::uint32_t>& indices, const EmbeddedPolygon& polygon
 std::vector<float> packed(const std::vector<EmbeddedMaterial>& materials) {
   std::vector<float> values;
   values.reserve(kMaterialFloats * materials.size());
-  for (const auto& [color, variation, mottle, roughness, noise_size, fibre, clear_depth, grain, grain_size] : materials)
+  for (const auto& [color, variation, mottle, roughness, noise_size, fibre, clear_depth, grain, grain_size, dressed] :
+       materials)
     values.insert(values.end(), {color.r, color.g, color.b, variation, mottle, roughness, noise_size, fibre.x(),
                                  fibre.y(), fibre.z(), clear_depth, static_cast<float>(grain), grain_size});
   return values;
@@ -60,7 +61,7 @@ std::string fragment_source(Output output) {
   return with_output(std::string(shaders::shading_glsl) + shaders::grain_glsl + shaders::embedded_frag, output);
 }
 
-/// Whether what broke shows its grain.
+/// Whether matter shows its grain.
 bool shows_grain(const EmbeddedSurface& surface, const RenderOptions& options, Output output) {
   return output == Output::opaque && options.quality != Quality::draft && surface.scalars.empty() &&
          surface.piece_colors.empty() &&
@@ -163,7 +164,8 @@ void EmbeddedPass::draw(const EmbeddedSurface& surface, const ScalarStyle& style
     program.set("drawn_part", static_cast<int>(part));
     program.set("checker", surface.checker);
   };
-  const GLsizei plain = shows_grain(surface, options, output) ? outer_indices_ : indices_;
+  const bool dressed = std::ranges::any_of(surface.materials, &EmbeddedMaterial::dressed);
+  const GLsizei plain = !shows_grain(surface, options, output) ? indices_ : dressed ? 0 : outer_indices_;
   use(program_for(output));
   draw_triangles(0, plain);
   if (plain == indices_) return;

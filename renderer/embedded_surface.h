@@ -64,7 +64,7 @@ struct EmbeddedMesh {
   std::vector<std::int32_t> outer;  ///< the polygons that are always drawn
 };
 
-/// What a matter is made of, seen where it broke, from standard quality on.
+/// What a matter is made of, seen where it broke or was dressed, from standard quality on.
 enum class Grain {
   none,
   stones,    ///< rounded stones of three sizes in a matrix
@@ -86,6 +86,7 @@ struct EmbeddedMaterial {
   float clear_depth = 0;  ///< how far light comes through before it has the colour [m]; 0: not at all
   Grain grain = Grain::none;
   float grain_size = 0.02f;  ///< of its largest parts [m]
+  bool dressed = false;      ///< its grain is seen on outer polygons too
 };
 
 /// Embedded polygons as they are now. Nothing is drawn without a mesh.

@@ -16,7 +16,7 @@ struct GlassSum {
 // Differences of distances decide: 16 bits would be too few for the depths.
 constexpr std::array<GlassSum, 3> kGlassSums = {{{GL_COLOR_ATTACHMENT0, kColorSumsUnit, GL_RGBA32F, GL_RGBA},
                                                  {GL_COLOR_ATTACHMENT1, kWeightSumsUnit, GL_RGBA16F, GL_RGBA},
-                                                 {GL_COLOR_ATTACHMENT2, kSlopeSumsUnit, GL_RG16F, GL_RG}}};
+                                                 {GL_COLOR_ATTACHMENT2, kFaceSumsUnit, GL_RGBA16F, GL_RGBA}}};
 
 void draw_into_all_sums() {
   constexpr GLenum kBuffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2};

@@ -121,7 +121,7 @@ struct Renderer::Passes {
   ColorTables color_tables;
   SurfacePass surface;
   EmbeddedPass embedded;
-  SpherePass spheres, crumbs;
+  SpherePass spheres, crumbs{SpherePass::Shape::chip};
   PuffPass puffs;
   GlyphPass glyphs;
   StrokePass strokes;

@@ -76,7 +76,7 @@ ShaderProgram::ShaderProgram(const std::string& name, const char* vertex_source,
                                                   {"opaque_picture", kOpaqueUnit},
                                                   {"depth_sums", kColorSumsUnit},
                                                   {"light_sums", kWeightSumsUnit},
-                                                  {"slope_sums", kSlopeSumsUnit}};
+                                                  {"face_sums", kFaceSumsUnit}};
   for (const auto& [sampler, unit] : samplers) set(sampler, unit);
 }
 

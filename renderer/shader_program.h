@@ -26,7 +26,7 @@ enum TextureUnit : int {
   kOcclusionUnit,
   kClearShadowUnit,
   kOpaqueUnit,
-  kSlopeSumsUnit
+  kFaceSumsUnit
 };
 
 /// Where a fragment shader writes that calls emit() of shaders/output.glsl, or emit_glass() of glass.glsl: into a

@@ -1,5 +1,6 @@
 #include "renderer/sphere_pass.h"
 
+#include <string>
 #include <type_traits>
 
 #include "renderer/shaders.h"
@@ -9,9 +10,18 @@ namespace griffith::render {
 
 static_assert(std::is_standard_layout_v<Sphere>, "uploaded as it is");
 
-SpherePass::SpherePass()
-    : program_("sphere", shaders::sphere_vert, shaders::sphere_frag),
-      shadow_program_("sphere shadow", shaders::sphere_vert, shaders::sphere_depth_frag) {
+namespace {
+
+std::string shape_source(SpherePass::Shape shape, const char* ball, const char* chip) {
+  return shape == SpherePass::Shape::ball ? ball : std::string(shaders::chip_glsl) + chip;
+}
+
+}  // namespace
+
+SpherePass::SpherePass(Shape shape)
+    : program_("sphere", shaders::sphere_vert, shape_source(shape, shaders::sphere_frag, shaders::chip_frag).c_str()),
+      shadow_program_("sphere shadow", shaders::sphere_vert,
+                      shape_source(shape, shaders::sphere_depth_frag, shaders::chip_depth_frag).c_str()) {
   glBindVertexArray(vertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, spheres_.id());
   instance_floats(0, 3, sizeof(Sphere), offsetof(Sphere, center));

@@ -6,10 +6,12 @@
 
 namespace griffith::render {
 
-/// Spheres, each a square in which the fragment shader finds the exact sphere; one instanced draw call.
+/// Spheres, or chips of stone in them, each a square in which the fragment shader finds the exact shape; one instanced
+/// draw call.
 class SpherePass {
  public:
-  SpherePass();
+  enum class Shape { ball, chip };
+  explicit SpherePass(Shape shape = Shape::ball);
   void upload(const std::vector<Sphere>& spheres);
   void draw_shadow() const;
   void draw() const;

@@ -1,6 +1,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
+#include <string>
+#include <utility>
 
 #include "app/cli/commands.h"
 #include "app/editor/imgui_context_owner.h"
@@ -30,17 +32,23 @@ struct ScriptOptions {
 /// The editor without a window: each frame takes the same time.
 class ScriptStage {
  public:
-  ScriptStage(const ScriptOptions& options, const Scene& scene)
-      : imgui_(1), target_(options.width, options.height), editor_(scene, options.scene) {
+  /// `graphics`: what draws.
+  ScriptStage(const ScriptOptions& options, const Scene& scene, std::string graphics)
+      : graphics_(std::move(graphics)),
+        imgui_(1),
+        target_(options.width, options.height),
+        editor_(scene, options.scene) {
     editor_.use_macros(macro_folder());
     editor_.show_thumbnails({this_program(), thumbnail_cache()});
     for (int i = 0; i < kFramesToLayOut; ++i) draw();
   }
 
   void play(ScriptPlayer& player) {
-    while (!player.done() || !input_.empty() || !editor_.state().work.empty()) {
+    while (!player.done() || !input_.empty() || ui::is_busy(editor_.state())) {
       player.advance(editor_, input_);
+      const auto request = editor_.take_picture_request();
       draw();
+      if (request) editor_.save_window_picture(*request, target_.image(), graphics_);
       if (const auto file = player.take_picture_request()) save_picture(*file, target_.image());
       if (editor_.take_screenshot_request()) save_picture(free_screenshot_path(), target_.image());
     }
@@ -59,6 +67,7 @@ class ScriptStage {
     imgui_.end_frame();
   }
 
+  std::string graphics_;
   ImGuiContextOwner imgui_;
   render::Target target_;
   Editor editor_;
@@ -69,7 +78,7 @@ void play_script(const ScriptOptions& options) {
   ScriptPlayer player(read_script(options.script), false);
   const Scene scene = options.scene.empty() ? starting_scene() : read_scene(options.scene, settings(options.set));
   const render::EglContext context;
-  ScriptStage stage(options, scene);
+  ScriptStage stage(options, scene, context.renderer());
   stage.play(player);
 }
 

@@ -22,6 +22,8 @@ std::span<const CommandAction> Editor::command_actions() {
   static constexpr CommandAction kActions[] = {
       {CommandId::toggle_run, [](Editor& editor, const ui::Command&) { editor.toggle_run(); }},
       {CommandId::step, [](Editor& editor, const ui::Command&) { editor.pause_and_step(); }},
+      {CommandId::ask_steps, [](Editor& editor, const ui::Command&) { editor.state_.asked_steps = 10; }},
+      {CommandId::make_steps, [](Editor& editor, const ui::Command& command) { editor.make_steps(command.step); }},
       {CommandId::step_back, kInTime},
       {CommandId::go_to_start, kInTime},
       {CommandId::go_to_end, kInTime},
@@ -63,6 +65,8 @@ std::span<const CommandAction> Editor::command_actions() {
       {CommandId::set_camera, [](Editor& editor, const ui::Command&) { editor.set_camera(); }},
       {CommandId::duplicate, [](Editor& editor, const ui::Command&) { editor.duplicate_entries(); }},
       {CommandId::remove, [](Editor& editor, const ui::Command&) { editor.remove_entries(); }},
+      {CommandId::move_up, [](Editor& editor, const ui::Command&) { editor.move_entries(-1); }},
+      {CommandId::move_down, [](Editor& editor, const ui::Command&) { editor.move_entries(1); }},
       {CommandId::rename, [](Editor& editor, const ui::Command&) { editor.begin_renaming(); }},
       {CommandId::toggle_hidden, [](Editor& editor, const ui::Command&) { editor.toggle_hidden(); }},
       {CommandId::toggle_gizmo, [](Editor& editor, const ui::Command&) { toggle(editor.state_.show_gizmo); }},

@@ -81,6 +81,7 @@ void Editor::show_scene(Scene scene, std::filesystem::path path, const Scene* ed
 }
 
 void Editor::restart() {
+  travel_.reset();
   built_ = history_.scene();
   seen_revision_ = -1;
   history_of_utilizations_.clear();
@@ -159,6 +160,8 @@ Editor::PictureKey Editor::picture_key() const {
 }
 
 void Editor::draw_picture(std::optional<int> samples) {
+  constexpr double kMegabyte = 1 << 20;
+  timeline_.limit_memory(static_cast<std::size_t>(state_.preferences.past_memory * kMegabyte));
   receive_world();  // before the picture, which else would be of another world than the panels
   frame_for_layout();
   follow_comparison();
@@ -178,10 +181,11 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
   input.legend = scene_legend(picture_, state_.view.range.has_value());
   if (input.legend) place_legend(*input.legend, fonts);
   input.labels = scene_labels(picture_, picture_camera(), aspect());
-  if (state_.selection.valid()) utilizations_ = history_of_utilizations_.samples(input.frame, state_.selection.node);
+  utilizations_ = utilizations_of_node();
   input.utilizations = utilizations_;
   set_bounds(input);
   input.camera = view_camera(picture_camera());
+  input.aim = aim();
   input.towards_eye = (camera_.position - camera_.target).cast<double>();
   input.scene_files = scene_files_;
   follow_browser();
@@ -193,7 +197,7 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
   input.time = time_view();
   input.comparison = comparison_view();
   input.series = run_history_.series();
-  if (state_.plots.shown) input.curves = run_history_.curves(timeline_, state_.plots.chosen);
+  if (state_.plots.shown) input.curves = plotted_curves();
   input.time_step = history_.scene().simulation.time_step;
   input.step_milliseconds = 1000 * step_seconds_;
   input.step_in_progress = background_.age();

@@ -38,6 +38,12 @@ class Editor;
 /// The user's folder for macros; empty where there is none.
 std::filesystem::path macro_folder();
 
+/// A file that is to be made of a picture of the window: a bug report or the plots.
+struct PictureRequest {
+  ui::SavedKind kind = ui::SavedKind::bug_report;
+  std::filesystem::path file;
+};
+
 /// What carries out a command.
 struct CommandAction {
   ui::CommandId id;
@@ -113,10 +119,11 @@ class Editor {
   void look_from(const Vec3& eye, const Vec3& target);
   /// Stops the simulation and shows what did not work.
   void show_error(const InputError& error);
-  /// Where a bug report was asked for, once; it is to be saved with a picture of the next drawn frame.
-  std::optional<std::filesystem::path> take_report_request();
-  /// Writes the run, the log, versions and the picture; problems are shown. `graphics`: what drew the picture.
-  void save_report(const std::filesystem::path& path, const render::Image& picture, const std::string& graphics);
+  /// What needs a picture of the window, once; it is to be saved with one of the next drawn frame.
+  std::optional<PictureRequest> take_picture_request();
+  /// Saves a bug report with the run, the log, versions and the picture, or the plots in it; problems are shown.
+  /// `graphics`: what drew the picture.
+  void save_window_picture(const PictureRequest& request, const render::Image& window, const std::string& graphics);
 
  private:
   /// Seconds that the window may stand still before it shows that work is going on.
@@ -140,10 +147,14 @@ class Editor {
   bool follow_material(int scene_body);
   void carry_out(const ui::Command& command);
   void toggle_run();
+  /// Runs until so many steps are made.
+  void make_steps(std::int64_t count);
   void pause_and_step();
   void receive_world();
   /// So many tetrahedra are built unasked: few, or no many more than there are.
   double max_tets() const;
+  /// Drops what keys have asked for while work went on that came to nothing, and says so.
+  void forget_waiting();
   /// After work that led to no world: what is shown goes on.
   void give_up_work();
   void take_world(WorldLoader::Loaded loaded);
@@ -163,6 +174,8 @@ class Editor {
   void set_camera();
   void duplicate_entries();
   void remove_entries();
+  /// Moves the chosen entries in their lists, up (-1) or down (1).
+  void move_entries(int way);
   void begin_renaming();
   /// Hides the chosen bodies, or shows them where all are hidden.
   void toggle_hidden();
@@ -170,6 +183,13 @@ class Editor {
   HiddenBodies hidden_bodies() const;
   void add_surface();
   void report_surface();
+  /// What the projectile tool would fire at a place of the view, and what it aims at.
+  struct AimedShot {
+    ProjectileBurst shot;
+    Vec3 target;
+  };
+  AimedShot aimed_at(const Vec2& cursor) const;
+  ui::Aim aim() const;
   void fire(const Vec2& cursor);
   void pick(const Vec2& cursor);
   void save(const ui::Command& command);
@@ -178,7 +198,14 @@ class Editor {
   /// Writes the recording or the plotted series, or asks for the picture of a bug report.
   void save_run(const ui::Command& command);
   void write_recorded_run(const std::filesystem::path& path);
+  /// As CSV at once, as PNG of the next drawn frame.
   void write_plots(const std::filesystem::path& path);
+  /// Throw InputError.
+  void save_plots_picture(const std::filesystem::path& path, const render::Image& window);
+  void save_report(const std::filesystem::path& path, const render::Image& window, const std::string& graphics);
+  /// The past of the selected node.
+  std::vector<ui::UtilizationSample> utilizations_of_node() const;
+  ui::RunCurves plotted_curves() const;
   /// Begins to write the past of the present branch for other programs, as a video or as pictures of the view.
   void export_run(const std::filesystem::path& path);
   void go_on_with_export();
@@ -222,6 +249,9 @@ class Editor {
   void go_to(int branch, std::int64_t step);
   /// Whether the step that was just made from `before` is one to stop before; then it is taken back.
   bool stop_before_step(World before);
+  /// Makes steps of the past again, some seconds long at most, on the way to where the user wants to go.
+  void go_on_with_travel(double seconds);
+  std::string travel_stage() const;
   void arrive();
   /// Makes the materials that are in force those of the scene, without an entry in its history.
   void adopt_materials();
@@ -311,7 +341,9 @@ class Editor {
   StepPacer pacer_;
   BackgroundStep background_;
   bool waits_for_steps_ = true;
-  NodeId stopped_at_;                              ///< about to crack; invalid: none
+  NodeId stopped_at_;  ///< about to crack; invalid: none
+  /// Steps of the past that are being made again, from the first to the last.
+  std::optional<ui::StepSpan> travel_;
   std::int64_t arrivals_ = 0;                      ///< how often another time was gone to
   bool passes_stop_ = false;                       ///< the next step is made although a breakpoint is met in it
   double step_seconds_ = 0, picture_seconds_ = 0;  ///< smoothed
@@ -322,7 +354,7 @@ class Editor {
   std::vector<std::filesystem::path> macros_;  ///< in it, sorted
   std::optional<MacroRecorder> recorder_;      ///< while one is being recorded
   std::string recorded_macro_;                 ///< the last one
-  std::optional<std::filesystem::path> wanted_report_;
+  std::optional<PictureRequest> wanted_picture_;
 };
 
 }  // namespace griffith::app

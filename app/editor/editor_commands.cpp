@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 #include "app/editor/editor.h"
 #include "app/editor/picking.h"
@@ -31,6 +32,13 @@ void Editor::execute(const ui::Command& command) {
 
 void Editor::toggle_run() {
   state_.running = !state_.running;
+  state_.steps_left = 0;
+  pacer_.reset();
+}
+
+void Editor::make_steps(std::int64_t count) {
+  state_.running = count > 0;
+  state_.steps_left = count;
   pacer_.reset();
 }
 
@@ -41,6 +49,7 @@ void Editor::pause_and_step() {
 
 void Editor::show_error(const InputError& error) {
   state_.running = false;
+  forget_waiting();
   state_.error = ui::ErrorMessage{error.where(), error.problem(), error.remedy()};
   log(ui::LogLevel::error, error.what());
 }
@@ -50,7 +59,16 @@ double Editor::max_tets() const {
   return std::max(kMany, 2.0 * static_cast<double>(world().frame().elements.tets.size()));
 }
 
+void Editor::forget_waiting() {
+  for (const ui::Command& command : std::exchange(state_.waiting, {}))
+    log(ui::LogLevel::warning,
+        std::string(ui::command_info(command.id).label) + " was not done: what it waited for came to nothing.");
+}
+
 void Editor::receive_world() {
+  if (state_.cancel_work) forget_waiting();
+  constexpr double kTravelTime = 0.03;  // of a drawn frame [s]
+  go_on_with_travel(kTravelTime);
   go_on_with_export();
   go_on_with_holding();
   if (state_.cancel_work) {
@@ -77,7 +95,7 @@ void Editor::receive_world() {
     give_up_work();
     show_error(InputError("the scene", std::string("cannot be built: ") + error.what(), ""));
   }
-  state_.work = export_ ? export_->stage() : holding_ ? holding_->stage() : loader_.stage();
+  state_.work = travel_ ? travel_stage() : export_ ? export_->stage() : holding_ ? holding_->stage() : loader_.stage();
 }
 
 void Editor::give_up_work() {
@@ -110,7 +128,7 @@ void Editor::take_world(WorldLoader::Loaded loaded) {
   report_surface();
 }
 
-void Editor::fire(const Vec2& cursor) {
+Editor::AimedShot Editor::aimed_at(const Vec2& cursor) const {
   const PictureKey key = picture_key();
   const render::Ray ray = render::pixel_ray(picture_camera(), static_cast<float>(cursor.x() * key.width),
                                             static_cast<float>(cursor.y() * key.height), key.width, key.height);
@@ -120,7 +138,18 @@ void Editor::fire(const Vec2& cursor) {
   // It leaves from beneath the eye, far enough ahead not to cover the picture.
   const double ahead = std::min(4 * state_.shot.radius, way / 2);
   const Vec3 muzzle = eye + ahead * direction - 2 * state_.shot.radius * Vec3::UnitY();
-  ProjectileBurst shot = aimed_shot(state_.shot, muzzle, eye + way * direction, history_.scene().gravity);
+  const Vec3 target = eye + way * direction;
+  return {aimed_shot(state_.shot, muzzle, target, history_.scene().gravity), target};
+}
+
+ui::Aim Editor::aim() const {
+  if (!state_.aimed_at) return {};
+  const auto [shot, target] = aimed_at(*state_.aimed_at);
+  return flight_of(shot, target, history_.scene().gravity, world().frame(), history_.scene().ground);
+}
+
+void Editor::fire(const Vec2& cursor) {
+  ProjectileBurst shot = aimed_at(cursor).shot;
   timeline_.fire(shot);
   forget_stop();
   shot.start = world().frame().time;

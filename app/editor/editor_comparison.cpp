@@ -35,7 +35,7 @@ std::optional<ui::ComparisonView> Editor::comparison_view() const {
                           reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(compared_->color_texture())),
                           difference_,
                           {}};
-  if (state_.plots.shown) view.curves = run_history_.curves(compared_->timeline(), state_.plots.chosen);
+  if (state_.plots.shown) view.curves = run_history_.curves(compared_->timeline(), state_.preferences.plotted);
   return view;
 }
 

@@ -107,6 +107,15 @@ void Editor::remove_entries() {
   state_.selection = {};
 }
 
+void Editor::move_entries(int way) {
+  state_.running = false;
+  std::vector<SceneEntry> moved;
+  history_.change(way < 0 ? "Move up" : "Move down",
+                  [&](Scene& scene) { moved = ui::move_entries(scene, ui::chosen_entries(state_, scene), way); });
+  history_.finish();
+  ui::choose_entries(state_, history_.scene(), std::move(moved));
+}
+
 void Editor::begin_renaming() {
   const std::optional<SceneEntry> entry = ui::active_entry(state_, history_.scene());
   if (!entry || !ui::has_name(entry->kind)) return;

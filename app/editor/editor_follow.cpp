@@ -56,6 +56,8 @@ void Editor::list_problems() {
 
 void Editor::follow_edits() {
   if (history_.revision() == seen_revision_) return;
+  // What is held would else make each step stale, and none would ever end.
+  if (history_.editing() && state_.running && background_.pending()) return;
   const std::int64_t revision = history_.revision();
   follow_materials();
   if (history_.editing()) return;
@@ -73,7 +75,9 @@ void Editor::follow_edits() {
 void Editor::follow_materials() {
   const std::vector<BodyDescription>& bodies = history_.scene().bodies;
   const Frame frame = world().frame();
-  if (frame.materials.size() != bodies.size()) return;  // it comes with the world that is being built
+  if (!std::ranges::equal(bodies, built_.bodies, {}, &BodyDescription::name, &BodyDescription::name) ||
+      frame.materials.size() != bodies.size())
+    return;  // they come with the world that is being built
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (frame.materials[i] != bodies[i].material && !follow_material(static_cast<int>(i))) return;
     built_.bodies[i].material = bodies[i].material;

@@ -19,13 +19,15 @@ std::chrono::duration<double> time_for_steps(double elapsed) {
 
 void Editor::advance(double elapsed) {
   if (elapsed > 0) picture_seconds_ += kNewest * (elapsed - picture_seconds_);
+  if (!state_.running) state_.steps_left = 0;
   if (!state_.running) return;
   using Clock = BackgroundStep::Clock;
   const double time_step = history_.scene().simulation.time_step;
   const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(time_for_steps(elapsed));
   if (background_.pending() && !end_background_step(Clock::now())) return pacer_.wait(elapsed, state_.speed, time_step);
-  const int steps = pacer_.steps_due(elapsed, state_.speed, time_step, step_seconds_);
-  for (int i = 0; i < steps && state_.running; ++i) {
+  const bool counted = state_.steps_left > 0;
+  const int steps = counted ? ui::kMaxAskedSteps : pacer_.steps_due(elapsed, state_.speed, time_step, step_seconds_);
+  for (int i = 0; i < steps && state_.running && (!counted || i == 0 || Clock::now() < deadline); ++i) {
     if (waits_for_steps_) {
       step();
     } else if (begin_background_step(); !end_background_step(deadline)) {
@@ -35,6 +37,7 @@ void Editor::advance(double elapsed) {
 }
 
 void Editor::begin_background_step() {
+  if (history_.editing()) follow_materials();  // a slider that is held acts from step to step
   World next = timeline_.before_step();
   adopt_materials();  // of a past that is gone through again
   background_.begin(std::move(next), step_start());
@@ -62,6 +65,7 @@ void Editor::take_step(World stepped) {
 
 void Editor::follow_step(std::optional<World> before) {
   if (before && stop_before_step(std::move(*before))) return;
+  if (state_.steps_left > 0 && --state_.steps_left == 0) state_.running = false;
   forget_stop();
   adopt_materials();
   remember();

@@ -72,7 +72,7 @@ void Editor::save_run(const ui::Command& command) {
   check_replaceable(command.path);
   switch (command.id) {
     case ui::CommandId::save_report:
-      wanted_report_ = command.path;
+      wanted_picture_ = {ui::SavedKind::bug_report, command.path};
       return;
     case ui::CommandId::save_plots:
       return write_plots(command.path);
@@ -92,23 +92,58 @@ void Editor::write_recorded_run(const fs::path& path) {
 }
 
 void Editor::write_plots(const fs::path& path) {
-  const ui::RunCurves curves = run_history_.curves(timeline_, state_.plots.chosen);
+  if (path.extension() == ".png") {
+    state_.plots.shown = state_.plots.for_picture = true;
+    wanted_picture_ = {ui::SavedKind::plots, path};
+    return;
+  }
+  const ui::RunCurves curves = plotted_curves();
   replace_file(path, curve_table(curves));
   log(ui::LogLevel::info, "Wrote " + std::to_string(curves.steps.size()) + " steps to " + path.string());
 }
 
-std::optional<fs::path> Editor::take_report_request() { return std::exchange(wanted_report_, std::nullopt); }
+std::vector<ui::UtilizationSample> Editor::utilizations_of_node() const {
+  if (!state_.selection.valid()) return {};
+  return history_of_utilizations_.samples(frame(), state_.selection.node);
+}
 
-void Editor::save_report(const fs::path& path, const render::Image& picture, const std::string& graphics) {
+ui::RunCurves Editor::plotted_curves() const {
+  ui::RunCurves curves = run_history_.curves(timeline_, state_.preferences.plotted);
+  fill_utilization(curves, utilizations_of_node());
+  return curves;
+}
+
+std::optional<PictureRequest> Editor::take_picture_request() { return std::exchange(wanted_picture_, std::nullopt); }
+
+void Editor::save_window_picture(const PictureRequest& request, const render::Image& window,
+                                 const std::string& graphics) {
+  state_.plots.for_picture = false;
   try {
-    Recording recording = recorded_run();
-    recording.versions.emplace_back("graphics", graphics);
-    add_report(recording, {log_text(state_.log), picture});
-    write_recording(recording, path);
-    log(ui::LogLevel::info, "Saved the bug report " + path.string() + ": griffith replay makes the run again");
+    if (request.kind == ui::SavedKind::plots) return save_plots_picture(request.file, window);
+    save_report(request.file, window, graphics);
   } catch (const InputError& problem) {
     show_error(problem);
   }
+}
+
+void Editor::save_plots_picture(const fs::path& path, const render::Image& window) {
+  const ui::WidgetTag* plots = ui::find_tag(tags_, "plots/strips");
+  if (!plots)
+    throw InputError(path.string(), "cannot be drawn: no series is plotted", "choose some in the plots' list");
+  const auto [left, top] =
+      std::pair(std::max(0, static_cast<int>(plots->minimum.x)), std::max(0, static_cast<int>(plots->minimum.y)));
+  const int right = std::min(window.width, static_cast<int>(plots->maximum.x));
+  const int bottom = std::min(window.height, static_cast<int>(plots->maximum.y));
+  replace_file(path, render::encode_png(render::part_of(window, left, top, right - left, bottom - top)));
+  log(ui::LogLevel::info, "Saved the plots as " + path.string());
+}
+
+void Editor::save_report(const fs::path& path, const render::Image& window, const std::string& graphics) {
+  Recording recording = recorded_run();
+  recording.versions.emplace_back("graphics", graphics);
+  add_report(recording, {log_text(state_.log), window});
+  write_recording(recording, path);
+  log(ui::LogLevel::info, "Saved the bug report " + path.string() + ": griffith replay makes the run again");
 }
 
 }  // namespace griffith::app

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "app/editor/breakpoints.h"
@@ -32,8 +33,29 @@ void Editor::go_to(int branch, std::int64_t step) {
     history_of_utilizations_.clear();
     if (state_.comparison.branch == branch) state_.comparison.branch = timeline_.branch();  // the two change places
   }
-  timeline_.go_to(branch, step);
+  const std::int64_t destination = timeline_.approach(branch, step);
+  travel_ = {timeline_.step(), destination};
+  go_on_with_travel(kPatience);
+  if (travel_) state_.work = travel_stage();
+}
+
+void Editor::go_on_with_travel(double seconds) {
+  if (!travel_) return;
+  if (std::exchange(state_.cancel_work, false)) {
+    travel_->last = timeline_.step();
+    log(ui::LogLevel::warning, "Stopped on the way, at step " + std::to_string(travel_->last) + ".");
+  }
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  while (timeline_.step() < travel_->last && Clock::now() < end) timeline_.advance();
+  if (timeline_.step() < travel_->last) return;
+  travel_.reset();
   arrive();
+}
+
+std::string Editor::travel_stage() const {
+  return "Making step " + std::to_string(timeline_.step() - travel_->first) + " of " +
+         std::to_string(travel_->last - travel_->first) + " again, on the way to step " + std::to_string(travel_->last);
 }
 
 /// At a time that is not the one after the last.
@@ -105,7 +127,8 @@ ui::TimeView Editor::time_view() const {
   view.branch = timeline_.branch();
   for (const Branch& branch : timeline_.branches())
     view.branches.push_back({branch.parent, branch.first_step, branch.last_step});
-  for (const StepMark& mark : timeline_.marks()) view.ticks.push_back({mark.step, mark.cracks, mark.alarm});
+  for (const StepMark& mark : timeline_.marks())
+    view.ticks.push_back({mark.step, mark.cracks, mark.impacts, mark.alarm});
   return view;
 }
 

@@ -14,8 +14,9 @@ namespace {
 using ui::CommandId;
 
 /// Time is told by steps, and a macro within a macro by its lines.
-constexpr std::array kNotRecorded = {CommandId::toggle_run, CommandId::quit,       CommandId::tour,
-                                     CommandId::play_macro, CommandId::save_macro, CommandId::record_macro};
+constexpr std::array kNotRecorded = {CommandId::toggle_run,  CommandId::make_steps, CommandId::quit,
+                                     CommandId::tour,        CommandId::play_macro, CommandId::save_macro,
+                                     CommandId::record_macro};
 
 bool is_recorded(CommandId id) {
   const bool asks = ui::command_info(id).label.ends_with("…");

@@ -1,5 +1,6 @@
 #include "app/editor/preferences_file.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -34,6 +35,13 @@ struct PreferenceReader {
     if (!json.contains(name)) return;
     if (!json[name].is_boolean()) fail(name, "write true or false");
     value = json[name];
+  }
+  void operator()(const char* name, ui::PlotChoice& value) const {
+    if (!json.contains(name)) return;
+    const bool good = json[name].is_array() && json[name].size() == value.size() &&
+                      std::ranges::all_of(json[name], [](const Json& key) { return key.is_string(); });
+    if (!good) fail(name, "write " + std::to_string(value.size()) + " names of series, empty ones where none is");
+    value = json[name].get<ui::PlotChoice>();
   }
 };
 

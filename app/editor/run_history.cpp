@@ -1,6 +1,7 @@
 #include "app/editor/run_history.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 #include "sim/world/step_counters.h"
@@ -19,7 +20,18 @@ constexpr FrameNumber kFrameNumbers[] = {
     {"cracks", "Cracks", "", [](const Frame& frame) -> double { return frame.report.cracks; }},
     {"crack_area", "Crack area", "m²", [](const Frame& frame) { return frame.energy.crack_area; }},
     {"peak_utilization", "Highest utilization", "-", [](const Frame& frame) { return frame.report.peak_utilization; }},
+    {ui::kNodeUtilization, "Utilization of the node", "-",  // which the history of utilizations knows
+     [](const Frame&) { return std::numeric_limits<double>::quiet_NaN(); }},
     {"milliseconds", "Time taken", "ms", [](const Frame& frame) { return frame.report.milliseconds.step; }},
+    {"milliseconds.contact", "Time of contact", "ms",
+     [](const Frame& frame) { return frame.report.milliseconds.contact; }},
+    {"milliseconds.elasticity", "Time of elasticity", "ms",
+     [](const Frame& frame) { return frame.report.milliseconds.elasticity; }},
+    {"milliseconds.shock", "Time of shock", "ms", [](const Frame& frame) { return frame.report.milliseconds.shock; }},
+    {"milliseconds.separation", "Time of separation", "ms",
+     [](const Frame& frame) { return frame.report.milliseconds.separation; }},
+    {"milliseconds.fracture", "Time of fracture", "ms",
+     [](const Frame& frame) { return frame.report.milliseconds.fracture; }},
 };
 
 /// "tip.velocity.x [m/s]", a column of the table of probes, as a series.

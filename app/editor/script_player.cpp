@@ -47,7 +47,7 @@ void carry_out(const ScriptLine& line, Editor& editor) {
 }  // namespace
 
 void ScriptPlayer::advance(Editor& editor, ui::InputQueue& input) {
-  if (!input.empty() || !editor.state().work.empty() || waits_for_reader(editor)) return;
+  if (!input.empty() || ui::is_busy(editor.state()) || waits_for_reader(editor)) return;
   if (frames_left_ > 0 && --frames_left_ > 0) return;
   if (next_ >= script_.size()) return;
   const ScriptLine line = script_[next_++];

@@ -1,5 +1,6 @@
 #include "app/editor/shooting.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ui/model/surface_hit.h"
@@ -33,6 +34,24 @@ ProjectileBurst aimed_shot(ProjectileBurst shot, const Vec3& muzzle, const Vec3&
   if (shot.direction.squaredNorm() == 0) shot.direction = -Vec3::UnitZ();
   shot.direction.normalize();
   return shot;
+}
+
+ui::Aim flight_of(const ProjectileBurst& shot, const Vec3& target, const Vec3& gravity, const Frame& frame,
+                  const std::optional<Ground>& ground) {
+  constexpr int kPartsToTarget = 16, kMostParts = 24;
+  ui::Aim aim{{shot.position}, 0, false};
+  if (shot.speed <= 0) return aim;
+  const double part = (target - shot.position).norm() / shot.speed / kPartsToTarget;
+  for (int i = 1; i <= kMostParts && !aim.hits; ++i) {
+    const double time = i * part;
+    const Vec3 start = aim.flight.back();
+    const Vec3 way = shot.position + time * shot.speed * shot.direction + time * time / 2 * gravity - start;
+    const double met = surface_hit(frame, ground, start, way).value_or(2);
+    aim.hits = met <= 1;
+    aim.duration += std::min(met, 1.0) * part;
+    aim.flight.push_back(start + std::min(met, 1.0) * way);
+  }
+  return aim;
 }
 
 }  // namespace griffith::app

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Changes whenever thumbnails of a version are to be drawn anew.
-constexpr char kThumbnailFormat[] = "griffith thumbnail 1 " GRIFFITH_VERSION "\n";
+constexpr char kThumbnailFormat[] = "griffith thumbnail 2 " GRIFFITH_VERSION "\n";
 /// Memory is all but unlimited: drivers reserve far more addresses than they use.
 constexpr ProcessLimits kThumbnailLimits = {.seconds = 120, .memory_bytes = std::int64_t{1} << 40};
 

@@ -55,4 +55,15 @@ std::vector<ui::UtilizationSample> UtilizationHistory::samples(const Frame& fram
   return samples;
 }
 
+void fill_utilization(ui::RunCurves& curves, const std::vector<ui::UtilizationSample>& samples) {
+  const auto curve = std::ranges::find(curves.curves, std::string(ui::kNodeUtilization),
+                                       [](const ui::RunCurve& other) { return other.series.key; });
+  if (curve == curves.curves.end()) return;
+  for (const ui::UtilizationSample& sample : samples) {
+    const auto row = std::ranges::find(curves.times, sample.time);
+    if (row != curves.times.end() && !sample.broke)
+      curve->values[static_cast<std::size_t>(row - curves.times.begin())] = static_cast<double>(sample.utilization);
+  }
+}
+
 }  // namespace griffith::app

@@ -32,4 +32,7 @@ class UtilizationHistory {
   std::deque<Step> steps_;
 };
 
+/// Writes a node's past into its curve, where that is one of the plotted ones.
+void fill_utilization(ui::RunCurves& curves, const std::vector<ui::UtilizationSample>& samples);
+
 }  // namespace griffith::app

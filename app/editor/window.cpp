@@ -232,6 +232,12 @@ void follow_preferences(PreferencesFile& file, Editor& editor, ImGuiContextOwner
   }
 }
 
+/// Without a scene of their own people see one that is alive: what they fire flies.
+void begin_first_run(Editor& editor) {
+  editor.execute({.id = ui::CommandId::toggle_run});
+  editor.log(ui::LogLevel::info, "Right-click the wall to fire at it. Help > Tour shows more.");
+}
+
 void loop(Editor& editor, ImGuiContextOwner& imgui, const Window& window, WindowInput& input,
           std::optional<ScriptPlayer> player, PreferencesFile& preferences, int exit_after) {
   double last = glfwGetTime();
@@ -247,9 +253,9 @@ void loop(Editor& editor, ImGuiContextOwner& imgui, const Window& window, Window
     last = now;
     play_script(player, editor, input);
     follow_preferences(preferences, editor, imgui, window);
-    const auto report = editor.take_report_request();  // its dialog is gone from the frame that is drawn next
+    const auto request = editor.take_picture_request();  // its dialog is gone from the frame that is drawn next
     draw_frame(editor, imgui, window, input);
-    if (report) editor.save_report(*report, window_image(window), graphics_of_window());
+    if (request) editor.save_window_picture(*request, window_image(window), graphics_of_window());
     if (editor.take_screenshot_request()) save_window(free_screenshot_path(), editor, window);
     if (const auto file = player ? player->take_picture_request() : std::nullopt) save_window(*file, editor, window);
     if (player && player->done()) player.reset();
@@ -278,6 +284,7 @@ void run_editor(const EditorOptions& options) {
   editor.show_thumbnails({this_program(), thumbnail_cache()});
   editor.use_macros(macro_folder());
   editor.step_in_background();
+  if (!named) begin_first_run(editor);
   loop(editor, imgui, window, input, std::move(player), preferences, options.exit_after);
   if (!options.screenshot.empty()) save_picture(options.screenshot, window_image(window));
 }

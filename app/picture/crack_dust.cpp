@@ -16,12 +16,14 @@ constexpr double kDrag = 0.12;                              ///< in which dust c
 /// Speed of what flies, in speeds of the matter behind a wave of its strength, and its bounds [m/s].
 constexpr double kThrow = 4, kMinSpeed = 0.3, kMaxSpeed = 6;
 
+constexpr double kLargestCrumb = 0.025;  ///< radius [m]
+
 /// How a material crumbles.
 struct Crumbling {
   std::string_view preset;
   double dust;  ///< 0..1
   int crumbs;   ///< a crack
-  double size;  ///< of a crumb, in element sizes
+  double size;  ///< of a crumb, in element sizes, but no more than kLargestCrumb
 };
 constexpr Crumbling kCrumblingTable[] = {{"concrete", 1, 3, 0.05},
                                          {"brick", 0.9, 4, 0.05},
@@ -74,6 +76,13 @@ double element_size(const Frame& frame, const CrackEvent& event) {
   return event.elements.empty() ? 0 : std::cbrt(6 * volume / static_cast<double>(event.elements.size()));
 }
 
+/// Clear matter in small chips has hardly any colour, and scatters light.
+render::Rgb paler(const render::Rgb& color) {
+  constexpr float kShare = 0.6f;
+  const auto mixed = [](float channel) { return channel + kShare * (1 - channel); };
+  return {mixed(color.r), mixed(color.g), mixed(color.b)};
+}
+
 /// What all cracks of a scene body have in common.
 std::vector<Source> sources_of(const Scene& scene) {
   const std::vector<render::EmbeddedMaterial> looks = natural_materials(scene);
@@ -84,7 +93,8 @@ std::vector<Source> sources_of(const Scene& scene) {
     Source& source = sources.emplace_back();
     source.speed = std::clamp(kThrow * material.tensile_strength / impedance, kMinSpeed, kMaxSpeed);
     source.crumbling = crumbling_of(material);
-    source.color = looks[static_cast<std::size_t>(look_index(body, Look::inside))].color;
+    const render::EmbeddedMaterial& inside = looks[static_cast<std::size_t>(look_index(body, Look::inside))];
+    source.color = inside.clear_depth > 0 ? paler(inside.color) : inside.color;
   }
   return sources;
 }
@@ -112,7 +122,8 @@ double fall_time(double height, double speed, double gravity) {
 
 render::Sphere crumb_of(const Source& source, const Scene& scene, Chance& chance) {
   const double come_out = std::min(0.3 + source.age / 0.1, 1.0);
-  const double radius = come_out * source.crumbling->size * source.size * (0.4 + 0.8 * chance());
+  const double size = std::min(source.crumbling->size * source.size, kLargestCrumb);
+  const double radius = come_out * size * (0.4 + 0.8 * chance());
   const Vec3 thrown = throw_of(source, chance);
   const double gravity = -scene.gravity.y(), shade = 0.85 + 0.25 * chance();
   double time = source.age;

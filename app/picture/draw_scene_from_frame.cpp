@@ -9,6 +9,7 @@
 #include "app/picture/element_picture.h"
 #include "app/picture/layer_picture.h"
 #include "app/picture/natural_materials.h"
+#include "app/picture/picture_options.h"
 #include "app/picture/quantities.h"
 #include "app/picture/skin_picture.h"
 #include "app/picture/splinter_picture.h"
@@ -250,11 +251,6 @@ EmbeddedPieces embedded_pieces(const Frame& frame, std::span<const std::array<in
 EmbeddedPieces natural_pieces(const Frame& frame, const EmbeddedDisplay& display) {
   const FrameWithShards sharded(frame, display.shards);
   return embedded_pieces(sharded.frame(), display.orders, display.authored.splintered.size(), display.shards.skins());
-}
-
-/// Values belong to elements, which shards have nothing to do with.
-bool shows_shards(const ViewSettings& view) {
-  return view.splinters && view.quantity != "tet" && !is_scalar(view.quantity) && shows_whole_bodies(view);
 }
 
 /// Where pieces are in their own places, in their own colours, and nothing is explained.

@@ -10,7 +10,8 @@ namespace griffith::app {
 namespace {
 
 /// The colours of a fresh body and of what a crack lays bare, and how even they are. What is all of a piece until it
-/// breaks has pieces of one brightness, so that nothing shows where it will.
+/// breaks has pieces of one brightness, so that nothing shows where it will. Clear matter has one colour: what light
+/// loses between two of its faces must not depend on which faces they are.
 struct NaturalLook {
   std::string_view preset;
   render::Rgb outside, inside;
@@ -24,17 +25,17 @@ constexpr render::Rgb kMortar = {0.72f, 0.70f, 0.66f};
 using enum render::Grain;
 
 constexpr NaturalLook kLookTable[] = {
-    {"soda_lime_glass", {0.66f, 0.82f, 0.84f}, {0.47f, 0.74f, 0.74f}, 0, 0.02f, 0.06f, 0.06f},
+    {"soda_lime_glass", {0.62f, 0.81f, 0.82f}, {0.62f, 0.81f, 0.82f}, 0, 0.02f, 0.06f, 0.06f},
     {"concrete", {0.66f, 0.65f, 0.63f}, {0.57f, 0.56f, 0.54f}, 0, 0.20f, 0.35f, 0, stones, 0.04f},
-    {"brick", {0.60f, 0.33f, 0.25f}, {0.67f, 0.40f, 0.30f}, 0.12f, 0.22f, 0.40f, 0, clay, 0.02f},
-    {"porcelain", {0.93f, 0.93f, 0.91f}, {0.88f, 0.87f, 0.83f}, 0, 0.02f, 0.15f},
-    {"alumina", {0.92f, 0.90f, 0.85f}, {0.86f, 0.84f, 0.80f}, 0, 0.03f, 0.15f},
-    {"ice", {0.80f, 0.90f, 0.96f}, {0.90f, 0.95f, 0.98f}, 0, 0.05f, 0.25f, 0.25f},
-    {"granite", {0.55f, 0.54f, 0.55f}, {0.50f, 0.49f, 0.50f}, 0, 0.45f, 0.40f, 0, crystals, 0.02f},
+    {"brick", {0.60f, 0.33f, 0.25f}, {0.67f, 0.40f, 0.30f}, 0.12f, 0.15f, 0.40f, 0, clay, 0.02f},
+    {"porcelain", {0.93f, 0.93f, 0.91f}, {0.86f, 0.82f, 0.75f}, 0, 0.02f, 0.15f, 0, sand, 0.006f},
+    {"alumina", {0.92f, 0.90f, 0.85f}, {0.86f, 0.84f, 0.80f}, 0, 0.03f, 0.15f, 0, facets, 0.004f},
+    {"ice", {0.80f, 0.90f, 0.96f}, {0.80f, 0.90f, 0.96f}, 0, 0.05f, 0.25f, 0.25f},
+    {"granite", {0.55f, 0.54f, 0.55f}, {0.50f, 0.49f, 0.50f}, 0, 0.25f, 0.40f, 0, crystals, 0.012f},
     {"wood_along_grain", {0.67f, 0.49f, 0.31f}, {0.83f, 0.67f, 0.45f}, 0.06f, 0.30f, 0.30f, 0, rings, 0.012f},
     {"wood_across_grain", {0.67f, 0.49f, 0.31f}, {0.83f, 0.67f, 0.45f}, 0.06f, 0.30f, 0.30f, 0, rings, 0.012f},
     {"abs", {0.25f, 0.26f, 0.28f}, {0.42f, 0.43f, 0.45f}, 0, 0.02f, 0.10f},
-    {"acrylic", {0.78f, 0.86f, 0.90f}, {0.88f, 0.93f, 0.95f}, 0, 0.02f, 0.10f, 0.3f},
+    {"acrylic", {0.78f, 0.86f, 0.90f}, {0.78f, 0.86f, 0.90f}, 0, 0.02f, 0.10f, 0.3f},
     {"grey_cast_iron", {0.36f, 0.37f, 0.39f}, {0.48f, 0.48f, 0.48f}, 0, 0.10f, 0.35f, 0, facets, 0.006f},
     {"mild_steel", {0.56f, 0.58f, 0.61f}, {0.68f, 0.69f, 0.70f}, 0, 0.05f, 0.20f, 0, facets, 0.004f},
     {"rubber", {0.17f, 0.17f, 0.18f}, {0.23f, 0.22f, 0.22f}, 0, 0.05f, 0.15f},
@@ -77,12 +78,19 @@ void fit_to_splinters(render::EmbeddedMaterial& material, const SplinterPattern&
   }
 }
 
+/// Crystals are seen on dressed stone too; what else matter is made of only where it broke.
+render::Grain grain_of(const NaturalLook& natural, Look look) {
+  if (look == Look::mortar) return sand;
+  return look == Look::outside && natural.grain != crystals ? none : natural.grain;
+}
+
 render::EmbeddedMaterial material_of(const BodyDescription& body, const NaturalLook& natural, Look look) {
   render::EmbeddedMaterial material;
   material.color = look == Look::mortar ? kMortar : look == Look::inside ? natural.inside : natural.outside;
   material.variation = look == Look::mortar || !body.splinters ? 0 : natural.variation;
   material.clear_depth = natural.clear_depth;
-  material.grain = look == Look::mortar ? sand : natural.grain;
+  material.dressed = look == Look::outside && natural.grain == crystals;
+  material.grain = grain_of(natural, look);
   material.grain_size = natural.grain_size;
   material.mottle = natural.mottle;
   material.roughness = look == Look::outside ? natural.roughness / 4 : natural.roughness;

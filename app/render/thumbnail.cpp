@@ -7,6 +7,15 @@ namespace {
 
 constexpr int kStepsAfterCrack = 12, kMostSteps = 120;
 
+/// What moves is shown in natural colours: numbers, small as most of them are by then, would be dark.
+Scene as_seen(Scene scene) {
+  if (scene.analysis == Analysis::dynamic) {
+    scene.view.quantity = "material";
+    scene.view.edges = false;
+  }
+  return scene;
+}
+
 /// Steps until there is something to be seen.
 void step_to_telling(Painter& painter, Analysis analysis) {
   if (analysis == Analysis::equilibrium) return painter.step();
@@ -24,7 +33,7 @@ render::Image thumbnail(const Scene& scene, const std::filesystem::path& file) {
   job.width = kThumbnailWidth;
   job.height = kThumbnailHeight;
   job.legend = false;
-  const std::unique_ptr<Painter> painter = make_plain_painter(job, scene);
+  const std::unique_ptr<Painter> painter = make_plain_painter(job, as_seen(scene));
   step_to_telling(*painter, scene.analysis);
   return painter->paint("", "").image;
 }

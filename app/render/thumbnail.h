@@ -10,7 +10,8 @@ namespace griffith::app {
 /// Size of thumbnails [pixels].
 inline constexpr int kThumbnailWidth = 480, kThumbnailHeight = 270;
 
-/// A small picture of what happens in a scene, through its first camera in its view: some steps after the first crack,
+/// A small picture of what happens in a scene, through its first camera, in natural colours or, of a static scene, its
+/// view: some steps after the first crack,
 /// or when a while has passed without one; of a static scene the first equilibrium. `file`: of the scene, for errors.
 /// Needs a current OpenGL context. Throws InputError when its world cannot be built.
 render::Image thumbnail(const Scene& scene, const std::filesystem::path& file);

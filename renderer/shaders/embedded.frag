@@ -4,6 +4,7 @@ uniform samplerBuffer scalars, colors, materials;
 uniform int scalar_kind, selected_tet;
 uniform bool has_piece_colors, draw_edges, unlit, checker;
 in vec3 position;
+centroid in vec3 covered;  // a place in the part of the pixel that the polygon covers
 in vec3 smooth_normal;
 in vec2 uv;
 in vec3 rest;
@@ -26,10 +27,16 @@ vec3 carried_slope(vec3 slope) {
 }
 #endif
 
-Matter matter_here() {
+// `octaves` of noise: 2, 1 in a draft, 0 where a value is shown.
+Matter matter_here(int octaves) {
   vec3 fibre = vec3(material(7), material(8), material(9));
   vec3 place = (rest - fibre * dot(fibre, rest)) / material(6);
-  vec4 n = noise(place) + 0.5 * noise(2.3 * place + 11.0);
+  float width = 0.7 * length(fwidth(place));
+  vec4 n = vec4(0.0);
+  for (int i = 0; i < octaves; ++i) {
+    float scale = i == 0 ? 1.0 : 2.3;
+    n += seen(scale * width) / float(i + 1) * noise(scale * place + 11.0 * float(i));
+  }
   Matter matter = Matter(vec3(1.0 + material(4) * n.w), 2.0 * material(5) * n.xyz);
 #ifdef GRAIN
   float pixel = 0.7 * length(fwidth(rest));
@@ -81,7 +88,7 @@ void main() {
   if (labels.x == selected_tet || material(10) == 0.0) discard;
   bool inner = ((labels.w >> 20) & 1) != 0;
   vec3 color = material_color(vec3(1.0));
-  emit_glass(color, material(10), position, normalize(normal_here() + matter_here().slope), inner);
+  emit_glass(color, material(10), covered, position, normalize(normal_here() + matter_here(2).slope), inner);
 }
 #else
 void main() {
@@ -91,7 +98,8 @@ void main() {
   bool clear = !selected && material(10) > 0.0;
   float edge = face_edge();
   Matter here = Matter(vec3(1.0), vec3(0.0));
-  if (!is_scalar && !(has_piece_colors && !inner)) here = matter_here();
+  bool plain = is_scalar || (has_piece_colors && !inner);
+  if (!plain) here = matter_here(is_scalar ? 0 : effects.x == 0.0 ? 1 : 2);
   vec3 color = is_scalar ? value_color() : has_piece_colors ? piece_color(inner) : material_color(here.tint);
   if (checker && ((labels.w >> 21) & 1) != 0) color = checked(color);
   if (!(unlit && is_scalar)) {

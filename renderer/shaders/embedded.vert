@@ -9,6 +9,7 @@ layout(location = 4) in vec4 normal_products;  // with the edges of the tet, bef
 layout(location = 5) in vec4 other_normal_products;
 layout(location = 6) in vec2 corner_uv;
 out vec3 position;
+centroid out vec3 covered;
 out vec3 smooth_normal;  // of length 0: none
 out vec2 uv;
 out vec3 rest;
@@ -23,12 +24,9 @@ vec3 point_at(int index) {
 }
 
 // A normal moves with the cofactors of the deformation gradient: where planes go, not where points go.
-vec3 carried_normal(vec3 products) {
+vec3 carried_normal(vec3 products, vec3 places[4]) {
   if (products == vec3(0.0)) return vec3(0.0);
-  vec3 first = point_at(texelFetch(tets, 4 * carrier).r);
-  vec3 a = point_at(texelFetch(tets, 4 * carrier + 1).r) - first;
-  vec3 b = point_at(texelFetch(tets, 4 * carrier + 2).r) - first;
-  vec3 c = point_at(texelFetch(tets, 4 * carrier + 3).r) - first;
+  vec3 a = places[1] - places[0], b = places[2] - places[0], c = places[3] - places[0];
   vec3 normal = products.x * cross(b, c) + products.y * cross(c, a) + products.z * cross(a, b);
   return normalize(normal) * sign(dot(a, cross(b, c)));
 }
@@ -36,14 +34,17 @@ vec3 carried_normal(vec3 products) {
 void main() {
   carrier = texelFetch(carriers, corner_labels.y).r;
   vec4 share = carrier == corner_labels.x ? weights : other_weights;
+  vec3 places[4];
   position = vec3(0.0);
-  scalar = 0.0;
   for (int i = 0; i < 4; ++i) {
-    int point = texelFetch(tets, 4 * carrier + i).r;
-    position += share[i] * point_at(point);
-    if (scalar_kind == 2) scalar += share[i] * texelFetch(scalars, point).r;
+    places[i] = point_at(texelFetch(tets, 4 * carrier + i).r);
+    position += share[i] * places[i];
   }
-  smooth_normal = carried_normal(carrier == corner_labels.x ? normal_products.xyz : other_normal_products.xyz);
+  scalar = 0.0;
+  for (int i = 0; i < (scalar_kind == 2 ? 4 : 0); ++i)
+    scalar += share[i] * texelFetch(scalars, texelFetch(tets, 4 * carrier + i).r).r;
+  covered = position;
+  smooth_normal = carried_normal(carrier == corner_labels.x ? normal_products.xyz : other_normal_products.xyz, places);
   uv = corner_uv;
   rest = corner_rest;
   own_weights = weights;

@@ -6,17 +6,20 @@ const float kCaught = 0.6;     // of the lamp's light, at the edges of a pane
 uniform vec3 sky_top, sky_bottom;  // the background's colours
 layout(location = 0) out vec4 depth_sum;  // rgb: optical depth, entered faces negative; a: reflected shares
 layout(location = 1) out vec4 light_sum;  // rgb: reflected light; a: 1 for each face
-layout(location = 2) out vec2 slope_sum;  // of the faces, across the line of sight
+layout(location = 2) out vec4 face_sum;   // xy: slopes of the faces, across the line of sight; z: -1 for an entered face,
+                                          // 1 for one that is left; w: optical depth to each face
 
 vec3 mirrored_light(vec3 direction) {
   vec3 sky = linear_from_srgb(mix(sky_bottom, sky_top, smoothstep(-0.2, 1.0, direction.y)));
   return sky + 6.0 * pow(max(dot(direction, light.xyz), 0.0), 300.0);
 }
 
-// `color`: of light that has come `clear_depth` far [m] through the matter.
-void emit_glass(vec3 color, float clear_depth, vec3 position, vec3 normal, bool rough) {
+// `color`: of light that has come `clear_depth` far [m] through the matter; `covered`: a place in the part of the pixel
+// that the face covers.
+void emit_glass(vec3 color, float clear_depth, vec3 covered, vec3 position, vec3 normal, bool rough) {
+  const float kDeepest = 1e4;  // in 16 bits
   vec3 ray = -towards_eye(position);
-  float away = eye.w == 0.0 ? dot(ray, position) : length(eye.xyz - position);
+  float away = eye.w == 0.0 ? dot(ray, covered) : length(eye.xyz - covered);
   vec3 absorption = -log(max(linear_from_srgb(color), 1e-3)) / clear_depth;
   float share = 0.04 + 0.96 * pow(1.0 - min(abs(dot(normal, ray)), 1.0), 5.0);  // Schlick 1994
   vec3 mirrored = mirrored_light(reflect(ray, normal));
@@ -27,5 +30,7 @@ void emit_glass(vec3 color, float clear_depth, vec3 position, vec3 normal, bool 
   }
   depth_sum = vec4(absorption * (gl_FrontFacing ? -away : away), share);
   light_sum = vec4(mirrored * share, 1.0);
-  slope_sum = (view_projection * vec4(normal + ray * dot(ray, normal), 0.0)).xy;
+  vec2 slope = (view_projection * vec4(normal + ray * dot(ray, normal), 0.0)).xy;
+  float depth = min(dot(absorption, vec3(1.0)) * abs(away), kDeepest);
+  face_sum = vec4(slope, gl_FrontFacing ? -1.0 : 1.0, eye.w == 0.0 ? sign(away) * depth : depth);
 }

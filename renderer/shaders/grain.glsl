@@ -33,12 +33,12 @@ vec4 noise(vec3 place) {
   return sum;
 }
 
+// How much is seen of a pattern of which a pixel holds `pixel` cells.
+float seen(float pixel) { return 1.0 - smoothstep(0.25, 0.8, pixel); }
+
 #ifdef GRAIN
 // Turns lattices against faces and against each other, so that no face shows one.
 const mat3 kTurn = mat3(0.36, 0.48, -0.80, -0.80, 0.60, 0.0, 0.48, 0.64, 0.60);
-
-// How much is seen of a pattern of which a pixel holds `pixel` cells.
-float seen(float pixel) { return 1.0 - smoothstep(0.25, 0.8, pixel); }
 
 // Round stones of three sizes, one a cell, the large before the small. `fill`: the radius of the largest, up to 1/2;
 // `tones`: how far colours part, by channel; `pit`: the tone below which there is a pore in place of a stone.

@@ -1,4 +1,5 @@
-// What light falls on a point; all fragment shaders have it.
+// What light falls on a point; all fragment shaders have it. Software GL goes both ways of a branch, but through loops
+// only as often as some pixel asks: what a quality or a scene does without are loops of no rounds.
 const vec3 kSkyLight = vec3(0.43, 0.48, 0.55), kGroundLight = vec3(0.30, 0.28, 0.25), kLampLight = vec3(0.73, 0.70, 0.64);
 const float kNarrowest = 8e-4, kWidest = 0.03;  // penumbras, in widths of the shadow map
 
@@ -20,23 +21,30 @@ mat2 turn_here() {
   return mat2(cos(angle), sin(angle), -sin(angle), cos(angle));
 }
 
-// The average of 3×3 bilinear samples.
+// The average of 2×2 bilinear samples; of plain light alone.
 float hard_visibility(vec3 place) {
-  vec2 texel = 1.3 / vec2(textureSize(shadow_map, 0));
+  vec2 texel = 1.8 / vec2(textureSize(shadow_map, 0));
   float sum = 0.0;
-  for (int i = -1; i <= 1; ++i) {
-    for (int j = -1; j <= 1; ++j) sum += texture(shadow_map, vec3(place.xy + vec2(i, j) * texel, place.z));
-  }
-  return sum / 9.0;
+  for (int i = 0; i < (effects.x == 0.0 ? 4 : 0); ++i)
+    sum += texture(shadow_map, place + vec3(texel * (vec2(i & 1, i >> 1) - 0.5), 0.0));
+  return sum / 4.0;
+}
+
+// Sum over the 2×2 pixels that are shaded together.
+float sum_of_quad(float value) {
+  vec2 side = 1.0 - 2.0 * mod(floor(gl_FragCoord.xy), 2.0);
+  float row = 2.0 * value + side.x * dFdx(value);
+  return max(2.0 * row + side.y * dFdy(row), 0.0);
 }
 
 // The penumbra is as wide as what casts the shadow is far away (Fernando 2005, "Percentage-closer soft shadows"). The
 // search is closer towards its middle, where low things cast narrow shadows, counts what is near for more, and passes
-// over what is too low for its penumbra to reach here. `slope`: of the lit plane's depth.
+// over what is too low for its penumbra to reach here. Neighbouring pixels search together. `slope`: of the lit plane's depth.
 float soft_visibility(vec3 place, vec2 slope) {
+  const float kSure = 4.0;  // blockers that one search must have found for a shadow to begin without a step
   int count = int(effects.y);
   mat2 turn = turn_here();
-  float sum = 0.0, blockers = 0.0;
+  float sum = 0.0, blockers = 0.0, found = 0.0;
   for (int i = 0; i < count / 2; ++i) {
     vec2 offset = turn * disc_point(i, count / 2);
     offset *= kWidest * dot(offset, offset);
@@ -46,8 +54,12 @@ float soft_visibility(vec3 place, vec2 slope) {
       float weight = 1.0 / (0.02 * kWidest + length(offset));
       sum += weight * height;
       blockers += weight;
+      found += 1.0;
     }
   }
+  sum = sum_of_quad(sum);
+  blockers = sum_of_quad(blockers);
+  found = sum_of_quad(found);
   if (blockers == 0.0) return 1.0;
   float penumbra = clamp(effects.x * sum / blockers, kNarrowest, kWidest);
   float lit = 0.0;
@@ -55,20 +67,19 @@ float soft_visibility(vec3 place, vec2 slope) {
     vec2 offset = penumbra * turn * disc_point(i, count);
     lit += texture(shadow_map, place + vec3(offset, dot(slope, offset)));
   }
-  return lit / float(count);
+  return mix(1.0, lit / float(count), min(found / kSure, 1.0));
 }
 
 // Share of the lamp's light that clear matter lets through.
 float clear_visibility(vec3 place, vec2 slope) {
   const int kCount = 8;
   const float kKept = 0.3;  // by two faces and what lies between
-  if (effects.w == 0.0) return 1.0;
-  float lit = 0.0;
-  for (int i = 0; i < kCount; ++i) {
+  float taken = 0.0;
+  for (int i = 0; i < (effects.w == 0.0 ? 0 : kCount); ++i) {
     vec2 offset = 4.0 * kNarrowest * disc_point(i, kCount);
-    lit += texture(clear_shadow_map, place + vec3(offset, dot(slope, offset)));
+    taken += 1.0 - texture(clear_shadow_map, place + vec3(offset, dot(slope, offset)));
   }
-  return 1.0 - kKept * (1.0 - lit / float(kCount));
+  return 1.0 - kKept * taken / float(kCount);
 }
 
 // Share of the lamp's light that arrives. Moving off the surface avoids self-shadowing.
@@ -84,14 +95,13 @@ float light_visibility(vec3 position, vec3 normal) {
 // Share of the sky that what stands near leaves open: the map's four nearest values, those about as far away as the
 // point before others.
 float ambient_openness(vec3 position) {
-  if (effects.z == 0.0) return 1.0;
   float away = (view_projection * vec4(position, 1.0)).w;
   ivec2 last = textureSize(occlusion_map, 0) - 1;
   vec2 place = gl_FragCoord.xy / viewport.xy * vec2(last + 1) - 0.5;
   ivec2 first = ivec2(floor(place));
   vec2 t = place - vec2(first);
   float sum = 0.0, weights = 0.0;
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < (effects.z == 0.0 ? 0 : 4); ++i) {
     ivec2 corner = ivec2(i & 1, i >> 1);
     vec2 there = texelFetch(occlusion_map, clamp(first + corner, ivec2(0), last), 0).rg;
     vec2 share = mix(1.0 - t, t, vec2(corner)) + 1e-3;
@@ -99,7 +109,7 @@ float ambient_openness(vec3 position) {
     sum += weight * there.x;
     weights += weight;
   }
-  return sum / weights;
+  return effects.z == 0.0 ? 1.0 : sum / weights;
 }
 
 // Light from a bright sky, a dimmer ground and one lamp; about 1 for a face turned to the lamp.

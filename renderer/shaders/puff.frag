@@ -18,6 +18,6 @@ void main() {
   vec3 light_here = kSkyLight + 0.5 * kLampLight * light_visibility(center, light.xyz);
   const float kSteps = 32.0;
   float alpha = floor(kSteps * color.a * density * density + noise()) / kSteps;
-  pixel_color = vec4(srgb_from_linear(linear_from_srgb(mix(color.rgb, vec3(1.0), 0.25)) * light_here), alpha);
+  pixel_color = vec4(srgb_from_linear(linear_from_srgb(mix(color.rgb, vec3(1.0), 0.45)) * light_here), alpha);
   pixel_id = -1;
 }

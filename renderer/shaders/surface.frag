@@ -8,6 +8,7 @@ uniform bool has_colors, has_ids, has_flags, draw_edges, unlit;
 uniform vec3 plain_color;
 uniform float opacity, clear_depth;
 in vec3 position;
+centroid in vec3 covered;  // a place in the part of the pixel that the triangle covers
 in vec3 barycentric;
 in float scalar;
 
@@ -24,7 +25,7 @@ vec3 triangle_color(int triangle_flags, bool is_scalar) {
 void main() {
   int triangle_flags = has_flags ? int(texelFetch(flags, gl_PrimitiveID).r) : 0;
   if ((triangle_flags & kClear) == 0 || (triangle_flags & kSelected) != 0) discard;
-  emit_glass(triangle_color(0, false), clear_depth, position, flat_normal(position), (triangle_flags & kCrackFace) != 0);
+  emit_glass(triangle_color(0, false), clear_depth, covered, position, flat_normal(position), (triangle_flags & kCrackFace) != 0);
 }
 #else
 void main() {

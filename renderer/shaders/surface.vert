@@ -2,13 +2,14 @@ uniform samplerBuffer scalars;
 uniform int scalars_per_triangle;  // 0: none; 1; 3: one per corner
 layout(location = 0) in vec3 corner;
 out vec3 position;
+centroid out vec3 covered;
 out vec3 barycentric;
 out float scalar;
 out float gl_ClipDistance[1];
 
 void main() {
   int k = gl_VertexID % 3;
-  position = corner;
+  position = covered = corner;
   barycentric = vec3(k == 0, k == 1, k == 2);
   scalar = scalars_per_triangle == 3 ? texelFetch(scalars, gl_VertexID).r : 0.0;
   gl_ClipDistance[0] = visible.w - dot(visible.xyz, corner);

@@ -205,8 +205,10 @@ class ContactWorld {
   };
   /// Pairs that, moving and turning freely for `dt`, would meet with an approach speed above `minimum_speed` [m/s] that
   /// could hurt one of them, each once. On the safe side: of all corners that may get as far. Pairs that touch already,
-  /// or may within `tolerance` [s], count as meeting now.
-  std::vector<Encounter> expected_impacts(double dt, double minimum_speed, double tolerance) const;
+  /// or may within `tolerance` [s], count as meeting now. Pairs of which `matters` says no are left out.
+  using PairFilter = std::function<bool(ProxyId, ProxyId)>;
+  std::vector<Encounter> expected_impacts(double dt, double minimum_speed, double tolerance,
+                                          const PairFilter& matters = {}) const;
 
   /// A hash of what is kept from one substep to the next: impulses at contacts, allowed overlaps, who lies still.
   std::uint64_t memory_hash() const;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "sim/core/lanes.h"
 #include "sim/core/linear_algebra.h"
 
@@ -40,6 +42,14 @@ inline Matrix3<double> numbers(const Mat3& m) {
   return copy;
 }
 
+/// Four matrices side by side.
+inline Matrix3<DoubleLanes> side_by_side(const std::array<Mat3, kDoubleLanes>& m) {
+  Matrix3<DoubleLanes> lanes;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) lanes.at[i][j] = DoubleLanes{m[0](i, j), m[1](i, j), m[2](i, j), m[3](i, j)};
+  return lanes;
+}
+
 template <class Real>
 struct Symmetric3 {
   Real xx, yy, zz, xy, xz, yz;
@@ -49,11 +59,9 @@ struct Symmetric3 {
   Real sum_of_minors() const { return xx * yy - xy * xy + (xx * zz - xz * xz) + (yy * zz - yz * yz); }
   Real determinant() const { return xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz); }
 
-  Mat3 of(int lane) const {
-    const double x = lane_of(xy, lane), y = lane_of(xz, lane), z = lane_of(yz, lane);
-    Mat3 m;
-    m << lane_of(xx, lane), x, y, x, lane_of(yy, lane), z, y, z, lane_of(zz, lane);
-    return m;
+  SymmetricMat3 of(int lane) const {
+    return {lane_of(xx, lane), lane_of(yy, lane), lane_of(zz, lane),
+            lane_of(xy, lane), lane_of(xz, lane), lane_of(yz, lane)};
   }
 };
 

@@ -34,11 +34,16 @@ inline DoubleLanes root(DoubleLanes x) {
   for (int lane = 0; lane < kDoubleLanes; ++lane) x[lane] = __builtin_sqrt(x[lane]);
   return x;
 }
+inline DoubleLanes hypotenuse(DoubleLanes a, DoubleLanes b) {
+  for (int lane = 0; lane < kDoubleLanes; ++lane) a[lane] = std::hypot(a[lane], b[lane]);
+  return a;
+}
 inline bool any(DoubleMask mask) { return (mask[0] | mask[1] | mask[2] | mask[3]) != 0; }
 inline bool every(DoubleMask mask) { return (mask[0] & mask[1] & mask[2] & mask[3]) != 0; }
 
 // The same for one number, so that a template computes one element or four.
 inline double root(double x) { return std::sqrt(x); }
+inline double hypotenuse(double a, double b) { return std::hypot(a, b); }
 inline bool any(bool mask) { return mask; }
 inline bool every(bool mask) { return mask; }
 template <class Real>
@@ -72,6 +77,18 @@ inline Mat3 matrix_of(const WideQuad* columns) {
   std::memcpy(m.data() + 3, columns + 1, 4 * sizeof(double));
   std::memcpy(m.data() + 6, columns + 2, 3 * sizeof(double));
   return m;
+}
+
+/// Four numbers of four things: number i of each in register i, or back.
+inline void transpose(WideQuad& a, WideQuad& b, WideQuad& c, WideQuad& d) {
+  const WideQuad ab_even = __builtin_shufflevector(a, b, 0, 4, 2, 6),
+                 ab_odd = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const WideQuad cd_even = __builtin_shufflevector(c, d, 0, 4, 2, 6),
+                 cd_odd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+  a = __builtin_shufflevector(ab_even, cd_even, 0, 1, 4, 5);
+  b = __builtin_shufflevector(ab_odd, cd_odd, 0, 1, 4, 5);
+  c = __builtin_shufflevector(ab_even, cd_even, 2, 3, 6, 7);
+  d = __builtin_shufflevector(ab_odd, cd_odd, 2, 3, 6, 7);
 }
 
 /// The x, y and z of eight rows.

@@ -12,6 +12,18 @@ using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 using Quat = Eigen::Quaternion<double, Eigen::DontAlign>;
 
+/// A symmetric 3×3 matrix, kept by its upper triangle.
+struct SymmetricMat3 {
+  double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
+
+  Mat3 full() const {
+    Mat3 m;
+    m << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    return m;
+  }
+  operator Mat3() const { return full(); }
+};
+
 /// det(m) m⁻ᵀ, for singular matrices too: what a deformation m makes of area vectors.
 inline Mat3 cofactor(const Mat3& m) {
   Mat3 c;

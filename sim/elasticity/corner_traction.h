@@ -9,8 +9,10 @@ namespace griffith {
 /// for nothing.
 inline simd::WideQuad corner_traction(const RestElement& rest, const ElementState& state, int corner) {
   const auto gradient = rest.shape_gradients.col(corner);
-  const simd::WideQuad stress = simd::product(state.stress.data(), gradient[0], gradient[1], gradient[2]);
-  return simd::product(state.frame.data(), stress[0], stress[1], stress[2]);
+  const auto& [xx, yy, zz, xy, xz, yz] = state.stress;
+  const double x = gradient[0], y = gradient[1], z = gradient[2];
+  return simd::product(state.frame.data(), xx * x + xy * y + xz * z, xy * x + yy * y + yz * z,
+                       xz * x + yz * y + zz * z);
 }
 
 }  // namespace griffith

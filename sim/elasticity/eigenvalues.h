@@ -11,6 +11,40 @@ struct Vector3 {
   Real x, y, z;
 };
 
+/// a·b.
+template <class Real>
+Real dot(const Vector3<Real>& a, const Vector3<Real>& b) {
+  return a.x * b.x + (a.y * b.y + a.z * b.z);
+}
+
+/// m v.
+template <class Real>
+Vector3<Real> operator*(const Matrix3<Real>& m, const Vector3<Real>& v) {
+  const auto row = [&](int i) { return dot(Vector3<Real>{m.at[i][0], m.at[i][1], m.at[i][2]}, v); };
+  return {row(0), row(1), row(2)};
+}
+
+/// a times one vector plus b times another.
+template <class Real>
+Vector3<Real> combined(Real a, const Vector3<Real>& v, Real b, const Vector3<Real>& w) {
+  return {a * v.x + b * w.x, a * v.y + b * w.y, a * v.z + b * w.z};
+}
+
+template <class Mask, class Real>
+Vector3<Real> select(const Mask& mask, const Vector3<Real>& a, const Vector3<Real>& b) {
+  return {mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z};
+}
+
+/// A unit vector across n, which has unit length.
+template <class Real>
+Vector3<Real> unit_across(const Vector3<Real>& n) {
+  const Real zero = {}, tiny = 1e-12 * absolute(n.z);
+  const auto along_z = (absolute(n.x) <= tiny) & (absolute(n.y) <= tiny);
+  const Real length = along_z ? root(n.y * n.y + n.z * n.z) : root(n.x * n.x + n.y * n.y), inverse = 1.0 / length;
+  const Vector3<Real> across_x{zero, -n.z * inverse, n.y * inverse}, across_z{-n.y * inverse, n.x * inverse, zero};
+  return select(along_z, across_x, across_z);
+}
+
 /// cos(⅓ arccos r) for r in [0, 1], the largest root of 4c³ − 3c = r, by Newton's iteration.
 template <class Real>
 Real cosine_of_third(Real r) {
@@ -51,6 +85,43 @@ Vector3<Real> eigenvector(const Symmetric3<Real>& m, Real value) {
   const Real length = root(row.x * row.x + row.y * row.y + row.z * row.z);
   const auto found = length > 0.0;
   return {found ? row.x / length : zero + 1.0, found ? row.y / length : zero, found ? row.z / length : zero};
+}
+
+/// An eigenvalue and a unit eigenvector of it.
+template <class Real>
+struct Eigenpair {
+  Real value;
+  Vector3<Real> direction;
+};
+
+/// The eigenpair of the larger eigenvalue in the plane across the unit vector n.
+template <class Real>
+Eigenpair<Real> largest_in_plane(const Matrix3<Real>& m, const Vector3<Real>& n) {
+  const Vector3<Real> u = unit_across(n);
+  const Vector3<Real> v{n.y * u.z - n.z * u.y, n.z * u.x - n.x * u.z, n.x * u.y - n.y * u.x};
+  const Vector3<Real> mv = m * v;
+  const Real a = dot(u, m * u), b = dot(u, mv), c = dot(v, mv);
+  const Real half = 0.5 * (a - c), radius = hypotenuse(half, b);
+  const Vector3<Real> along = select(half >= 0.0, combined(half + radius, u, b, v), combined(b, u, radius - half, v));
+  const Real square = dot(along, along), length = root(square);
+  const auto is_long = square > 0.0;
+  const Vector3<Real> unit{is_long ? along.x / length : along.x, is_long ? along.y / length : along.y,
+                           is_long ? along.z / length : along.z};
+  return {0.5 * (a + c) + radius, select(radius > 0.0, unit, u)};
+}
+
+/// The eigenpair of the largest eigenvalue of a symmetric matrix.
+template <class Real>
+Eigenpair<Real> largest_eigenpair(const Matrix3<Real>& m) {
+  const Symmetric3<Real> upper{m.at[0][0], m.at[1][1], m.at[2][2], m.at[0][1], m.at[0][2], m.at[1][2]};
+  const Real isolated = isolated_eigenvalue(upper);
+  const Vector3<Real> n = eigenvector(upper, isolated);
+  const auto is_largest = 3.0 * isolated >= upper.xx + (upper.yy + upper.zz);
+  const Real value = dot(n, m * n);
+  if (every(is_largest)) return {value, n};
+  // The smallest one stands apart: the largest is that of the plane across it.
+  const Eigenpair<Real> in_plane = largest_in_plane(m, n);
+  return {is_largest ? value : in_plane.value, select(is_largest, n, in_plane.direction)};
 }
 
 /// n·m n.

@@ -48,9 +48,9 @@ ElementDeformation element_deformation(ElementModel model, const RestElement& re
 /// Piola-Kirchhoff stress for Green's strain [Pa].
 struct ElementState {
   Mat3 frame = Mat3::Identity();  ///< B
-  Mat3 stress = Mat3::Zero();
+  SymmetricMat3 stress;
   Mat3 tensile_traction = Mat3::Zero();  ///< B sigma⁺, sigma⁺ the tensile_part() of the stress [Pa]
-  Mat3 tension = Mat3::Zero();           ///< the tensile part as Cauchy stress in the world frame [Pa]
+  SymmetricMat3 tension;                 ///< the tensile part as Cauchy stress in the world frame [Pa]
   double tension_norm = 0;               ///< Frobenius norm of `tension` [Pa]
   double energy_density = 0;             ///< ½ sigma : epsilon per rest volume [J/m³]
   bool inverted = false;

@@ -15,17 +15,15 @@ PrincipalValues principal_values(const Mat3& symmetric) {
 }
 
 LargestPrincipal largest_principal(const Mat3& symmetric) {
-  const simd::Symmetric3<double> m = simd::upper_triangle(symmetric);
-  const double isolated = simd::isolated_eigenvalue(m);
-  const simd::Vector3<double> n = simd::eigenvector(m, isolated);
-  const Vec3 axis(n.x, n.y, n.z);
-  if (3 * isolated >= symmetric.trace()) return {axis.dot(symmetric * axis), axis};
-  // The smallest one stands apart: the largest is that of the plane across it.
-  const Vec3 u = axis.unitOrthogonal(), v = axis.cross(u);
-  const double a = u.dot(symmetric * u), b = u.dot(symmetric * v), c = v.dot(symmetric * v);
-  const double half = 0.5 * (a - c), radius = std::hypot(half, b);
-  const Vec3 direction = half >= 0 ? Vec3((half + radius) * u + b * v) : Vec3(b * u + (radius - half) * v);
-  return {0.5 * (a + c) + radius, radius > 0 ? direction.normalized() : u};
+  const auto [value, n] = simd::largest_eigenpair(simd::numbers(symmetric));
+  return {value, Vec3(n.x, n.y, n.z)};
+}
+
+std::array<LargestPrincipal, 4> largest_principals(const std::array<Mat3, 4>& symmetric) {
+  const auto [value, n] = simd::largest_eigenpair(simd::side_by_side(symmetric));
+  std::array<LargestPrincipal, 4> found;
+  for (int lane = 0; lane < 4; ++lane) found[lane] = {value[lane], Vec3(n.x[lane], n.y[lane], n.z[lane])};
+  return found;
 }
 
 Vec3 principal_stresses(const Mat3& stress) {

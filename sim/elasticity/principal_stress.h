@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "sim/core/linear_algebra.h"
 
 namespace griffith {
@@ -17,6 +19,8 @@ struct LargestPrincipal {
   Vec3 direction = Vec3::UnitX();
 };
 LargestPrincipal largest_principal(const Mat3& symmetric);
+/// Those of four matrices side by side, to the bits of one at a time.
+std::array<LargestPrincipal, 4> largest_principals(const std::array<Mat3, 4>& symmetric);
 
 /// The principal stresses, largest first [Pa]: more exact than principal_values(), and not a number for a stress that
 /// is not finite.

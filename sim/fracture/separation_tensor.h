@@ -54,6 +54,10 @@ struct CandidatePlane {
 /// part of the anchor and do not count.
 CandidatePlane candidate_plane(const SeparationInput& input, NodeId node, const Mat3& tensor,
                                const DirectionalStrength& strength = {});
+/// Those of four nodes side by side, to the bits of one at a time.
+std::array<CandidatePlane, 4> candidate_planes(const SeparationInput& input, const std::array<NodeId, 4>& nodes,
+                                               const std::array<Mat3, 4>& tensors,
+                                               const std::array<DirectionalStrength, 4>& strengths);
 
 /// What an element adds to the mean tensile stress across a plane of its node [Pa]: all together are its stress.
 double tension_fraction(const SeparationInput& input, TetId tet, NodeId node, const CandidatePlane& plane);

@@ -345,7 +345,8 @@ void describe(Archive& archive, ViewSettings& view) {
                 "see-through glass");
   archive.field("shading", view.shading, Flag{},
                 "Whether light falls on scalars; without, a pixel has exactly the legend's colour");
-  archive.field("edges", view.edges, Flag{}, "Whether element edges are drawn");
+  archive.field("edges", view.edges, Flag{},
+                "Whether element edges are drawn, where tetrahedra are: not in natural colours with splinters");
   archive.field("edge_width", view.edge_width, between(0.25, 10),
                 "Width of element edges, in pixels of a picture 720 pixels high");
   archive.field("splinters", view.splinters, Flag{},

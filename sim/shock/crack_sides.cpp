@@ -47,6 +47,10 @@ void Impacts::close_cracks(Solid& solid) {
     const Vec3 normal = area.normalized();
     const std::array<double, 3> weights = weights_in(solid, sides.second, center);
     if (!std::ranges::all_of(weights, [](double weight) { return weight >= 0; })) continue;
+    double gap = -normal.dot(center);
+    for (int i = 0; i < 3; ++i) gap += weights[i] * normal.dot(solid.position(sides.second[i]));
+    record_gap(crack, gap);
+    if (gap > 0 || gap * gap > area.norm()) continue;
     const auto opening_speed = [&] {
       double speed = 0;
       for (int i = 0; i < 3; ++i)
@@ -54,14 +58,12 @@ void Impacts::close_cracks(Solid& solid) {
       return speed;
     };
     const double speed = opening_speed();
-    double gap = -normal.dot(center), mobility = 0;
-    for (int i = 0; i < 3; ++i) {
-      gap += weights[i] * normal.dot(solid.position(sides.second[i]));
+    if (speed >= 0) continue;
+    double mobility = 0;
+    for (int i = 0; i < 3; ++i)
       mobility += solid.mobility(sides.first[i], normal) / 9 +
                   weights[i] * weights[i] * solid.mobility(sides.second[i], normal);
-    }
-    record_gap(crack, gap);
-    if (gap > 0 || gap * gap > area.norm() || speed >= 0 || mobility == 0) continue;
+    if (mobility == 0) continue;
     const Vec3 impulse = speed / mobility * normal;
     for (int i = 0; i < 3; ++i) {
       push_node(solid, sides.first[i], impulse / 3);

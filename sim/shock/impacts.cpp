@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <numeric>
 #include <optional>
 
@@ -19,6 +21,8 @@ constexpr int kRounds = 4;
 constexpr double kReachOfCracks = 0.25;
 /// Candidates are listed for about so many microsteps, within an edge length.
 constexpr double kMicrostepsOfCandidates = 24;
+/// What a candidate takes in a microstep, half of them being too far away to be looked at, and a touch [µs].
+constexpr double kCandidateWork = 0.012, kTouchWork = 0.3;
 
 std::array<int, 3> nodes_of(const Solid& solid, const SurfaceSide& side) {
   std::array<int, 3> nodes{};
@@ -70,21 +74,26 @@ bool may_be_near(const Obstacle& obstacle, const Eigen::AlignedBox3d& box, doubl
 
 }  // namespace
 
-Impacts::Impacts(std::vector<SurfaceSide> surface, std::vector<CrackSides> cracks, std::vector<Obstacle> obstacles,
-                 std::vector<SurfaceLaw> surfaces, double element_size)
-    : surface_(std::move(surface)),
-      obstacles_(std::move(obstacles)),
+Impacts::Impacts(const Solid& solid, std::span<const SurfaceSide> surface, std::span<const CrackSides> cracks,
+                 std::vector<Obstacle> obstacles, std::vector<SurfaceLaw> surfaces, double element_size)
+    : obstacles_(std::move(obstacles)),
       surfaces_(std::move(surfaces)),
       candidates_(obstacles_.size()),
       element_size_(element_size) {
+  for (const SurfaceSide& side : surface) add_side(solid, side);
   for (const CrackSides& crack : cracks) cracks_.push_back({{}, crack});
   catch_up();
 }
 
-void Impacts::open(const CrackSides& sides) {
+void Impacts::add_side(const Solid& solid, const SurfaceSide& side) {
+  constexpr double kDeepest = 0.5;  // of the height behind: what is beyond a thin sheet does not lie behind its side
+  surface_.push_back({side, kDeepest * height_behind(solid, side)});
+}
+
+void Impacts::open(const Solid& solid, const CrackSides& sides) {
   cracks_.push_back({{}, sides});
   const auto add = [&](int slot, const std::array<int, 3>& corners) {
-    surface_.push_back({slot, 6 - corners[0] - corners[1] - corners[2]});
+    add_side(solid, {slot, 6 - corners[0] - corners[1] - corners[2]});
   };
   add(sides.first_slot, sides.first_corners);
   add(sides.second_slot, sides.second_corners);
@@ -126,22 +135,50 @@ void Impacts::list_near_part(const Solid& solid, const Obstacle& obstacle, int p
 
 const SurfaceLaw& Impacts::surface_at(const Solid& solid, int node) const { return surfaces_[body_at(solid, node)]; }
 
-/// Nodes near sides of other bodies, by a sweep along x.
+/// The listed sides that may be near bodies of other families.
+std::vector<Impacts::BoxedSide> Impacts::sides_near_others(const Solid& solid) const {
+  const auto family_of = [&](const BoxedSide& boxed) { return surfaces_[solid.body_of_slot(boxed.side.slot)].family; };
+  std::map<int, Eigen::AlignedBox3d> families;
+  for (const BoxedSide& boxed : boxed_) families[family_of(boxed)].extend(boxed.box);
+  std::vector<BoxedSide> near;
+  std::ranges::copy_if(boxed_, std::back_inserter(near), [&](const BoxedSide& boxed) {
+    return std::ranges::any_of(families, [&, own = family_of(boxed)](const auto& family) {
+      return family.first != own && family.second.squaredExteriorDistance(boxed.box) < margin_ * margin_;
+    });
+  });
+  return near;
+}
+
+/// The nodes of these sides, in the order of their places along an axis.
+std::vector<Impacts::PlacedNode> Impacts::nodes_along(const Solid& solid, std::span<const BoxedSide> sides,
+                                                      int axis) const {
+  std::vector<int> nodes;
+  for (const BoxedSide& boxed : sides)
+    for (const int node : nodes_of(solid, boxed.side)) nodes.push_back(node);
+  sort_unique(nodes);
+  std::vector<PlacedNode> placed;
+  for (const int node : nodes) placed.push_back({solid.position(node), node, surface_at(solid, node).family});
+  std::ranges::sort(placed, {}, [&](const PlacedNode& node) { return node.place[axis]; });
+  return placed;
+}
+
+/// Nodes near sides of other bodies, by a sweep along the axis in which those extend most.
 void Impacts::list_pairs(const Solid& solid) {
   pairs_.clear();
-  const auto differs = [&](const SurfaceLaw& surface) { return surface.family != surfaces_.front().family; };
-  if (std::ranges::none_of(surfaces_, differs)) return;
-  std::vector<std::pair<double, int>> nodes;
-  for (const BoxedSide& boxed : boxed_)
-    for (const int node : nodes_of(solid, boxed.side)) nodes.emplace_back(solid.position(node).x(), node);
-  sort_unique(nodes);
-  for (const auto& [box, side] : boxed_) {
+  const std::vector<BoxedSide> sides = sides_near_others(solid);
+  if (sides.empty()) return;
+  Eigen::AlignedBox3d all;
+  for (const BoxedSide& boxed : sides) all.extend(boxed.box);
+  int axis = 0;
+  all.sizes().maxCoeff(&axis);
+  const std::vector<PlacedNode> nodes = nodes_along(solid, sides, axis);
+  const auto along = [&](const PlacedNode& node) { return node.place[axis]; };
+  for (const auto& [box, side] : sides) {
     const int family = surfaces_[solid.body_of_slot(side.slot)].family;
-    for (auto at = std::ranges::lower_bound(nodes, std::pair(box.min().x() - margin_, -1));
-         at != nodes.end() && at->first <= box.max().x() + margin_; ++at)
-      if (box.squaredExteriorDistance(solid.position(at->second)) < margin_ * margin_ &&
-          surface_at(solid, at->second).family != family)
-        pairs_.push_back({{}, at->second, side});
+    for (auto at = std::ranges::lower_bound(nodes, box.min()[axis] - margin_, {}, along);
+         at != nodes.end() && along(*at) <= box.max()[axis] + margin_; ++at)
+      if (at->family != family && box.squaredExteriorDistance(at->place) < margin_ * margin_)
+        pairs_.push_back({{}, at->node, side});
   }
   std::ranges::stable_sort(pairs_, {}, &NodeAndSide::node);
 }
@@ -153,7 +190,7 @@ void Impacts::list_candidates(const Solid& solid, double displacement) {
     if (obstacle.inverse_mass > 0 && std::isfinite(obstacle.radius)) margin_ = std::max(margin_, 0.1 * obstacle.radius);
   catch_up();
   boxed_.clear();
-  for (const SurfaceSide& side : surface_) boxed_.push_back({box_of(solid, side), side});
+  for (const Side& side : surface_) boxed_.push_back({box_of(solid, side), side});
   for (std::size_t i = 0; i < obstacles_.size(); ++i) list_near_obstacle(solid, obstacles_[i], candidates_[i]);
   list_pairs(solid);
   listed_until_ = travelled_ + margin_;
@@ -184,10 +221,9 @@ void Impacts::touch_sphere(const Solid& solid, int index) {
   }
 }
 
-double Impacts::gap_behind(const Solid& solid, const SurfaceSide& side, const Vec3& point, Touch& touch) const {
+double Impacts::gap_behind(const Solid& solid, const Side& side, const Vec3& point, Touch& touch) const {
   constexpr double kOutside = 0.02;  // of a side: corners that meet corners touch though they shift a little
   constexpr double kFraction = 0.5;  // sides turn about their edges
-  constexpr double kDeepest = 0.5;   // of the height behind: what lies deeper, of a thin sheet beyond it, is not behind
   touch.nodes = nodes_of(solid, side);
   const Vec3 a = solid.position(touch.nodes[0]), b = solid.position(touch.nodes[1]), c = solid.position(touch.nodes[2]);
   const Vec3 normal = (b - a).cross(c - a);
@@ -195,8 +231,7 @@ double Impacts::gap_behind(const Solid& solid, const SurfaceSide& side, const Ve
   touch.normal = normal / area;
   touch.depth = -touch.normal.dot(point - a);
   if (touch.depth < 0) return -touch.depth;
-  const double deepest = kDeepest * height_behind(solid, side);
-  if (touch.depth > deepest) return kFraction * (touch.depth - deepest);
+  if (touch.depth > side.deepest) return kFraction * (touch.depth - side.deepest);
   touch.weights = weights_in_triangle(a, b, c, normal, area * area, point);
   touch.place = point;
   const double beyond = -kOutside - std::ranges::min(touch.weights);
@@ -305,6 +340,12 @@ void Impacts::find_touches(const Solid& solid) {
   std::ranges::stable_sort(order_, std::ranges::greater(), [&](int index) { return touches_[index].depth; });
 }
 
+std::size_t Impacts::candidate_count() const {
+  std::size_t count = pairs_.size() + cracks_.size();
+  for (const Candidates& near : candidates_) count += near.sides.size() + near.nodes.size() + near.samples.size();
+  return count;
+}
+
 double Impacts::fastest_of(const Solid& solid) const {
   double fastest = solid.fastest();
   for (const Obstacle& obstacle : obstacles_) {
@@ -328,6 +369,7 @@ void Impacts::resolve(Solid& solid, double dt, double min_speed) {
   travelled_ += displacement;
   if (travelled_ > listed_until_) list_candidates(solid, displacement);
   find_touches(solid);
+  work_ += kCandidateWork * static_cast<double>(candidate_count()) + kTouchWork * static_cast<double>(touches_.size());
   bool any = !touches_.empty();
   for (int round = 0; round < kRounds && any; ++round) {
     any = false;

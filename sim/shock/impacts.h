@@ -50,8 +50,8 @@ class Impacts {
   };
 
   /// `surfaces`: per body of the solid; `element_size`: mean edge length, for which overlaps are looked for [m].
-  Impacts(std::vector<SurfaceSide> surface, std::vector<CrackSides> cracks, std::vector<Obstacle> obstacles,
-          std::vector<SurfaceLaw> surfaces, double element_size);
+  Impacts(const Solid& solid, std::span<const SurfaceSide> surface, std::span<const CrackSides> cracks,
+          std::vector<Obstacle> obstacles, std::vector<SurfaceLaw> surfaces, double element_size);
 
   /// Between the forces and the motion of a microstep of `dt`: finds what overlaps and pushes it, then moves the
   /// obstacles. Blows faster than `min_speed` are noted.
@@ -59,16 +59,22 @@ class Impacts {
   /// Moves obstacles with nothing near to where they are by now.
   void catch_up();
   /// Faces that a crack opened: what else is there may touch them from now on.
-  void open(const CrackSides& sides);
+  void open(const Solid& solid, const CrackSides& sides);
 
   std::span<Obstacle> obstacles() { return obstacles_; }
   std::span<const Blow> blows() const { return blows_; }
+  /// What finding and pushing has taken so far, in microseconds of a usual core: counted, not timed.
+  double work() const { return work_; }
 
   /// What the pushes took in microsteps of `dt` [s] [J], each at the mean velocity of its microstep, which ends with
   /// the next one's forces: those the solid has to know.
   double lost(const Solid& solid, double dt);
 
  private:
+  /// A face of the surface. What lies deeper behind it than half the tet there is not behind it [m].
+  struct Side : SurfaceSide {
+    double deepest = 0;
+  };
   /// A point of a face, or a node, and what it meets.
   struct Touch {
     std::array<int, 3> nodes{};
@@ -84,12 +90,12 @@ class Impacts {
     double clear_until = 0;
   };
   struct WatchedSide : Watched {
-    SurfaceSide side;
+    Side side;
   };
   /// A sample of a convex part near a side.
   struct SampleAndSide : Watched {
     int part = 0, sample = 0;
-    SurfaceSide side;
+    Side side;
   };
   struct PartAndNode : Watched {
     int part = 0, node = 0;
@@ -97,7 +103,12 @@ class Impacts {
   /// A side and what is round it now.
   struct BoxedSide {
     Eigen::AlignedBox3d box;
-    SurfaceSide side;
+    Side side;
+  };
+  /// A node of the surface, while pairs are listed.
+  struct PlacedNode {
+    Vec3 place;
+    int node = 0, family = 0;
   };
   /// What of the surface may touch an obstacle: sides of it a sphere, nodes and samples anything else.
   struct Candidates {
@@ -109,7 +120,7 @@ class Impacts {
   };
   struct NodeAndSide : Watched {
     int node = 0;
-    SurfaceSide side;
+    Side side;
   };
   struct WatchedCrack : Watched {
     CrackSides sides;
@@ -121,6 +132,7 @@ class Impacts {
     Vec3 displacement = Vec3::Zero();  ///< that it was shifted [m]
   };
 
+  void add_side(const Solid& solid, const SurfaceSide& side);
   const SurfaceLaw& surface_at(const Solid& solid, int node) const;
   bool is_clear(const Watched& watched) const { return travelled_ < watched.clear_until; }
   void record_gap(Watched& watched, double gap) const;
@@ -129,14 +141,17 @@ class Impacts {
   double fastest_of(const Solid& solid) const;
   void list_near_obstacle(const Solid& solid, const Obstacle& obstacle, Candidates& candidates);
   void list_near_part(const Solid& solid, const Obstacle& obstacle, int part, Candidates& candidates) const;
+  std::vector<BoxedSide> sides_near_others(const Solid& solid) const;
+  std::vector<PlacedNode> nodes_along(const Solid& solid, std::span<const BoxedSide> sides, int axis) const;
   void list_pairs(const Solid& solid);
   void find_touches(const Solid& solid);
+  std::size_t candidate_count() const;
   void touch_sphere(const Solid& solid, int obstacle);
   void touch_convex(const Solid& solid, int obstacle);
   void drop_clamps(const Solid& solid, std::size_t first);
   void touch_bodies(const Solid& solid);
   /// How far a point is from lying behind a side, no deeper than half the tet there: 0 where it does [m].
-  double gap_behind(const Solid& solid, const SurfaceSide& side, const Vec3& point, Touch& touch) const;
+  double gap_behind(const Solid& solid, const Side& side, const Vec3& point, Touch& touch) const;
   /// Whether what is behind two sides is rather touched by the first: by the one behind which it lies less deep; where
   /// that is the same, as at an edge, by the one that it comes through.
   bool is_nearer(const Solid& solid, const Touch& touch, const Touch& other) const;
@@ -155,7 +170,7 @@ class Impacts {
   void record_pushed(const Solid& solid);
   void settle_pushed(const Solid& solid, double dt);
 
-  std::vector<SurfaceSide> surface_;
+  std::vector<Side> surface_;
   std::vector<WatchedCrack> cracks_;
   std::vector<Obstacle> obstacles_;
   std::vector<SurfaceLaw> surfaces_;    ///< per body of the solid
@@ -169,7 +184,7 @@ class Impacts {
   std::vector<Blow> blows_;
   std::vector<Pushed> pushed_;
   std::vector<int> pushed_at_;  ///< per node: index into pushed_, or -1
-  double lost_ = 0;
+  double lost_ = 0, work_ = 0;
   double element_size_, margin_ = 0;
   double travelled_ = 0;      ///< bound on how much nearer any two things can have come [m]
   double listed_until_ = -1;  ///< candidates are complete up to there [m]

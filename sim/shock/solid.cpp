@@ -126,6 +126,7 @@ void Solid::add_body(const ElasticLaw& law, double density, std::span<const std:
     const int lane = i % kLanes;
     const bool used = i < static_cast<int>(tets.size());
     for (int corner = 0; corner < 4; ++corner) block.nodes[corner][lane] = used ? tets[i][corner] : unused;
+    corners_.push_back(used ? tets[i] : std::array{unused, unused, unused, unused});
     for (int a = 0; a < 4; ++a) block.rotation[a][lane] = a == 3 ? 1.0F : 0.0F;
     for (int e = 0; e < 6; ++e) block.offset[e][lane] = block.strain[e][lane] = 0;
     block.volume[lane] = used ? static_cast<float>(rest_elements[i].volume) : 0.0F;
@@ -259,7 +260,7 @@ void Solid::part(int node, std::span<const int> copies, std::span<const std::vec
     for (const int entry : stars[i]) {
       stars_[at++] = entry;
       const int slot = entry / 4;
-      blocks_[slot / kLanes].nodes[entry % 4][slot % kLanes] = owner;
+      blocks_[slot / kLanes].nodes[entry % 4][slot % kLanes] = corners_[slot][entry % 4] = owner;
     }
   }
 }

@@ -112,7 +112,7 @@ class Solid {
   float stiffness(int slot) const { return blocks_[slot / kLanes].stiffness[slot % kLanes]; }
   /// What of a tet's strain in the body's turn has stress under the law.
   Mat3 elastic_strain(int slot, const Mat3& strain) const;
-  int corner(int slot, int corner) const { return blocks_[slot / kLanes].nodes[corner][slot % kLanes]; }
+  int corner(int slot, int corner) const { return corners_[slot][corner]; }
 
   Vec3 reference(int node) const { return references_[node]; }
   Vec3 displacement(int node) const { return vector(displacements_[node].value); }
@@ -156,9 +156,10 @@ class Solid {
   std::vector<Vec3> references_;
   std::vector<NodeValue> displacements_, velocities_, accelerations_;
   std::vector<ElementBlock> blocks_;
-  std::vector<ViscousWork> viscous_works_;  ///< per block
-  std::vector<int> block_bodies_;           ///< per block
-  std::vector<CornerForce> forces_;         ///< 4·slot + corner
+  std::vector<std::array<int, 4>> corners_;  ///< per slot, those of a tet together
+  std::vector<ViscousWork> viscous_works_;   ///< per block
+  std::vector<int> block_bodies_;            ///< per block
+  std::vector<CornerForce> forces_;          ///< 4·slot + corner
   std::vector<int> stars_;
   double dt_ = 0, fastest_ = 0;
 };

@@ -33,10 +33,17 @@ bool AssemblyInputs::still_hold(const MatrixFactors& factors, const ElasticLaw& 
   if (!(is_recorded_ && factors == factors_ && law == law_)) return false;
   for (std::size_t i = 0; i < nodes_.size(); ++i)
     if (masses[nodes_[i]] != masses_[i]) return false;
+  const auto has_turned = [](const Mat3& frame, const Frame& then) {
+    double square = 0;
+    for (int i = 0; i < 9; ++i) {
+      const double change = frame.data()[i] - static_cast<double>(then.data()[i]);
+      square += change * change;
+    }
+    return !(square <= kSameFrame * kSameFrame);
+  };
   const double turned = parallel_sum(static_cast<int>(tets_.size()), [&](int begin, int end) {
     double count = 0;
-    for (int i = begin; i < end; ++i)
-      count += !((states[tets_[i]].frame - frames_[i].cast<double>()).squaredNorm() <= kSameFrame * kSameFrame);
+    for (int i = begin; i < end; ++i) count += has_turned(states[tets_[i]].frame, frames_[i]);
     return count;
   });
   return turned == 0;

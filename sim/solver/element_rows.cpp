@@ -43,8 +43,9 @@ void ElementRows::add(const TetMesh& mesh, NodeId node, std::span<const int> col
     TetAtNode entry{tet, 0, {}};
     for (int i = 0; i < 4; ++i) {
       const NodeId corner = mesh.tets[tet][i];
-      if (corner == node) entry.corner = i;
-      entry.slots[i] = column_of(corner) < 0 ? -1 : matrix.slot(row, column_of(corner));
+      if (corner == node) entry.corner = static_cast<std::int16_t>(i);
+      entry.slots[i] =
+          static_cast<std::int16_t>(column_of(corner) < 0 ? -1 : matrix.slot(row, column_of(corner)) - first);
     }
     tets.push_back(entry);
   }
@@ -60,11 +61,7 @@ void ElementRows::keep(const ElementRows& from, int row, std::span<const int> co
   }
   matrix.row_starts.push_back(last + shift);
   nodes.push_back(from.nodes[row]);
-  for (int e = from.tet_starts[row]; e < from.tet_starts[row + 1]; ++e) {
-    tets.push_back(from.tets[e]);
-    for (int& slot : tets.back().slots)
-      if (slot >= 0) slot += shift;
-  }
+  tets.insert(tets.end(), from.tets.begin() + from.tet_starts[row], from.tets.begin() + from.tet_starts[row + 1]);
   tet_starts.push_back(static_cast<int>(tets.size()));
 }
 
@@ -116,11 +113,11 @@ void ElementRows::assemble(const MatrixFactors& factors, const ElasticLaw& law,
             stiffness_row(law, rest_elements[entry.tet], states[entry.tet], entry.corner, factors.stiffness);
         for (int i = 0; i < 4; ++i)
           for (int k = 0; k < 3 && entry.slots[i] >= 0; ++k)
-            columns[3 * (entry.slots[i] - first) + k] += stiffness.columns[3 * i + k];
+            columns[3 * entry.slots[i] + k] += stiffness.columns[3 * i + k];
       }
       for (int k = first; k < last; ++k) matrix.blocks[k] = simd::matrix_of(&columns[3 * (k - first)]);
       const TetAtNode& any = tets[tet_starts[row]];
-      matrix.blocks[any.slots[any.corner]].diagonal().array() += factors.mass * masses[nodes[row]];
+      matrix.blocks[first + any.slots[any.corner]].diagonal().array() += factors.mass * masses[nodes[row]];
     }
   });
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -22,8 +23,8 @@ struct MatrixFactors {
 struct ElementRows {
   struct TetAtNode {
     TetId tet;
-    int corner;                ///< which of the tet's corners the node is
-    std::array<int, 4> slots;  ///< per corner of the tet: its block in the row, -1 where it has no column
+    std::int16_t corner;                ///< which of the tet's corners the node is
+    std::array<std::int16_t, 4> slots;  ///< per corner of the tet: which of the row's blocks, -1 where it has no column
   };
   std::vector<NodeId> nodes;  ///< per row
   BlockSparseMatrix matrix;

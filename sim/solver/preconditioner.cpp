@@ -256,15 +256,19 @@ std::vector<simd::Lanes> RigidModePreconditioner::solve_coarse(const NodeVectors
   return modes;
 }
 
-void RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) const {
+double RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) const {
   const std::vector<simd::Lanes> coarse = solve_coarse(r);
   z.resize(3, r.cols());
-  parallel_for(static_cast<int>(r.cols()), 2048, [&](int begin, int end) {
+  return parallel_sum(static_cast<int>(r.cols()), [&](int begin, int end) {
+    double sum = -0.0;
     for (int node = begin; node < end; ++node) {
       const simd::Lanes modes = coarse[aggregates_[node]];
       const Vec3 shift(modes[0], modes[1], modes[2]), turn(modes[3], modes[4], modes[5]);
-      z.col(node) = known_.inverse_diagonal[node] * r.col(node) + shift + turn.cross(known_.arms.col(node));
+      const Vec3 change = known_.inverse_diagonal[node] * r.col(node) + shift + turn.cross(known_.arms.col(node));
+      for (int i = 0; i < 3; ++i) sum += r(i, node) * change[i];
+      z.col(node) = change;
     }
+    return sum;
   });
 }
 

@@ -50,7 +50,8 @@ class RigidModePreconditioner {
   /// Takes the values of `matrix` and the positions of its nodes [m]. The matrix must be positive definite. What is
   /// known of a matrix that differs by a thousandth does as well and is kept.
   void update(const BlockSparseMatrix& matrix, const NodeVectors& positions);
-  void apply(const NodeVectors& r, NodeVectors& z) const;
+  /// Returns r·z as dot() does.
+  double apply(const NodeVectors& r, NodeVectors& z) const;
   /// J P Jᵀ, P what apply() applies, J one row of 3×3 blocks a point [1/kg].
   PointCompliance compliance(std::span<const WeightedRows> points) const;
   /// Compliance of a body that nothing holds, without its rigid motion, which its momentum alone determines: the coarse

@@ -155,15 +155,20 @@ void Timeline::finish_step(std::size_t cracks_before) {
 void Timeline::mark_step(std::size_t cracks_before) {
   const Frame frame = world_.frame();
   const StepReport& report = frame.report;
-  const StepMark mark{step_, frame.time, static_cast<int>(frame.crack_events.size() - cracks_before),
+  const StepMark mark{step_, frame.time, static_cast<int>(frame.crack_events.size() - cracks_before), report.impacts,
                       report.unconverged_solves > 0 || report.non_finite_values > 0};
-  if (mark.cracks > 0 || mark.alarm) branches_[branch_].marks.push_back(mark);
+  if (mark.cracks > 0 || mark.impacts > 0 || mark.alarm) branches_[branch_].marks.push_back(mark);
 }
 
 void Timeline::keep_copy() {
   Copy copy{std::make_shared<const World>(world_), world_.memory()};
   used_ += copy.size;
   copies_[branch_].insert_or_assign(step_, std::move(copy));
+  while (used_ > memory_ && interval_ < kMaxInterval) thin_out();
+}
+
+void Timeline::limit_memory(std::size_t memory) {
+  memory_ = memory;
   while (used_ > memory_ && interval_ < kMaxInterval) thin_out();
 }
 
@@ -179,6 +184,11 @@ void Timeline::thin_out() {
 }
 
 void Timeline::go_to(int branch, std::int64_t step) {
+  step = approach(branch, step);
+  while (step_ < step) advance();
+}
+
+std::int64_t Timeline::approach(int branch, std::int64_t step) {
   step = std::clamp(step, first_step(), branches_[branch].last_step);
   ++revision_;
   if (branch != branch_ || step < step_ || nearest_copy(branch, step).first > step_) {
@@ -191,8 +201,8 @@ void Timeline::go_to(int branch, std::int64_t step) {
     inputs_done_ = static_cast<std::size_t>(
         std::ranges::lower_bound(branches_[line_].inputs, at, {}, &WorldInput::step) - branches_[line_].inputs.begin());
   }
-  while (step_ < step) advance();
-  if (step_ == last_step()) redo_inputs();
+  if (step_ == step && step_ == last_step()) redo_inputs();
+  return step;
 }
 
 /// The step of the newest copy on the way to a step of a branch, and the branch that has it.

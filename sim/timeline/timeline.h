@@ -21,7 +21,7 @@ void apply(World& world, WorldInput& input);
 struct StepMark {
   std::int64_t step = 0;
   double time = 0;  ///< [s], at its end
-  int cracks = 0;
+  int cracks = 0, impacts = 0;
   bool alarm = false;  ///< a solve without convergence, or values that broke down
 };
 
@@ -74,6 +74,11 @@ class Timeline {
   /// Goes to a step of a branch, between first_step() and the branch's last. Others are clamped.
   void go_to(int branch, std::int64_t step);
   void go_to(std::int64_t step) { go_to(branch_, step); }
+  /// Begins to go there: to the nearest copy of the world, or not at all where that is further. advance(), again and
+  /// again, leads on to the step, which is returned.
+  std::int64_t approach(int branch, std::int64_t step);
+  /// Lets copies of the world take so many bytes, about, from now on.
+  void limit_memory(std::size_t memory);
 
   /// Changes whenever the world does.
   std::int64_t revision() const { return revision_; }

@@ -64,6 +64,7 @@ struct StepReport {
   int microsteps = 0;  ///< of bodies in shock
   int contacts = 0;
   double peak_utilization = 0;       ///< highest utilization of any node in any substep
+  int impacts = 0;                   ///< bodies that something struck so hard that waves run in them since
   int cracks = 0;                    ///< nodes split
   int cracks_postponed = 0;          ///< over the budget at the step's end, carried to the next one
   int cracks_suppressed = 0;         ///< not made: the fragment would have been too small

@@ -49,7 +49,12 @@ std::uint64_t hash_of_mesh(const WorldState& world) {
 
 std::uint64_t hash_of_stresses(const WorldState& world) {
   const ElementArrays& elements = world.elements;
-  return FieldHash().add(elements.stresses).add(elements.plastic_strains).add(elements.similarity_strains).value();
+  // Strains that take no room are zero.
+  const std::vector<Mat3> zeros(elements.plastic_strains.empty() ? elements.states.size() : 0, Mat3::Zero());
+  FieldHash hash;
+  hash.add(elements.stresses).add(zeros.empty() ? elements.plastic_strains : zeros);
+  hash.add(zeros.empty() ? elements.similarity_strains : zeros);
+  return hash.value();
 }
 
 std::uint64_t hash_of_separations(const WorldState& world) {
@@ -84,7 +89,7 @@ void add_body(const Body& body, FieldHash& hash) {
 std::uint64_t hash_of_bodies(const WorldState& world) {
   FieldHash hash;
   for (const Body& body : world.bodies) add_body(body, hash);
-  hash.add(world.nodes.similarity_starts).add_real(world.last_microstep_work);
+  hash.add(world.nodes.similarity_starts).add_real(world.last_microstep_work, world.shock_overhead);
   return hash.value();
 }
 

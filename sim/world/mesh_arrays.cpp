@@ -17,10 +17,18 @@ std::size_t entry_size() {
   return size;
 }
 
+/// Those of new tets are zero.
+void make_strains(ElementArrays& elements) {
+  elements.plastic_strains.resize(elements.states.size(), Mat3::Zero());
+  elements.similarity_strains.resize(elements.states.size(), Mat3::Zero());
+}
+
 }  // namespace
 
 std::size_t NodeArrays::memory() const { return positions.size() * entry_size<NodeArrays>(); }
-std::size_t ElementArrays::memory() const { return states.size() * entry_size<ElementArrays>(); }
+std::size_t ElementArrays::memory() const {
+  return states.size() * entry_size<ElementArrays>() + 2 * plastic_strains.size() * sizeof(Mat3);
+}
 
 void NodeArrays::resize(std::size_t count) {
   each_array(*this, [&](auto& array, const auto& fresh) { array.resize(count, fresh); });
@@ -42,10 +50,18 @@ void NodeArrays::append_between(const EdgeNode& node) {
 
 void ElementArrays::resize(std::size_t count) {
   each_array(*this, [&](auto& array, const auto& fresh) { array.resize(count, fresh); });
+  if (!plastic_strains.empty()) make_strains(*this);
 }
 
 void ElementArrays::append_copy(TetId original) {
   each_array(*this, [&](auto& array, const auto&) { append_entry(array, original); });
+  if (plastic_strains.empty()) return;
+  append_entry(plastic_strains, original);
+  append_entry(similarity_strains, original);
+}
+
+void ElementArrays::allow_strains() {
+  if (plastic_strains.empty()) make_strains(*this);
 }
 
 }  // namespace griffith

@@ -51,16 +51,27 @@ struct NodeArrays {
 using OpenedFaces = std::array<double, 4>;
 constexpr double kNeverOpened = std::numeric_limits<double>::quiet_NaN();
 
-/// Per tet; the rest elements change by remeshing alone. Each array stands in each_array(), by which tets are added.
+/// Per tet; the rest elements change by remeshing alone. Each array but the strains' stands in each_array(), by which
+/// tets are added.
 struct ElementArrays {
   std::vector<RestElement> rest_elements;
   std::vector<ElementState> states;
-  std::vector<Mat3> plastic_strains;     ///< in rest space, traceless [-]
-  std::vector<Mat3> similarity_strains;  ///< of bodies in shock: strain without stress, beside the plastic one [-]
-  std::vector<Mat3> stresses;            ///< Cauchy stress, world frame [Pa], for the frame
+  std::vector<Mat3> stresses;  ///< Cauchy stress, world frame [Pa], for the frame
   std::vector<BodyId> bodies;
   std::vector<std::uint8_t> first_surface;  ///< bit i: face i was on the surface before anything broke
   std::vector<OpenedFaces> opened;
+
+  /// Strains without stress; empty until allow_strains(): in what only sways or lies they would all be zero.
+  std::vector<Mat3> plastic_strains;     ///< in rest space, traceless [-]
+  std::vector<Mat3> similarity_strains;  ///< of bodies in shock, beside the plastic one [-]
+
+  /// Makes room for strains: before a body enters a shock, or where a material yields.
+  void allow_strains();
+  Mat3 plastic_strain(TetId tet) const { return plastic_strains.empty() ? Mat3(Mat3::Zero()) : plastic_strains[tet]; }
+  /// The strain of an element without stress: plastic, and that which scaling made so [-].
+  Mat3 stress_free_strain(TetId tet) const {
+    return plastic_strains.empty() ? Mat3(Mat3::Zero()) : Mat3(plastic_strains[tet] + similarity_strains[tet]);
+  }
 
   /// Makes room for as many tets; new ones have no stress and belong to no body.
   void resize(std::size_t count);
@@ -72,10 +83,8 @@ struct ElementArrays {
   template <class Arrays, class Use>
   static void each_array(Arrays&& all, Use use) {
     const Mat3 zero = Mat3::Zero();
-    use(all.rest_elements, RestElement{Corners::Zero(), 0}), use(all.states, ElementState()),
-        use(all.plastic_strains, zero);
-    use(all.similarity_strains, zero), use(all.stresses, zero), use(all.bodies, BodyId()),
-        use(all.first_surface, std::uint8_t{0});
+    use(all.rest_elements, RestElement{Corners::Zero(), 0}), use(all.states, ElementState()), use(all.stresses, zero);
+    use(all.bodies, BodyId()), use(all.first_surface, std::uint8_t{0});
     use(all.opened, OpenedFaces{kNeverOpened, kNeverOpened, kNeverOpened, kNeverOpened});
   }
 };

@@ -12,6 +12,8 @@ constexpr StepCounter kCounters[] = {
     {"substeps", "Substeps", "", "Parts that the step was made of, each with contacts of its own.", kSum, kNone,
      &StepReport::substeps},
     {"microsteps", "Microsteps", "", "Explicit steps of bodies in shock.", kSum, kNone, &StepReport::microsteps},
+    {"impacts", "Impacts", "", "Bodies that something struck so hard that waves run in them since.", kSum, kNone,
+     &StepReport::impacts},
     {"contacts", "Contacts", "", "Points at which things touched.", kSum, kNone, &StepReport::contacts},
     {"cracks_postponed", "Cracks postponed", "", "Over the budget of cracks a step; they follow in the next steps.",
      kSum, kWarning, &StepReport::cracks_postponed},

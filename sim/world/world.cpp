@@ -53,7 +53,7 @@ void restore_start(WorldState& world, int scene_body) {
     if (body.scene_body != scene_body) continue;
     for (NodeId node : body.nodes) world.nodes.positions[node] = world.mesh.rest_positions[node];
     for (TetId tet : body.tets) {
-      world.elements.plastic_strains[tet].setZero();
+      if (!world.elements.plastic_strains.empty()) world.elements.plastic_strains[tet].setZero();
       world.elements.states[tet] = {};
     }
   }
@@ -142,6 +142,7 @@ void World::set_material(int scene_body, const Material& material) {
   const EnergyNow before = energy_now(world);
   const bool stays = world.step > 0 && differ_in_resistance_alone(world.materials[scene_body], material);
   world.materials[scene_body] = material;
+  if (material.yield_strength) world.elements.allow_strains();
   if (world.step == 0) restore_start(world, scene_body);
   stays ? change_resistance(world, scene_body) : change_bodies(world, scene_body);
   if (world.step == 0) {

@@ -96,6 +96,24 @@ TEST(DrawSceneFromFrame, InNaturalColoursACrackHasTheColourOfTheInside) {
   EXPECT_EQ(inside, 1);
 }
 
+TEST(DrawSceneFromFrame, ClearMatterHasOneColourWhicheverFaceLightPasses) {
+  int clear = 0;
+  for (const MaterialPreset& preset : material_presets()) {
+    Scene scene = small_wall();
+    scene.bodies[0].material = preset.material;
+    const std::vector<render::EmbeddedMaterial> looks = natural_materials(scene);
+    const render::EmbeddedMaterial& outside = looks[look_index(0, Look::outside)];
+    const render::EmbeddedMaterial& inside = looks[look_index(0, Look::inside)];
+    EXPECT_EQ(outside.clear_depth, inside.clear_depth);
+    if (outside.clear_depth == 0) continue;
+    ++clear;
+    EXPECT_EQ(outside.color.r, inside.color.r);
+    EXPECT_EQ(outside.color.g, inside.color.g);
+    EXPECT_EQ(outside.color.b, inside.color.b);
+  }
+  EXPECT_EQ(clear, 3);  // glass, acrylic, ice
+}
+
 TEST(DrawSceneFromFrame, SelectionAndLockedRangeAreTakenOver) {
   World world(small_wall());
   const Frame frame = world.frame();

@@ -187,5 +187,79 @@ TEST_F(BodiesTest, AHiddenBodyIsNotDrawnButSimulated) {
   EXPECT_EQ(hits_across(), both);
 }
 
+/// Blocks whose world takes longer to build than the window waits for it.
+Scene large_blocks() {
+  Scene scene;
+  for (int i = 0; i < 3; ++i) {
+    BodyDescription block;
+    block.name = "block " + std::to_string(i + 1);
+    block.shape = BoxShape{Vec3::Constant(1), Vec3::Constant(1.0 / 28)};
+    block.position = Vec3(1.5 * i, 0.5, 0);
+    scene.bodies.push_back(block);
+  }
+  return scene;
+}
+
+TEST_F(BodiesTest, WhatKeysAskForWhileTheWorldIsBuiltIsDoneAfterIt) {
+  std::filesystem::create_directories(test_folder());
+  write_scene(large_blocks(), file("blocks.json"));
+  editor_.open(file("blocks.json"));
+  settle();
+  ASSERT_EQ(bodies(), 3u);
+  click("bodies/0");
+  ui::press(queue_, {ui::key::kDelete});
+  ui::press(queue_, {ui::key::kDelete});
+  while (!queue_.empty()) {
+    queue_.play(ImGui::GetIO());
+    draw();
+  }
+  ASSERT_NE(editor_.state().work, "") << "it takes long";
+  EXPECT_EQ(value("work/waiting"), "Then: Delete");
+  settle();
+  EXPECT_EQ(editor_.scene().bodies.size(), 1u) << "no press is lost";
+  EXPECT_EQ(bodies(), 1u);
+  EXPECT_EQ(value("bodies/0"), "block 3");
+}
+
+TEST_F(BodiesTest, WhatWaitedForWorkThatIsCancelledIsToldAndNotDone) {
+  std::filesystem::create_directories(test_folder());
+  write_scene(large_blocks(), file("blocks.json"));
+  editor_.open(file("blocks.json"));
+  settle();
+  click("bodies/0");
+  press_key('D', true);
+  ASSERT_NE(editor_.state().work, "") << "it takes long";
+  press_key(ui::key::kDelete);
+  draw(2);
+  click("work/cancel");
+  draw(2);
+  EXPECT_TRUE(editor_.state().waiting.empty());
+  EXPECT_EQ(editor_.scene().bodies.size(), 3u) << "the copy was taken back, and nothing else is gone";
+  EXPECT_THAT(editor_.state().log.back().text, ::testing::HasSubstr("Delete was not done"));
+}
+
+TEST_F(BodiesTest, EntriesAreReorderedAndUndoneToTheSameBytes) {
+  begin();
+  add(CommandId::add_box);
+  add(CommandId::add_plate);
+  const std::string before = scene_to_json(editor_.scene());
+  const std::uint64_t hash = editor_.timeline().world().state_hash();
+  click("bodies/1");
+  press_key(ui::key::kUp, true);
+  settle();
+  EXPECT_EQ(value("bodies/0"), "plate");
+  EXPECT_EQ(editor_.frame().materials[0].young_modulus, editor_.scene().bodies[0].material.young_modulus);
+  const std::string after = scene_to_json(editor_.scene());
+  EXPECT_NE(after, before);
+  press_key('Z', true);
+  settle();
+  EXPECT_EQ(scene_to_json(editor_.scene()), before);
+  EXPECT_EQ(editor_.timeline().world().state_hash(), hash);
+  press_key('Z', true, true);
+  settle();
+  EXPECT_EQ(scene_to_json(editor_.scene()), after);
+  EXPECT_FALSE(editor_.state().error);
+}
+
 }  // namespace
 }  // namespace griffith::app

@@ -49,9 +49,10 @@ class EditorTest : public ::testing::Test {
     }
   }
 
-  /// Draws until nothing is being built, a minute at most.
+  /// Draws until nothing is being built and nothing waits for that, a minute at most.
   void wait_for_work() {
-    for (int i = 0; i < 6000 && !editor_.state().work.empty(); ++i) {
+    const ui::EditorState& state = editor_.state();
+    for (int i = 0; i < 6000 && (!state.work.empty() || !state.waiting.empty()); ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
       draw();
     }

@@ -127,5 +127,27 @@ TEST(BackgroundStep, MakesTheStepOfACopyForItsStartAlone) {
   EXPECT_FALSE(background.pending());
 }
 
+TEST_F(PaceTest, ASceneGoesOnWhileASliderIsHeld) {
+  run_to(2);
+  const ui::WidgetTag* slider = ui::find_tag(editor_.tags(), "material/density");
+  ASSERT_TRUE(slider);
+  const ImVec2 place = slider->center();
+  queue_.move(place);
+  play();
+  queue_.button(0, true);
+  play();
+  editor_.state().running = true;
+  for (int i = 1; i < 60'000 && step() < 6; ++i) {
+    editor_.advance(1e-3);
+    queue_.move({place.x + static_cast<float>(i % 40), place.y});  // another value in every frame
+    play();
+  }
+  EXPECT_GE(step(), 6);
+  EXPECT_GT(editor_.timeline().inputs().size(), 2u) << "and steps have the values of their time";
+  editor_.state().running = false;
+  queue_.button(0, false);
+  play();
+}
+
 }  // namespace
 }  // namespace griffith::app

@@ -42,7 +42,7 @@ TEST_F(EditorPlots, AreSavedAsWhatTheyShow) {
   make_steps(6);
   const auto file = test_folder() / "run.csv";
   std::filesystem::remove(file);
-  editor_.state().plots.chosen = {"pieces", "", "energy.gravity"};
+  editor_.state().preferences.plotted = {"pieces", "", "energy.gravity"};
   editor_.execute({.id = CommandId::save_plots, .path = file});
   std::istringstream lines(text_of(file));
   std::string line, last;
@@ -97,6 +97,45 @@ TEST_F(EditorPlots, AnotherWorldBeginsAnew) {
   editor_.execute({.id = CommandId::save_plots, .path = file});
   const std::string csv = text_of(file);
   EXPECT_EQ(std::ranges::count(csv, '\n'), 4) << csv;
+}
+
+TEST_F(EditorPlots, APictureOfThemIsSavedFromTheWindow) {
+  make_steps(6);
+  const auto file = test_folder() / "plots.png";
+  std::filesystem::remove(file);
+  editor_.execute({.id = CommandId::save_plots_dialog, .path = file});
+  draw(4);
+  EXPECT_THAT(value("save/path"), ::testing::EndsWith("plots.png")) << "no .csv behind it";
+  click("save/save");
+  const auto request = editor_.take_picture_request();
+  ASSERT_TRUE(request);
+  EXPECT_EQ(request->kind, ui::SavedKind::plots);
+  draw(2);
+  editor_.save_window_picture(*request, target_.image(), "a test");
+  const ui::WidgetTag* strips = ui::find_tag(editor_.tags(), "plots/strips");
+  ASSERT_TRUE(strips) << "they are shown for it";
+  const render::Image image = render::load_png(file);
+  EXPECT_EQ(image.width, static_cast<int>(strips->maximum.x) - static_cast<int>(strips->minimum.x));
+  const std::array<std::uint8_t, 4> kinetic = {102, 187, 240, 255};
+  int drawn = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) drawn += image.pixel(x, y) == kinetic;
+  EXPECT_GT(drawn, 20) << "the curve is in it";
+}
+
+TEST_F(EditorPlots, TheUtilizationOfTheSelectedNodeIsPlotted) {
+  editor_.select_node(NodeId(5));
+  make_steps(6);
+  const auto file = test_folder() / "node.csv";
+  std::filesystem::remove(file);
+  editor_.state().preferences.plotted = {ui::kNodeUtilization};
+  editor_.execute({.id = CommandId::save_plots, .path = file});
+  std::istringstream lines(text_of(file));
+  std::string line, last;
+  while (std::getline(lines, line)) last = line;
+  double step = 0, time = 0, utilization = 0;
+  ASSERT_EQ(std::sscanf(last.c_str(), "%lf,%lf,%lf", &step, &time, &utilization), 3) << last;
+  EXPECT_NEAR(utilization, editor_.frame().nodes.separations[5].utilization, 1e-6);
 }
 
 }  // namespace

@@ -83,11 +83,11 @@ TEST_F(EditorRecording, ABugReportHoldsTheWindowAndTheLog) {
   const auto file = path("report.tar.zst");
   editor_.log(ui::LogLevel::warning, "something odd");
   editor_.execute({.id = CommandId::save_report, .path = file});
-  const auto request = editor_.take_report_request();
+  const auto request = editor_.take_picture_request();
   ASSERT_TRUE(request);
-  EXPECT_FALSE(editor_.take_report_request()) << "once";
+  EXPECT_FALSE(editor_.take_picture_request()) << "once";
   draw();
-  editor_.save_report(*request, target_.image(), "a test");
+  editor_.save_window_picture(*request, target_.image(), "a test");
   const Recording report = read_recording(file);
   EXPECT_THAT(report.extras.at("log.txt"), HasSubstr("warning: something odd"));
   EXPECT_TRUE(report.extras.at("screenshot.png").starts_with("\x89PNG"));

@@ -190,5 +190,90 @@ TEST_F(TimeTest, StopsBeforeThePiecesAndTheUtilizationAreThere) {
   EXPECT_LE(editor_.frame().report.peak_utilization, 0.2);
 }
 
+TEST_F(TimeTest, SoManyStepsAreMadeAsAreAskedFor) {
+  press_key('N', false, true);
+  draw(4);
+  EXPECT_EQ(value("steps/count"), "10");
+  editor_.state().asked_steps = 7;
+  draw();
+  click("steps/make");
+  EXPECT_TRUE(editor_.state().running);
+  for (int i = 0; i < 100 && editor_.state().running; ++i) editor_.advance(1e-6);
+  EXPECT_EQ(step(), 7) << "whatever time has passed";
+  EXPECT_FALSE(editor_.state().running);
+  editor_.execute({.id = CommandId::make_steps, .step = 1000});
+  editor_.advance(1e-6);
+  EXPECT_GT(step(), 7);
+  press_key(ui::key::kSpace);
+  EXPECT_FALSE(editor_.state().running) << "Space stops before";
+  const std::int64_t stopped = step();
+  editor_.advance(0.02);
+  EXPECT_EQ(step(), stopped);
+}
+
+TEST_F(TimeTest, HoldingTheRightButtonAimsAndLettingGoFires) {
+  const ui::WidgetTag* view = ui::find_tag(editor_.tags(), "viewport");
+  ASSERT_TRUE(view);
+  editor_.step();  // the scene's own shot is on its way
+  const std::size_t shots = editor_.frame().projectiles.size();
+  const auto hold = [&](bool down) {
+    queue_.button(1, down);
+    play();
+    draw();
+  };
+  queue_.move(view->center());
+  play();
+  hold(true);
+  EXPECT_THAT(value("aim/readout"), HasSubstr("hits after"));
+  press_key(ui::key::kEscape);
+  hold(false);
+  editor_.step();
+  EXPECT_EQ(editor_.frame().projectiles.size(), shots) << "Escape gave up";
+  hold(true);
+  hold(false);
+  EXPECT_EQ(value("aim/readout"), "no widget aim/readout");
+  editor_.step();
+  EXPECT_EQ(editor_.frame().projectiles.size(), shots + 1);
+}
+
+/// A wall whose steps take some milliseconds, in an editor with memory for hardly any copy of it.
+class FarTravelTest : public EditorTest {
+ protected:
+  static Scene slow_wall() {
+    Scene scene = small_wall();
+    std::get<BoxShape>(scene.bodies[0].shape).element_size = Vec3::Constant(1.0 / 8);
+    scene.projectiles.clear();
+    return scene;
+  }
+  FarTravelTest() : EditorTest(slow_wall()) {
+    editor_.state().preferences.past_memory = 1;
+    draw();
+  }
+};
+
+TEST_F(FarTravelTest, GoingBackFarShowsProgressAndCanBeCancelled) {
+  constexpr int kSteps = 250;
+  std::uint64_t hash = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    editor_.step();
+    if (i == kSteps - 2) hash = editor_.timeline().world().state_hash();
+  }
+  ASSERT_GE(editor_.timeline().interval(), 256) << "no copy but the first";
+  editor_.execute({.id = CommandId::step_back});
+  ASSERT_THAT(editor_.state().work, HasSubstr("on the way to step 249"));
+  draw(3);
+  EXPECT_THAT(value("work/stage"), HasSubstr("again"));
+  wait_for_work();
+  EXPECT_EQ(editor_.frame().step, kSteps - 1);
+  EXPECT_EQ(editor_.timeline().world().state_hash(), hash);
+  editor_.execute({.id = CommandId::step_back});
+  draw(4);
+  click("work/cancel");
+  draw(3);
+  EXPECT_TRUE(editor_.state().work.empty());
+  EXPECT_LT(editor_.frame().step, kSteps - 2) << "where it had got to";
+  EXPECT_EQ(editor_.timeline().last_step(), kSteps);
+}
+
 }  // namespace
 }  // namespace griffith::app

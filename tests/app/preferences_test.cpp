@@ -23,7 +23,10 @@ using ::testing::HasSubstr;
 TEST(Preferences, AreReadAsTheyWereKept) {
   const std::filesystem::path path = emptied_folder() / "config/griffith/preferences.json";
   EXPECT_EQ(PreferencesFile(path).read(), ui::Preferences());
-  const ui::Preferences mine{1.5, 30, 2, true, true, 250, 400};
+  ui::Preferences mine{1.5, 30, 2, true, true, 250, 400};
+  mine.plotted = {"pieces", "", "energy.heat"};
+  mine.logarithmic_plots = true;
+  mine.past_memory = 2048;
   PreferencesFile(path).keep(mine);
   EXPECT_EQ(PreferencesFile(path).read(), mine);
 }
@@ -54,6 +57,7 @@ TEST(Preferences, DamagedFilesAreToldOf) {
   EXPECT_THAT(problem_of_preferences("{\"ui_scale\": 40}"), HasSubstr("#/ui_scale: is 40"));
   EXPECT_THAT(problem_of_preferences("{\"ui_scale\": \"big\"}"), HasSubstr("from 0.75 to 3"));
   EXPECT_THAT(problem_of_preferences("{\"invert_zoom\": 1}"), HasSubstr("true or false"));
+  EXPECT_THAT(problem_of_preferences("{\"plotted\": [\"pieces\"]}"), HasSubstr("6 names of series"));
   EXPECT_EQ(problem_of_preferences("{\"of a later version\": 1}"), "no problem");
 }
 

@@ -74,8 +74,9 @@ TEST_F(RegressCommand, AChangedSimulationIsToldFromAChangedDrawing) {
   write_scene(scene, suite_ / "wall.json");
   const Outcome drawing = regress("--only wall");
   EXPECT_EQ(drawing.code, 1);
-  EXPECT_NE(drawing.output.find("failed: wall_body_0009: The simulation is the same to the bit, the drawing changed"),
-            std::string::npos)
+  EXPECT_NE(
+      drawing.output.find("failed: wall_utilization_0009: The simulation is the same to the bit, the drawing changed"),
+      std::string::npos)
       << drawing.output;
   EXPECT_EQ(drawing.output.find("The simulation changed"), std::string::npos) << drawing.output;
 }
@@ -86,11 +87,11 @@ TEST_F(RegressCommand, AcceptingOnePictureLeavesTheOthers) {
   scene.view.edge_width = 3;
   write_scene(scene, suite_ / "wall.json");
   const std::string other = content_of(golden("wall_utilization_0009.png"));
-  const Outcome accepted = regress("--accept wall_body_0009");
+  const Outcome accepted = regress("--accept wall_utilization_0000");
   EXPECT_EQ(accepted.code, 0) << accepted.output;
   EXPECT_EQ(content_of(golden("wall_utilization_0009.png")), other);
   EXPECT_EQ(regress("--only wall_utilization_0009").code, 1);
-  const Outcome alone = regress("--only wall_body_0009");
+  const Outcome alone = regress("--only wall_utilization_0000");
   EXPECT_EQ(alone.code, 0) << alone.output;
   EXPECT_NE(alone.output.find("1 pictures, 0 not"), std::string::npos) << alone.output;
   EXPECT_EQ(regress("--accept nothing_of_that_name").code, 2);

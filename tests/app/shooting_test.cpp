@@ -53,5 +53,42 @@ TEST(Shooting, RaysHitTheNearSideThenTheGroundThenNothing) {
   EXPECT_FALSE(surface_hit(frame, std::nullopt, Vec3(5, 3, 5), -Vec3::UnitY()));
 }
 
+TEST(Shooting, TheForetoldFlightEndsWhereTheShotHits) {
+  Scene scene = small_wall();
+  scene.simulation.static_start = false;
+  scene.projectiles.clear();
+  World world(scene);
+  ProjectileBurst shot;
+  shot.speed = 12;
+  shot.radius = 0.02;
+  shot.mass = 0.01;
+  const Vec3 target(0.1, 1.1, 0.25);
+  shot = aimed_shot(shot, Vec3(0.4, 0.8, 6), target, scene.gravity);
+  const ui::Aim aim = flight_of(shot, target, scene.gravity, world.frame(), scene.ground);
+  ASSERT_TRUE(aim.hits);
+  EXPECT_LT((aim.flight.back() - target).norm(), 2e-3) << "as chords of an arc have it";
+  shot = world.fire(shot);
+  double nearest = 1e9, when = 0;
+  for (int i = 0; i < 120; ++i) {
+    world.step();
+    const double away = (world.frame().projectiles.back().position - target).norm();
+    if (away < nearest) nearest = away, when = world.frame().time;
+  }
+  EXPECT_LT(nearest, 0.1);
+  EXPECT_NEAR(when, aim.duration, 2 * scene.simulation.time_step);
+}
+
+TEST(Shooting, AHighArcIsStoppedByWhatStandsInItsWay) {
+  const World world(small_wall());
+  ProjectileBurst shot;
+  shot.speed = 9;
+  const Vec3 behind(0, 0.5, -3);
+  shot = aimed_shot(shot, Vec3(0, 0.5, 3), behind, Vec3(0, -9.81, 0));
+  const ui::Aim aim = flight_of(shot, behind, Vec3(0, -9.81, 0), world.frame(), Ground{});
+  ASSERT_TRUE(aim.hits);
+  EXPECT_GT(aim.flight.back().z(), 0) << "at the wall's near side";
+  EXPECT_FALSE(flight_of(shot, behind, Vec3::Zero(), Frame{}, std::nullopt).hits);
+}
+
 }  // namespace
 }  // namespace griffith::app

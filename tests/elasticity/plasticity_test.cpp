@@ -112,8 +112,8 @@ TEST(PlasticFlow, ALoadingCycleTakesTheWorkThatIsDissipated) {
     plastic_strain = flow(plastic, deformation, plastic_strain);
     const ElementState state = element_state(law, deformation, plastic_strain);
     dissipated += trial_energy - state.energy_density;
-    work += 0.5 * (previous + state.stress(0, 0)) * (i <= steps ? 0.01 : -0.01) / steps;
-    previous = state.stress(0, 0);
+    work += 0.5 * (previous + state.stress.full()(0, 0)) * (i <= steps ? 0.01 : -0.01) / steps;
+    previous = state.stress.full()(0, 0);
     peak = std::max(peak, von_mises(state.stress));
   }
   EXPECT_NEAR(peak, *steel().yield_strength, 1e-6 * peak);

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "tests/random_values.h"
@@ -97,6 +100,53 @@ TEST(TensilePart, OfDiagonalStressesIsExact) {
   const Mat3 stress = Vec3(2, -3, 5).asDiagonal();
   EXPECT_LT((tensile_part(stress) - Mat3(Vec3(2, 0, 5).asDiagonal())).norm(), 1e-14);
   EXPECT_LT((tensile_part(-stress) - Mat3(Vec3(0, 3, 0).asDiagonal())).norm(), 1e-14);
+}
+
+bool same_number(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b)); }
+
+bool are_same(const LargestPrincipal& a, const LargestPrincipal& b) {
+  return same_number(a.value, b.value) &&
+         std::equal(a.direction.begin(), a.direction.end(), b.direction.begin(), b.direction.end(), same_number);
+}
+
+/// Matrices of all kinds: any, zero, isotropic, of one value (pulled or pushed), across an axis, enormous, tiny and
+/// without numbers.
+Mat3 some_matrix(RandomValues& random, int kind) {
+  const Vec3 v = random.vector();
+  Mat3 broken = Mat3::Identity();
+  broken(1, 2) = broken(2, 1) = kind % 2 == 0 ? std::numeric_limits<double>::quiet_NaN() : INFINITY;
+  const Mat3 any = symmetric(random.rotation(), v);
+  switch (kind % 9) {
+    case 0:
+      return any;
+    case 1:
+      return Mat3::Zero();
+    case 2:
+      return v.x() * Mat3::Identity();
+    case 3:
+      return v * v.transpose();
+    case 4:
+      return -v * v.transpose();
+    case 5:
+      return Vec3(v.x(), v.y(), 0).asDiagonal();
+    case 6:
+      return 1e150 * any;
+    case 7:
+      return 1e-160 * any;
+    default:
+      return broken;
+  }
+}
+
+TEST(LargestPrincipal, OfFourSideBySideHasTheBitsOfOneAtATime) {
+  RandomValues random(21);
+  for (int trial = 0; trial < 2000; ++trial) {
+    std::array<Mat3, 4> four;
+    for (int lane = 0; lane < 4; ++lane) four[lane] = some_matrix(random, random.index(90));
+    const std::array<LargestPrincipal, 4> found = largest_principals(four);
+    for (int lane = 0; lane < 4; ++lane)
+      ASSERT_TRUE(are_same(found[lane], largest_principal(four[lane]))) << lane << ":\n" << four[lane];
+  }
 }
 
 }  // namespace

@@ -3,6 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "sim/elasticity/principal_stress.h"
 #include "sim/mesh/box_mesh.h"
@@ -160,6 +165,62 @@ TEST(SeparationTensor, SupportsAreNoShield) {
     EXPECT_GT(held.eigenvalue, 10 * std::abs(free));
     EXPECT_NEAR(held.stress, kStress, 1e-5 * kStress);
     bar.constraints.clear();
+  }
+}
+
+void expect_same_plane(const CandidatePlane& a, const CandidatePlane& b) {
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+  const std::array<double, 9> of_a = {a.normal.x(), a.normal.y(), a.normal.z(), a.eigenvalue, a.stress,
+                                      a.pulled.x(), a.pulled.y(), a.pulled.z(), a.volume},
+                              of_b = {b.normal.x(), b.normal.y(), b.normal.z(), b.eigenvalue, b.stress,
+                                      b.pulled.x(), b.pulled.y(), b.pulled.z(), b.volume};
+  for (std::size_t i = 0; i < of_a.size(); ++i)
+    EXPECT_TRUE(bits(of_a[i]) == bits(of_b[i]) || (std::isnan(of_a[i]) && std::isnan(of_b[i]))) << i;
+  EXPECT_EQ(a.by_tension, b.by_tension);
+}
+
+/// Nodes under stress, without any, in an anchor and without numbers, four side by side and one at a time.
+TEST(CandidatePlane, OfFourSideBySideHasTheBitsOfOneAtATime) {
+  RandomValues random(9);
+  for (BoxPattern pattern : {BoxPattern::kuhn, BoxPattern::five_tet}) {
+    StressedBox box(pattern, 3, Mat3::Identity() + random.matrix(1e-3), 0.15);
+    const int count = box.mesh.node_count();
+    box.constraints.assign(count, {});
+    for (int node = 0; node < count / 4; ++node) box.constraints[node] = NodeConstraint::held();
+    for (int tet = 0; tet < box.mesh.tet_count() / 3; ++tet) box.states[tet] = {};
+    box.states.back().tension.xx = box.states.back().stress.xx = std::numeric_limits<double>::quiet_NaN();
+    for (double ratio : {1.0, 0.1})
+      for (int trial = 0; trial < 60; ++trial) {
+        std::array<NodeId, 4> nodes;
+        std::array<Mat3, 4> tensors;
+        std::array<DirectionalStrength, 4> strengths;
+        for (int lane = 0; lane < 4; ++lane) {
+          nodes[lane] = trial == 0 ? NodeId(count - 1) : NodeId(random.index(count));
+          tensors[lane] = separation_tensor(box.input(), nodes[lane]);
+          strengths[lane] = {random.direction(), 1, lane == 3 ? 1 : ratio};
+        }
+        const std::array<CandidatePlane, 4> planes = candidate_planes(box.input(), nodes, tensors, strengths);
+        for (int lane = 0; lane < 4; ++lane)
+          expect_same_plane(planes[lane], candidate_plane(box.input(), nodes[lane], tensors[lane], strengths[lane]));
+      }
+  }
+}
+
+/// The definition, dyad by dyad: elements are added two at a time, an odd one by itself.
+TEST(SeparationTensor, IsTheSumOfItsDyads) {
+  RandomValues random(10);
+  const StressedBox box(BoxPattern::kuhn, 2, Mat3::Identity() + random.matrix(1e-3), 0.15);
+  for (int node = 0; node < box.mesh.node_count(); ++node) {
+    Mat3 sum = Mat3::Zero();
+    SplitForce total;
+    for (TetId tet : box.mesh.stars[node]) {
+      const SplitForce force = split_force(box.input(), tet, NodeId(node));
+      sum += force_dyad(force.tensile) - force_dyad(force.compressive);
+      total.tensile += force.tensile;
+      total.compressive += force.compressive;
+    }
+    sum -= force_dyad(total.tensile) - force_dyad(total.compressive);
+    EXPECT_LT((separation_tensor(box.input(), NodeId(node)) - 0.5 * sum).norm(), 1e-12 * sum.norm() + 1e-9);
   }
 }
 

@@ -67,6 +67,52 @@ TEST_F(GlassTest, AbsorptionGrowsWithThicknessAsBeerAndLambertSay) {
   }
 }
 
+/// The sheet without the triangles that are called so.
+DrawScene without(DrawScene scene, std::int32_t id) {
+  Surface kept = scene.surface;
+  kept.positions.clear(), kept.ids.clear(), kept.flags.clear(), kept.colors.clear();
+  for (std::size_t i = 0; i < scene.surface.ids.size(); ++i) {
+    if (scene.surface.ids[i] == id) continue;
+    for (std::size_t k = 0; k < 3; ++k) kept.positions.push_back(scene.surface.positions[3 * i + k]);
+    kept.ids.push_back(scene.surface.ids[i]);
+    kept.flags.push_back(scene.surface.flags[i]);
+    kept.colors.push_back(scene.surface.colors[i]);
+  }
+  scene.surface = std::move(kept);
+  return scene;
+}
+
+/// But for the 16 bits of its distance.
+TEST_F(GlassTest, AFaceWithoutItsOppositeAbsorbsNothing) {
+  const DrawScene whole = sheet(camera(), {0.55f, 0.8f, 0.7f}, 0.1f);
+  const auto unshaded = [](int samples) {
+    RenderOptions how = clear_options(samples);
+    how.shadows = false;
+    return how;
+  };
+  for (const int samples : {1, 4}) {
+    const auto bare = middle(picture(without(without(whole, kFront), kBack), unshaded(samples)));
+    for (const std::int32_t missing : {kFront, kBack}) {
+      const auto seen = middle(picture(without(whole, missing), unshaded(samples)));
+      for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(seen[i] / bare[i], 0.96, 0.04) << missing << ", " << samples;
+    }
+  }
+}
+
+TEST_F(GlassTest, SeamsInItsFacesAreNotSeen) {
+  const DrawScene whole = sheet(camera(), {0.55f, 0.8f, 0.7f}, 0.1f);
+  DrawScene parted = whole;
+  Surface& surface = parted.surface;
+  for (std::size_t i = 0; i < surface.ids.size(); ++i) {
+    if (surface.ids[i] != kBack) continue;
+    Vector3f* corners = &surface.positions[3 * i];
+    const Vector3f middle = (corners[0] + corners[1] + corners[2]) / 3;
+    for (std::size_t k = 0; k < 3; ++k) corners[k] += 6e-4f * (middle - corners[k]);  // half a pixel between the two
+  }
+  for (const int samples : {1, 4})
+    EXPECT_LT(off_fraction(picture(whole, clear_options(samples)), picture(parted, clear_options(samples))), 1e-3);
+}
+
 TEST_F(GlassTest, TheOrderOfTrianglesMakesNoDifference) {
   const DrawScene scene = sheet(camera(), {0.5f, 0.8f, 0.8f}, 0.1f);
   DrawScene turned = scene;

@@ -110,8 +110,9 @@ TEST(Preconditioner, IsSymmetric) {
     const NodeVectors u = random_vectors(random, static_cast<int>(positions.cols()));
     const NodeVectors v = random_vectors(random, static_cast<int>(positions.cols()));
     NodeVectors mu, mv;
-    preconditioner.apply(u, mu);
-    preconditioner.apply(v, mv);
+    const double u_mu = preconditioner.apply(u, mu), v_mv = preconditioner.apply(v, mv);
+    EXPECT_EQ(u_mu, dot(u, mu));
+    EXPECT_EQ(v_mv, dot(v, mv));
     EXPECT_NEAR(dot(u, mv), dot(v, mu), 1e-6 * std::abs(dot(u, mu)));
     EXPECT_GT(dot(u, mu), 0);
   }

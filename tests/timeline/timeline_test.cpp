@@ -192,5 +192,40 @@ TEST(Timeline, WhatIsRefusedIsNoPartOfThePast) {
   EXPECT_TRUE(timeline.branches()[0].inputs.empty());
 }
 
+TEST(Timeline, ApproachAndStepsLeadWhereGoToLeads) {
+  Timeline timeline{World(scene())};
+  timeline.fire(shot(1));
+  std::vector<std::uint64_t> hashes = {timeline.world().state_hash()};
+  for (int i = 0; i < 40; ++i) {
+    timeline.advance();
+    hashes.push_back(timeline.world().state_hash());
+  }
+  timeline.limit_memory(0);
+  EXPECT_GT(timeline.interval(), 40) << "no copy is left but the first";
+  for (const std::int64_t wanted : {30, 0, 40, 12, 13, 40}) {
+    const std::int64_t step = timeline.approach(0, wanted);
+    EXPECT_EQ(step, wanted);
+    EXPECT_LE(timeline.step(), wanted);
+    while (timeline.step() < step) timeline.advance();
+    EXPECT_EQ(timeline.world().state_hash(), hashes[static_cast<std::size_t>(wanted)]) << wanted;
+  }
+  EXPECT_EQ(timeline.approach(0, 1000), 40) << "no further than there is";
+}
+
+TEST(Timeline, ImpactsAreMarkedWhereSomethingIsStruck) {
+  Timeline timeline{World(scene())};
+  timeline.fire(shot(1));
+  int impacts = 0;
+  std::int64_t first = 0;
+  for (int i = 0; i < 30; ++i) timeline.advance();
+  for (const StepMark& mark : timeline.marks()) {
+    if (impacts == 0 && mark.impacts > 0) first = mark.step;
+    impacts += mark.impacts;
+  }
+  EXPECT_GE(impacts, 1);
+  // 2 m less half the wall and the ball's radius, at 20 m/s in steps of 1/60 s.
+  EXPECT_NEAR(static_cast<double>(first), (2 - 0.125 - 0.2) / 20 * 60, 1.5);
+}
+
 }  // namespace
 }  // namespace griffith

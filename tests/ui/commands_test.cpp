@@ -39,6 +39,7 @@ TEST(Commands, EveryShortcutIssuesItsCommandOnce) {
     ui.input.time.branches = {{-1, 0, 3}, {0, 1, 3}};
     ui.state.view.range = Vec2(0, 1);
     ui.state.paint_regions = true;
+    ui.state.entries = {{EntryKind::body, info.id == CommandId::move_up ? 1 : 0}};
     ui.press_key(info.shortcut.key, info.shortcut.ctrl, info.shortcut.shift);
     EXPECT_THAT(ui.issued(), ::testing::ElementsAre(info.id)) << info.name;
   }
@@ -123,6 +124,7 @@ TEST(Commands, ShortcutsDoNotReachBehindADialog) {
       [](EditorState& state) { state.left_edits = "scene.json"; },
       [](EditorState& state) { state.show_surface = true; },
       [](EditorState& state) { state.show_preferences = true; },
+      [](EditorState& state) { state.asked_steps = 10; },
       [](EditorState& state) { state.palette.shown = true; },
       [](EditorState& state) { state.show_help = true; }};
   for (const auto& show : dialogs) {
@@ -137,6 +139,28 @@ TEST(Commands, ShortcutsDoNotReachBehindADialog) {
     if (ui.state.show_help) expected.push_back(CommandId::help);
     EXPECT_EQ(ui.issued(), expected);
   }
+}
+
+TEST(Commands, KeysPressedWhileWorkGoesOnWaitForItInTheirOrder) {
+  UiDriver ui(two_walls());
+  ui.state.work = "Building the bodies";
+  for (int i = 0; i < 3; ++i) ui.frame();
+  ui.press_key(key::kDelete);
+  ui.press_key(key::kDelete);
+  ui.press_key('N');
+  EXPECT_TRUE(ui.commands.empty());
+  EXPECT_EQ(ui.value("work/waiting"), "Then: Delete, Delete, Step");
+  ui.state.work.clear();
+  ui.frame();
+  EXPECT_THAT(ui.issued(), ::testing::ElementsAre(CommandId::remove)) << "which may make work again";
+  ui.state.work = "Building the bodies";
+  for (int i = 0; i < 3; ++i) ui.frame();
+  EXPECT_EQ(ui.issued().size(), 1u);
+  ui.state.work.clear();
+  ui.press_key('R');
+  for (int i = 0; i < 4; ++i) ui.frame();
+  EXPECT_THAT(ui.issued(),
+              ::testing::ElementsAre(CommandId::remove, CommandId::remove, CommandId::step, CommandId::reset));
 }
 
 }  // namespace

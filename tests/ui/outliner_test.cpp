@@ -293,5 +293,50 @@ TEST(Names, AFreeNameCountsOn) {
   EXPECT_EQ(free_name(bodies, "9"), "9 2");
 }
 
+TEST(Outliner, EntriesMoveUpAndDownWithWhatBelongsToThem) {
+  Scene scene = full_scene();
+  std::vector<SceneEntry> moved = move_entries(scene, {{EntryKind::body, 1}, {EntryKind::load, 0, 1}}, -1);
+  EXPECT_EQ(scene.bodies[0].name, "right");
+  EXPECT_EQ(scene.bodies[0].loads.size(), 1u);
+  EXPECT_THAT(moved, ElementsAre(SceneEntry{EntryKind::body, 0}, SceneEntry{EntryKind::load, 0, 0}));
+  moved = move_entries(scene, {{EntryKind::camera, 0}}, 1);
+  EXPECT_EQ(scene.cameras[1].name, "front");
+  EXPECT_THAT(moved, ElementsAre(SceneEntry{EntryKind::camera, 1}));
+}
+
+TEST(Outliner, WhatStandsAtTheEndStaysAndHoldsWhatFollowsIt) {
+  Scene scene;
+  for (const char* name : {"a", "b", "c", "d"}) scene.cameras.push_back(Camera{.name = name});
+  const auto names = [&scene] {
+    std::string all;
+    for (const Camera& camera : scene.cameras) all += camera.name;
+    return all;
+  };
+  const auto cameras = [](std::initializer_list<int> indices) {
+    std::vector<SceneEntry> entries;
+    for (const int index : indices) entries.push_back({EntryKind::camera, index});
+    return entries;
+  };
+  EXPECT_EQ(move_entries(scene, cameras({3, 1}), -1), cameras({2, 0}));
+  EXPECT_EQ(names(), "badc");
+  EXPECT_EQ(move_entries(scene, cameras({0, 1, 3}), -1), cameras({0, 1, 2}));
+  EXPECT_EQ(names(), "bacd");
+  EXPECT_EQ(move_entries(scene, cameras({1, 2}), 1), cameras({2, 3}));
+  EXPECT_EQ(names(), "bdac");
+  EXPECT_FALSE(can_move(scene, cameras({0, 1}), -1));
+  EXPECT_TRUE(can_move(scene, cameras({0, 1}), 1));
+  EXPECT_FALSE(can_move(scene, cameras({0, 1, 2, 3}), 1));
+}
+
+TEST(Outliner, KeysMoveWhatIsChosen) {
+  UiDriver ui(full_scene());
+  ui.click("cameras/1");
+  ui.press_key(key::kUp, true);
+  EXPECT_THAT(ui.issued(), ElementsAre(CommandId::move_up));
+  ui.press_key(key::kDown, true);
+  EXPECT_EQ(ui.issued().size(), 1u) << "it is the last";
+  EXPECT_EQ(chosen(ui), (std::vector<SceneEntry>{{EntryKind::camera, 1}})) << "Ctrl does not choose";
+}
+
 }  // namespace
 }  // namespace griffith::ui

@@ -17,7 +17,8 @@ class PlotPanelTest : public ::testing::Test {
     ui_.input.time.time_step = 0.5;
     ui_.input.frame.step = 4;
     ui_.input.series = kSeries;
-    ui_.state.plots = {true, {"energy", "pieces"}, 0};
+    ui_.state.plots.shown = true;
+    ui_.state.preferences.plotted = {"energy", "pieces"};
     for (int i = 0; i <= 10; ++i) {
       ui_.input.curves.steps.push_back(i);
       ui_.input.curves.times.push_back(0.5 * i);
@@ -86,15 +87,15 @@ TEST_F(PlotPanelTest, TheListChoosesSeries) {
   EXPECT_EQ(ui_.value("plots/series/pieces"), "on");
   ui_.click("plots/series/pieces");
   ui_.click("plots/series/cracks");
-  EXPECT_THAT(ui_.state.plots.chosen, ElementsAre("energy", "cracks", "", "", "", ""));
-  EXPECT_EQ(ui_.value("plots/series"), "2 of at most 6 series");
+  EXPECT_THAT(ui_.state.preferences.plotted, ElementsAre("energy", "cracks", "", "", "", ""));
+  EXPECT_EQ(ui_.value("plots/series"), "2 of 6 series");
 }
 
 TEST_F(PlotPanelTest, ButtonsSaveAndClose) {
   ui_.click("plots/save");
   ui_.click("plots/close");
   EXPECT_THAT(ui_.issued(), ElementsAre(CommandId::save_plots_dialog, CommandId::toggle_plots));
-  ui_.state.plots.chosen = {};
+  ui_.state.preferences.plotted = {};
   ui_.input.curves = {};
   ui_.frame();
   EXPECT_FALSE(find_tag(ui_.tags, "plots/strip/0"));
@@ -120,6 +121,35 @@ TEST_F(PlotPanelTest, SixUnitsKeepAReadableHeightAndScroll) {
   }
   for (int i = 0; i < 3; ++i) ui_.frame();
   EXPECT_GE(tag("plots/strip/5").maximum.y - tag("plots/strip/5").minimum.y, 50);
+}
+
+TEST_F(PlotPanelTest, TheWheelShowsFewerStepsAndAllBringsThemBack) {
+  ui_.input.time.last_step = 100;
+  for (int i = 0; i < 3; ++i) ui_.frame();
+  const WidgetTag strip = tag("plots/strip/0");
+  scroll(ui_.queue, {strip.maximum.x - 8, strip.center().y}, -4);
+  ui_.move({strip.maximum.x - 8, strip.center().y + 1});
+  ASSERT_TRUE(ui_.state.plots.zoom);
+  EXPECT_EQ(ui_.state.plots.zoom->last, 100) << "the step under the mouse stays";
+  EXPECT_EQ(ui_.state.plots.zoom->first, 59) << "as many times .8 as notches";
+  ui_.move({strip.minimum.x + 66, strip.center().y});
+  EXPECT_GE(std::stoi(ui_.value("plots/step")), 59);
+  ui_.queue.key(key::kLeftShift, true);
+  scroll(ui_.queue, strip.center(), -2);
+  ui_.queue.key(key::kLeftShift, false);
+  ui_.move(strip.center());
+  EXPECT_EQ(*ui_.state.plots.zoom, (StepSpan{51, 92})) << "with Shift earlier ones";
+  ui_.click("plots/whole");
+  EXPECT_FALSE(ui_.state.plots.zoom);
+  EXPECT_TRUE(steps_gone_to().empty());
+}
+
+TEST_F(PlotPanelTest, TheLogarithmIsKeptAsAPreference) {
+  ui_.click("plots/logarithmic");
+  EXPECT_TRUE(ui_.state.preferences.logarithmic_plots);
+  EXPECT_EQ(ui_.value("plots/strip/0"), "Kinetic [J]") << "decades have prefixes of their own";
+  ui_.click("plots/logarithmic");
+  EXPECT_EQ(ui_.value("plots/strip/0"), "Kinetic [kJ]");
 }
 
 }  // namespace

@@ -79,13 +79,79 @@ TEST(PlotStrips, CurvesOfAUnitShareOne) {
 
 TEST(PlotChoice, ASeriesThatGoesLeavesTheColoursOfOthers) {
   PlotChoice chosen;
-  for (const char* key : {"a", "b", "c", "d", "e", "f", "g"}) toggle_series(chosen, key);
+  std::vector<RunSeries> there;
+  for (const char* key : {"a", "b", "c", "d", "e", "f", "g"}) there.push_back({key, "", "", ""});
+  for (const RunSeries& series : there) toggle_series(chosen, series.key, there);
   EXPECT_THAT(chosen, ::testing::ElementsAre("a", "b", "c", "d", "e", "f")) << "there is no seventh";
-  toggle_series(chosen, "b");
-  EXPECT_EQ(count_series(chosen), 5u);
+  toggle_series(chosen, "b", there);
+  EXPECT_EQ(count_series(chosen, there), 5u);
   EXPECT_EQ(chosen[2], "c");
-  toggle_series(chosen, "g");
+  toggle_series(chosen, "g", there);
   EXPECT_EQ(chosen[1], "g");
+  there.erase(there.begin() + 3);  // "d", as in a scene that lacks a probe
+  EXPECT_EQ(count_series(chosen, there), 5u);
+  toggle_series(chosen, "b", there);
+  EXPECT_EQ(chosen[3], "b") << "what is not there keeps no place";
+}
+
+TEST(PlotRange, DecadesHoldAllPositiveValues) {
+  const auto decades = [](std::vector<double> values) {
+    const RunCurve curve = curve_of("J", std::move(values));
+    const RunCurve* const curves[] = {&curve};
+    const PlotRange range = decade_range(curves);
+    return std::pair(std::log10(range.low), std::log10(range.high));
+  };
+  EXPECT_EQ(decades({0, 3, 20, 4000, NAN, -7}), std::pair(0.0, 4.0));
+  EXPECT_EQ(decades({100}), std::pair(1.0, 2.0)) << "never empty";
+  EXPECT_EQ(decades({0, -1}), std::pair(0.0, 1.0));
+  EXPECT_EQ(decades({1e-30, 1e3}), std::pair(-9.0, 3.0)) << "twelve at most";
+  EXPECT_THAT(decade_ticks({1, 1e4}, 10), ::testing::ElementsAre(1, 10, 100, 1000, 10000));
+  EXPECT_THAT(decade_ticks({1, 1e4}, 2), ::testing::ElementsAre(1, 100, 10000));
+}
+
+TEST(PlotView, EqualDistancesAreEqualRatiosOnALogarithmicScale) {
+  const PlotView view{.top = 100, .bottom = 400, .range = {1, 1000}, .logarithmic = true};
+  EXPECT_NEAR(view.y(1), 400, 1e-9);
+  EXPECT_NEAR(view.y(10), 300, 1e-9);
+  EXPECT_NEAR(view.y(100), 200, 1e-9);
+  EXPECT_EQ(view.y(0), 400);
+  EXPECT_EQ(view.y(-5), 400);
+  EXPECT_EQ(view.floor(), 0) << "what is not positive is not drawn";
+}
+
+TEST(PlotZoom, TheStepUnderTheMouseStaysWhereItIs) {
+  const StepSpan whole{0, 1000};
+  StepSpan shown = whole;
+  for (int i = 0; i < 60; ++i) {
+    const StepSpan next = zoomed(shown, whole, 300, 0.8);
+    const double before = static_cast<double>(300 - shown.first) / static_cast<double>(shown.last - shown.first);
+    const double after = static_cast<double>(300 - next.first) / static_cast<double>(next.last - next.first);
+    EXPECT_NEAR(before, after, 1.0 / static_cast<double>(next.last - next.first));
+    EXPECT_LE(next.last - next.first, shown.last - shown.first);
+    shown = next;
+  }
+  EXPECT_EQ(shown.last - shown.first, 4) << "some are left";
+  for (int i = 0; i < 60; ++i) shown = zoomed(shown, whole, 300, 1.25);
+  EXPECT_EQ(shown, whole);
+}
+
+TEST(PlotZoom, StaysWithinWhatWasRecorded) {
+  const StepSpan whole{10, 110};
+  EXPECT_EQ(moved({20, 40}, whole, 30), (StepSpan{50, 70}));
+  EXPECT_EQ(moved({20, 40}, whole, -30), (StepSpan{10, 30}));
+  EXPECT_EQ(moved({20, 40}, whole, 300), (StepSpan{90, 110}));
+  EXPECT_EQ(moved({20, 400}, whole, 0), whole);
+  EXPECT_EQ(zoomed(whole, whole, 110, 0.5), (StepSpan{60, 110}));
+  EXPECT_EQ(zoomed({10, 10}, {10, 10}, 10, 0.8), (StepSpan{10, 10})) << "nothing recorded yet";
+}
+
+TEST(PlotZoom, APartHasTheStepsBetween) {
+  const RunCurves curves{{0, 1, 2, 3, 4}, {0, 0.1, 0.2, 0.3, 0.4}, {curve_of("J", {5, 6, 7, 8, 9})}};
+  const RunCurves part = part_of(curves, {1, 3});
+  EXPECT_THAT(part.steps, ::testing::ElementsAre(1, 2, 3));
+  EXPECT_THAT(part.times, ::testing::ElementsAre(0.1, 0.2, 0.3));
+  EXPECT_THAT(part.curves[0].values, ::testing::ElementsAre(6, 7, 8));
+  EXPECT_TRUE(part_of(curves, {7, 9}).steps.empty());
 }
 
 }  // namespace

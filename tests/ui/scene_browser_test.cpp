@@ -37,24 +37,21 @@ TEST(SceneBrowser, EveryWordIsLookedForInNameTopicAndDescription) {
   EXPECT_THAT(titles(shown_cards(cards, "pulled stacks")), ElementsAre());
 }
 
-TEST(SceneBrowser, RowsHoldOneTopicAndNoMoreThanTheColumns) {
-  const std::vector<SceneCard> cards = five_scenes();
-  EXPECT_THAT(card_rows(shown_cards(cards, ""), 2),
-              ElementsAre(CardRow{0, 2, true}, CardRow{2, 1, false}, CardRow{3, 2, true}));
-  EXPECT_TRUE(card_rows({}, 2).empty());
+TEST(SceneBrowser, RowsAreFullButForTheLast) {
+  EXPECT_THAT(card_rows(5, 2), ElementsAre(CardRow{0, 2}, CardRow{2, 2}, CardRow{4, 1}));
+  EXPECT_TRUE(card_rows(0, 2).empty());
 }
 
 TEST(SceneBrowser, ArrowsGoToTheCardThatIsSeenThere) {
-  const std::vector<SceneCard> cards = five_scenes();
-  const std::vector<CardRow> rows = card_rows(shown_cards(cards, ""), 2);
+  const std::vector<CardRow> rows = card_rows(5, 2);
   EXPECT_EQ(moved_choice(rows, 0, 1, 0), 1u);
   EXPECT_EQ(moved_choice(rows, 1, 1, 0), 2u) << "on to the next row";
   EXPECT_EQ(moved_choice(rows, 0, -1, 0), 0u);
   EXPECT_EQ(moved_choice(rows, 4, 1, 0), 4u);
-  EXPECT_EQ(moved_choice(rows, 1, 0, 1), 2u) << "nothing lies below it but the first";
-  EXPECT_EQ(moved_choice(rows, 2, 0, 1), 3u);
+  EXPECT_EQ(moved_choice(rows, 1, 0, 1), 3u);
+  EXPECT_EQ(moved_choice(rows, 3, 0, 1), 4u) << "nothing lies below it but the last";
   EXPECT_EQ(moved_choice(rows, 4, 0, 1), 4u);
-  EXPECT_EQ(moved_choice(rows, 3, 0, -2), 0u);
+  EXPECT_EQ(moved_choice(rows, 3, 0, -2), 1u);
   EXPECT_EQ(moved_choice({}, 3, 1, 1), 0u);
 }
 
@@ -82,8 +79,8 @@ TEST_F(ScenesDialog, AClickOpensTheScene) {
 
 TEST_F(ScenesDialog, ArrowsChooseAndEnterOpens) {
   EXPECT_EQ(ui_.value("scenes/about"), "Nine stones");
-  ui_.press_key(key::kDown);
-  EXPECT_EQ(ui_.value("scenes/about"), "Pulled at both ends") << "the row below is of the other topic";
+  for (int i = 0; i < 3; ++i) ui_.press_key(key::kRight);
+  EXPECT_EQ(ui_.value("scenes/about"), "Pulled at both ends") << "of the other topic";
   ui_.press_key(key::kRight);
   ui_.press_key(key::kEnter);
   EXPECT_EQ(opened(), "a/disc.json");
@@ -109,6 +106,15 @@ TEST_F(ScenesDialog, AnotherFileIsAskedForInTheOpenDialog) {
   ui_.frame();
   ui_.click("open/scenes");
   EXPECT_THAT(ui_.issued(), ElementsAre(CommandId::browse_scenes));
+}
+
+TEST_F(ScenesDialog, TopicsStandOverTheirCardsSideBySide) {
+  const WidgetTag *stacks = find_tag(ui_.tags, "scenes/topic/Stacks"),
+                  *statics = find_tag(ui_.tags, "scenes/topic/Statics");
+  ASSERT_TRUE(stacks && statics);
+  EXPECT_EQ(stacks->minimum.y, statics->minimum.y) << "there is room for all in a row";
+  EXPECT_EQ(stacks->minimum.x, find_tag(ui_.tags, "scenes/arch")->minimum.x);
+  EXPECT_EQ(statics->minimum.x, find_tag(ui_.tags, "scenes/bar")->minimum.x);
 }
 
 }  // namespace

@@ -150,8 +150,8 @@ TEST(Similarity, ScalingKeepsStressAndEnergy) {
       update_elements(bar.world, bar.body());
       EXPECT_NEAR(mechanical_energy(bar.world, bar.body()), energy, 1e-9 * energy);
       for (TetId tet(0); tet < bar.world.mesh.tet_count(); ++tet.value)
-        EXPECT_LT((bar.world.elements.states[tet].stress - before[tet].stress).norm(),
-                  1e-6 * before[tet].stress.norm());
+        EXPECT_LT((bar.world.elements.states[tet].stress.full() - before[tet].stress.full()).norm(),
+                  1e-6 * before[tet].stress.full().norm());
     }
   }
 }
@@ -169,7 +169,8 @@ TEST(Similarity, TheEndGivesTheShapeThatBelongsToTheStress) {
     const RigidMotion motion = motion_of(world, bar.body());
     end_shock(world, bar.body());
     for (TetId tet(0); tet < world.mesh.tet_count(); ++tet.value)
-      EXPECT_LT((world.elements.states[tet].stress - scaled[tet].stress).norm(), 1e-3 * scaled[tet].stress.norm());
+      EXPECT_LT((world.elements.states[tet].stress.full() - scaled[tet].stress.full()).norm(),
+                1e-3 * scaled[tet].stress.full().norm());
     for (const NodeId node : bar.body().nodes) {
       if (world.nodes.has_support[node] == 0) continue;
       EXPECT_LT((world.nodes.positions[node] - world.mesh.rest_positions[node]).norm(), 1e-12);

@@ -23,6 +23,7 @@ enum class Dialog {
   scenes,
   open,
   preferences,
+  steps,
   palette,
   help
 };

@@ -19,7 +19,7 @@ constexpr std::array<std::pair<const char*, const char*>, 8> kMouseHelp = {{
     {"Wheel", "come closer, go away"},
     {"Click", "inspect a node and its element, select the body"},
     {"Ctrl + drag", "move the slice plane"},
-    {"Right click in the view", "fire the projectile there"},
+    {"Right click in the view", "fire the projectile there; hold the button to see its arc first"},
     {"Right click on a number", "type a value, such as 20 GPa"},
     {"Drop a file", "open a scene"},
 }};
@@ -50,12 +50,23 @@ void error_dialog(Panel& panel) {
   ImGui::EndPopup();
 }
 
+/// What keys have asked for meanwhile: "Then: Delete, Delete".
+void waiting_line(Panel& panel) {
+  std::string text;
+  for (const Command& command : panel.state.waiting)
+    text.append(text.empty() ? "Then: " : ", ").append(command_info(command.id).label);
+  if (text.empty()) return;
+  hint(panel, text);
+  tag_last_item(panel.tags, "work/waiting", text);
+}
+
 void work_dialog(Panel& panel) {
   EditorState& state = panel.state;
   if (!begin_dialog(panel, kWorkTitle, true, 480)) return;
   const std::string text = state.work + " ...";
   ImGui::TextUnformatted(text.c_str());
   tag_last_item(panel.tags, "work/stage", state.work);
+  waiting_line(panel);
   ImGui::Spacing();
   if (text_button(panel, "work/cancel", "Cancel", 120 * ui_scale(panel)) || escape_pressed()) state.cancel_work = true;
   ImGui::EndPopup();
@@ -123,7 +134,9 @@ void help_table_row(const char* keys, const char* text) {
 void help_dialog(Panel& panel) {
   EditorState& state = panel.state;
   if (!begin_dialog(panel, "Mouse and keyboard", state.show_help, 620)) return;
-  if (ImGui::BeginTable("##help", 2, ImGuiTableFlags_SizingFixedFit)) {
+  const float room = 0.9f * ImGui::GetIO().DisplaySize.y - 6 * ImGui::GetFrameHeightWithSpacing();
+  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_ScrollY;
+  if (ImGui::BeginTable("##help", 2, kFlags, {0, room})) {
     ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed);
     ImGui::TableSetupColumn("text", ImGuiTableColumnFlags_WidthStretch);
     for (const auto& [keys, text] : kMouseHelp) help_table_row(keys, text);
@@ -171,6 +184,8 @@ void draw_dialogs(Panel& panel) {
       return open_dialog(panel);
     case Dialog::preferences:
       return draw_preferences_dialog(panel);
+    case Dialog::steps:
+      return draw_steps_dialog(panel);
     case Dialog::palette:
       return draw_palette_dialog(panel);
     case Dialog::help:

@@ -23,6 +23,8 @@ void draw_surface_dialog(Panel& panel);
 void draw_preferences_dialog(Panel& panel);
 /// Shows pictures of scenes to open.
 void draw_scenes_dialog(Panel& panel);
+/// Asks how many steps are to be made.
+void draw_steps_dialog(Panel& panel);
 /// Finds a command by letters of its name.
 void draw_palette_dialog(Panel& panel);
 /// Asks whether a mesh of many tetrahedra is meant.

@@ -27,6 +27,8 @@ void draw_preferences_dialog(Panel& panel) {
   scale_row(panel);
   preference_row(panel, "preferences/mouse_speed", "Mouse speed", kMouseSpeeds, preferences.mouse_speed);
   preference_row(panel, "preferences/autosave", "Copy edits every", kAutosaveIntervals, preferences.autosave_interval);
+  preference_row(panel, "preferences/past_memory", "Memory of the past", kPastMemories, preferences.past_memory);
+  tooltip("The more of it, the fewer steps are made again to go back in time.");
   checkbox(panel, "preferences/invert_orbit", "Dragging up turns down", preferences.invert_orbit);
   checkbox(panel, "preferences/invert_zoom", "The wheel zooms the other way", preferences.invert_zoom);
   ImGui::Spacing();

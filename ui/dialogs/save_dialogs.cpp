@@ -98,10 +98,11 @@ SaveTarget save_target(const std::filesystem::path& file, SavedKind kind) {
 
 std::filesystem::path file_of(const SaveTarget& target) {
   std::filesystem::path file = target.folder / target.name.data();
-  if (target.kind != SavedKind::exported || !file.has_extension()) {
-    const std::string_view ending = ending_of(target.kind);
-    if (!file.string().ends_with(ending)) file += ending;
-  }
+  const std::string_view ending = ending_of(target.kind);
+  const bool is_picture = target.kind == SavedKind::plots && file.extension() == ".png";
+  const bool ends_well =
+      is_picture || (target.kind == SavedKind::exported ? file.has_extension() : file.string().ends_with(ending));
+  if (!ends_well) file += ending;
   return file.lexically_normal();
 }
 
@@ -122,6 +123,8 @@ void draw_save_dialog(Panel& panel) {
   hint(panel, named ? file.string() : target->folder.string());
   tag_last_item(panel.tags, "save/path", file.string());
   if (target->kind == SavedKind::exported) export_hint(panel);
+  if (target->kind == SavedKind::plots)
+    hint(panel, "Numbers of all steps: .csv; a picture of what the plots show: .png");
   ImGui::Spacing();
   const bool pressed = text_button(panel, "save/save", "Save", kButtonWidth * ui_scale(panel));
   const bool saved = (entered || pressed) && named;

@@ -88,11 +88,24 @@ bool search_field(Panel& panel, SceneBrowser& browser) {
   return edited;
 }
 
-void topic_heading(const Panel& panel, const std::string& topic) {
+/// Over the first card of a topic, and again over the first of a row.
+void topic_heading(const Panel& panel, const std::string& topic, float width) {
   ImGui::PushFont(panel.input.fonts.bold);
-  ImGui::TextColored(as_vec4(palette::kTextDim), "%s", topic.c_str());
+  ImGui::TextColored(as_vec4(palette::kTextDim), "%s", fitted(topic, width).c_str());
   ImGui::PopFont();
   tag_last_item(panel.tags, "scenes/topic/" + topic, topic);
+}
+
+/// A line of topics over a row of cards.
+void topic_line(const Panel& panel, std::span<const SceneCard* const> row, float pitch) {
+  const float left = ImGui::GetCursorPosX(), top = ImGui::GetCursorPosY();
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (i > 0 && row[i]->topic == row[i - 1]->topic) continue;
+    std::size_t end = i + 1;
+    while (end < row.size() && row[end]->topic == row[i]->topic) ++end;
+    ImGui::SetCursorPos({left + static_cast<float>(i) * pitch, top});
+    topic_heading(panel, row[i]->topic, static_cast<float>(end - i) * pitch - kGap * ui_scale(panel));
+  }
 }
 
 std::vector<std::string> names_of(std::span<const SceneCard* const> cards) {
@@ -108,13 +121,13 @@ const SceneCard* card_list(Panel& panel, std::span<const SceneCard* const> cards
   const auto columns =
       std::max<std::size_t>(1, static_cast<std::size_t>((room + gap) / (kLeastCardWidth * ui_scale(panel) + gap)));
   const float width = std::floor((room + gap) / static_cast<float>(columns) - gap);
-  const std::vector<CardRow> rows = card_rows(cards, columns);
+  const std::vector<CardRow> rows = card_rows(cards.size(), columns);
   const std::vector<std::string> names = names_of(cards);
   const bool moved = move_card_choice(browser, rows) || searched;
   const SceneCard* clicked = nullptr;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
   for (const CardRow& row : rows) {
-    if (row.begins_topic) topic_heading(panel, cards[row.first]->topic);
+    topic_line(panel, cards.subspan(row.first, row.count), width + gap);
     for (std::size_t i = row.first; i < row.first + row.count; ++i) {
       if (i > row.first) ImGui::SameLine();
       if (scene_card(panel, *cards[i], names[i], i == browser.chosen, width)) clicked = cards[i];

@@ -4,7 +4,6 @@
 
 #include "ui/model/entry_choice.h"
 #include "ui/model/entry_place.h"
-#include "ui/model/plot_view.h"
 
 namespace griffith::ui {
 namespace {
@@ -50,6 +49,18 @@ std::string_view nothing_chosen(const CommandContext& context) {
   return unless(active_entry(context.state, context.history.scene()).has_value(), "Nothing is chosen in the outliner.");
 }
 
+std::string_view nothing_to_move_up(const CommandContext& context) {
+  const Scene& scene = context.history.scene();
+  return unless(can_move(scene, chosen_entries(context.state, scene), -1),
+                "Nothing is chosen in the outliner that has one of its kind above it.");
+}
+
+std::string_view nothing_to_move_down(const CommandContext& context) {
+  const Scene& scene = context.history.scene();
+  return unless(can_move(scene, chosen_entries(context.state, scene), 1),
+                "Nothing is chosen in the outliner that has one of its kind below it.");
+}
+
 std::string_view no_region_chosen(const CommandContext& context) {
   const Scene& scene = context.history.scene();
   const std::optional<SceneEntry> entry = active_entry(context.state, scene);
@@ -84,7 +95,8 @@ std::string_view nothing_recorded(const CommandContext& context) {
 }
 
 std::string_view nothing_plotted(const CommandContext& context) {
-  return unless(count_series(context.state.plots.chosen) > 0, "No series is chosen in the plots.");
+  const auto is_taken = [](const std::string& key) { return !key.empty(); };
+  return unless(std::ranges::any_of(context.state.preferences.plotted, is_taken), "No series is chosen in the plots.");
 }
 
 std::string_view no_colour_range(const CommandContext& context) {

@@ -27,6 +27,8 @@ std::string_view not_stopped_before_a_crack(const CommandContext& context);
 std::string_view nothing_fired(const CommandContext& context);
 std::string_view no_body(const CommandContext& context);
 std::string_view nothing_chosen(const CommandContext& context);
+std::string_view nothing_to_move_up(const CommandContext& context);
+std::string_view nothing_to_move_down(const CommandContext& context);
 std::string_view no_region_chosen(const CommandContext& context);
 std::string_view nothing_with_a_name(const CommandContext& context);
 std::string_view no_body_chosen(const CommandContext& context);

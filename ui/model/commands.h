@@ -15,6 +15,8 @@ namespace griffith::ui {
 enum class CommandId {
   toggle_run,
   step,
+  ask_steps,
+  make_steps,
   step_back,
   go_to_start,
   go_to_end,
@@ -43,6 +45,8 @@ enum class CommandId {
   add_probe,
   duplicate,
   remove,
+  move_up,
+  move_down,
   rename,
   toggle_hidden,
   look_through,
@@ -91,12 +95,15 @@ struct Command {
   CommandId id;
   /// open: the scene; save and others that write: where, or empty for the scene's own file; their dialogs: proposed
   std::filesystem::path path = {};
-  std::int64_t step = 0;         ///< go_to_step, go_to_branch
+  std::int64_t step = 0;         ///< go_to_step, go_to_branch; make_steps: how many
   int branch = 0;                ///< go_to_branch
   Vec2 cursor = Vec2(0.5, 0.5);  ///< fire, pick: place in the view, from its top left corner, 0..1
   bool discard_edits = false;    ///< new_scene, open, quit: even where edits are not saved
   bool replace = false;          ///< what writes: even where that loses what another has written
 };
+
+/// How many steps can be asked for at once.
+inline constexpr int kMaxAskedSteps = 1'000'000;
 
 /// Where a menu shows a command. Commands that are in no menu are issued by widgets and scripts alone.
 enum class Menu { none, file, edit, add, simulation, view, help };

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -123,11 +124,14 @@ struct Caption {
 struct EditorState {
   bool running = false;
   Breakpoints breakpoints;
-  std::string stopped;       ///< why the simulation stopped by itself, at this step; empty: it did not
-  bool can_explain = false;  ///< at a node that is about to crack
-  double speed = 1;          ///< simulated seconds per second, 0.001..1
-  ViewSettings view;         ///< as shown now; starts with the scene's
-  ProjectileBurst shot;      ///< what the projectile tool fires; position and direction come from the cursor
+  std::string stopped;             ///< why the simulation stopped by itself, at this step; empty: it did not
+  bool can_explain = false;        ///< at a node that is about to crack
+  double speed = 1;                ///< simulated seconds per second, 0.001..1
+  std::int64_t steps_left = 0;     ///< until the simulation, which runs, is to stop; 0: it goes on
+  std::optional<int> asked_steps;  ///< so many are being asked for
+  ViewSettings view;               ///< as shown now; starts with the scene's
+  ProjectileBurst shot;            ///< what the projectile tool fires; position and direction come from the cursor
+  std::optional<Vec2> aimed_at;    ///< while a shot is being aimed: place in the view, from its top left corner, 0..1
   std::optional<ProjectileBurst> last_shot;  ///< as it was fired, and when; until it is part of the scene
   int selected_body = 0;                     ///< index into Scene::bodies
   std::vector<SceneEntry> entries;           ///< chosen in the outliner, in that order; empty: the selected body
@@ -154,6 +158,7 @@ struct EditorState {
   std::optional<WorkReport> report;
   std::string work;                  ///< what is being done while a world is built; empty: nothing
   bool cancel_work = false;          ///< the user wants no more of it
+  std::vector<Command> waiting;      ///< asked for by keys meanwhile; carried out after it, in that order
   std::optional<double> large_mesh;  ///< the tetrahedra that work would make: so many that it waits for an answer
   bool build_large_mesh = false;     ///< the answer is yes
   std::optional<ErrorMessage> error;
@@ -181,5 +186,10 @@ struct EditorState {
   std::array<char, 64> typed_text = {};
   int typed_frames = 0;  ///< drawn since typing began
 };
+
+/// Whether work goes on, something waits for it, or steps that were asked for are being made.
+inline bool is_busy(const EditorState& state) {
+  return !state.work.empty() || !state.waiting.empty() || state.steps_left > 0;
+}
 
 }  // namespace griffith::ui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/scene/field.h"
+#include "ui/model/run_curves.h"
 
 namespace griffith::ui {
 
@@ -12,23 +13,31 @@ struct Preferences {
   bool invert_orbit = false;                   ///< dragging up turns down
   bool invert_zoom = false;                    ///< the wheel's other way comes closer
   double left_width = 300, right_width = 300;  ///< of the side panels [design pixels]
+  PlotChoice plotted = {"energy.kinetic", "energy.elastic", "pieces"};
+  bool logarithmic_plots = false;  ///< values are drawn by their logarithm
+  double past_memory = 768;        ///< for copies of worlds, so that one can go back fast [MB]
 
   bool operator==(const Preferences&) const = default;
 };
 
 inline constexpr Numbers kUiScales = between(0.75, 3, "-"), kAutosaveIntervals = between(5, 3600, "s"),
-                         kMouseSpeeds = between(0.1, 5, "-"), kSideWidths = between(240, 520, "");
+                         kMouseSpeeds = between(0.1, 5, "-"), kSideWidths = between(240, 520, ""),
+                         kPastMemories = between(32, 65536, "MB");
 
-/// Calls `visit(name, member, limits)` for each number, `visit(name, member)` for each switch.
+/// Calls `visit(name, member, limits)` for each number, `visit(name, member)` for each switch and for the choice of
+/// plots.
 template <typename P, typename Visit>
 void each_preference(P& preferences, const Visit& visit) {
   visit("ui_scale", preferences.ui_scale, kUiScales);
   visit("autosave_interval", preferences.autosave_interval, kAutosaveIntervals);
   visit("mouse_speed", preferences.mouse_speed, kMouseSpeeds);
+  visit("past_memory", preferences.past_memory, kPastMemories);
   visit("left_width", preferences.left_width, kSideWidths);
   visit("right_width", preferences.right_width, kSideWidths);
   visit("invert_orbit", preferences.invert_orbit);
   visit("invert_zoom", preferences.invert_zoom);
+  visit("plotted", preferences.plotted);
+  visit("logarithmic_plots", preferences.logarithmic_plots);
 }
 
 }  // namespace griffith::ui

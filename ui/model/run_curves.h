@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,11 +36,21 @@ struct RunCurves {
 /// The keys of the plotted series; an empty slot is free. Keys that a scene lacks plot nothing.
 using PlotChoice = std::array<std::string, kMaxPlotted>;
 
-/// What the panel of plots shows.
+/// The series of the node that is selected, whichever it is.
+inline constexpr char kNodeUtilization[] = "node.utilization";
+
+/// Steps from the first to the last, both included.
+struct StepSpan {
+  std::int64_t first = 0, last = 0;
+  bool operator==(const StepSpan&) const = default;
+};
+
+/// What the panel of plots shows, besides what Preferences say.
 struct PlotsState {
   bool shown = false;
-  PlotChoice chosen = {"energy.kinetic", "energy.elastic", "pieces"};
-  float height = 0;  ///< of the panel [pixels]; 0: not laid out yet
+  std::optional<StepSpan> zoom;  ///< the steps that are shown; none: all
+  bool for_picture = false;      ///< all strips are to be seen, and nothing that follows the mouse
+  float height = 0;              ///< of the panel [pixels]; 0: not laid out yet
 };
 
 }  // namespace griffith::ui

@@ -36,13 +36,10 @@ std::vector<const SceneCard*> shown_cards(std::span<const SceneCard> cards, std:
   return shown;
 }
 
-std::vector<CardRow> card_rows(std::span<const SceneCard* const> cards, std::size_t columns) {
+std::vector<CardRow> card_rows(std::size_t cards, std::size_t columns) {
   std::vector<CardRow> rows;
-  for (std::size_t i = 0; i < cards.size(); ++i) {
-    const bool begins_topic = i == 0 || cards[i]->topic != cards[i - 1]->topic;
-    if (begins_topic || rows.back().count == columns) rows.push_back({i, 0, begins_topic});
-    ++rows.back().count;
-  }
+  for (std::size_t first = 0; first < cards; first += columns)
+    rows.push_back({first, std::min(columns, cards - first)});
   return rows;
 }
 

@@ -28,10 +28,9 @@ struct SceneBrowser {
   std::size_t chosen = 0;          ///< among those that are shown
 };
 
-/// Cards side by side, of one topic.
+/// Cards side by side.
 struct CardRow {
   std::size_t first = 0, count = 0;  ///< among the shown ones
-  bool begins_topic = false;
   bool operator==(const CardRow&) const = default;
 };
 
@@ -39,8 +38,8 @@ struct CardRow {
 /// a topic stand together; topics and their cards stand in the order in which they come.
 std::vector<const SceneCard*> shown_cards(std::span<const SceneCard> cards, std::string_view text);
 
-/// Lays cards out as shown_cards() has them, `columns` side by side at most. `columns`: 1 or more.
-std::vector<CardRow> card_rows(std::span<const SceneCard* const> cards, std::size_t columns);
+/// Lays `cards` of them out, `columns` side by side. `columns`: 1 or more.
+std::vector<CardRow> card_rows(std::size_t cards, std::size_t columns);
 
 /// The card that is so many to the right, or rows down, of the chosen one; at the ends of all rows the last there is.
 std::size_t moved_choice(std::span<const CardRow> rows, std::size_t chosen, int right, int down);

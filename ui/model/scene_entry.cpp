@@ -1,5 +1,9 @@
 #include "ui/model/scene_entry.h"
 
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
 namespace griffith::ui {
 namespace {
 
@@ -101,6 +105,51 @@ void remove_entries(Scene& scene, std::vector<SceneEntry> entries) {
     }
     visit_list(scene, entry, [&](auto& list) { list.erase(list.begin() + entry.index); });
   }
+}
+
+namespace {
+
+/// Whether the entry beside, that way, is there and stays where it is.
+bool has_room(const Scene& scene, const std::vector<SceneEntry>& entries, SceneEntry entry, int way) {
+  do entry.index += way;
+  while (std::ranges::find(entries, entry) != entries.end());
+  return entry.index >= 0 && has_entry(scene, entry);
+}
+
+/// What belongs to a body goes with it.
+void follow_body(std::vector<SceneEntry>& entries, const SceneEntry& from, const SceneEntry& to) {
+  if (from.kind != EntryKind::body) return;
+  for (SceneEntry& entry : entries)
+    if (is_part_of_body(entry.kind) && (entry.body == from.index || entry.body == to.index))
+      entry.body = entry.body == from.index ? to.index : from.index;
+}
+
+}  // namespace
+
+bool can_move(const Scene& scene, const std::vector<SceneEntry>& entries, int way) {
+  return std::ranges::any_of(entries, [&](const SceneEntry& entry) { return has_room(scene, entries, entry, way); });
+}
+
+std::vector<SceneEntry> move_entries(Scene& scene, std::vector<SceneEntry> entries, int way) {
+  std::vector<std::size_t> order(entries.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  // Those ahead go first, so that each finds its place free; parts before the bodies that they would follow.
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
+    if (entries[a].kind != entries[b].kind) return entries[a].kind > entries[b].kind;
+    return way < 0 ? entries[a].index < entries[b].index : entries[a].index > entries[b].index;
+  });
+  std::vector<std::uint8_t> moves(entries.size());
+  for (std::size_t i = 0; i < entries.size(); ++i) moves[i] = has_room(scene, entries, entries[i], way);
+  for (const std::size_t i : order) {
+    if (!moves[i]) continue;
+    const SceneEntry from = entries[i];
+    entries[i].index += way;
+    visit_list(scene, from, [&](auto& list) {
+      std::swap(list[static_cast<std::size_t>(from.index)], list[static_cast<std::size_t>(entries[i].index)]);
+    });
+    follow_body(entries, from, entries[i]);
+  }
+  return entries;
 }
 
 NumberedName numbered_name(const std::string& name) {

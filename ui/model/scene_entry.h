@@ -70,6 +70,12 @@ void remove_entries(Scene& scene, std::vector<SceneEntry> entries);
 /// Appends a copy of the entry to its list, by another name. Returns which it is.
 SceneEntry append_copy(Scene& scene, const SceneEntry& entry);
 
+/// Whether any of the entries has room in its list for a place further up (`way` -1) or down (1).
+bool can_move(const Scene& scene, const std::vector<SceneEntry>& entries, int way);
+/// Moves entries by one place in their lists, up (`way` -1) or down (1); those at the end that way, and those behind
+/// them, stay. Returns which they are now, in the same order.
+std::vector<SceneEntry> move_entries(Scene& scene, std::vector<SceneEntry> entries, int way);
+
 /// A name that ends in a number of its own: "leg 2" is "leg" and 2; without one the number is 1.
 struct NumberedName {
   std::string name;

@@ -9,7 +9,7 @@ namespace griffith::ui {
 /// Something that happened in a step, as a tick on the bar of time.
 struct TimeTick {
   std::int64_t step = 0;
-  int cracks = 0;
+  int cracks = 0, impacts = 0;
   bool alarm = false;  ///< a solve without convergence, or values that broke down
 };
 

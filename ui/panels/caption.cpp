@@ -7,7 +7,7 @@
 namespace griffith::ui {
 namespace {
 
-constexpr float kCaptionWidth = 380;  // design pixels
+constexpr float kCaptionWidth = 380, kRoomDown = 260;  // design pixels
 constexpr ImGuiWindowFlags kCaptionFlags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                            ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_AlwaysAutoResize |
                                            ImGuiWindowFlags_NoFocusOnAppearing;
@@ -20,14 +20,15 @@ void mark(const Panel& panel, const WidgetTag& widget) {
                                           0, 2 * scale);
 }
 
-/// In the middle of the view, low enough to leave what happens there visible.
+/// In the middle of the view, low enough to leave what happens there visible; in a low one from its top on.
 void place_caption(const Panel& panel) {
   const EditorState& state = panel.state;
   const float margin = 48 * ui_scale(panel);
   const float width = std::min(kCaptionWidth * ui_scale(panel), state.viewport_size.x - margin);
-  ImGui::SetNextWindowPos(
-      {state.viewport_minimum.x + state.viewport_size.x / 2, state.viewport_minimum.y + state.viewport_size.y - margin},
-      ImGuiCond_Always, {0.5f, 1});
+  const bool is_low = state.viewport_size.y < kRoomDown * ui_scale(panel);
+  const float x = state.viewport_minimum.x + state.viewport_size.x / 2;
+  const float y = state.viewport_minimum.y + (is_low ? 0 : state.viewport_size.y - margin);
+  ImGui::SetNextWindowPos({x, y}, ImGuiCond_Always, {0.5f, is_low ? 0.0f : 1.0f});
   ImGui::SetNextWindowSizeConstraints({width, 0}, {width, FLT_MAX});
 }
 

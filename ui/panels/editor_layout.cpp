@@ -98,6 +98,7 @@ void draw_bars(Panel& panel, const Layout& layout) {
 struct Dock {
   const char* window;
   float first_height;  ///< [design pixels]
+  float first_part;    ///< of the height that is there, where that is more
   void (*draw)(Panel& panel);
 };
 
@@ -106,8 +107,8 @@ float draw_dock(Panel& panel, const Layout& layout, const Dock& dock, float& hei
   const float scale = ui_scale(panel), left = layout.corner.x + panel.state.left_width;
   const float width = layout.end.x - panel.state.right_width - left;
   const ImGuiCond once = height == 0 ? ImGuiCond_Always : ImGuiCond_Once;
-  if (height == 0) height = dock.first_height * scale;
   const float room = layout.bottom() - layout.top() - covered;
+  if (height == 0) height = std::max(dock.first_height * scale, dock.first_part * room);
   ImGui::SetNextWindowSize({width, height}, once);
   ImGui::SetNextWindowSizeConstraints({width, kMinimumDock * scale}, {width, room / 2});
   ImGui::SetNextWindowPos({left, layout.bottom() - covered - height});
@@ -125,10 +126,11 @@ float draw_docks(Panel& panel, const Layout& layout) {
   ProblemView& problems = panel.state.problem_view;
   float covered = 0;
   if (plots.shown)
-    covered += draw_dock(panel, layout, {"##plots", kPlotsHeight, draw_plot_panel}, plots.height, covered);
-  if (log.shown) covered += draw_dock(panel, layout, {"##log", kLogHeight, draw_log_panel}, log.height, covered);
+    covered += draw_dock(panel, layout, {"##plots", kPlotsHeight, 0.25f, draw_plot_panel}, plots.height, covered);
+  if (log.shown) covered += draw_dock(panel, layout, {"##log", kLogHeight, 0, draw_log_panel}, log.height, covered);
   if (problems.shown)
-    covered += draw_dock(panel, layout, {"##problems", kProblemsHeight, draw_problem_panel}, problems.height, covered);
+    covered +=
+        draw_dock(panel, layout, {"##problems", kProblemsHeight, 0, draw_problem_panel}, problems.height, covered);
   return covered;
 }
 

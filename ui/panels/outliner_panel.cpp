@@ -105,7 +105,8 @@ Rows::const_iterator row_of_keys(const Panel& panel, const Rows& rows) {
 /// Up and Down choose the row beside, with Shift all the way to it, while the list has the focus.
 void choose_by_keys(Panel& panel, const Rows& rows, float line) {
   const int direction = ImGui::IsKeyPressed(key::kDown) - ImGui::IsKeyPressed(key::kUp);
-  if (direction == 0 || rows.empty() || !ImGui::IsWindowFocused() || ImGui::GetIO().WantTextInput) return;
+  const ImGuiIO& io = ImGui::GetIO();
+  if (direction == 0 || rows.empty() || !ImGui::IsWindowFocused() || io.WantTextInput || io.KeyCtrl) return;
   const auto now = row_of_keys(panel, rows);
   const auto last = std::ssize(rows) - 1;
   const auto next = now == rows.end() ? 0 : std::clamp<Rows::difference_type>(now - rows.begin() + direction, 0, last);

@@ -75,7 +75,7 @@ void context_menu(Panel& panel, const OutlinerRow& row) {
   const auto items = [&](std::initializer_list<CommandId> ids) {
     for (const CommandId id : ids) command_menu_item(panel, command_info(id), "context/");
   };
-  items({CommandId::rename, CommandId::duplicate, CommandId::remove});
+  items({CommandId::rename, CommandId::duplicate, CommandId::remove, CommandId::move_up, CommandId::move_down});
   ImGui::Separator();
   if (row.entry.kind == EntryKind::camera) {
     items({CommandId::look_through, CommandId::set_camera});

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -12,18 +13,19 @@
 namespace griffith::ui {
 namespace {
 
-constexpr float kListWidth = 200, kMinimumStrip = 56;  // design pixels
+constexpr float kListWidth = 130, kMinimumStrip = 56;  // design pixels
 
 /// An entry of the list, in the colour of its curve where it is plotted.
 void series_entry(Panel& panel, const RunSeries& series) {
-  PlotChoice& chosen = panel.state.plots.chosen;
+  PlotChoice& chosen = panel.state.preferences.plotted;
+  const std::span<const RunSeries> there = panel.input.series;
   const auto slot = std::ranges::find(chosen, series.key);
   const bool plotted = slot != chosen.end();
   if (plotted) ImGui::PushStyleColor(ImGuiCol_Text, plot_color(static_cast<std::size_t>(slot - chosen.begin())));
-  ImGui::BeginDisabled(!plotted && count_series(chosen) == kMaxPlotted);
+  ImGui::BeginDisabled(!plotted && count_series(chosen, there) == kMaxPlotted);
   const std::string label = series.label + "###" + series.key;
   if (ImGui::Selectable(label.c_str(), plotted, ImGuiSelectableFlags_DontClosePopups))
-    toggle_series(chosen, series.key);
+    toggle_series(chosen, series.key, there);
   ImGui::EndDisabled();
   if (plotted) ImGui::PopStyleColor();
   tag_last_item(panel.tags, "plots/series/" + series.key, plotted ? "on" : "off");
@@ -31,8 +33,8 @@ void series_entry(Panel& panel, const RunSeries& series) {
 
 void series_list(Panel& panel) {
   ImGui::SetNextItemWidth(kListWidth * ui_scale(panel));
-  const std::string shown =
-      std::to_string(count_series(panel.state.plots.chosen)) + " of at most " + std::to_string(kMaxPlotted) + " series";
+  const std::size_t count = count_series(panel.state.preferences.plotted, panel.input.series);
+  const std::string shown = std::to_string(count) + " of " + std::to_string(kMaxPlotted) + " series";
   const bool open = begin_combo("##series", shown.c_str());
   if (open) {
     std::string group;
@@ -45,12 +47,26 @@ void series_list(Panel& panel) {
   tag_last_item(panel.tags, "plots/series", shown);
 }
 
+/// How it is plotted.
+void scale_widgets(Panel& panel) {
+  checkbox(panel, "plots/logarithmic", "log", panel.state.preferences.logarithmic_plots);
+  tooltip("Draws values by their logarithm: equal distances are equal ratios. Of what is not positive nothing shows.");
+  ImGui::SameLine();
+  std::optional<StepSpan>& zoom = panel.state.plots.zoom;
+  ImGui::BeginDisabled(!zoom);
+  if (text_button(panel, "plots/whole", "All")) zoom.reset();
+  ImGui::EndDisabled();
+  tooltip("Shows all steps again. The wheel over the curves shows fewer or more, with Shift earlier or later ones.");
+}
+
 /// What is plotted, and what can be done with it.
 void plots_bar(Panel& panel) {
   series_list(panel);
   ImGui::SameLine();
+  scale_widgets(panel);
+  ImGui::SameLine();
   ImGui::BeginDisabled(!command_enabled(CommandId::save_plots_dialog, panel));
-  if (text_button(panel, "plots/save", "Save CSV…")) issue(panel, {.id = CommandId::save_plots_dialog});
+  if (text_button(panel, "plots/save", "Save…")) issue(panel, {.id = CommandId::save_plots_dialog});
   ImGui::EndDisabled();
   ImGui::SameLine();
   if (text_button(panel, "plots/close", "Close")) issue(panel, {.id = CommandId::toggle_plots});
@@ -94,6 +110,7 @@ void values_tooltip(Panel& panel, std::int64_t step) {
 
 /// Of the strip drawn last: a click or a drag goes to a step.
 void follow_mouse(Panel& panel, const PlotView& view) {
+  if (panel.state.plots.for_picture) return;
   const bool held = ImGui::IsItemActive();
   if (!held && !ImGui::IsItemHovered()) return;
   const std::int64_t pointed = view.step_at(static_cast<double>(ImGui::GetIO().MousePos.x));
@@ -101,29 +118,56 @@ void follow_mouse(Panel& panel, const PlotView& view) {
   values_tooltip(panel, pointed);
 }
 
+/// Over the curves the wheel shows fewer or more steps, with Shift earlier or later ones; over their axes it scrolls.
+void follow_wheel(Panel& panel, const PlotView& view) {
+  constexpr double kFactor = 0.8, kPartMoved = 0.1;
+  const ImGuiIO& io = ImGui::GetIO();
+  const float turned = io.MouseWheel, aside = io.MouseWheelH;
+  if ((turned == 0 && aside == 0) || !ImGui::IsItemHovered()) return;
+  const double place = static_cast<double>(io.MousePos.x);
+  if (place < view.left) return ImGui::SetScrollY(ImGui::GetScrollY() - turned * 3 * ImGui::GetTextLineHeight());
+  const StepSpan whole{panel.input.time.first_step, panel.input.time.last_step}, shown = shown_steps(panel);
+  const double length = kPartMoved * static_cast<double>(shown.last - shown.first);
+  const float notches = io.KeyShift ? -turned : aside;
+  const StepSpan wanted = notches != 0
+                              ? moved(shown, whole, std::llround(static_cast<double>(notches) * std::max(1.0, length)))
+                              : zoomed(shown, whole, view.step_at(place), std::pow(kFactor, turned));
+  panel.state.plots.zoom = wanted == whole ? std::nullopt : std::optional(wanted);
+}
+
+/// What the strips show of curves.
+RunCurves shown_part(const Panel& panel, const RunCurves& curves) {
+  return panel.state.plots.zoom ? part_of(curves, shown_steps(panel)) : curves;
+}
+
 /// Strips share the height of the panel, and scroll where that is too little.
 float strip_height(const Panel& panel, std::size_t count) {
   const float spacing = ImGui::GetStyle().ItemSpacing.y, strips = static_cast<float>(count);
   const float room = ImGui::GetContentRegionAvail().y - plot_times_height(panel) - strips * spacing;
-  return std::max(kMinimumStrip * ui_scale(panel), room / strips);
+  return std::max(panel.state.plots.for_picture ? 1 : kMinimumStrip * ui_scale(panel), room / strips);
 }
 
 }  // namespace
 
 void draw_plot_panel(Panel& panel) {
   plots_bar(panel);
-  const std::vector<PlotStrip> strips = plot_strips(panel.input.curves);
+  const RunCurves curves = shown_part(panel, panel.input.curves);
+  const std::vector<PlotStrip> strips = plot_strips(curves);
   if (strips.empty()) return hint(panel, "Choose in the list what is to be plotted.");
-  ImGui::BeginChild("##strips");
+  ImGui::BeginChild("##strips", {0, 0}, false, ImGuiWindowFlags_NoScrollWithMouse);
   const float height = strip_height(panel, strips.size());
-  std::vector<PlotStrip> compared;
-  if (panel.input.comparison) compared = plot_strips(panel.input.comparison->curves);
+  const RunCurves compared_curves =
+      panel.input.comparison ? shown_part(panel, panel.input.comparison->curves) : RunCurves();
+  const std::vector<PlotStrip> compared = plot_strips(compared_curves);
   for (std::size_t i = 0; i < strips.size(); ++i) {
     const PlotStrip* other = i < compared.size() ? &compared[i] : nullptr;
-    follow_mouse(panel, draw_plot_strip(panel, "plots/strip/" + std::to_string(i), strips[i], other, height));
+    const PlotView view = draw_plot_strip(panel, "plots/strip/" + std::to_string(i), strips[i], other, height);
+    follow_wheel(panel, view);
+    follow_mouse(panel, view);
   }
   draw_plot_times(panel);
   ImGui::EndChild();
+  tag_last_item(panel.tags, "plots/strips");
 }
 
 }  // namespace griffith::ui

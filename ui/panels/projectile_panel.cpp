@@ -5,6 +5,7 @@
 
 #include "ui/panels/panels.h"
 #include "ui/widgets/field_range.h"
+#include "ui/widgets/field_widgets.h"
 #include "ui/widgets/number_slider.h"
 
 namespace griffith::ui {
@@ -16,9 +17,11 @@ struct Choice {
   std::optional<ProjectileShape> shape;
 };
 
-/// Spheres, boxes, and the hulls that the scene's own bursts are.
+constexpr char kSurface[] = "Surface of a file";
+
+/// Spheres, boxes, surfaces of files, and the hulls that the scene's own bursts are.
 std::vector<Choice> choices(const Scene& scene) {
-  std::vector<Choice> all = {{"Sphere", std::nullopt}, {"Box", BoxProjectile{}}};
+  std::vector<Choice> all = {{"Sphere", std::nullopt}, {"Box", BoxProjectile{}}, {kSurface, SurfaceProjectile{}}};
   for (std::size_t i = 0; i < scene.projectiles.size(); ++i)
     if (const auto& shape = scene.projectiles[i].shape; shape && !std::holds_alternative<BoxProjectile>(*shape))
       all.push_back({"Hull of burst " + std::to_string(i + 1), shape});
@@ -30,7 +33,7 @@ std::string name_of(const std::vector<Choice>& all, const std::optional<Projecti
   if (std::holds_alternative<BoxProjectile>(*shape)) return "Box";
   for (const Choice& choice : all)
     if (choice.shape == shape) return choice.name;
-  return "Hull";
+  return std::holds_alternative<SurfaceProjectile>(*shape) ? kSurface : "Hull";
 }
 
 /// A logarithmic slider for the field `name` of a burst (or its box), from `low` to `high`.
@@ -40,6 +43,15 @@ void number_row(Panel& panel, const char* tag, const char* label, const char* na
   number_slider(
       panel, {.tag = tag, .label = label, .numbers = range_of<T>(name), .low = low, .high = high, .logarithmic = true},
       value);
+}
+
+/// Which surface it is; its convex hull is what flies.
+void surface_rows(Panel& panel, SurfaceProjectile& surface) {
+  draw_field(panel,
+             {"projectile/path", "Surface",
+              ".obj, .stl, .ply, .off, .gltf or .glb: the convex hull flies. Enter takes the path."},
+             panel.history.scene().folder, surface.path);
+  number_row<SurfaceProjectile>(panel, "projectile/scale", "Metres a unit", "scale", 1e-3, 10, surface.scale);
 }
 
 void shape_rows(Panel& panel, ProjectileBurst& shot) {
@@ -55,6 +67,7 @@ void shape_rows(Panel& panel, ProjectileBurst& shot) {
     number_row<BoxProjectile>(panel, "projectile/height", "Height", "size", 5e-3, 5, box->size.y());
     number_row<BoxProjectile>(panel, "projectile/depth", "Depth", "size", 5e-3, 5, box->size.z());
   }
+  if (auto* surface = std::get_if<SurfaceProjectile>(&*shot.shape)) surface_rows(panel, *surface);
   constexpr std::array kTurns = {"projectile/turn_x", "projectile/turn_y", "projectile/turn_z"};
   constexpr std::array kLabels = {"Turn about x", "Turn about y", "Turn about z"};
   for (std::size_t i = 0; i < 3; ++i)

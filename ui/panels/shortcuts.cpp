@@ -5,18 +5,29 @@
 namespace griffith::ui {
 namespace {
 
-bool shortcut_pressed(const Shortcut& shortcut) {
+/// `may_repeat`: a key that is held down counts again and again, where its command is one for that.
+bool shortcut_pressed(const Shortcut& shortcut, bool may_repeat) {
   const ImGuiIO& io = ImGui::GetIO();
-  const bool repeats = shortcut.key == 'N' || shortcut.key == 'Z';
+  const bool repeats = may_repeat && (shortcut.key == 'N' || shortcut.key == 'Z');
   return shortcut.key != key::kNone && io.KeyCtrl == shortcut.ctrl && io.KeyShift == shortcut.shift && !io.KeyAlt &&
          ImGui::IsKeyPressed(shortcut.key, repeats);
 }
 
 /// A dialog takes all orders but those that leave the scene alone, and so does a text field; the help goes as it came.
-bool passes(CommandId id, Dialog dialog, bool typing) {
-  if (id == CommandId::screenshot || id == CommandId::quit) return true;
-  if (typing) return false;
-  return dialog == Dialog::none || (dialog == Dialog::help && id == CommandId::help);
+/// What is asked for while work goes on waits for it, and for what waits already.
+void take_order(Panel& panel, const Command& command, Dialog dialog, bool waits) {
+  if (command.id == CommandId::screenshot || command.id == CommandId::quit) return issue(panel, command);
+  if (ImGui::GetIO().WantTextInput) return;
+  if (waits && (dialog == Dialog::work || dialog == Dialog::none)) return panel.state.waiting.push_back(command);
+  if (dialog == Dialog::none || (dialog == Dialog::help && command.id == CommandId::help)) issue(panel, command);
+}
+
+/// One in a drawn frame, since it may make work that the next one has to wait for.
+void issue_waiting(Panel& panel) {
+  std::vector<Command>& waiting = panel.state.waiting;
+  if (waiting.empty()) return;
+  issue(panel, waiting.front());
+  waiting.erase(waiting.begin());
 }
 
 bool cursor_in_view(const EditorState& state) {
@@ -35,13 +46,12 @@ Vec2 cursor_place(const EditorState& state) {
 }  // namespace
 
 void issue_shortcuts(Panel& panel) {
-  const bool typing = ImGui::GetIO().WantTextInput;
   const Vec2 cursor = cursor_place(panel.state);
   const Dialog dialog = shown_dialog(panel.state);
-  for (const CommandInfo& info : command_registry()) {
-    if (passes(info.id, dialog, typing) && shortcut_pressed(info.shortcut))
-      issue(panel, {.id = info.id, .cursor = cursor});
-  }
+  const bool waits = dialog == Dialog::work || !panel.state.waiting.empty();
+  if (dialog == Dialog::none) issue_waiting(panel);
+  for (const CommandInfo& info : command_registry())
+    if (shortcut_pressed(info.shortcut, !waits)) take_order(panel, {.id = info.id, .cursor = cursor}, dialog, waits);
 }
 
 }  // namespace griffith::ui

@@ -35,7 +35,7 @@ void mesh_rows(const Panel& panel) {
 }
 
 /// What stood in for the material of the slowest body, and why.
-std::string scaled_text(const ScaledImpact& impact) {
+std::string slowest_text(const ScaledImpact& impact) {
   return "As a material of " + format_quantity(impact.young_modulus, "Pa", 3) + " with a strength of " +
          format_quantity(impact.tensile_strength, "Pa", 3) +
          " the struck body breaks at the speed at which it should: " + reason(impact) + ".";
@@ -47,7 +47,7 @@ void scaled_row(const Panel& panel) {
   const auto count = std::ranges::count_if(bodies, [](const BodyView& body) { return body.scaled.has_value(); });
   const auto slowest = std::ranges::min_element(bodies, {}, factor);
   trouble_row(panel, "Scaled bodies", static_cast<int>(count), palette::kWarning,
-              count > 0 ? scaled_text(*slowest->scaled).c_str()
+              count > 0 ? slowest_text(*slowest->scaled).c_str()
                         : "Their waves would have taken more microsteps than step_budget leaves.");
 }
 
@@ -94,8 +94,8 @@ void time_bar(const Panel& panel, const char* label, double milliseconds, double
 }
 
 void energy_row(const Panel& panel, const char* label, double energy, double whole, const char* meaning) {
-  constexpr double kRoundingError = 1e-12;
-  if (std::abs(energy) < kRoundingError * whole) energy = 0;
+  constexpr double kRounding = 1e-12;
+  if (std::abs(energy) < kRounding * whole) energy = 0;
   share_row(panel, label, format_quantity(energy, "J", 3), energy, whole);
   tooltip(meaning);
 }

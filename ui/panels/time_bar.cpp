@@ -4,6 +4,7 @@
 #include <string>
 
 #include "ui/panels/panels.h"
+#include "ui/widgets/number_slider.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -11,16 +12,19 @@ namespace griffith::ui {
 namespace {
 
 constexpr std::array<const char*, 4> kCrackPlaces = {"none", "any", "of the selected body", "at the selected node"};
+constexpr ImU32 kImpactColor = IM_COL32(102, 187, 240, 255);
 
 /// What happened in the steps that the cursor points at.
 std::string ticks_text(const TimeView& time, std::int64_t first, std::int64_t last) {
-  int cracks = 0;
+  int cracks = 0, impacts = 0;
   bool alarm = false;
   for (const TimeTick& tick : time.ticks)
-    if (tick.step >= first && tick.step <= last) cracks += tick.cracks, alarm |= tick.alarm;
+    if (tick.step >= first && tick.step <= last) cracks += tick.cracks, impacts += tick.impacts, alarm |= tick.alarm;
   std::string text;
-  if (cracks > 0) text += ": " + std::to_string(cracks) + (cracks == 1 ? " crack" : " cracks");
-  if (alarm) text += text.empty() ? ": trouble in the numbers" : ", trouble in the numbers";
+  const auto add = [&text](const std::string& part) { text += (text.empty() ? ": " : ", ") + part; };
+  if (impacts > 0) add(impacts == 1 ? "something was struck" : std::to_string(impacts) + " bodies were struck");
+  if (cracks > 0) add(std::to_string(cracks) + (cracks == 1 ? " crack" : " cracks"));
+  if (alarm) add("trouble in the numbers");
   return text;
 }
 
@@ -38,7 +42,7 @@ struct Scale {
   }
 };
 
-/// Ticks of cracks grow with their number, as its logarithm; those of alarms hang from above.
+/// Ticks of cracks grow with their number, as its logarithm; those of impacts and alarms hang from above.
 void draw_ticks(const Panel& panel, const Scale& bar) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float scale = ui_scale(panel), height = bar.high.y - bar.low.y;
@@ -47,6 +51,8 @@ void draw_ticks(const Panel& panel, const Scale& bar) {
     const float length = height * std::min(1.0f, 0.35f + 0.15f * std::log2(1.0f + static_cast<float>(tick.cracks)));
     if (tick.cracks > 0)
       list->AddLine({x, bar.high.y - length}, {x, bar.high.y}, palette::kError, std::max(1.0f, 1.5f * scale));
+    if (tick.impacts > 0)
+      list->AddLine({x, bar.low.y}, {x, bar.low.y + 0.25f * height}, kImpactColor, std::max(1.0f, 1.5f * scale));
     if (tick.alarm) list->AddLine({x, bar.low.y}, {x, bar.low.y + 0.3f * height}, palette::kWarning, 2 * scale);
   }
 }
@@ -154,14 +160,10 @@ float button_room(const char* text) {
 }
 
 /// A number that belongs to a check box.
-template <class T>
-void limit_field(Panel& panel, const char* tag, const char* format, T& value, T low, T high) {
+void limit_field(Panel& panel, const char* tag, const Numbers& numbers, const char* meaning, double& value) {
   ImGui::SameLine();
   ImGui::SetNextItemWidth(90 * ui_scale(panel));
-  const ImGuiDataType type = std::is_same_v<T, int> ? ImGuiDataType_S32 : ImGuiDataType_Double;
-  ImGui::InputScalar((std::string("##") + tag).c_str(), type, &value, nullptr, nullptr, format);
-  value = std::clamp(value, low, high);
-  tag_last_item(panel.tags, tag, std::to_string(value));
+  number_drag(panel, {.tag = tag, .label = {}, .numbers = numbers, .tooltip = meaning}, value);
 }
 
 void breakpoint_fields(Panel& panel) {
@@ -175,12 +177,14 @@ void breakpoint_fields(Panel& panel) {
   ImGui::Separator();
   ImGui::TextUnformatted("Stop before a step in which");
   checkbox(panel, "time/break/on_utilization", "a utilization passes", points.on_utilization);
-  limit_field(panel, "time/break/utilization", "%.3g", points.utilization, 0.0, 100.0);
+  limit_field(panel, "time/break/utilization", between(0, 100), "Load over resistance: 1 is where a node cracks.",
+              points.utilization);
   checkbox(panel, "time/break/on_pieces", "the pieces come to be", points.on_pieces);
-  limit_field(panel, "time/break/pieces", "%d", points.pieces, 1, 1'000'000);
+  double pieces = points.pieces;
+  limit_field(panel, "time/break/pieces", between(1, 1e6), "A whole number.", pieces);
+  points.pieces = static_cast<int>(std::lround(pieces));
   checkbox(panel, "time/break/on_energy", "more energy is unaccounted for than", points.on_energy);
-  limit_field(panel, "time/break/energy", "%.3g", points.energy, 0.0, 1.0);
-  tooltip("Of the energy that the step turns over.");
+  limit_field(panel, "time/break/energy", between(0, 1), "Of the energy that the step turns over.", points.energy);
   checkbox(panel, "time/break/on_failure", "a solve fails, or values break down", points.on_failure);
 }
 

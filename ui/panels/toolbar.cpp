@@ -49,7 +49,9 @@ void clock(const Panel& panel) {
   ImGui::PopFont();
   tag_last_item(panel.tags, "toolbar/time", text);
   gap(panel, 14);
-  std::snprintf(text, sizeof text, "step %lld", static_cast<long long>(input.frame.step));
+  const std::int64_t left = panel.state.steps_left;
+  std::snprintf(text, sizeof text, left > 0 ? "step %lld of %lld" : "step %lld",
+                static_cast<long long>(input.frame.step), static_cast<long long>(input.frame.step + left));
   ImGui::TextColored(as_vec4(palette::kTextDim), "%s", text);
   tag_last_item(panel.tags, "toolbar/step", text);
 }
@@ -88,6 +90,9 @@ void times(const Panel& panel, float end) {
   char text[64];
   std::snprintf(text, sizeof text, "%.1f ms a step, %.0f pictures/s", panel.input.step_milliseconds,
                 panel.input.frames_per_second);
+  text_before(panel, end, palette::kTextDim, text);
+  if (!panel.state.running) return;
+  std::snprintf(text, sizeof text, "%.2g × real time", panel.input.reached_speed);
   text_before(panel, end, palette::kTextDim, text);
 }
 

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "ui/panels/aim_overlay.h"
 #include "ui/panels/comparison_overlay.h"
 #include "ui/panels/gizmo_overlay.h"
 #include "ui/panels/panels.h"
@@ -48,9 +49,7 @@ void mouse_input(Panel& panel) {
   const float notches = state.preferences.invert_zoom ? -io.MouseWheel : io.MouseWheel;
   if (hovered && notches != 0) state.camera_motion.zoom *= std::pow(kZoomPerNotch, notches);
   const Vec2 cursor = place_in_view(state, io.MousePos);
-  if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) {
-    issue(panel, {.id = CommandId::fire, .cursor = cursor});
-  }
+  aim_shot(panel, cursor);
   const bool clicked = ImGui::IsMouseReleased(ImGuiMouseButton_Left) && ImGui::IsItemDeactivated() &&
                        io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] < slack * slack && !io.KeyShift;
   if (clicked) issue(panel, {.id = CommandId::pick, .cursor = cursor});
@@ -64,10 +63,12 @@ void draw_card(ImDrawList* list, ImVec2 low, ImVec2 high, float scale) {
 void draw_hints(const Panel& panel, ImVec2 corner, ImVec2 end) {
   const Fonts& fonts = panel.input.fonts;
   const float scale = ui_scale(panel), size = fonts.small->FontSize, margin = 14 * scale;
-  std::string text = "drag: turn      shift+drag: move      wheel: zoom      click: inspect      right click: fire";
+  std::string text =
+      "drag: turn      shift+drag: move      wheel: zoom      click: inspect      right click: fire, hold it: aim";
   if (panel.state.gizmo_drag || panel.state.region_drag) text = "ctrl: round steps      esc: leave it as it was";
   if (panel.state.paint_regions)
     text = "drag over the body: paint      ctrl: take off      beside it: turn      T: done";
+  if (panel.state.aimed_at) text = "let go: fire      esc: leave it";
   if (panel.state.show_gizmo && panel.input.frame.step > 0) text += "      R: back to the start, to move the body";
   if (panel.state.view.slice) text += "      ctrl+drag: move the slice";
   const float width = fonts.small->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x + 24 * scale;
@@ -128,6 +129,7 @@ void draw_viewport(Panel& panel) {
   draw_region(panel);
   draw_painted_region(panel);
   draw_gizmo(panel);
+  draw_aim(panel);
   if (panel.input.legend) {
     draw_legend(list, *panel.input.legend, panel.input.fonts, {state.viewport_minimum, end}, ui_scale(panel));
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/world/frame.h"
+#include "ui/model/aim.h"
 #include "ui/model/editor_state.h"
 #include "ui/model/view_camera.h"
 #include "ui/widgets/fonts.h"
@@ -25,6 +26,7 @@ struct EditorInput {
   ViewCamera camera;                                    ///< of the picture
   std::optional<Legend> legend;                         ///< of the picture
   std::vector<PictureLabel> labels;                     ///< of the picture
+  Aim aim;                                              ///< of the shot that is being aimed
   std::span<const UtilizationSample> utilizations;      ///< past of the selected node, oldest first
   Vec3 low = Vec3::Zero(), high = Vec3::Zero();         ///< box round the bodies [m]
   Vec3 towards_eye = Vec3::UnitZ();                     ///< from what is looked at

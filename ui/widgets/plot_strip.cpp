@@ -17,19 +17,20 @@ constexpr float kAxisWidth = 58, kNamesHeight = 17, kStripMargin = 5;  // design
 /// Ticks are written with 0 added, or the one at 0 may read "-0".
 ImVec2 as_place(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
 
-/// Of what was recorded, in the full width of the item drawn last.
+/// Of the shown steps, in the full width of the item drawn last.
 PlotView view_in_item(const Panel& panel, const PlotRange& range) {
-  const TimeView& time = panel.input.time;
+  const StepSpan steps = shown_steps(panel);
   const float scale = ui_scale(panel);
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   return {.left = low.x + kAxisWidth * scale,
           .right = high.x - kStripMargin * scale,
           .top = low.y + kNamesHeight * scale,
           .bottom = high.y - kStripMargin * scale,
-          .first_step = time.first_step,
-          .last_step = time.last_step,
-          .time_step = time.time_step,
-          .range = range};
+          .first_step = steps.first,
+          .last_step = steps.last,
+          .time_step = panel.input.time.time_step,
+          .range = range,
+          .logarithmic = panel.state.preferences.logarithmic_plots};
 }
 
 /// The unit in which the numbers of the axis are written: "kJ".
@@ -41,18 +42,27 @@ SiPrefix axis_prefix(const PlotRange& range, const std::string& unit) {
   return si_prefix(std::max(std::abs(range.low), std::abs(range.high)), unit);
 }
 
-void draw_axis(const Panel& panel, const PlotView& view, const SiPrefix& prefix) {
+/// A line across the field with its number before it.
+void draw_tick(const Panel& panel, const PlotView& view, double value, const std::string& text) {
   ImDrawList* list = ImGui::GetWindowDrawList();
-  const float scale = ui_scale(panel), size = kSmallText * scale;
-  const double height = view.bottom - view.top, factor = prefix.factor;
-  const double count = legend_tick_count(height, 1.4 * static_cast<double>(size));
-  for (const double tick : legend_ticks(view.range.low / factor, view.range.high / factor, count)) {
-    const double y = view.y(tick * factor);
-    list->AddLine(as_place(view.left, y), as_place(view.right, y), palette::kLine, scale);
-    const std::string text = format_number(tick + 0.0, {}, 5);
-    const float x = static_cast<float>(view.left) - 6 * scale - ImGui::CalcTextSize(text.c_str()).x;
-    list->AddText({x, static_cast<float>(y) - size / 2}, palette::kTextDim, text.c_str());
+  const float scale = ui_scale(panel);
+  const double y = view.y(value);
+  list->AddLine(as_place(view.left, y), as_place(view.right, y), palette::kLine, scale);
+  const float x = static_cast<float>(view.left) - 6 * scale - ImGui::CalcTextSize(text.c_str()).x;
+  list->AddText({x, static_cast<float>(y) - kSmallText * scale / 2}, palette::kTextDim, text.c_str());
+}
+
+/// Numbers in the axis' unit; decades have prefixes of their own.
+void draw_axis(const Panel& panel, const PlotView& view, const std::string& unit, const SiPrefix& prefix) {
+  const double text_height = 1.4 * static_cast<double>(kSmallText * ui_scale(panel));
+  const double count = legend_tick_count(view.bottom - view.top, text_height), factor = prefix.factor;
+  if (view.logarithmic) {
+    for (const double tick : decade_ticks(view.range, count))
+      draw_tick(panel, view, tick, format_quantity(tick, unit == "-" ? "" : unit, 3));
+    return;
   }
+  for (const double tick : legend_ticks(view.range.low / factor, view.range.high / factor, count))
+    draw_tick(panel, view, tick * factor, format_number(tick + 0.0, {}, 5));
 }
 
 /// A colour behind which another of its kind is seen.
@@ -64,7 +74,7 @@ void draw_curve(const Panel& panel, const PlotView& view, const RunCurve& curve,
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float width = 1.5f * ui_scale(panel);
   std::optional<ImVec2> end;
-  for (const PlotColumn& column : plot_columns(times, curve.values, view.span())) {
+  for (const PlotColumn& column : plot_columns(times, curve.values, view.span(), view.floor())) {
     const double x = view.left + column.column + 0.5;
     if (end && !column.begins) list->AddLine(*end, as_place(x, view.y(column.first)), color, width);
     list->AddLine(as_place(x, view.y(column.low) + 0.5), as_place(x, view.y(column.high) - 0.5), color, width);
@@ -85,7 +95,9 @@ void draw_names(const Panel& panel, const PlotView& view, const PlotStrip& strip
   }
 }
 
+/// Of a step beyond the ends nothing.
 void draw_step_line(const PlotView& view, std::int64_t step, ImU32 color, float width) {
+  if (step < view.first_step || step > view.last_step) return;
   const double x = view.x(step);
   ImGui::GetWindowDrawList()->AddLine(as_place(x, view.top), as_place(x, view.bottom), color, width);
 }
@@ -106,12 +118,18 @@ ImU32 plot_color(std::size_t slot) {
   return kColors[slot];
 }
 
+StepSpan shown_steps(const Panel& panel) {
+  const StepSpan whole{panel.input.time.first_step, panel.input.time.last_step};
+  return moved(panel.state.plots.zoom.value_or(whole), whole, 0);
+}
+
 PlotView draw_plot_strip(Panel& panel, const std::string& tag, const PlotStrip& strip, const PlotStrip* compared,
                          float height) {
   std::vector<const RunCurve*> all = strip.curves;
   if (compared) all.insert(all.end(), compared->curves.begin(), compared->curves.end());
-  const PlotRange range = plot_range(all);
-  const SiPrefix prefix = axis_prefix(range, strip.unit);
+  const bool logarithmic = panel.state.preferences.logarithmic_plots;
+  const PlotRange range = logarithmic ? decade_range(all) : plot_range(all);
+  const SiPrefix prefix = logarithmic ? SiPrefix{} : axis_prefix(range, strip.unit);
   const std::string unit = axis_unit(strip.unit, prefix);
   ImGui::InvisibleButton(tag.c_str(), {ImGui::GetContentRegionAvail().x, height});
   tag_last_item(panel.tags, tag, strip_text(strip, unit));
@@ -120,18 +138,18 @@ PlotView draw_plot_strip(Panel& panel, const std::string& tag, const PlotStrip& 
   ImGui::PushFont(panel.input.fonts.small);
   ImGui::GetWindowDrawList()->AddRectFilled(as_place(view.left, view.top), as_place(view.right, view.bottom),
                                             palette::kField);
-  draw_axis(panel, view, prefix);
+  draw_axis(panel, view, strip.unit, prefix);
   draw_step_line(view, panel.input.frame.step, palette::kText, scale);
   if (compared)
     for (const RunCurve* curve : compared->curves)
-      draw_curve(panel, view, *curve, panel.input.comparison->curves.times, paler(plot_color(curve->slot)));
-  for (const RunCurve* curve : strip.curves)
-    draw_curve(panel, view, *curve, panel.input.curves.times, plot_color(curve->slot));
+      draw_curve(panel, view, *curve, compared->times, paler(plot_color(curve->slot)));
+  for (const RunCurve* curve : strip.curves) draw_curve(panel, view, *curve, strip.times, plot_color(curve->slot));
   draw_names(panel, view, strip, unit);
   ImGui::PopFont();
   const float mouse = ImGui::GetIO().MousePos.x;
   const bool points = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-  if (points && mouse >= static_cast<float>(view.left) && mouse <= static_cast<float>(view.right))
+  if (points && !panel.state.plots.for_picture && mouse >= static_cast<float>(view.left) &&
+      mouse <= static_cast<float>(view.right))
     draw_step_line(view, view.step_at(static_cast<double>(mouse)), palette::kTextDim, scale);
   return view;
 }

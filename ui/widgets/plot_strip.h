@@ -8,6 +8,9 @@ namespace griffith::ui {
 /// The colour of a slot of PlotChoice.
 ImU32 plot_color(std::size_t slot);
 
+/// The steps that plots show.
+StepSpan shown_steps(const Panel& panel);
+
 /// Draws the curves of a unit over the full width, `height` [pixels] high, with the numbers of their axis, their names,
 /// the present step and the one at which the mouse points. Returns where things are in it. It is an item of `tag`.
 /// `compared`: the same curves of another branch, drawn paler behind them; or null.

@@ -320,9 +320,9 @@ Vec3 ContactWorld::swept_center(ProxyId proxy, double dt, double slow,
 Vec3 ContactWorld::velocity_after(const Vec3& velocity, const Vec3& displacement, double dt) const {
   return impl_->velocity_after(velocity, displacement, dt);
 }
-std::vector<ContactWorld::Encounter> ContactWorld::expected_impacts(double dt, double minimum_speed,
-                                                                    double tolerance) const {
-  return impl_->expected_impacts(dt, minimum_speed, tolerance);
+std::vector<ContactWorld::Encounter> ContactWorld::expected_impacts(double dt, double minimum_speed, double tolerance,
+                                                                    const PairFilter& matters) const {
+  return impl_->expected_impacts(dt, minimum_speed, tolerance, matters);
 }
 std::size_t ContactWorld::memory() const {
   constexpr std::size_t kOfBullet = 1200;  // an object of its own, its proxy and what finds them

@@ -238,7 +238,8 @@ struct ContactWorld::Impl : contact::ContactState {
                          double dt) const;
   std::optional<ContactWorld::Encounter> expected_impact(std::size_t first, std::size_t second, double dt,
                                                          double minimum_speed, double tolerance) const;
-  std::vector<ContactWorld::Encounter> expected_impacts(double dt, double minimum_speed, double tolerance) const;
+  std::vector<ContactWorld::Encounter> expected_impacts(double dt, double minimum_speed, double tolerance,
+                                                        const PairFilter& matters) const;
 
   std::vector<contact::Retired> retired;  ///< deleted with the next detection; they outlive what knows them
   btDefaultCollisionConfiguration configuration;

@@ -150,7 +150,8 @@ std::optional<ContactWorld::Encounter> ContactWorld::Impl::expected_impact(std::
 
 /// Sorts the swept extents along x and looks at those that overlap, where at least one object is fast enough.
 std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double dt, double minimum_speed,
-                                                                          double tolerance) const {
+                                                                          double tolerance,
+                                                                          const PairFilter& matters) const {
   struct Extent {
     std::size_t object;
     Eigen::AlignedBox3d box;
@@ -159,6 +160,7 @@ std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double
   std::vector<Extent> extents;
   std::vector<Encounter> found;
   const auto look = [&](std::size_t a, std::size_t b) {
+    if (matters && !matters(ProxyId(static_cast<std::int64_t>(a)), ProxyId(static_cast<std::int64_t>(b)))) return;
     if (const auto impact = expected_impact(a, b, dt, minimum_speed, tolerance)) found.push_back(*impact);
   };
   for (std::size_t i = 0; i < objects.size(); ++i) {

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "sim/core/parallel.h"
-#include "sim/elasticity/principal_stress.h"
 #include "sim/world/corners.h"
 #include "sim/world/world_state.h"
 
@@ -82,73 +81,26 @@ void book_projectile(WorldState& world, std::size_t index, const RigidImpulse& i
   energy.time_integration += projectile.mass * world.model->scene.gravity.dot(displacement - pushed_out - dt * mean);
 }
 
-/// Twice the elastic energy of a stress, per volume [J/m³].
-double twice_energy_density(const ElasticLaw& law, const Mat3& stress) {
-  const double fraction = law.lambda / (3 * law.lambda + 2 * law.mu);
-  return (stress.squaredNorm() - fraction * stress.trace() * stress.trace()) / (2 * law.mu);
-}
-
 /// The stress that a tet would have if it had not yielded since.
 Mat3 unyielded_stress(const WorldState& world, const Body& body, const BodySnapshot& before, double mu, int i) {
   const TetId tet = body.tets[i];
-  const Mat3& stress = world.elements.states[tet].stress;
+  const Mat3 stress = world.elements.states[tet].stress;
   if (before.plastic_strains.empty()) return stress;
   return stress + 2 * mu * (world.elements.plastic_strains[tet] - before.plastic_strains[i]);
 }
 
 /// The elastic energy of the change of strains since `before`, ½ ∫ Δσ : Δε [J]: what loads that come at once do beyond
 /// what a body takes up.
-double energy_of_change(const WorldState& world, const Body& body, const BodySnapshot& before) {
+double energy_of_change(const WorldState& world, const Body& body, const BodySnapshot& before,
+                        const std::vector<Mat3>& stresses) {
   const ElasticLaw law = elastic_law(world.material_of(body));
   return parallel_sum(static_cast<int>(body.tets.size()), [&](int begin, int end) {
     double sum = 0;
     for (int i = begin; i < end; ++i)
       sum += 0.5 * world.elements.rest_elements[body.tets[i]].volume *
-             twice_energy_density(law, unyielded_stress(world, body, before, law.mu, i) - before.stresses[i]);
+             twice_energy_density(law, unyielded_stress(world, body, before, law.mu, i) - stresses[i]);
     return sum;
   });
-}
-
-/// What elastic forces did to a body over the way by its solved velocities, as the linearised step knows them.
-struct ElasticWorks {
-  double first = 0;   ///< against the forces at the start [J]
-  double change = 0;  ///< against their linearised change, all of it over all of the way [J]
-  double stored = 0;  ///< what elastic energy has grown by [J]
-};
-
-/// Works of a tet over displacements of its corners, but for what is stored.
-ElasticWorks works_of_tet(const ElasticLaw& law, const RestElement& rest, const Mat3& frame, const Mat3& stress,
-                          const Corners& displacements) {
-  const Mat3 gradient = deformation_gradient(rest, displacements), turned = frame.transpose() * gradient;
-  const Mat3 strain = 0.5 * (turned + turned.transpose());
-  ElasticWorks works;
-  works.first = rest.volume * stress.cwiseProduct(strain).sum();
-  works.change = rest.volume * (law.lambda * strain.trace() * strain.trace() + 2 * law.mu * strain.squaredNorm());
-  if (law.model == ElementModel::green_strain)
-    works.change += rest.volume * (gradient * tensile_part(stress)).cwiseProduct(gradient).sum();
-  return works;
-}
-
-ElasticWorks elastic_works(const WorldState& world, const Body& body, const BodySnapshot& before, double dt) {
-  const ElasticLaw law = elastic_law(world.material_of(body));
-  std::vector<ElasticWorks> of_tets(body.tets.size());
-  parallel_for(static_cast<int>(of_tets.size()), 1024, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      const TetId tet = body.tets[i];
-      const RestElement& rest = world.elements.rest_elements[tet];
-      const Corners displacements = dt * corners_of(world.mesh, tet, world.scratch.substep_start.solved_velocities);
-      of_tets[i] = works_of_tet(law, rest, before.frames[i], before.stresses[i], displacements);
-      of_tets[i].stored = rest.volume * (world.elements.states[tet].energy_density -
-                                         0.5 * twice_energy_density(law, before.stresses[i]));
-    }
-  });
-  ElasticWorks sum;
-  for (const ElasticWorks& works : of_tets) {
-    sum.first += works.first;
-    sum.change += works.change;
-    sum.stored += works.stored;
-  }
-  return sum;
 }
 
 /// What the nodes of an elastic body did in a substep.
@@ -223,19 +175,20 @@ BodySnapshot snapshot(const WorldState& world, const Body& body) {
   BodySnapshot taken;
   taken.positions.reserve(body.nodes.size());
   taken.velocities.reserve(body.nodes.size());
-  taken.frames.reserve(body.tets.size());
-  taken.stresses.reserve(body.tets.size());
   for (NodeId node : body.nodes) {
     taken.positions.push_back(world.nodes.positions[node]);
     taken.velocities.push_back(world.nodes.velocities[node]);
   }
-  for (TetId tet : body.tets) {
-    taken.frames.push_back(world.elements.states[tet].frame);
-    taken.stresses.push_back(world.elements.states[tet].stress);
-  }
   if (world.material_of(body).yield_strength)
     for (TetId tet : body.tets) taken.plastic_strains.push_back(world.elements.plastic_strains[tet]);
   return taken;
+}
+
+std::vector<Mat3> stresses_of(const WorldState& world, const Body& body) {
+  std::vector<Mat3> stresses;
+  stresses.reserve(body.tets.size());
+  for (TetId tet : body.tets) stresses.push_back(world.elements.states[tet].stress);
+  return stresses;
 }
 
 double plastic_work(const WorldState& world, const Body& body, const BodySnapshot& before) {
@@ -246,17 +199,17 @@ double plastic_work(const WorldState& world, const Body& body, const BodySnapsho
     const TetId tet = body.tets[i];
     const Mat3 flowed = world.elements.plastic_strains[tet] - before.plastic_strains[i];
     // At the mean of the stresses before and after it flowed.
-    const Mat3 stress = world.elements.states[tet].stress + mu * flowed;
+    const Mat3 stress = world.elements.states[tet].stress.full() + mu * flowed;
     work += world.elements.rest_elements[tet].volume * stress.cwiseProduct(flowed).sum();
   }
   return work;
 }
 
 EnergyAccount spent_in_move(const WorldState& world, const Body& body, const BodySnapshot& before,
-                            const std::vector<Vec3>& external, double dt, bool shortened) {
+                            const ElasticWorks& elastic, const std::vector<Vec3>& external, double dt, bool shortened) {
   const Material& material = world.material_of(body);
   const NodeWorks nodes = works_of_nodes(world, body, before, external, dt);
-  const ElasticWorks elastic = elastic_works(world, body, before, dt);
+  const double stored = stored_since(world, body, elastic);
   EnergyAccount spent;
   spent.loads = world.loads.empty() ? 0 : nodes.loads;
   for (NodeId node : body.system->supports())
@@ -266,19 +219,19 @@ EnergyAccount spent_in_move(const WorldState& world, const Body& body, const Bod
       2 * dt * material.mass_damping * nodes.predicted + material.stiffness_damping / dt * elastic.change;
   if (shortened) {
     spent.limited = nodes.before + spent.loads + nodes.gravity + spent.supports + body.contact_work - nodes.after -
-                    elastic.stored - spent.plastic - spent.material_damping;
+                    stored - spent.plastic - spent.material_damping;
   } else {
     const double forces = (body.start.rigid ? 0 : elastic.first) + (world.integrates_explicitly() ? 0 : elastic.change);
     spent.time_integration =
-        nodes.change + nodes.predicted - nodes.after - nodes.beside + forces - elastic.stored - spent.plastic;
+        nodes.change + nodes.predicted - nodes.after - nodes.beside + forces - stored - spent.plastic;
   }
   return spent;
 }
 
 EnergyAccount spent_in_equilibrium(const WorldState& world, const Body& body, const BodySnapshot& before,
-                                   double displacement_time) {
+                                   const std::vector<Mat3>& stresses, double displacement_time) {
   EnergyAccount spent;
-  spent.time_integration = energy_of_change(world, body, before);
+  spent.time_integration = energy_of_change(world, body, before, stresses);
   spent.plastic = plastic_work(world, body, before);
   for (NodeId node : body.system->supports())
     spent.supports += displacement_time * world.nodes.reactions[node].dot(world.nodes.constraints[node].velocity);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/shock/obstacle.h"
+#include "sim/world/energy/elastic_works.h"
 #include "sim/world/world_state.h"
 
 /// What the phases of a step tell the energy account. Works are taken over what moved: of an impulse on something rigid
@@ -38,18 +39,20 @@ void book_rigid_contacts(WorldState& world, double dt);
 struct BodySnapshot {
   std::vector<Vec3> positions, velocities;  ///< per node of the body
   std::vector<Mat3> plastic_strains;        ///< per tet; empty unless it yields
-  std::vector<Mat3> frames, stresses;       ///< per tet: of ElementState
 };
 BodySnapshot snapshot(const WorldState& world, const Body& body);
+/// Stresses of its tets, as ElementState has them [Pa].
+std::vector<Mat3> stresses_of(const WorldState& world, const Body& body);
 
 /// What a substep took from an elastic body, now that it has moved from `before`: backward Euler loses the kinetic
 /// energy of the change of velocities and the elastic energy of the change of strains. `external` forces as in
 /// predict_velocities(); `shortened`: it was moved less than its velocities say, and all that lacks was cut.
 EnergyAccount spent_in_move(const WorldState& world, const Body& body, const BodySnapshot& before,
-                            const std::vector<Vec3>& external, double dt, bool shortened);
-/// What a static equilibrium took, a step without inertia. Prescribed supports went on for `displacement_time` [s].
+                            const ElasticWorks& elastic, const std::vector<Vec3>& external, double dt, bool shortened);
+/// What a static equilibrium took, a step without inertia, from a body that had `stresses` (stresses_of()). Prescribed
+/// supports went on for `displacement_time` [s].
 EnergyAccount spent_in_equilibrium(const WorldState& world, const Body& body, const BodySnapshot& before,
-                                   double displacement_time);
+                                   const std::vector<Mat3>& stresses, double displacement_time);
 /// What a substep took from a rigid body that has moved on from `before`.
 EnergyAccount spent_in_rigid_move(const WorldState& world, const Body& body, const RigidMotion& before, double dt);
 /// Work of yielding, since `before` [J].

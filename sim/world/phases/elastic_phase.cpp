@@ -96,9 +96,8 @@ void update_elements(WorldState& world, const Body& body) {
   const std::optional<PlasticLaw> plastic = plastic_law(world.material_of(body));
   const double similarity = body.shock ? body.shock->similarity : 1;
   const auto strain_of = [&](TetId tet, const FourDeformations& deformations, int lane) {
-    Mat3& strain = elements.plastic_strains[tet];
-    if (plastic) strain = flow(*plastic, deformations.of(lane), strain);
-    return stress_free_strain(world, tet);
+    if (plastic) elements.plastic_strains[tet] = flow(*plastic, deformations.of(lane), elements.plastic_strains[tet]);
+    return elements.stress_free_strain(tet);
   };
   const auto write = [&](TetId tet, const FourStates& states, int lane) {
     elements.states[tet] = states.of(lane);

@@ -21,7 +21,7 @@ StaticProblem problem_of(const WorldState& world, const Body& body, std::span<co
     parallel_for(static_cast<int>(body.tets.size()), 1024, [&](int begin, int end) {
       find_states(
           placed, std::span(body.tets).subspan(begin, end - begin),
-          [&](TetId tet, const FourDeformations&, int) { return world.elements.plastic_strains[tet]; },
+          [&](TetId tet, const FourDeformations&, int) { return world.elements.plastic_strain(tet); },
           [&](TetId tet, const FourStates& found, int lane) { states[tet] = found.of(lane); });
     });
   };
@@ -61,8 +61,9 @@ void find_equilibrium(WorldState& world, double time, double displacement_time,
   for (Body& body : world.bodies) {
     if (body.rigid || !concerns(body)) continue;
     const BodySnapshot before = snapshot(world, body);
+    const std::vector<Mat3> stresses = stresses_of(world, body);
     settle(world, body, problem_of(world, body, displacements, loads, pressed[body.id]), monitor);
-    world.energy += spent_in_equilibrium(world, body, before, displacement_time);
+    world.energy += spent_in_equilibrium(world, body, before, stresses, displacement_time);
     freeze_if_broken_down(world, body);
   }
 }

@@ -6,8 +6,11 @@
 
 namespace griffith {
 
-std::vector<ContactWorld::Encounter> expected_impacts(const WorldState& world, double duration) {
-  return world.contact_world.expected_impacts(duration, min_impact_speed(world), impact_tolerance(world));
+std::vector<ContactWorld::Encounter> expected_impacts(const WorldState& world, double duration,
+                                                      const std::function<bool(BodyId, BodyId)>& matters) {
+  ContactWorld::PairFilter filter;
+  if (matters) filter = [&](ProxyId a, ProxyId b) { return matters(world.body_of(a), world.body_of(b)); };
+  return world.contact_world.expected_impacts(duration, min_impact_speed(world), impact_tolerance(world), filter);
 }
 
 double time_before(const std::vector<ContactWorld::Encounter>& impacts, double maximum) {

@@ -299,7 +299,7 @@ void freeze_if_broken_down(WorldState& world, Body& body) {
   }
   for (NodeId node : body.nodes) world.nodes.velocities[node] = world.nodes.reactions[node] = Vec3::Zero();
   for (TetId tet : body.tets)
-    if (!world.elements.plastic_strains[tet].allFinite()) world.elements.plastic_strains[tet].setZero();
+    if (!world.elements.plastic_strain(tet).allFinite()) world.elements.plastic_strains[tet].setZero();
   freeze(world, body);
 }
 
@@ -328,8 +328,9 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
         spent[i] = spent_in_rigid_move(world, body, before, dt);
       } else {
         const BodySnapshot before = snapshot(world, body);
+        const ElasticWorks works = elastic_works(world, body, dt);
         shortened[i] = move_elastic(world, body, before, external, dt);
-        spent[i] = spent_in_move(world, body, before, external, dt, shortened[i] != 0);
+        spent[i] = spent_in_move(world, body, before, works, external, dt, shortened[i] != 0);
         update_motion(world, body);
       }
     }

@@ -15,9 +15,8 @@ double element_size_at(const WorldState& world, NodeId node);
 /// What a node of that material withstands, across the planes of uniform strength [Pa], or [N] with the force
 /// criterion.
 double resistance_at(const WorldState& world, const Material& material, NodeId node);
-/// The separation of one node of a body under the states of its elements now.
-NodeSeparation evaluate_node(const WorldState& world, const SeparationInput& input, const Body& body, NodeId node,
-                             bool averaged);
+/// Evaluates nodes under the states of their elements now.
+void evaluate_nodes(WorldState& world, const SeparationInput& input, std::span<const NodeId> nodes, bool averaged);
 /// What the separation tensors are made of.
 SeparationInput separation_input(const WorldState& world);
 

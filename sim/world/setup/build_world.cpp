@@ -255,6 +255,8 @@ WorldState build_world(const Scene& scene, const Monitor& monitor, const GivenMe
     model->extents[body.scene_body] = std::max(model->extents[body.scene_body], body.extent);
   queue_bursts(world);
   for (int i = 0; i < static_cast<int>(world.materials.size()); ++i) check_substep_count(world, i, world.materials[i]);
+  const auto yields = [](const Material& material) { return material.yield_strength.has_value(); };
+  if (std::ranges::any_of(world.materials, yields)) world.elements.allow_strains();
   if (monitor.is_cancelled()) throw Cancelled();
   monitor.enter("Finding the start");
   find_static_start(world, -1, monitor);

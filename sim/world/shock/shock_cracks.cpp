@@ -20,6 +20,8 @@ constexpr double kCrackSpeed = 0.3;
 constexpr float kScreeningFraction = 0.97F;
 /// Elements and nodes that are judged side by side: fewer are done before another thread could start.
 constexpr int kGrain = 128;
+/// What the look at a node takes with the elements round it, and a crack [µs of a usual core].
+constexpr double kLookWork = 1, kCrackWork = 20;
 
 }  // namespace
 
@@ -69,7 +71,7 @@ void ShockRun::bring_up_to_date(std::span<const TetId> tets, const Body& body) {
       placed, tets,
       [&](TetId tet, const FourDeformations& deformations, int lane) {
         if (solid_.is_relieved(slot_of_tet_[tet])) let_sliver_yield(tet, deformations.strain.of(lane));
-        return stress_free_strain(world_, tet);
+        return world_.elements.stress_free_strain(tet);
       },
       [&](TetId tet, const FourStates& states, int lane) { world_.elements.states[tet] = states.of(lane); });
 }
@@ -105,13 +107,13 @@ void ShockRun::look() {
   ++looks_made_;
   overloaded_.clear();
   std::erase_if(flagged_, [&](int index) { return time_ < looks_[index].ready; });
+  work_ += kLookWork * static_cast<double>(flagged_.size());
   bring_stars_up_to_date();
   const SeparationInput input = separation_input(world_);
-  parallel_for(static_cast<int>(flagged_.size()), kGrain, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      const NodeId node = nodes_[flagged_[i]];
-      world_.nodes.separations[node] = evaluate_node(world_, input, body_of(node), node, false);
-    }
+  std::vector<NodeId> looked_at;
+  for (const int index : flagged_) looked_at.push_back(nodes_[index]);
+  parallel_for(static_cast<int>(looked_at.size()), kGrain, [&](int begin, int end) {
+    evaluate_nodes(world_, input, std::span(looked_at).subspan(begin, end - begin), false);
   });
   for (const int index : flagged_) judge(index);
   std::ranges::sort(overloaded_, [](const Overload& a, const Overload& b) {
@@ -171,6 +173,7 @@ void ShockRun::open(const Overload& overload) {
   }
   if (!cracked) return;
   ++world_.report.cracks;
+  work_ += kCrackWork;
   opened_.bodies.insert(id);
   world_.bodies[id].shock->last_event = time_;
   const bool torn_off = world_.crack_events.back().torn_off;
@@ -221,7 +224,7 @@ void ShockRun::follow(std::span<const NodeCopy> copies, const std::vector<TetId>
     for (int face = 0; face < 4; ++face) {
       const TetId was = neighbours[i][face];
       if (!was.valid() || mesh.neighbours[star[i]][face].valid() || was < star[i]) continue;
-      impacts_->open(crack_sides(mesh, star[i], face, was, slot_of_tet_[star[i]], slot_of_tet_[was]));
+      impacts_->open(solid_, crack_sides(mesh, star[i], face, was, slot_of_tet_[star[i]], slot_of_tet_[was]));
     }
   for (const TetId tet : star)
     for (const NodeId near : mesh.tets[tet])

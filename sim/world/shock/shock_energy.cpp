@@ -23,8 +23,8 @@ double ShockRun::relieved_energy(bool at_start) const {
     for (int i = 0; i < 4; ++i) corners.col(i) = solid_.position(solid_.corner(slot, i));
     const ElasticLaw law = law_in_shock(world_, body);
     const ElementDeformation deformation = element_deformation(law.model, rest, corners);
-    const Mat3 permanent =
-        stiffness == 0 ? stress_free_strain(world_, tet) : deformation.strain - elastic_strain(tet, deformation.strain);
+    const Mat3 permanent = stiffness == 0 ? world_.elements.stress_free_strain(tet)
+                                          : deformation.strain - elastic_strain(tet, deformation.strain);
     const double known = stiffness == 0 ? 0 : 1 / stiffness;
     relieved +=
         (1 - known) * rest.volume * body.shock->similarity * element_state(law, deformation, permanent).energy_density;

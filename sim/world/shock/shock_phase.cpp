@@ -176,6 +176,8 @@ void enter_shock(WorldState& world, Body& body, double impact_speed) {
     place_rigid_nodes(world, body);
     make_elastic(world, body);
   }
+  world.elements.allow_strains();
+  if (impact_speed > 0) ++world.report.impacts;
   body.shock = Shock{world.time, impact_speed, highest_frequency(world, body)};
 }
 
@@ -216,23 +218,27 @@ bool is_hurt_by(const WorldState& world, BodyId struck, double approach) {
 
 /// Whether a body is to enter for it.
 bool is_blow(const WorldState& world, const ContactWorld::Encounter& impact) {
-  const BodyId first = world.body_of(impact.a), second = world.body_of(impact.b);
-  return !have_just_parted(world, first, second) &&
-         (is_hurt_by(world, first, impact.approach) || is_hurt_by(world, second, impact.approach));
+  return is_hurt_by(world, world.body_of(impact.a), impact.approach) ||
+         is_hurt_by(world, world.body_of(impact.b), impact.approach);
 }
 
 /// What else strikes, debris mostly, is caught by the implicit step.
 double time_before_blow(const WorldState& world, double maximum) {
-  std::vector<ContactWorld::Encounter> blows = expected_impacts(world, maximum);
+  const auto matters = [&](BodyId a, BodyId b) { return !have_just_parted(world, a, b); };
+  std::vector<ContactWorld::Encounter> blows = expected_impacts(world, maximum, matters);
   std::erase_if(blows, [&](const auto& impact) { return !is_blow(world, impact); });
   return time_before(blows, maximum);
 }
 
 /// Lets the bodies enter that something will strike hard enough to hurt within `duration` [s].
 void enter_struck_bodies(WorldState& world, double duration) {
-  for (const auto& [a, b, approach, time] : expected_impacts(world, duration)) {
+  const auto may_enter = [&](BodyId id) { return id.valid() && !world.bodies[id].shock; };
+  const auto matters = [&](BodyId a, BodyId b) {
+    return (may_enter(a) || may_enter(b)) && !have_just_parted(world, a, b);
+  };
+  for (const auto& [a, b, approach, time] : expected_impacts(world, duration, matters)) {
     const BodyId first = world.body_of(a), second = world.body_of(b);
-    if (have_just_parted(world, first, second)) continue;
+    if (have_just_parted(world, first, second)) continue;  // one of the two has entered by now
     for (const auto& [struck, other] : {std::pair(first, second), std::pair(second, first)}) {
       if (!is_hurt_by(world, struck, approach)) continue;
       enter_shock(world, world.bodies[struck], approach);
@@ -268,6 +274,7 @@ void cut_shocks_short(WorldState& world) {
 
 double next_stretch(WorldState& world, double left) {
   if (!in_shock(world)) {
+    world.shock_overhead = 1;
     const double calm = time_before_blow(world, left);
     if (calm > impact_tolerance(world) || calm == left) return calm;
   }

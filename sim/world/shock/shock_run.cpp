@@ -53,7 +53,7 @@ void ShockRun::build(std::vector<shock::Obstacle> obstacles) {
   seen_.assign(tets_.size(), -1);
   looks_.assign(nodes_.size(), {});
   for (int i = 0; i < solid_.node_count(); ++i) update_threshold(i);
-  impacts_.emplace(surface_of_bodies(), cracks_of_bodies(), std::move(obstacles), surfaces_, size);
+  impacts_.emplace(solid_, surface_of_bodies(), cracks_of_bodies(), std::move(obstacles), surfaces_, size);
 }
 
 void ShockRun::add_body(const Body& body, const std::vector<Vec3>& external) {
@@ -97,7 +97,7 @@ void ShockRun::add_elements(const Body& body, const Mat3& turn) {
     for (int i = 0; i < 4; ++i) corners[i] = local(world_.mesh.tets[tet][i]);
     rest_elements.push_back(
         {turn * world_.elements.rest_elements[tet].shape_gradients, world_.elements.rest_elements[tet].volume});
-    offsets.push_back(turn * stress_free_strain(world_, tet) * turn.transpose());
+    offsets.push_back(turn * world_.elements.stress_free_strain(tet) * turn.transpose());
   }
   ElasticLaw law = law_in_shock(world_, body);  // of stress; forces are those of E′ = f² E
   law.lambda *= body.shock->similarity, law.mu *= body.shock->similarity;
@@ -174,11 +174,20 @@ void ShockRun::run(double duration) {
     book_account();
     if (rebuild_) {
       world_.time = time_;
+      work_ += impacts_->work();
       build({impacts_->obstacles().begin(), impacts_->obstacles().end()});
     }
   }
+  book_work();
+}
+
+/// Counts what the shock took, for the length of the next stretches and their scaling.
+void ShockRun::book_work() {
   world_.report.microsteps += static_cast<int>(microsteps_);
-  world_.scratch.microstep_work += kMicrostepWork * static_cast<double>(microsteps_ * solid_.tet_slots());
+  const double of_elements = kMicrostepWork * static_cast<double>(microsteps_ * solid_.tet_slots());
+  const double work = of_elements + work_ + impacts_->work();
+  world_.scratch.microstep_work += work;
+  world_.shock_overhead = work / of_elements;
 }
 
 void ShockRun::record_blows() {

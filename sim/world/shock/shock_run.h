@@ -70,6 +70,7 @@ class ShockRun {
   void write_back();
   void begin_account();
   void book_account();
+  void book_work();
   double relieved_energy(bool at_start) const;
   void add_external_works(EnergyAccount& spent) const;
   int local(NodeId node) const { return local_of_node_[node]; }
@@ -95,6 +96,7 @@ class ShockRun {
   std::map<std::pair<NodeId, int>, std::size_t> contact_views_;  ///< of a node and an obstacle, among the world's
   EnergyAccount first_;                                          ///< what an account of this build starts from
   double dt_ = 0, time_ = 0, min_speed_ = 0;
+  double work_ = 0;  ///< beside elements and nodes [µs of a usual core]
   long microsteps_ = 0, looks_made_ = 0;
   bool rebuild_ = false;  ///< the mesh has changed
 };

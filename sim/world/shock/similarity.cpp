@@ -81,8 +81,10 @@ struct Demand {
   int tets = 0;
   double microsteps = 0;         ///< of what is left of the step
   double highest_frequency = 0;  ///< as slowed now [rad/s]
+  double overhead = 1;           ///< see WorldState::shock_overhead
 
-  double work() const { return microsteps * kMicrostepWork * tets; }  ///< [µs]
+  double work_of_microstep() const { return overhead * kMicrostepWork * tets; }  ///< [µs]
+  double work() const { return microsteps * work_of_microstep(); }               ///< [µs]
 };
 
 Demand demand_of(const WorldState& world, double left) {
@@ -93,6 +95,7 @@ Demand demand_of(const WorldState& world, double left) {
     demand.highest_frequency = std::max(demand.highest_frequency, body.shock->similarity * body.shock->frequency);
   }
   demand.microsteps = left * demand.highest_frequency / kMicrostepAtFrequency;
+  demand.overhead = world.shock_overhead;
   return demand;
 }
 
@@ -219,7 +222,7 @@ void choose_similarity(WorldState& world, double left) {
   ScaledImpact told;
   told.tets = demand.tets;
   told.microsteps = demand.microsteps;
-  told.affordable = available / (kMicrostepWork * demand.tets);
+  told.affordable = available / demand.work_of_microstep();
   const std::vector<int> groups = groups_in_shock(world, left);
   const std::vector<GroupDemand> demands = group_demands(world, groups);
   for (Body& body : world.bodies) {
@@ -275,7 +278,7 @@ Mat3 strain_of(const ElasticLaw& law, const Mat3& stress) {
 }
 
 /// The shape and stress that a body had: what of its strain the full stiffness does not explain is permanent.
-void keep_shape(WorldState& world, const Body& body, const BodySnapshot& before) {
+void keep_shape(WorldState& world, const Body& body, const BodySnapshot& before, const std::vector<Mat3>& stresses) {
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     world.nodes.positions[body.nodes[i]] = before.positions[i];
     world.nodes.velocities[body.nodes[i]] = before.velocities[i];
@@ -285,7 +288,7 @@ void keep_shape(WorldState& world, const Body& body, const BodySnapshot& before)
     const TetId tet = body.tets[i];
     const Corners corners = corners_of(world.mesh, tet, world.nodes.positions);
     const Mat3 strain = element_deformation(law.model, world.elements.rest_elements[tet], corners).strain;
-    world.elements.plastic_strains[tet] = strain - strain_of(law, before.stresses[i]);
+    world.elements.plastic_strains[tet] = strain - strain_of(law, stresses[i]);
   }
   update_elements(world, body);
 }
@@ -297,9 +300,10 @@ void end_similarity(WorldState& world, Body& body) {
   constexpr double kMaxGain = 1.05;  // of elastic energy: where supports hold on to what moves
   const RigidMotion motion = motion_of(world, body);
   const BodySnapshot before = snapshot(world, body);
+  const std::vector<Mat3> stresses = stresses_of(world, body);
   const double energy = energy_of(world, body), elastic = elastic_energy(world, body);
   take_true_shape(world, body);
-  if (elastic_energy(world, body) > kMaxGain * elastic) keep_shape(world, body, before);
+  if (elastic_energy(world, body) > kMaxGain * elastic) keep_shape(world, body, before, stresses);
   update_motion(world, body);
   const Vec3 displacement = body.motion.center - motion.center;
   world.energy.scaling += energy - energy_of(world, body) + motion.mass * world.model->scene.gravity.dot(displacement);

@@ -24,11 +24,6 @@ void set_similarity(WorldState& world, Body& body, double factor);
 /// shape that it has, as if it had yielded.
 void end_similarity(WorldState& world, Body& body);
 
-/// The strain of an element without stress: plastic, and that which scaling made so [-].
-inline Mat3 stress_free_strain(const WorldState& world, TetId tet) {
-  return world.elements.plastic_strains[tet] + world.elements.similarity_strains[tet];
-}
-
 /// How fast a body's nodes move against its centre, spinning or deforming, at most [m/s].
 double inner_speed(const WorldState& world, const Body& body);
 

@@ -1,0 +1,142 @@
+#include "sim/world/energy/elastic_works.h"
+
+#include <algorithm>
+#include <array>
+
+#include "sim/core/parallel.h"
+#include "sim/elasticity/eigenvalues.h"
+
+namespace griffith {
+namespace {
+
+using simd::DoubleLanes;
+using FourMatrices = simd::Matrix3<DoubleLanes>;
+
+/// Four tets side by side as they are before they move.
+struct FourStarts {
+  FourMatrices frame, gradient;  ///< gradient: of the displacements
+  simd::Symmetric3<DoubleLanes> stress;
+  DoubleLanes volume;
+};
+
+struct FourWorks {
+  DoubleLanes first, change, energy_density;
+};
+
+/// The sum of the entries in pairs of pairs, as Eigen sums.
+DoubleLanes sum_of(const FourMatrices& m) {
+  const auto& a = m.at;
+  return ((a[0][0] + a[1][0]) + (a[2][0] + a[0][1])) + ((a[1][1] + a[2][1]) + (a[0][2] + (a[1][2] + a[2][2])));
+}
+
+template <class Entry>
+FourMatrices matrix_of(const Entry& entry) {
+  FourMatrices m;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) m.at[i][j] = entry(i, j);
+  return m;
+}
+
+FourMatrices full(const simd::Symmetric3<DoubleLanes>& s) {
+  return {{{s.xx, s.xy, s.xz}, {s.xy, s.yy, s.yz}, {s.xz, s.yz, s.zz}}};
+}
+
+DoubleLanes sum_of_products(const FourMatrices& a, const FourMatrices& b) {
+  return sum_of(matrix_of([&](int i, int j) { return a.at[i][j] * b.at[i][j]; }));
+}
+
+DoubleLanes trace_of(const FourMatrices& m) { return m.at[0][0] + (m.at[1][1] + m.at[2][2]); }
+
+FourStarts starts_of(const WorldState& world, const std::array<TetId, 4>& tets, double dt) {
+  const auto lanes = [&](const auto& get) {
+    return DoubleLanes{get(tets[0]), get(tets[1]), get(tets[2]), get(tets[3])};
+  };
+  const auto state = [&](TetId tet) -> const ElementState& { return world.elements.states[tet]; };
+  const auto rest = [&](TetId tet) -> const RestElement& { return world.elements.rest_elements[tet]; };
+  const auto velocity = [&](TetId tet, int corner) -> const Vec3& {
+    return world.scratch.substep_start.solved_velocities[world.mesh.tets[tet][corner]];
+  };
+  DoubleLanes ways[3][4], slopes[3][4];
+  for (int i = 0; i < 3; ++i)
+    for (int corner = 0; corner < 4; ++corner) {
+      ways[i][corner] = dt * lanes([&](TetId tet) { return velocity(tet, corner)[i]; });
+      slopes[i][corner] = lanes([&](TetId tet) { return rest(tet).shape_gradients(i, corner); });
+    }
+  FourStarts starts;
+  starts.frame = matrix_of([&](int i, int j) { return lanes([&](TetId tet) { return state(tet).frame(i, j); }); });
+  starts.gradient = matrix_of([&](int i, int j) {
+    return (ways[i][0] * slopes[j][0] + ways[i][1] * slopes[j][1]) +
+           (ways[i][2] * slopes[j][2] + ways[i][3] * slopes[j][3]);
+  });
+  const auto stress = [&](double SymmetricMat3::*entry) {
+    return lanes([&](TetId tet) { return state(tet).stress.*entry; });
+  };
+  starts.stress = {stress(&SymmetricMat3::xx), stress(&SymmetricMat3::yy), stress(&SymmetricMat3::zz),
+                   stress(&SymmetricMat3::xy), stress(&SymmetricMat3::xz), stress(&SymmetricMat3::yz)};
+  starts.volume = lanes([&](TetId tet) { return rest(tet).volume; });
+  return starts;
+}
+
+FourWorks works_of(const ElasticLaw& law, const FourStarts& starts) {
+  const FourMatrices stress = full(starts.stress);
+  const auto &f = starts.frame.at, &g = starts.gradient.at;
+  const FourMatrices turned =
+      matrix_of([&](int i, int j) { return f[0][i] * g[0][j] + (f[1][i] * g[1][j] + f[2][i] * g[2][j]); });
+  const FourMatrices strain = matrix_of([&](int i, int j) { return 0.5 * (turned.at[i][j] + turned.at[j][i]); });
+  const DoubleLanes trace = trace_of(strain), stress_trace = trace_of(stress);
+  const double fraction = law.lambda / (3 * law.lambda + 2 * law.mu);
+  FourWorks works;
+  works.first = starts.volume * sum_of_products(stress, strain);
+  works.change = starts.volume * (law.lambda * trace * trace + 2 * law.mu * sum_of_products(strain, strain));
+  works.energy_density =
+      0.5 * ((sum_of_products(stress, stress) - fraction * stress_trace * stress_trace) / (2 * law.mu));
+  if (law.model == ElementModel::green_strain) {
+    const auto& t = full(simd::tensile_part(starts.stress)).at;
+    const FourMatrices carried =
+        matrix_of([&](int i, int j) { return g[i][0] * t[0][j] + (g[i][1] * t[1][j] + g[i][2] * t[2][j]); });
+    works.change += starts.volume * sum_of_products(carried, starts.gradient);
+  }
+  return works;
+}
+
+}  // namespace
+
+double twice_energy_density(const ElasticLaw& law, const Mat3& stress) {
+  const double fraction = law.lambda / (3 * law.lambda + 2 * law.mu);
+  return (stress.squaredNorm() - fraction * stress.trace() * stress.trace()) / (2 * law.mu);
+}
+
+ElasticWorks elastic_works(const WorldState& world, const Body& body, double dt) {
+  constexpr int kLanes = simd::kDoubleLanes;
+  const ElasticLaw law = elastic_law(world.material_of(body));
+  const int count = static_cast<int>(body.tets.size());
+  std::vector<FourWorks> of_tets((count + kLanes - 1) / kLanes);
+  parallel_for(static_cast<int>(of_tets.size()), 256, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      std::array<TetId, kLanes> tets;
+      for (int lane = 0; lane < kLanes; ++lane) tets[lane] = body.tets[std::min(kLanes * i + lane, count - 1)];
+      of_tets[i] = works_of(law, starts_of(world, tets, dt));
+    }
+  });
+  ElasticWorks sum;
+  sum.energy_densities.reserve(body.tets.size());
+  for (int i = 0; i < count; ++i) {
+    const FourWorks& works = of_tets[i / kLanes];
+    sum.first += works.first[i % kLanes];
+    sum.change += works.change[i % kLanes];
+    sum.energy_densities.push_back(works.energy_density[i % kLanes]);
+  }
+  return sum;
+}
+
+double stored_since(const WorldState& world, const Body& body, const ElasticWorks& works) {
+  double stored = 0;
+  for (std::size_t i = 0; i < body.tets.size(); ++i) {
+    const TetId tet = body.tets[i];
+    stored += world.elements.rest_elements[tet].volume *
+              (world.elements.states[tet].energy_density - works.energy_densities[i]);
+  }
+  return stored;
+}
+
+}  // namespace griffith

@@ -1,0 +1,86 @@
+// What a picture of 1280×720 costs the renderer, in natural colours, some time after the blow. LP_NUM_THREADS=0 keeps
+// software GL on one thread.
+#include <benchmark/benchmark.h>
+
+#include "app/picture/draw_scene_from_frame.h"
+#include "app/picture/picture_options.h"
+#include "app/picture/scene_camera.h"
+#include "renderer/egl_context.h"
+#include "renderer/renderer.h"
+#include "sim/scene/scene_reader.h"
+#include "sim/world/world.h"
+
+namespace griffith::app {
+namespace {
+
+constexpr int kWidth = 1280, kHeight = 720;
+
+/// What is drawn after so many steps of a scene.
+struct Subject {
+  Subject(const std::string& name, int steps)
+      : scene(read_scene(std::filesystem::path(GRIFFITH_SOURCE_DIR) / "scenes" / (name + ".json"))) {
+    World world(scene);
+    EmbeddedDisplay display = embedded_display(world.frame(), scene);
+    for (int i = 0; i < steps; ++i) world.step();
+    follow_first_cracks(display, world.frame(), scene);
+    scene.view.quantity = "material";
+    drawn = draw_scene_from_frame(world.frame(), display, scene, scene.view, {});
+    camera = scene_camera(scene, "", drawn, static_cast<float>(kWidth) / kHeight);
+  }
+
+  Scene scene;
+  render::DrawScene drawn;
+  render::Camera camera;
+};
+
+void draw(benchmark::State& state, const std::string& name, int steps, PictureQuality quality) {
+  const render::EglContext context(std::nullopt);
+  Subject subject(name, steps);
+  subject.scene.view.quality = quality;
+  render::Renderer renderer;
+  const render::RenderOptions options = picture_options(kWidth, kHeight, std::nullopt, subject.scene.view);
+  renderer.render(subject.drawn, subject.camera, options);  // the first one compiles shaders
+  for (auto _ : state) {
+    renderer.render(subject.drawn, subject.camera, options);
+    benchmark::DoNotOptimize(renderer.id_at(0, 0));  // waits for the picture
+  }
+}
+
+void add(const std::string& name, int steps) {
+  const std::pair<const char*, PictureQuality> qualities[] = {
+      {"/draft", PictureQuality::draft}, {"/standard", PictureQuality::standard}, {"/high", PictureQuality::high}};
+  for (const auto& [suffix, quality] : qualities)
+    benchmark::RegisterBenchmark((name + suffix).c_str(), draw, name, steps, quality)
+        ->Unit(benchmark::kMillisecond)
+        ->MeasureProcessCPUTime();
+}
+
+}  // namespace
+}  // namespace griffith::app
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  for (const auto& [name, steps] : {std::pair{"arch", 100},
+                                    {"block_stack", 60},
+                                    {"brick_wall", 60},
+                                    {"bridge", 110},
+                                    {"cantilever", 10},
+                                    {"column_collapse", 80},
+                                    {"glass_pane", 40},
+                                    {"materials", 40},
+                                    {"plate_drop", 60},
+                                    {"plate_with_hole", 20},
+                                    {"remeshed_plate", 40},
+                                    {"spot_shot", 50},
+                                    {"three_point_bending", 40},
+                                    {"vase_shot", 40},
+                                    {"wall_large", 60},
+                                    {"wall_medium", 60},
+                                    {"wall_small", 60},
+                                    {"walls_16", 60},
+                                    {"walls_32", 40},
+                                    {"walls_4", 60},
+                                    {"wood_beam", 40}})
+    griffith::app::add(name, steps);
+  benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,0 +1,26 @@
+#include "ui/dialogs/dialog_window.h"
+#include "ui/dialogs/dialogs.h"
+#include "ui/widgets/widgets.h"
+
+namespace griffith::ui {
+
+void draw_steps_dialog(Panel& panel) {
+  constexpr Numbers kCounts = between(1, kMaxAskedSteps, "");
+  std::optional<int>& count = panel.state.asked_steps;
+  if (!begin_dialog(panel, "Make steps", count.has_value(), 420)) return;
+  integer_row(panel, "steps/count", "Steps", *count, kCounts);
+  hint(panel, "As fast as they can be made; Space stops before.");
+  ImGui::Spacing();
+  const float width = 120 * ui_scale(panel);
+  const bool made = text_button(panel, "steps/make", "Make them", width) || ImGui::IsKeyPressed(key::kEnter, false);
+  ImGui::SameLine();
+  const bool cancelled = text_button(panel, "steps/cancel", "Cancel", width) || escape_pressed();
+  if (made) issue(panel, {.id = CommandId::make_steps, .step = *count});
+  if (made || cancelled) {
+    count.reset();
+    ImGui::CloseCurrentPopup();
+  }
+  ImGui::EndPopup();
+}
+
+}  // namespace griffith::ui
