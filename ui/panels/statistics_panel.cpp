@@ -94,8 +94,8 @@ void time_bar(const Panel& panel, const char* label, double milliseconds, double
 }
 
 void energy_row(const Panel& panel, const char* label, double energy, double whole, const char* meaning) {
-  constexpr double kRounding = 1e-12;
-  if (std::abs(energy) < kRounding * whole) energy = 0;
+  constexpr double kRoundingError = 1e-12;
+  if (std::abs(energy) < kRoundingError * whole) energy = 0;
   share_row(panel, label, format_quantity(energy, "J", 3), energy, whole);
   tooltip(meaning);
 }
