@@ -43,9 +43,8 @@ void ElementRows::add(const TetMesh& mesh, NodeId node, std::span<const int> col
     TetAtNode entry{tet, 0, {}};
     for (int i = 0; i < 4; ++i) {
       const NodeId corner = mesh.tets[tet][i];
-      if (corner == node) entry.corner = static_cast<std::int16_t>(i);
-      entry.slots[i] =
-          static_cast<std::int16_t>(column_of(corner) < 0 ? -1 : matrix.slot(row, column_of(corner)) - first);
+      if (corner == node) entry.corner = i;
+      entry.slots[i] = column_of(corner) < 0 ? -1 : matrix.slot(row, column_of(corner)) - first;
     }
     tets.push_back(entry);
   }

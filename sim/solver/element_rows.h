@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -23,8 +22,8 @@ struct MatrixFactors {
 struct ElementRows {
   struct TetAtNode {
     TetId tet;
-    std::int16_t corner;                ///< which of the tet's corners the node is
-    std::array<std::int16_t, 4> slots;  ///< per corner of the tet: which of the row's blocks, -1 where it has no column
+    int corner;                ///< which of the tet's corners the node is
+    std::array<int, 4> slots;  ///< per corner of the tet: which of the row's blocks, -1 where it has no column
   };
   std::vector<NodeId> nodes;  ///< per row
   BlockSparseMatrix matrix;
