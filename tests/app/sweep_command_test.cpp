@@ -101,6 +101,24 @@ TEST(SweepCommand, WritesARowARunInTheOrderOfThePlanWhateverTheJobs) {
   EXPECT_TRUE(lines[6].starts_with("6,"));
 }
 
+/// Records of runs in a sweep's folder, with when they were written.
+std::map<fs::path, fs::file_time_type> records_in(const fs::path& folder) {
+  std::map<fs::path, fs::file_time_type> records;
+  if (!fs::exists(folder / "runs")) return records;
+  for (const auto& entry : fs::directory_iterator(folder / "runs"))
+    if (entry.path().extension() == ".json") records[entry.path()] = entry.last_write_time();
+  return records;
+}
+
+/// Starts a sweep and kills it as soon as its folder holds a number of records; returns its exit code, 137 if it was
+/// killed.
+int run_until_records(const std::string& sweep, const fs::path& folder, std::size_t records) {
+  const std::string count = "$(ls " + (folder / "runs").string() + " 2>/dev/null | grep -c '[.]json$')";
+  return run_program(sweep, "run() { \"$@\" & until [ " + count + " -ge " + std::to_string(records) +
+                                " ] || ! kill -0 $!; do sleep .002; done; kill -KILL $!; wait $!; exit $?; }; run")
+      .code;
+}
+
 /// Killed at random moments, and gone on with until it comes to its end, a sweep ends with the table of one that nobody
 /// disturbed, and no run that was done is made again.
 TEST(SweepCommand, ThatIsKilledLosesNothingAndDoesNothingTwice) {
@@ -111,13 +129,11 @@ TEST(SweepCommand, ThatIsKilledLosesNothingAndDoesNothingTwice) {
   std::map<fs::path, fs::file_time_type> done;
   int kills = 0;
   for (int code = -1; code != 0;) {
-    const std::string moment = std::to_string(0.05 + 0.5 * static_cast<double>(random() % 1000) / 1000 + 0.05 * kills);
-    code = run_program(sweep_of(scene, killed, plan), "timeout -s KILL " + moment).code;
+    code = run_until_records(sweep_of(scene, killed, plan), killed, done.size() + 1 + random() % 4);
     kills += code == 0 ? 0 : 1;
+    ASSERT_LT(kills, 17);
     for (const auto& [file, time] : done) EXPECT_EQ(fs::last_write_time(file), time) << file;
-    if (!fs::exists(killed / "runs")) continue;
-    for (const auto& entry : fs::directory_iterator(killed / "runs"))
-      if (entry.path().extension() == ".json") done[entry.path()] = entry.last_write_time();
+    done = records_in(killed);
   }
   EXPECT_GT(kills, 1);
   EXPECT_EQ(done.size(), 16u);
