@@ -9,7 +9,7 @@ namespace {
 /// is what they were part of then.
 std::vector<NodeId> ancestors(const Frame& frame, NodeId node) {
   std::vector<NodeId> nodes = {node};
-  for (std::int32_t i = node.value - 1; i >= 0; --i)
+  for (std::int32_t i = node.index() - 1; i >= 0; --i)
     if (frame.nodes.rest_positions[i] == frame.nodes.rest_positions[node]) nodes.emplace_back(i);
   return nodes;
 }

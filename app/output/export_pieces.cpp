@@ -104,7 +104,7 @@ std::vector<PieceSurface> piece_surfaces(const Frame& frame, std::span<const Ski
   for (const Splinter& splinter : frame.splinters.splinters) has_splinters[splinter.scene_body] = true;
   for (const Skin& skin : skins) add_skin(surfaces, frame, skin);
   add_splinters(surfaces, frame, is_skinned);
-  for (TetId tet(0); tet < std::ssize(frame.elements.tets); ++tet.value) {
+  for (const TetId tet : IdRange<TetId>(0, std::ssize(frame.elements.tets))) {
     const BodyId body = frame.elements.bodies[tet];
     const int scene_body = frame.bodies[body].scene_body;
     if (!has_splinters[scene_body]) add_tet(surfaces[body], frame, tet, is_skinned[scene_body]);
@@ -122,7 +122,7 @@ PieceSurface piece_surface(const Frame& frame, BodyId body, std::span<const Skin
 
 PieceSurface tet_surface(const Frame& frame, BodyId body) {
   PieceSurface surface;
-  for (TetId tet(0); tet < std::ssize(frame.elements.tets); ++tet.value)
+  for (const TetId tet : IdRange<TetId>(0, std::ssize(frame.elements.tets)))
     if (frame.elements.bodies[tet] == body) add_tet(surface, frame, tet, false);
   return surface;
 }
@@ -138,7 +138,7 @@ void export_pieces(const std::filesystem::path& folder, const Frame& frame, cons
     const PieceSurface& surface = surfaces[body.id];
     if (surface.polygons.empty()) continue;  // tets too small to own a splinter
     char name[32];
-    std::snprintf(name, sizeof name, "body_%04d.obj", body.id.value);
+    std::snprintf(name, sizeof name, "body_%04d.obj", body.id.index());
     replace_file(folder / name, obj_text(surface));
   }
 }

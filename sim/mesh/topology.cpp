@@ -96,16 +96,16 @@ AppendedRange append(TetMesh& mesh, const TetMesh& other) {
   const AppendedRange range = {NodeId(mesh.node_count()), TetId(mesh.tet_count())};
   mesh.rest_positions.insert(mesh.rest_positions.end(), other.rest_positions.begin(), other.rest_positions.end());
   for (std::array<NodeId, 4> tet : other.tets) {
-    for (NodeId& node : tet) node.value += range.first_node;
+    for (NodeId& node : tet) node = node.shifted(range.first_node);
     mesh.tets.push_back(tet);
   }
   for (std::array<TetId, 4> links : other.neighbours) {
     for (TetId& tet : links)
-      if (tet.valid()) tet.value += range.first_tet;
+      if (tet.valid()) tet = tet.shifted(range.first_tet);
     mesh.neighbours.push_back(links);
   }
   for (std::vector<TetId> star : other.stars) {
-    for (TetId& tet : star) tet.value += range.first_tet;
+    for (TetId& tet : star) tet = tet.shifted(range.first_tet);
     mesh.stars.push_back(std::move(star));
   }
   return range;
