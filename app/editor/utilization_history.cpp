@@ -60,8 +60,8 @@ void fill_utilization(ui::RunCurves& curves, const std::vector<ui::UtilizationSa
                                        [](const ui::RunCurve& other) { return other.series.key; });
   if (curve == curves.curves.end()) return;
   for (const ui::UtilizationSample& sample : samples) {
-    const auto row = std::ranges::find(curves.times, sample.time);
-    if (row != curves.times.end() && !sample.broke)
+    const auto row = std::ranges::lower_bound(curves.times, sample.time);
+    if (row != curves.times.end() && *row == sample.time && !sample.broke)
       curve->values[static_cast<std::size_t>(row - curves.times.begin())] = static_cast<double>(sample.utilization);
   }
 }
