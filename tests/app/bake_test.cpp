@@ -156,7 +156,7 @@ TEST(Bake, BondsLieBetweenTheirPieces) {
     ASSERT_FALSE(bake.bonds.empty());
     double inside = 0, bonds = 0;
     for (const BakedThing& thing : bake.things)
-      inside += surface_area({thing.mesh.points, thing.mesh.inside_triangles, {}, {}});
+      inside += surface_area({thing.mesh.points, thing.mesh.triangles[static_cast<int>(Look::inside)], {}, {}});
     for (const BakedBond& bond : bake.bonds) {
       const BakedThing &a = bake.things[bond.a], &b = bake.things[bond.b];
       EXPECT_LT(bond.a, bond.b);

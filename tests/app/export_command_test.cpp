@@ -49,7 +49,7 @@ TEST(Glb, ReadsBackWithAllThingsTrianglesAndTimes) {
     std::size_t triangles = 0;
     for (const tinygltf::Primitive& primitive : model.meshes[model.nodes[i].mesh].primitives)
       triangles += model.accessors[primitive.indices].count / 3;
-    EXPECT_EQ(triangles, thing.mesh.outside_triangles.size() + thing.mesh.inside_triangles.size());
+    EXPECT_EQ(triangles, all_triangles(thing.mesh).size());
   }
   ASSERT_EQ(model.animations.size(), 1u);
   double end = 0;
