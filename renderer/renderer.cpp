@@ -92,6 +92,22 @@ bool has_glass(const DrawScene& scene, const RenderOptions& options) {
          std::ranges::any_of(scene.surface.flags, [](std::uint8_t flags) { return flags & kClear; });
 }
 
+/// Whether faces that look away are left out in a draft: of closed opaque pieces they are hidden anyway.
+bool culls(const DrawScene& scene, const RenderOptions& options) {
+  return options.quality == Quality::draft && scene.surface.opacity == 1 && !scene.visible;
+}
+
+/// Leaves out faces that look away as long as it lives.
+class Culling {
+ public:
+  explicit Culling(bool culls) {
+    if (culls) glEnable(GL_CULL_FACE);
+  }
+  ~Culling() { glDisable(GL_CULL_FACE); }
+  Culling(const Culling&) = delete;
+  Culling& operator=(const Culling&) = delete;
+};
+
 /// What is drawn as opaque.
 DrawnPart opaque_part(const DrawScene& scene, bool glass) {
   if (glass) return DrawnPart::not_clear;
@@ -170,6 +186,7 @@ void Renderer::Passes::upload(const DrawScene& scene, float pixel_scale) {
 
 void Renderer::Passes::draw_depths(const DrawScene& scene, const RenderOptions& options) const {
   if (scene.surface.opacity == 1) {
+    const Culling culling(culls(scene, options));
     draw_depths_of_surfaces(has_glass(scene, options) ? DrawnPart::not_clear : DrawnPart::all);
   }
   spheres.draw_shadow();
@@ -223,6 +240,7 @@ void Renderer::Passes::draw_surfaces(const DrawScene& scene, const RenderOptions
                                      DrawnPart part) const {
   glEnable(GL_CLIP_DISTANCE0);
   surface.draw(scene.surface, color_tables, options, scene.background, output, part);
+  const Culling culling(output == Output::opaque && culls(scene, options));
   embedded.draw(scene.embedded, scene.surface.scalar_style, color_tables, options, scene.background,
                 scene.surface.opacity, output, part);
   glDisable(GL_CLIP_DISTANCE0);

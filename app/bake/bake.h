@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/picture/natural_materials.h"
 #include "sim/core/linear_algebra.h"
 
 namespace griffith::app {
@@ -22,8 +23,8 @@ struct BakedMesh {
   std::vector<Vec3> points;   ///< [m]
   std::vector<Vec3> normals;  ///< unit, per point
   std::vector<Vec2> uvs;      ///< per point: texture coordinates of its surface, v upwards; else a box projection [m]
-  std::vector<std::array<int, 3>> outside_triangles;  ///< of points, counter-clockwise seen from outside
-  std::vector<std::array<int, 3>> inside_triangles;   ///< the same, of faces that cracks opened
+  /// By Look: of points, counter-clockwise seen from outside. Inside are the faces that cracks opened.
+  std::array<std::vector<std::array<int, 3>>, kLooks> triangles;
 };
 
 /// A piece at the end of the baked frames, or a projectile.
@@ -33,10 +34,10 @@ struct BakedThing {
   double mass = 0;                   ///< [kg]
   bool is_supported = false;         ///< held by a support in the last frame
   std::optional<double> break_time;  ///< when it last parted from another piece [s]; none: never did, or before
-  int outside_material = 0, inside_material = 0;  ///< indices into Bake::materials
-  BakedMesh mesh;                                 ///< its origin: the center of mass in the first frame it is seen in
-  int first_frame = 0;      ///< index into Bake::times of the first frame it is there: 0, but for shots
-  std::vector<Pose> poses;  ///< per frame from first_frame: its own frame in the world's
+  std::array<int, kLooks> materials = {};  ///< by Look: indices into Bake::materials
+  BakedMesh mesh;                          ///< its origin: the center of mass in the first frame it is seen in
+  int first_frame = 0;                     ///< index into Bake::times of the first frame it is there: 0, but for shots
+  std::vector<Pose> poses;                 ///< per frame from first_frame: its own frame in the world's
   /// Per frame from first_frame, per point of the mesh: where it is in the thing's own frame [m], with all elastic
   /// deformation. Empty unless asked for.
   std::vector<std::vector<Vec3>> deformed_points;

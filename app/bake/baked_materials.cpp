@@ -18,16 +18,29 @@ BakedMaterial baked(const render::EmbeddedMaterial& material, const std::string&
           is_clear ? 0.05 : std::min(1.0, 0.4 + 2 * double(material.roughness))};
 }
 
+bool has_mortar(const BodyDescription& body) {
+  const auto* bricks = body.splinters ? std::get_if<BrickSplinters>(&*body.splinters) : nullptr;
+  return bricks && bricks->mortar > 0;
+}
+
 }  // namespace
 
-std::vector<BakedMaterial> baked_materials(const Scene& scene, std::span<const std::string> stems) {
+BakedMaterials baked_materials(const Scene& scene, std::span<const std::string> stems) {
   const std::vector<render::EmbeddedMaterial> looks = natural_materials(scene);
-  std::vector<BakedMaterial> materials;
+  BakedMaterials materials;
+  const auto add = [&](BakedMaterial material) {
+    materials.all.push_back(std::move(material));
+    return static_cast<int>(materials.all.size()) - 1;
+  };
   for (int body = 0; body < std::ssize(scene.bodies); ++body) {
-    materials.push_back(baked(looks[look_index(body, Look::outside)], stems[body] + "_outside"));
-    materials.push_back(baked(looks[look_index(body, Look::inside)], stems[body] + "_inside"));
+    const int outside = add(baked(looks[look_index(body, Look::outside)], stems[body] + "_outside"));
+    const int inside = add(baked(looks[look_index(body, Look::inside)], stems[body] + "_inside"));
+    const bool mortar = has_mortar(scene.bodies[body]);
+    materials.of_body.push_back(
+        {outside, inside,
+         mortar ? add(baked(looks[look_index(body, Look::mortar)], stems[body] + "_mortar")) : inside});
   }
-  materials.push_back({stems.back(), Vec3::Constant(0.05), 1, 0.4});
+  materials.projectile = add({stems.back(), Vec3::Constant(0.05), 1, 0.4});
   return materials;
 }
 

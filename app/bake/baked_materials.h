@@ -9,8 +9,14 @@
 
 namespace griffith::app {
 
-/// The natural looks of the scene's bodies, outside and inside of each one after the other, then that of projectiles.
-/// `stems`: as name_stems() has them.
-std::vector<BakedMaterial> baked_materials(const Scene& scene, std::span<const std::string> stems);
+/// The natural looks of a scene's bodies and projectiles.
+struct BakedMaterials {
+  std::vector<BakedMaterial> all;
+  std::vector<std::array<int, kLooks>> of_body;  ///< per scene body, by Look: indices into `all`
+  int projectile = 0;                            ///< index into `all`
+};
+
+/// Makes them: outside and inside of each body, and its mortar where it has any. `stems`: as name_stems() has them.
+BakedMaterials baked_materials(const Scene& scene, std::span<const std::string> stems);
 
 }  // namespace griffith::app

@@ -10,6 +10,12 @@
 namespace griffith::app {
 namespace {
 
+Corners corners_at(const Frame& frame, TetId tet, std::span<const Vec3> positions) {
+  Corners corners;
+  for (int i = 0; i < 4; ++i) corners.col(i) = positions[frame.elements.tets[tet][i]];
+  return corners;
+}
+
 /// Which piece shows each part of a splinter: the owner's, or that of the part's own tet where this owns no splinter.
 class PartedSplinters {
  public:
@@ -31,7 +37,7 @@ class PartedSplinters {
   }
 
   void add_face(PieceSurface& surface, const SplinterFace& face) const {
-    add(surface, face.part, rest_points(face), face.beyond >= 0);
+    add(surface, face.part, rest_points(face), look_of(face));
   }
 
   /// What of a face of its tet a part has: where two pieces share a splinter.
@@ -42,7 +48,7 @@ class PartedSplinters {
       polygon.push_back(frame_.nodes.rest_positions[frame_.elements.tets[of.tet][corner]]);
     for (const SplinterFace& wall : frame_.splinters.faces.subspan(of.first_face, of.faces))
       if (wall.tet_face < 0) polygon = clipped(polygon, behind(rest_points(wall)));
-    if (polygon.size() >= 3) add(surface, part, polygon, true);
+    if (polygon.size() >= 3) add(surface, part, polygon, Look::inside);
   }
 
  private:
@@ -66,24 +72,19 @@ class PartedSplinters {
     return {normal, normal.dot(wall.front())};
   }
 
-  Corners corners(TetId tet, std::span<const Vec3> positions) const {
-    Corners corners;
-    for (int i = 0; i < 4; ++i) corners.col(i) = positions[frame_.elements.tets[tet][i]];
-    return corners;
-  }
-
   /// Adds a polygon that is given at rest, carried by the tet that carries the part.
-  void add(PieceSurface& surface, int part, const std::vector<Vec3>& polygon, bool inside) const {
+  void add(PieceSurface& surface, int part, const std::vector<Vec3>& polygon, Look look) const {
     const TetId own = frame_.splinters.parts[part].tet;
     const bool by_own = owns_none_[frame_.elements.bodies[own]] || frame_.splinters.attached[part];
     const TetId tet = by_own ? own : owner(part);
-    const Corners rest = corners(tet, frame_.nodes.rest_positions), now = corners(tet, frame_.nodes.positions);
+    const Corners rest = corners_at(frame_, tet, frame_.nodes.rest_positions);
+    const Corners now = corners_at(frame_, tet, frame_.nodes.positions);
     std::vector<int>& added = surface.polygons.emplace_back();
     for (const Vec3& point : polygon) {
       added.push_back(static_cast<int>(surface.points.size()));
       surface.points.push_back(now * barycentric(rest, point));
     }
-    surface.inside.push_back(inside);
+    surface.looks.push_back(look);
   }
 
   const Frame& frame_;
@@ -93,13 +94,16 @@ class PartedSplinters {
 
 /// Adds the faces of all splinters of the scene bodies in question, cut where two pieces share them.
 void add_parted_splinters(std::span<PieceSurface> surfaces, const Frame& frame, const PartedSplinters& splinters,
-                          const std::vector<bool>& is_parted, std::span<const std::array<TetId, 4>> first_neighbours) {
+                          const std::vector<bool>& is_parted, const std::vector<bool>& is_skinned,
+                          std::span<const std::array<TetId, 4>> first_neighbours) {
   const auto& parts = frame.splinters.parts;
   for (int part = 0; part < std::ssize(parts); ++part) {
-    if (!is_parted[frame.splinters.splinters[parts[part].splinter].scene_body]) continue;
+    const int scene_body = frame.splinters.splinters[parts[part].splinter].scene_body;
+    if (!is_parted[scene_body]) continue;
     const BodyId piece = splinters.piece(part);
     for (const SplinterFace& face : frame.splinters.faces.subspan(parts[part].first_face, parts[part].faces))
-      if (face.beyond < 0 || splinters.piece(face.beyond) != piece) splinters.add_face(surfaces[piece], face);
+      if (face.beyond < 0 ? !is_skinned[scene_body] : splinters.piece(face.beyond) != piece)
+        splinters.add_face(surfaces[piece], face);
     for (int face = 0; face < 4; ++face) {
       const TetId beyond = first_neighbours[parts[part].tet][face];
       const int other = beyond.valid() ? splinters.part_in(parts[part].splinter, beyond) : -1;
@@ -108,26 +112,55 @@ void add_parted_splinters(std::span<PieceSurface> surfaces, const Frame& frame, 
   }
 }
 
+/// Hands polygons of a skin that mostly lie over pieces without a splinter to these.
+Skin handed_out(Skin skin, const Frame& frame, const std::vector<bool>& owns_none) {
+  const auto at_rest = [&](TetId tet) { return corners_at(frame, tet, frame.nodes.rest_positions); };
+  for (int i = 0; i < skin.polygons(); ++i) {
+    const std::span<SkinCorner> polygon(skin.corners.data() + skin.first_corner[i],
+                                        skin.corners.data() + skin.first_corner[i + 1]);
+    const auto lies_over_none = [&](const SkinCorner& corner) {
+      return bool(owns_none[frame.elements.bodies[corner.part.tet]]);
+    };
+    if (2 * std::ranges::count_if(polygon, lies_over_none) <= std::ssize(polygon)) continue;
+    const TetId owner = std::ranges::find_if(polygon, lies_over_none)->part.tet;
+    for (SkinCorner& corner : polygon) {
+      const Vec3 place = at_rest(corner.part.tet) * Eigen::Map<const Eigen::Vector4d>(corner.weights.data());
+      corner.part.owner = owner;
+      Eigen::Map<Eigen::Vector4d>(corner.owner_weights.data()) = barycentric(at_rest(owner), place);
+    }
+  }
+  return skin;
+}
+
+/// The surfaces of pieces that own no splinter are empty.
+std::vector<bool> pieces_without_splinter(const Frame& frame, std::span<const PieceSurface> surfaces) {
+  std::vector<bool> owns_none(frame.bodies.size());
+  for (const BodyView& body : frame.bodies) owns_none[body.id] = body.tets > 0 && surfaces[body.id].polygons.empty();
+  return owns_none;
+}
+
 }  // namespace
 
 std::vector<PieceSurface> parted_surfaces(const Frame& frame, std::span<const Skin> skins,
                                           std::span<const std::array<TetId, 4>> first_neighbours) {
   std::vector<PieceSurface> surfaces = piece_surfaces(frame, skins);
-  std::vector<bool> owns_none(frame.bodies.size()), is_parted(frame.materials.size());
-  for (const BodyView& body : frame.bodies) {
-    if (body.tets == 0 || !surfaces[body.id].polygons.empty()) continue;
-    const bool is_skinned = std::ranges::find(skins, body.scene_body, &Skin::scene_body) != skins.end();
-    owns_none[body.id] = !is_skinned;
-    if (is_skinned)
-      surfaces[body.id] = tet_surface(frame, body.id);
-    else
-      is_parted[body.scene_body] = true;
-  }
-  if (std::ranges::find(is_parted, true) == is_parted.end()) return surfaces;
+  const std::vector<bool> owns_none = pieces_without_splinter(frame, surfaces);
+  std::vector<bool> is_parted(frame.materials.size()), is_skinned(frame.materials.size());
   for (const BodyView& body : frame.bodies)
-    if (is_parted[body.scene_body]) surfaces[body.id] = {};
-  const PartedSplinters splinters(frame, owns_none);
-  add_parted_splinters(surfaces, frame, splinters, is_parted, first_neighbours);
+    if (owns_none[body.id]) is_parted[body.scene_body] = true;
+  if (std::ranges::find(is_parted, true) == is_parted.end()) return surfaces;
+  std::vector<Skin> parted_skins;
+  for (const Skin& skin : skins) {
+    is_skinned[skin.scene_body] = true;
+    if (is_parted[skin.scene_body]) parted_skins.push_back(handed_out(skin, frame, owns_none));
+  }
+  std::vector<PieceSurface> parted = skin_surfaces(frame, parted_skins);
+  add_parted_splinters(parted, frame, PartedSplinters(frame, owns_none), is_parted, is_skinned, first_neighbours);
+  for (const BodyView& body : frame.bodies) {
+    if (!is_parted[body.scene_body]) continue;
+    surfaces[body.id] = std::move(parted[body.id]);
+    pad(surfaces[body.id]);
+  }
   return surfaces;
 }
 

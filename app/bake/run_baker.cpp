@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "app/bake/baked_materials.h"
+#include "app/bake/fill_holes.h"
 #include "app/bake/parted_surfaces.h"
 #include "app/bake/piece_bonds.h"
 #include "app/bake/piece_poses.h"
@@ -72,6 +73,7 @@ void RunBaker::follow(const Frame& frame) {
 
 Bake RunBaker::finish(const Frame& last, bool deformed) {
   shards_.follow(last, scene_);
+  find_holes(last);
   const MeshHistory history(std::move(meshes_), last.nodes.rest_positions);
   const std::vector<BodyId> pieces = sorted_pieces(last);
   std::vector<int> thing_of_body(last.bodies.size(), -1);
@@ -82,21 +84,35 @@ Bake RunBaker::finish(const Frame& last, bool deformed) {
   for (const BodyDescription& body : scene_.bodies) bake.body_names.push_back(body.name);
   bake.frames_per_second = rate_of(times_, scene_.simulation.time_step);
   bake.times = times_;
-  bake.materials = baked_materials(scene_, stems);
+  const BakedMaterials materials = baked_materials(scene_, stems);
+  bake.materials = materials.all;
   add_pieces(bake, last, history, pieces, stems);
+  for (BakedThing& thing : bake.things) thing.materials = materials.of_body[thing.scene_body];
   if (deformed) add_deformed_points(bake, last, history, pieces);
-  add_projectiles(bake, last, stems.back());
+  add_projectiles(bake, last, stems.back(), materials.projectile);
   bake.bonds = piece_bonds({last, history, strength_factors_, thing_of_body, opened_before_});
   set_break_times(bake);
   return bake;
 }
 
-/// Surfaces of the last frame's bodies with its nodes elsewhere.
-std::vector<PieceSurface> RunBaker::surfaces_at(const Frame& last, std::span<const Vec3> positions) const {
+/// Surfaces of the last frame's bodies with its nodes elsewhere, as they are.
+std::vector<PieceSurface> RunBaker::open_surfaces_at(const Frame& last, std::span<const Vec3> positions) const {
   const FrameWithShards sharded(last, shards_);
   Frame moved = sharded.frame();
   moved.nodes.positions = positions;
   return parted_surfaces(moved, shards_.skins(), first_neighbours_);
+}
+
+/// What closes them, found at rest, where all parts of a piece fit together.
+void RunBaker::find_holes(const Frame& last) {
+  for (const PieceSurface& surface : open_surfaces_at(last, last.nodes.rest_positions))
+    holes_.push_back(hole_triangles(surface));
+}
+
+std::vector<PieceSurface> RunBaker::surfaces_at(const Frame& last, std::span<const Vec3> positions) const {
+  std::vector<PieceSurface> surfaces = open_surfaces_at(last, positions);
+  for (std::size_t i = 0; i < surfaces.size(); ++i) fill_holes(surfaces[i], holes_[i]);
+  return surfaces;
 }
 
 void RunBaker::add_pieces(Bake& bake, const Frame& last, const MeshHistory& history, std::span<const BodyId> pieces,
@@ -111,8 +127,6 @@ void RunBaker::add_pieces(Bake& bake, const Frame& last, const MeshHistory& hist
     thing.scene_body = body.scene_body;
     thing.mass = body.mass;
     thing.is_supported = body.supported;
-    thing.outside_material = 2 * body.scene_body;
-    thing.inside_material = thing.outside_material + 1;
     thing.poses = std::move(poses[id]);
     thing.mesh = piece_mesh(surfaces[id], thing.poses.front().translation);
   }
@@ -130,12 +144,12 @@ void RunBaker::add_deformed_points(Bake& bake, const Frame& last, const MeshHist
   }
 }
 
-void RunBaker::add_projectiles(Bake& bake, const Frame& last, const std::string& stem) const {
+void RunBaker::add_projectiles(Bake& bake, const Frame& last, const std::string& stem, int material) const {
   for (int i = 0; i < std::ssize(last.projectiles); ++i) {
     BakedThing& thing = bake.things.emplace_back();
     thing.name = numbered_name(stem, i);
     thing.mass = last.projectiles[i].mass;
-    thing.outside_material = thing.inside_material = static_cast<int>(bake.materials.size()) - 1;
+    thing.materials.fill(material);
     thing.mesh = projectile_mesh(last.projectiles[i]);
     const auto seen = [&](const std::vector<Pose>& poses) { return std::ssize(poses) > i; };
     const auto first = std::ranges::find_if(projectiles_, seen);

@@ -28,12 +28,14 @@ class RunBaker {
   Bake finish(const Frame& last, bool deformed = false);
 
  private:
+  std::vector<PieceSurface> open_surfaces_at(const Frame& last, std::span<const Vec3> positions) const;
+  void find_holes(const Frame& last);
   std::vector<PieceSurface> surfaces_at(const Frame& last, std::span<const Vec3> positions) const;
   void add_pieces(Bake& bake, const Frame& last, const MeshHistory& history, std::span<const BodyId> pieces,
                   std::span<const std::string> stems) const;
   void add_deformed_points(Bake& bake, const Frame& last, const MeshHistory& history,
                            std::span<const BodyId> pieces) const;
-  void add_projectiles(Bake& bake, const Frame& last, const std::string& stem) const;
+  void add_projectiles(Bake& bake, const Frame& last, const std::string& stem, int material) const;
 
   const Scene& scene_;
   Shards shards_;
@@ -41,6 +43,7 @@ class RunBaker {
   std::vector<std::array<TetId, 4>> first_neighbours_;  ///< per tet of the start
   std::vector<MeshState> meshes_;                       ///< of the start, then of the baked frames
   std::vector<double> times_;
+  std::vector<std::vector<std::array<int, 3>>> holes_;  ///< per body of the last frame: what closes its surface
   double opened_before_ = 0;                    ///< when the last crack opened that the first baked frame has [s]
   std::vector<std::vector<Pose>> projectiles_;  ///< per baked frame
 };

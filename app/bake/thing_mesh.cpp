@@ -72,7 +72,7 @@ BakedMesh sphere_mesh(double radius) {
     mesh.normals.push_back(direction);
     mesh.uvs.push_back(box_projection(radius * direction, direction));
   }
-  mesh.outside_triangles = std::move(sphere.triangles);
+  mesh.triangles[static_cast<int>(Look::outside)] = std::move(sphere.triangles);
   return mesh;
 }
 
@@ -87,17 +87,17 @@ BakedMesh piece_mesh(const PieceSurface& surface, const Vec3& origin) {
     std::vector<Vec3> corners;
     for (const int point : surface.polygons[i]) corners.push_back(surface.points[point]);
     const Vec3 flat = area_vector(corners).stableNormalized();
-    const bool inside = surface.inside[i];
+    const Look look = surface.looks[i];
     for (const int point : surface.polygons[i]) {
       const bool is_smooth = !surface.normals.empty() && surface.normals[point] != Vec3::Zero();
       if (is_smooth)
         mesh.normals[point] = surface.normals[point];
       else if (flat != Vec3::Zero())
         mesh.normals[point] = flat;
-      mesh.uvs[point] =
-          surface.uvs.empty() || inside ? box_projection(surface.points[point], flat) : surface.uvs[point];
+      mesh.uvs[point] = surface.uvs.empty() || look != Look::outside ? box_projection(surface.points[point], flat)
+                                                                     : surface.uvs[point];
     }
-    add_triangles(inside ? mesh.inside_triangles : mesh.outside_triangles, surface.polygons[i]);
+    add_triangles(mesh.triangles[static_cast<int>(look)], surface.polygons[i]);
   }
   return mesh;
 }
@@ -112,7 +112,7 @@ BakedMesh projectile_mesh(const ProjectileView& projectile) {
       surface.points.push_back(projectile.corners[corner]);
     }
   }
-  surface.inside.resize(surface.polygons.size());
+  surface.looks.resize(surface.polygons.size());
   return piece_mesh(surface, Vec3::Zero());
 }
 

@@ -35,25 +35,21 @@ std::vector<std::map<std::string, int>> morph_targets(const BakedThing& thing, G
 }
 
 tinygltf::Mesh gltf_mesh(const BakedThing& thing, GlbBuffer& buffer) {
-  tinygltf::Primitive outside;
-  outside.mode = TINYGLTF_MODE_TRIANGLES;
-  outside.attributes = {{"POSITION", buffer.add_vectors(thing.mesh.points, true)},
-                        {"NORMAL", buffer.add_vectors(thing.mesh.normals, false)},
-                        {"TEXCOORD_0", buffer.add_uvs(thing.mesh.uvs)}};
-  outside.targets = morph_targets(thing, buffer);
-  tinygltf::Primitive inside = outside;
-  outside.material = thing.outside_material;
-  inside.material = thing.inside_material;
+  tinygltf::Primitive primitive;
+  primitive.mode = TINYGLTF_MODE_TRIANGLES;
+  primitive.attributes = {{"POSITION", buffer.add_vectors(thing.mesh.points, true)},
+                          {"NORMAL", buffer.add_vectors(thing.mesh.normals, false)},
+                          {"TEXCOORD_0", buffer.add_uvs(thing.mesh.uvs)}};
+  primitive.targets = morph_targets(thing, buffer);
   tinygltf::Mesh mesh;
   mesh.name = thing.name;
   mesh.weights.resize(thing.deformed_points.size());
-  const auto add = [&](tinygltf::Primitive& primitive, const std::vector<std::array<int, 3>>& triangles) {
-    if (triangles.empty()) return;
-    primitive.indices = buffer.add_indices(triangles);
+  for (int look = 0; look < kLooks; ++look) {
+    if (thing.mesh.triangles[look].empty()) continue;
+    primitive.material = thing.materials[look];
+    primitive.indices = buffer.add_indices(thing.mesh.triangles[look]);
     mesh.primitives.push_back(primitive);
-  };
-  add(outside, thing.mesh.outside_triangles);
-  add(inside, thing.mesh.inside_triangles);
+  }
   return mesh;
 }
 

@@ -56,8 +56,14 @@ void add_arrays(const BakedThing& thing, Arrays& arrays) {
   }
   for (const std::vector<Vec3>& points : thing.deformed_points)
     for (const Vec3& point : points) arrays.floats.add_components(point);
-  for (const auto* triangles : {&thing.mesh.outside_triangles, &thing.mesh.inside_triangles})
-    for (const std::array<int, 3>& triangle : *triangles) arrays.indices.add_components(triangle);
+  for (const auto& triangles : thing.mesh.triangles)
+    for (const std::array<int, 3>& triangle : triangles) arrays.indices.add_components(triangle);
+}
+
+Json triangle_counts(const BakedMesh& mesh) {
+  Json counts = Json::array();
+  for (const auto& triangles : mesh.triangles) counts.push_back(triangles.size());
+  return counts;
 }
 
 Json thing_json(const BakedThing& thing, Arrays& arrays) {
@@ -68,12 +74,12 @@ Json thing_json(const BakedThing& thing, Arrays& arrays) {
           {"size", header_json(size_of(thing.mesh))},
           {"supported", thing.is_supported},
           {"breakTime", header_json(thing.break_time)},
-          {"materials", {thing.outside_material, thing.inside_material}},
+          {"materials", thing.materials},
           {"firstFrame", thing.first_frame},
           {"pointCount", thing.mesh.points.size()},
           {"poseCount", thing.poses.size()},
           {"deformedCount", thing.deformed_points.size()},
-          {"triangleCounts", {thing.mesh.outside_triangles.size(), thing.mesh.inside_triangles.size()}}};
+          {"triangleCounts", triangle_counts(thing.mesh)}};
 }
 
 Json material_json(const BakedMaterial& material) {

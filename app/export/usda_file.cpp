@@ -40,11 +40,9 @@ void append_properties(UsdaText& usda, const BakedThing& thing) {
   if (thing.break_time) usda.line("custom double griffith:breakTime = " + usda_number(*thing.break_time));
 }
 
-std::string corners_text(const std::vector<std::array<int, 3>>& triangles) {
-  std::string text;
+void append_corners(std::string& text, const std::vector<std::array<int, 3>>& triangles) {
   for (const std::array<int, 3>& triangle : triangles)
     for (const int corner : triangle) text += (text.empty() ? "" : ", ") + std::to_string(corner);
-  return text;
 }
 
 std::string consecutive(std::size_t first, std::size_t count) {
@@ -73,11 +71,11 @@ void append_deformation(UsdaText& usda, const BakedThing& thing) {
 
 void append_mesh(UsdaText& usda, const BakedThing& thing, const std::vector<BakedMaterial>& materials) {
   const BakedMesh& mesh = thing.mesh;
-  const std::size_t outside = mesh.outside_triangles.size(), inside = mesh.inside_triangles.size();
-  std::string counts, corners = corners_text(mesh.outside_triangles);
-  for (std::size_t i = 0; i < outside + inside; ++i) counts += i ? ", 3" : "3";
-  if (outside && inside) corners += ", ";
-  corners += corners_text(mesh.inside_triangles);
+  std::string counts, corners;
+  for (const std::vector<std::array<int, 3>>& triangles : mesh.triangles) {
+    for (std::size_t i = 0; i < triangles.size(); ++i) counts += counts.empty() ? "3" : ", 3";
+    append_corners(corners, triangles);
+  }
   Eigen::AlignedBox3d box;
   for (const Vec3& point : mesh.points) box.extend(point);
   usda.open("def Mesh \"surface\"");
@@ -89,8 +87,14 @@ void append_mesh(UsdaText& usda, const BakedThing& thing, const std::vector<Bake
   append_deformation(usda, thing);
   usda.line("normal3f[] normals = " + usda_array(mesh.normals) + " (interpolation = \"vertex\")");
   usda.line("texCoord2f[] primvars:st = " + usda_array(mesh.uvs) + " (interpolation = \"vertex\")");
-  if (outside) append_subset(usda, "outside", consecutive(0, outside), materials[thing.outside_material].name);
-  if (inside) append_subset(usda, "inside", consecutive(outside, inside), materials[thing.inside_material].name);
+  constexpr const char* kSubsets[kLooks] = {"outside", "inside", "mortar"};
+  std::size_t first = 0;
+  for (int look = 0; look < kLooks; ++look) {
+    const std::size_t count = mesh.triangles[look].size();
+    if (count > 0)
+      append_subset(usda, kSubsets[look], consecutive(first, count), materials[thing.materials[look]].name);
+    first += count;
+  }
   usda.close();
 }
 

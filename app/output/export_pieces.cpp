@@ -13,13 +13,13 @@ namespace griffith::app {
 namespace {
 
 template <class Polygon>
-void add_polygon(PieceSurface& surface, const Polygon& points, bool inside) {
+void add_polygon(PieceSurface& surface, const Polygon& points, Look look) {
   std::vector<int>& polygon = surface.polygons.emplace_back();
   for (const Vec3& point : points) {
     polygon.push_back(static_cast<int>(surface.points.size()));
     surface.points.push_back(point);
   }
-  surface.inside.push_back(inside);
+  surface.looks.push_back(look);
 }
 
 /// The body that owns the splinter of a part.
@@ -37,7 +37,7 @@ void add_splinters(std::span<PieceSurface> surfaces, const Frame& frame, const s
     for (const SplinterCorner& corner : frame.splinters.corners.subspan(face.first_corner, face.corners))
       points.push_back(carried_position(corner, frame.splinters.attached[face.part], frame.elements.tets[tet],
                                         frame.nodes.positions));
-    add_polygon(surfaces[body], points, face.beyond >= 0);
+    add_polygon(surfaces[body], points, look_of(face));
   }
 }
 
@@ -47,7 +47,7 @@ void add_tet(PieceSurface& surface, const Frame& frame, TetId tet, bool cracks_o
     if (frame.elements.neighbours[tet][face].valid() || (cracks_only && at_first)) continue;
     std::array<Vec3, 3> points;
     for (int i = 0; i < 3; ++i) points[i] = frame.nodes.positions[frame.elements.tets[tet][kTetFaces[face][i]]];
-    add_polygon(surface, points, !at_first);
+    add_polygon(surface, points, at_first ? Look::outside : Look::inside);
   }
 }
 
@@ -69,7 +69,7 @@ void add_skin(std::span<PieceSurface> surfaces, const Frame& frame, const Skin& 
       surface.normals.push_back(skin_normal(frame, corner));
       if (skin.has_uvs) surface.uvs.push_back(corner.uv);
     }
-    add_polygon(surface, points, false);
+    add_polygon(surface, points, Look::outside);
   }
 }
 
@@ -97,34 +97,34 @@ std::string obj_text(const PieceSurface& surface) {
 
 }  // namespace
 
-std::vector<PieceSurface> piece_surfaces(const Frame& frame, std::span<const Skin> skins) {
+void pad(PieceSurface& surface) {
+  if (!surface.normals.empty()) surface.normals.resize(surface.points.size(), Vec3::Zero());
+  if (!surface.uvs.empty()) surface.uvs.resize(surface.points.size(), Vec2::Zero());
+}
+
+std::vector<PieceSurface> skin_surfaces(const Frame& frame, std::span<const Skin> skins) {
   std::vector<PieceSurface> surfaces(frame.bodies.size());
+  for (const Skin& skin : skins) add_skin(surfaces, frame, skin);
+  return surfaces;
+}
+
+std::vector<PieceSurface> piece_surfaces(const Frame& frame, std::span<const Skin> skins) {
+  std::vector<PieceSurface> surfaces = skin_surfaces(frame, skins);
   std::vector<bool> is_skinned(frame.materials.size()), has_splinters(frame.materials.size());
   for (const Skin& skin : skins) is_skinned[skin.scene_body] = true;
   for (const Splinter& splinter : frame.splinters.splinters) has_splinters[splinter.scene_body] = true;
-  for (const Skin& skin : skins) add_skin(surfaces, frame, skin);
   add_splinters(surfaces, frame, is_skinned);
   for (const TetId tet : IdRange<TetId>(0, std::ssize(frame.elements.tets))) {
     const BodyId body = frame.elements.bodies[tet];
     const int scene_body = frame.bodies[body].scene_body;
     if (!has_splinters[scene_body]) add_tet(surfaces[body], frame, tet, is_skinned[scene_body]);
   }
-  for (PieceSurface& surface : surfaces) {
-    if (!surface.normals.empty()) surface.normals.resize(surface.points.size(), Vec3::Zero());
-    if (!surface.uvs.empty()) surface.uvs.resize(surface.points.size(), Vec2::Zero());
-  }
+  for (PieceSurface& surface : surfaces) pad(surface);
   return surfaces;
 }
 
 PieceSurface piece_surface(const Frame& frame, BodyId body, std::span<const Skin> skins) {
   return piece_surfaces(frame, skins)[body];
-}
-
-PieceSurface tet_surface(const Frame& frame, BodyId body) {
-  PieceSurface surface;
-  for (const TetId tet : IdRange<TetId>(0, std::ssize(frame.elements.tets)))
-    if (frame.elements.bodies[tet] == body) add_tet(surface, frame, tet, false);
-  return surface;
 }
 
 void export_pieces(const std::filesystem::path& folder, const Frame& frame, const Shards& shards) {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <vector>
 
+#include "app/picture/natural_materials.h"
 #include "app/picture/shards.h"
 
 namespace griffith::app {
@@ -15,7 +15,7 @@ struct PieceSurface {
   std::vector<Vec3> normals;               ///< per point: of the skin, unit, else zero; empty: no skin
   std::vector<Vec2> uvs;                   ///< per point, zeros on cracks; empty: none
   std::vector<std::vector<int>> polygons;  ///< indices into `points`, counter-clockwise seen from outside
-  std::vector<std::uint8_t> inside;        ///< per polygon: 1 where a crack laid it bare
+  std::vector<Look> looks;                 ///< per polygon; inside is what a crack laid bare
 };
 
 /// The surfaces of all bodies as they are seen: what each has of its scene body's skin, and of the splinters that it
@@ -25,8 +25,10 @@ std::vector<PieceSurface> piece_surfaces(const Frame& frame, std::span<const Ski
 /// That of one body.
 PieceSurface piece_surface(const Frame& frame, BodyId body, std::span<const Skin> skins = {});
 
-/// The faces of a body's tets that have no neighbour: closed, whatever the body shows.
-PieceSurface tet_surface(const Frame& frame, BodyId body);
+/// What each body has of the skins alone.
+std::vector<PieceSurface> skin_surfaces(const Frame& frame, std::span<const Skin> skins);
+/// Gives points without a normal, where others have one, zeros; texture coordinates alike.
+void pad(PieceSurface& surface);
 
 /// Writes each body of a frame as Wavefront OBJ into a folder, made if need be: body_0000.obj, ... `shards`: of the
 /// world's first frame, having followed this one. Throws InputError when a file cannot be written.

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
+#include "app/picture/body_cells.h"
 #include "app/picture/natural_materials.h"
 
 namespace griffith::app {
@@ -120,22 +122,87 @@ double fall_time(double height, double speed, double gravity) {
   return (speed + std::sqrt(speed * speed + 2 * gravity * std::max(height, 0.0))) / gravity;
 }
 
-render::Sphere crumb_of(const Source& source, const Scene& scene, Chance& chance) {
+/// How something flies that nothing but gravity moves.
+struct Flight {
+  Vec3 start, velocity, gravity;
+  Vec3 at(double time) const { return start + time * velocity + 0.5 * time * time * gravity; }
+};
+
+/// How long something flies until it meets a body, as bodies lie now, at most for `duration` [s]; nothing: it never
+/// comes out of where it begins.
+std::optional<double> flight_time(const Flight& flight, double duration, const BodyCells& bodies) {
+  constexpr double kStep = 0.03, kLongest = 2;  // [s]
+  std::optional<double> outside;
+  for (double time = 0; time < std::min(duration + kStep, kLongest); time += kStep) {
+    const double reached = std::min(time, duration);
+    if (!bodies.hold(flight.at(reached))) {
+      outside = reached;
+      continue;
+    }
+    if (!outside) continue;
+    double inside = reached;
+    for (int i = 0; i < 4; ++i) {
+      const double middle = (*outside + inside) / 2;
+      (bodies.hold(flight.at(middle)) ? inside : *outside) = middle;
+    }
+    return outside;
+  }
+  return outside ? std::optional(duration) : std::nullopt;
+}
+
+/// A crumb on its way.
+struct Crumb {
+  Flight flight;
+  double age = 0, radius = 0;  ///< [s], [m]
+  render::Rgb color;
+};
+
+Crumb crumb_of(const Source& source, const Scene& scene, Chance& chance) {
   const double come_out = std::min(0.3 + source.age / 0.1, 1.0);
   const double size = std::min(source.crumbling->size * source.size, kLargestCrumb);
-  const double radius = come_out * size * (0.4 + 0.8 * chance());
-  const Vec3 thrown = throw_of(source, chance);
-  const double gravity = -scene.gravity.y(), shade = 0.85 + 0.25 * chance();
-  double time = source.age;
-  if (scene.ground && gravity > 0)
-    time = std::min(time, fall_time(source.place.y() - scene.ground->height - radius, thrown.y(), gravity));
-  Vec3 place = source.place + time * thrown + 0.5 * time * time * scene.gravity;
-  if (scene.ground) place.y() = std::max(place.y(), scene.ground->height + radius);
-  const auto lit = [&](float channel) { return std::min(1.0f, static_cast<float>(shade) * channel); };
-  return {place.cast<float>(),
-          static_cast<float>(radius),
-          {lit(source.color.r), lit(source.color.g), lit(source.color.b)},
-          render::kNoId};
+  Crumb crumb;
+  crumb.age = source.age;
+  crumb.radius = come_out * size * (0.4 + 0.8 * chance());
+  crumb.flight = {source.place, throw_of(source, chance), scene.gravity};
+  const float shade = static_cast<float>(0.85 + 0.25 * chance());
+  const auto lit = [&](float channel) { return std::min(1.0f, shade * channel); };
+  crumb.color = {lit(source.color.r), lit(source.color.g), lit(source.color.b)};
+  return crumb;
+}
+
+/// Until a flight comes to the ground, but no longer than `duration` [s].
+double time_to_ground(const Flight& flight, double radius, double duration, const Scene& scene) {
+  const double gravity = -scene.gravity.y();
+  if (!scene.ground || gravity <= 0) return duration;
+  return std::min(duration, fall_time(flight.start.y() - scene.ground->height - radius, flight.velocity.y(), gravity));
+}
+
+/// Where a crumb is now: it flies until it meets a body, drops from there, and stays where it meets the next.
+std::optional<render::Sphere> landed(const Crumb& crumb, const Scene& scene, const BodyCells& bodies) {
+  const double until_ground = time_to_ground(crumb.flight, crumb.radius, crumb.age, scene);
+  const std::optional<double> flown = flight_time(crumb.flight, until_ground, bodies);
+  if (!flown) return std::nullopt;
+  Vec3 place = crumb.flight.at(*flown);
+  if (*flown < until_ground) {
+    const Flight drop = {place, Vec3::Zero(), scene.gravity};
+    const double left = time_to_ground(drop, crumb.radius, crumb.age - *flown, scene);
+    place = drop.at(flight_time(drop, left, bodies).value_or(0));
+  }
+  if (scene.ground) place.y() = std::max(place.y(), scene.ground->height + crumb.radius);
+  return render::Sphere{place.cast<float>(), static_cast<float>(crumb.radius), crumb.color, render::kNoId};
+}
+
+std::vector<render::Sphere> landed(const std::vector<Crumb>& crumbs, const Frame& frame, const Scene& scene,
+                                   const HiddenBodies& hidden) {
+  std::vector<render::Sphere> spheres;
+  Eigen::AlignedBox3d region;
+  for (const Crumb& crumb : crumbs)
+    region.extend(crumb.flight.start).extend(crumb.flight.at(time_to_ground(crumb.flight, 0, crumb.age, scene)));
+  if (region.isEmpty()) return spheres;
+  const BodyCells bodies(frame, hidden, region);
+  for (const Crumb& crumb : crumbs)
+    if (const std::optional<render::Sphere> sphere = landed(crumb, scene, bodies)) spheres.push_back(*sphere);
+  return spheres;
 }
 
 }  // namespace
@@ -144,7 +211,8 @@ CrackDust crack_dust(const Frame& frame, const Scene& scene, const HiddenBodies&
   CrackDust dust;
   if (frame.crack_events.empty()) return dust;
   std::vector<Source> sources = sources_of(scene);
-  for (std::size_t i = frame.crack_events.size(); i-- > 0 && dust.crumbs.size() < kMaxCrumbs;) {
+  std::vector<Crumb> crumbs;
+  for (std::size_t i = frame.crack_events.size(); i-- > 0 && crumbs.size() < kMaxCrumbs;) {
     const CrackEvent& event = frame.crack_events[i];
     const int body = frame.bodies[event.body].scene_body;
     Source& source = sources[static_cast<std::size_t>(body)];
@@ -158,8 +226,9 @@ CrackDust crack_dust(const Frame& frame, const Scene& scene, const HiddenBodies&
     const bool is_dusty = source.crumbling->dust > 0 && source.age < kPuffTime && dust.puffs.size() < kMaxPuffs;
     if (is_dusty) dust.puffs.push_back(puff_of(source, chance));
     Chance of_crumbs(~static_cast<std::uint64_t>(i));
-    for (int k = 0; k < source.crumbling->crumbs; ++k) dust.crumbs.push_back(crumb_of(source, scene, of_crumbs));
+    for (int k = 0; k < source.crumbling->crumbs; ++k) crumbs.push_back(crumb_of(source, scene, of_crumbs));
   }
+  dust.crumbs = landed(crumbs, frame, scene, hidden);
   return dust;
 }
 

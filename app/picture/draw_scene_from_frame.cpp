@@ -276,8 +276,9 @@ render::DrawScene drawn(const Frame& frame, const EmbeddedPieces& pieces, std::s
   std::optional<QuantityValues> values;
   if (is_scalar(view.quantity)) {
     values = quantity_values(frame, view.quantity);
-    result.surface.scalar_style =
-        scalar_style(view, *values, range ? *range : automatic_range(frame, view.quantity, *values));
+    if (!frame.elements.tets.empty())
+      result.surface.scalar_style =
+          scalar_style(view, *values, range ? *range : automatic_range(frame, view.quantity, *values));
   }
   add_elements(shown, filter, values ? &*values : nullptr, selection.tet, result);
   if (filter.shows_embedded()) result.embedded = embedded_surface(shown, pieces, orders);

@@ -101,6 +101,11 @@ render::EmbeddedMaterial material_of(const BodyDescription& body, const NaturalL
 
 }  // namespace
 
+Look look_of(const SplinterFace& face) {
+  if (face.matter == SplinterMatter::mortar) return Look::mortar;
+  return face.beyond >= 0 ? Look::inside : Look::outside;
+}
+
 std::string_view preset_alike(const Material& material) { return look_of(material).preset; }
 
 std::vector<render::EmbeddedMaterial> natural_materials(const Scene& scene) {

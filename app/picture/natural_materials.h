@@ -4,6 +4,7 @@
 
 #include "renderer/embedded_surface.h"
 #include "sim/scene/scene.h"
+#include "sim/splinters/splinters.h"
 
 namespace griffith::app {
 
@@ -13,6 +14,9 @@ inline constexpr int kLooks = 3;
 
 /// Which material of a picture's splinters shows that look of a scene body.
 inline int look_index(int scene_body, Look look) { return kLooks * scene_body + static_cast<int>(look); }
+
+/// What matter a face of a splinter shows.
+Look look_of(const SplinterFace& face);
 
 /// The key of the preset that a material is most like, by which it is seen.
 std::string_view preset_alike(const Material& material);

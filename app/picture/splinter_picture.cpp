@@ -13,9 +13,8 @@ namespace {
 render::EmbeddedStyle style_of(const Frame& frame, const SplinterFace& face, const std::array<int, 4>& order) {
   const SplinterId splinter = frame.splinters.parts[static_cast<std::size_t>(face.part)].splinter;
   const bool inner = face.beyond >= 0;
-  const Look look = face.matter == SplinterMatter::mortar ? Look::mortar : inner ? Look::inside : Look::outside;
   render::EmbeddedStyle style;
-  style.material = look_index(frame.splinters.splinters[splinter].scene_body, look);
+  style.material = look_index(frame.splinters.splinters[splinter].scene_body, look_of(face));
   if (!inner) style.tet_face = static_cast<int>(std::find(order.begin(), order.end(), face.tet_face) - order.begin());
   style.inner = inner;
   return style;

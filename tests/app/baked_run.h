@@ -20,11 +20,11 @@ inline Bake baked_run(const Scene& scene, int first, int last, bool deformed = f
 
 inline Vec3 placed(const Pose& pose, const Vec3& point) { return pose.to_world(point); }
 
-/// The triangles outside and inside.
+/// The triangles of all looks.
 inline std::vector<std::array<int, 3>> all_triangles(const BakedMesh& mesh) {
-  std::vector<std::array<int, 3>> triangles = mesh.outside_triangles;
-  triangles.insert(triangles.end(), mesh.inside_triangles.begin(), mesh.inside_triangles.end());
-  return triangles;
+  std::vector<std::array<int, 3>> all;
+  for (const auto& triangles : mesh.triangles) all.insert(all.end(), triangles.begin(), triangles.end());
+  return all;
 }
 
 }  // namespace griffith::app

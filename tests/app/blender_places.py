@@ -1,4 +1,5 @@
-"""Imports a GLB file into Blender and writes where each object is in the first and the last frame, with y up.
+"""Imports a GLB file into Blender and writes where each object and the lower corner of what is seen of it are in the
+first and the last frame, with y up.
 
 Usage: blender -b --python blender_places.py -- FILE.glb PLACES.json LAST_FRAME
 """
@@ -19,7 +20,10 @@ found = {}
 for name, frame in (("first", 0), ("last", int(last))):
     scene.frame_set(frame)
     for thing in scene.objects:
+        seen = thing.evaluated_get(bpy.context.evaluated_depsgraph_get())
+        corners = [thing.matrix_world @ vertex.co for vertex in seen.to_mesh().vertices]
         x, y, z = thing.matrix_world.translation
-        found.setdefault(thing.name, {})[name] = [x, z, -y]
+        low = [min(c.x for c in corners), min(c.z for c in corners), min(-c.y for c in corners)]
+        found.setdefault(thing.name, {}).update({name: [x, z, -y], name + "_low": low})
 with open(places, "w") as file:
     json.dump(found, file)

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "app/bake/barycentric.h"
 #include "app/picture/draw_scene_from_frame.h"
 #include "sim/world/world.h"
 #include "tests/world/scenes.h"
@@ -65,6 +66,30 @@ TEST(CrackDust, BeginsAtItsCrackAndStaysAboveTheGround) {
         nearest = std::min(nearest, (crumb.center.cast<double>() - event.position).norm() - reach);
       }
       EXPECT_LE(nearest, 0);
+    }
+  }
+}
+
+/// A crumb is nowhere inside of a body, as bodies lie then.
+TEST(CrackDust, CrumbsDoNotFallThroughBodies) {
+  const Scene scene = shot_wall(preset("brick", 1e4));
+  World world = cracked(scene);
+  for (int step = 0; step < 40; ++step) world.step();
+  const Frame frame = world.frame();
+  const auto depth = [&](const Vec3& place) {
+    double deepest = -1;
+    for (const std::array<NodeId, 4>& tet : frame.elements.tets) {
+      Corners corners;
+      for (int i = 0; i < 4; ++i) corners.col(i) = frame.nodes.positions[tet[i]];
+      deepest = std::max(deepest, barycentric(corners, place).minCoeff());
+    }
+    return deepest;
+  };
+  const std::vector<render::Sphere> crumbs = crack_dust(frame, scene).crumbs;
+  ASSERT_GT(crumbs.size(), 10u);
+  for (const render::Sphere& crumb : crumbs) {
+    if (crumb.center.y() > 0.05f) {
+      EXPECT_LT(depth(crumb.center.cast<double>()), 0.02);
     }
   }
 }

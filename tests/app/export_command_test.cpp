@@ -49,7 +49,7 @@ TEST(Glb, ReadsBackWithAllThingsTrianglesAndTimes) {
     std::size_t triangles = 0;
     for (const tinygltf::Primitive& primitive : model.meshes[model.nodes[i].mesh].primitives)
       triangles += model.accessors[primitive.indices].count / 3;
-    EXPECT_EQ(triangles, thing.mesh.outside_triangles.size() + thing.mesh.inside_triangles.size());
+    EXPECT_EQ(triangles, all_triangles(thing.mesh).size());
   }
   ASSERT_EQ(model.animations.size(), 1u);
   double end = 0;
@@ -157,25 +157,38 @@ TEST(ExportCommand, ARecordingGivesWhatItsSceneGives) {
   EXPECT_EQ(run_program("export " + recording + " --frames 0:21 -o " + b).code, 2);
 }
 
-/// What Blender, which has z up, finds in the file: per thing its first and last place.
+/// The lower corner of the box round a thing as it is in a frame.
+Vec3 low_corner(const BakedThing& thing, std::size_t frame) {
+  const bool deformed = !thing.deformed_points.empty();
+  Eigen::AlignedBox3d box;
+  for (const Vec3& point : deformed ? thing.deformed_points[frame] : thing.mesh.points)
+    box.extend(placed(thing.poses[frame], point));
+  return box.min();
+}
+
+/// What Blender, which has z up, finds in the file: where things are first and last, and their points then.
 TEST(ExportCommand, BlenderFindsEveryThingWhereItIs) {
   if (std::system(
           "blender -b --python-expr 'import numpy' 2>&1 | grep -q 'No module' || ! command -v blender >/dev/null") == 0)
     GTEST_SKIP() << "no Blender with numpy";
-  const Bake bake = wall_bake();
-  const auto glb = test_file("wall.glb", glb_file(bake)), places = test_folder() / "places.json";
-  const std::string script = GRIFFITH_SOURCE_DIR "/tests/app/blender_places.py";
-  const std::string command = "blender -b --python " + script + " -- " + glb.string() + " " + places.string() + " " +
-                              std::to_string(bake.times.size() - 1) + " >/dev/null 2>&1";
-  ASSERT_EQ(std::system(command.c_str()), 0);
-  const auto found = nlohmann::json::parse(std::ifstream(places));
-  ASSERT_EQ(found.size(), bake.things.size());
-  for (const BakedThing& thing : bake.things) {
-    ASSERT_TRUE(found.contains(thing.name));
-    const Vec3 first = thing.poses.front().translation, last = thing.poses.back().translation;
-    for (int i = 0; i < 3; ++i) {
-      EXPECT_NEAR(found[thing.name]["first"][i].get<double>(), first[i], 1e-4) << thing.name;
-      EXPECT_NEAR(found[thing.name]["last"][i].get<double>(), last[i], 1e-4) << thing.name;
+  for (const bool deformed : {false, true}) {
+    const Bake bake = wall_bake(deformed);
+    const auto glb = test_file("wall.glb", glb_file(bake)), places = test_folder() / "places.json";
+    const std::string script = GRIFFITH_SOURCE_DIR "/tests/app/blender_places.py";
+    const std::string command = "blender -b --python " + script + " -- " + glb.string() + " " + places.string() + " " +
+                                std::to_string(bake.times.size() - 1) + " >/dev/null 2>&1";
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    const auto found = nlohmann::json::parse(std::ifstream(places));
+    ASSERT_EQ(found.size(), bake.things.size());
+    const auto expect_at = [&](const BakedThing& thing, const char* what, const Vec3& place) {
+      for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(found[thing.name][what][i].get<double>(), place[i], 1e-4) << thing.name << ' ' << what;
+    };
+    for (const BakedThing& thing : bake.things) {
+      ASSERT_TRUE(found.contains(thing.name));
+      expect_at(thing, "first", thing.poses.front().translation);
+      expect_at(thing, "last", thing.poses.back().translation);
+      expect_at(thing, "last_low", low_corner(thing, thing.poses.size() - 1));
     }
   }
 }

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <regex>
 
+#include "baked_run.h"
 #include "program.h"
 #include "sim/core/read_file.h"
 
@@ -31,7 +32,7 @@ BakedMesh box(const Vec3& size) {
         mesh.normals.push_back(n);
         mesh.uvs.push_back(Vec2(a, b));
       }
-      auto& triangles = axis == 0 ? mesh.inside_triangles : mesh.outside_triangles;
+      auto& triangles = mesh.triangles[static_cast<int>(axis == 0 ? Look::inside : Look::outside)];
       triangles.push_back({first, first + 1, first + 2});
       triangles.push_back({first, first + 2, first + 3});
     }
@@ -52,7 +53,7 @@ Bake flying_blocks() {
     block.scene_body = 0;
     block.mass = 1.5 + i;
     block.break_time = (i + 1) / 60.0;
-    block.inside_material = 1;
+    block.materials[static_cast<int>(Look::inside)] = 1;
     block.mesh = box(Vec3(1, 1, 1));
     for (int frame = 0; frame < 6; ++frame)
       block.poses.push_back(
@@ -120,9 +121,8 @@ TEST(HtmlPlayer, HoldsTheNumbersOfTheBake) {
       for (const double value : pose.translation) EXPECT_EQ(floats[at++], static_cast<float>(value));
       for (const double value : pose.rotation.coeffs()) EXPECT_EQ(floats[at++], static_cast<float>(value));
     }
-    for (const auto* triangles : {&thing.mesh.outside_triangles, &thing.mesh.inside_triangles})
-      for (const auto& triangle : *triangles)
-        for (const int corner : triangle) EXPECT_EQ(indices[index++], static_cast<std::uint32_t>(corner));
+    for (const auto& triangle : all_triangles(thing.mesh))
+      for (const int corner : triangle) EXPECT_EQ(indices[index++], static_cast<std::uint32_t>(corner));
   }
   EXPECT_EQ(at, floats.size());
   EXPECT_EQ(index, indices.size());

@@ -162,6 +162,19 @@ void layer_rows(Panel& panel) {
   field_tooltip(panel, "view/fracture_planes", "Of how many cracks the plane is shown, newest first.");
 }
 
+/// Whether a view shows tetrahedra, not splinters, shards or surfaces of files: values belong to tetrahedra.
+bool shows_tets(const ViewSettings& view) {
+  if (!view.splinters || view.quantity == "tet" || view.elements != ElementStyle::surface) return true;
+  const auto quantity = std::ranges::find(view_quantities(), view.quantity, &ViewQuantity::key);
+  return quantity != view_quantities().end() && !quantity->unit.empty();
+}
+
+void edges_row(Panel& panel) {
+  checkbox(panel, "view/edges", "Element edges", panel.state.view.edges);
+  if (panel.state.view.edges && !shows_tets(panel.state.view))
+    hint(panel, "None over splinters, shards and surfaces of files.");
+}
+
 }  // namespace
 
 void draw_view_panel(Panel& panel) {
@@ -174,7 +187,7 @@ void draw_view_panel(Panel& panel) {
   tooltip("Without, a pixel has exactly the colour that the legend gives to its value.");
   checkbox(panel, "view/dust", "Dust and crumbs", panel.state.view.dust);
   tooltip("What cracks throw out, in natural colours: an effect, of which the simulation knows nothing.");
-  checkbox(panel, "view/edges", "Element edges", panel.state.view.edges);
+  edges_row(panel);
   checkbox(panel, "view/splinters", "Splinters and surfaces", panel.state.view.splinters);
   layer_rows(panel);
   element_rows(panel);
