@@ -57,7 +57,8 @@ void export_vtu(const std::filesystem::path& path, const Frame& frame) {
 void export_gmsh(const std::filesystem::path& path, const Frame& frame) {
   TetSoup soup;
   soup.points.assign(frame.nodes.positions.begin(), frame.nodes.positions.end());
-  for (const auto& tet : frame.elements.tets) soup.tets.push_back({tet[0], tet[1], tet[2], tet[3]});
+  for (const auto& [a, b, c, d] : frame.elements.tets)
+    soup.tets.push_back({a.index(), b.index(), c.index(), d.index()});
   write_gmsh(path, soup);
 }
 

@@ -33,7 +33,7 @@ TEST_P(ExportFrame, TheMeshReadsBackAsItIs) {
   for (std::size_t i = 0; i < soup.points.size(); ++i) EXPECT_EQ(soup.points[i], frame.nodes.positions[i]);
   ASSERT_EQ(soup.tets.size(), frame.elements.tets.size());
   for (std::size_t i = 0; i < soup.tets.size(); ++i)
-    for (int k = 0; k < 4; ++k) EXPECT_EQ(soup.tets[i][k], frame.elements.tets[i][k]);
+    for (int k = 0; k < 4; ++k) EXPECT_EQ(soup.tets[i][k], frame.elements.tets[i][k].index());
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ExportFrame, ::testing::Values("frame.vtu", "frame.msh"));

@@ -59,7 +59,7 @@ void expect_same_step(const ElasticBox& box, const std::vector<NodeId>& nodes, E
   EXPECT_TRUE(with_patched.solve(patched, kStep).converged);
   EXPECT_TRUE(with_built.solve(built, kStep).converged);
   for (NodeId node : nodes)
-    ASSERT_LT((with_patched.velocities[node] - with_built.velocities[node]).norm(), 1e-10) << "node " << node;
+    ASSERT_LT((with_patched.velocities[node] - with_built.velocities[node]).norm(), 1e-10) << "node " << node.index();
   ASSERT_EQ(patched.reaction_forces().size(), built.reaction_forces().size());
   for (std::size_t i = 0; i < built.reaction_forces().size(); ++i) {
     const Vec3& force = built.reaction_forces()[i];

@@ -188,7 +188,7 @@ TEST(Remeshing, SupportsGoOnAsTheStepBegan) {
   int held = 0;
   for (const NodeId node : IdRange<NodeId>(0, halved.world.mesh.node_count())) {
     if (!halved.world.nodes.has_support[node]) continue;
-    EXPECT_LT((halved.world.nodes.constraints[node].velocity - velocity).norm(), 1e-12) << "node " << node;
+    EXPECT_LT((halved.world.nodes.constraints[node].velocity - velocity).norm(), 1e-12) << "node " << node.index();
     ++held;
   }
   EXPECT_EQ(held, 10) << "the new node is held, too";
