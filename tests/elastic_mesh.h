@@ -18,7 +18,7 @@ struct ElasticMesh {
   ElasticMesh(const TetSoup& soup, const Material& of) : mesh(build_mesh(soup)), material(of) {
     positions = mesh.rest_positions;
     velocities.assign(positions.size(), Vec3::Zero());
-    for (TetId tet(0); tet < mesh.tet_count(); ++tet.value)
+    for (const TetId tet : IdRange<TetId>(0, mesh.tet_count()))
       rest_elements.push_back(rest_element(corners(tet, positions)));
   }
 

@@ -22,9 +22,9 @@ Corners MeshHistory::rest_corners(const MeshState& state, TetId tet) const {
 /// What was cut out of a tet lies in it at rest, and left less of it.
 void MeshHistory::find_parents(const MeshState& before, const MeshState& after) {
   std::vector<TetId> cut;
-  for (TetId tet(0); tet < std::ssize(before.tets); ++tet.value)
+  for (const TetId tet : IdRange<TetId>(0, std::ssize(before.tets)))
     if (rest_corners(before, tet) != rest_corners(after, tet)) cut.push_back(tet);
-  for (TetId tet(std::ssize(before.tets)); tet < std::ssize(after.tets); ++tet.value) {
+  for (const TetId tet : IdRange<TetId>(std::ssize(before.tets), std::ssize(after.tets))) {
     const Vec3 middle = rest_corners(after, tet).rowwise().mean();
     double deepest = -std::numeric_limits<double>::infinity();
     for (const TetId candidate : cut) {
@@ -37,7 +37,7 @@ void MeshHistory::find_parents(const MeshState& before, const MeshState& after) 
 TetOrigin MeshHistory::origin(int state, TetId tet) const {
   const MeshState& then = states_[state];
   TetId origin = tet;
-  while (origin >= std::ssize(then.tets)) origin = parents_[origin];
+  while (origin.index() >= std::ssize(then.tets)) origin = parents_[origin];
   const Corners now_at_rest = rest_corners(states_.back(), tet), then_at_rest = rest_corners(then, origin);
   if (now_at_rest == then_at_rest) return {origin, Eigen::Matrix4d::Identity()};
   return {origin, barycentric(then_at_rest, now_at_rest)};
@@ -53,7 +53,7 @@ Corners MeshHistory::corners(int state, TetId tet) const {
 std::vector<Vec3> MeshHistory::positions(int state) const {
   std::vector<Vec3> positions(rest_positions_.size());
   const auto& tets = states_.back().tets;
-  for (TetId tet(0); tet < std::ssize(tets); ++tet.value) {
+  for (const TetId tet : IdRange<TetId>(0, std::ssize(tets))) {
     const Corners at = corners(state, tet);
     for (int i = 0; i < 4; ++i) positions[tets[tet][i]] = at.col(i);
   }

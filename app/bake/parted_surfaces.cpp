@@ -53,7 +53,7 @@ class PartedSplinters {
 
  private:
   static std::uint64_t key(SplinterId splinter, TetId tet) {
-    return std::uint64_t(splinter.value) << 32 | std::uint32_t(tet.value);
+    return std::uint64_t(splinter.index()) << 32 | std::uint32_t(tet.index());
   }
 
   TetId owner(int part) const { return frame_.splinters.splinters[frame_.splinters.parts[part].splinter].owner; }

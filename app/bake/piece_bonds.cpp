@@ -47,7 +47,7 @@ OpenedFace opened_face(const BondInput& input, TetId tet, int face) {
 
 std::vector<OpenedFace> opened_faces(const BondInput& input) {
   std::vector<OpenedFace> faces;
-  for (TetId tet(0); tet < std::ssize(input.last.elements.tets); ++tet.value)
+  for (const TetId tet : IdRange<TetId>(0, std::ssize(input.last.elements.tets)))
     for (int face = 0; face < 4; ++face)
       if (input.last.elements.opened[tet][face] > input.opened_before) faces.push_back(opened_face(input, tet, face));
   return faces;
@@ -102,7 +102,7 @@ void add_face(BakedBond& bond, const OpenedFace& face) {
 std::vector<double> strength_factors_at_start(const Frame& start, const Scene& scene) {
   std::vector<double> factors(start.nodes.positions.size(), 1);
   std::vector<std::vector<NodeId>> nodes(scene.bodies.size());
-  for (NodeId node(0); node < std::ssize(factors); ++node.value)
+  for (const NodeId node : IdRange<NodeId>(0, std::ssize(factors)))
     nodes[start.bodies[start.elements.bodies[start.nodes.stars[node].front()]].scene_body].push_back(node);
   for (std::size_t body = 0; body < nodes.size(); ++body) {
     if (!scene.bodies[body].strength_scatter) continue;

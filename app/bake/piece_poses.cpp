@@ -15,7 +15,7 @@ struct PieceSums {
 std::vector<Vec3> centers_of(const Frame& last, const MeshHistory& history, int state) {
   std::vector<Vec3> centers(last.bodies.size(), Vec3::Zero());
   std::vector<double> volumes(last.bodies.size());
-  for (TetId tet(0); tet < std::ssize(last.elements.tets); ++tet.value) {
+  for (const TetId tet : IdRange<TetId>(0, std::ssize(last.elements.tets))) {
     const BodyId body = last.elements.bodies[tet];
     const double volume = last.elements.rest_elements[tet].volume;
     centers[body] += volume * history.corners(state, tet).rowwise().mean();
@@ -39,12 +39,12 @@ Pose fitted_pose(const PieceSums& sums, const std::vector<Pose>& before) {
 std::vector<std::vector<Pose>> piece_poses(const Frame& last, const MeshHistory& history, int first) {
   const std::vector<Vec3> first_centers = centers_of(last, history, first);
   std::vector<Corners> arms;  // per tet: corners at first, relative to the center of its piece
-  for (TetId tet(0); tet < std::ssize(last.elements.tets); ++tet.value)
+  for (const TetId tet : IdRange<TetId>(0, std::ssize(last.elements.tets)))
     arms.push_back(history.corners(first, tet).colwise() - first_centers[last.elements.bodies[tet]]);
   std::vector<std::vector<Pose>> poses(last.bodies.size());
   for (int state = first; state < std::ssize(history.states()); ++state) {
     std::vector<PieceSums> sums(last.bodies.size());
-    for (TetId tet(0); tet < std::ssize(last.elements.tets); ++tet.value) {
+    for (const TetId tet : IdRange<TetId>(0, std::ssize(last.elements.tets))) {
       PieceSums& piece = sums[last.elements.bodies[tet]];
       const double volume = last.elements.rest_elements[tet].volume;
       const Corners corners = history.corners(state, tet);

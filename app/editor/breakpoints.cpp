@@ -9,7 +9,7 @@ namespace {
 
 using ui::Breakpoints;
 
-std::string node_text(NodeId node) { return "Node " + std::to_string(node.value); }
+std::string node_text(NodeId node) { return "Node " + std::to_string(node.index()); }
 
 bool concerns(const CrackEvent& event, const Breakpoints& breakpoints, const Frame& after, int scene_body,
               const ui::Selection& selection) {
@@ -32,7 +32,7 @@ std::optional<Stop> next_crack(const Breakpoints& breakpoints, const Frame& befo
     if (concerns(after.crack_events[i], breakpoints, after, scene_body, selection)) {
       // A node that an earlier crack of this step made is not there before it.
       const NodeId node = after.crack_events[i].node;
-      const bool known = static_cast<std::size_t>(node.value) < before.nodes.positions.size();
+      const bool known = static_cast<std::size_t>(node.index()) < before.nodes.positions.size();
       return Stop{node_text(node) + " cracks in the next step.", known ? node : NodeId()};
     }
   return {};

@@ -65,7 +65,7 @@ std::string effort(const HoldingAnswer& answer) {
 
 ui::WorkReport holding_report(const HoldingAnswer& answer, const RunToCrack& run) {
   ui::WorkReport report;
-  report.title = "What would have held node " + std::to_string(run.node.value) + ":";
+  report.title = "What would have held node " + std::to_string(run.node.index()) + ":";
   const bool ended_early = answer.cancelled || !answer.problem.empty();
   if (answer.strength.runs > 0) report.facts.push_back(strength_fact(answer.strength, run.material));
   if (answer.slowness || !ended_early) report.facts.push_back(speed_fact(answer.slowness, run));

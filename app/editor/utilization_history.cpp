@@ -9,7 +9,7 @@ namespace {
 /// is what they were part of then.
 std::vector<NodeId> ancestors(const Frame& frame, NodeId node) {
   std::vector<NodeId> nodes = {node};
-  for (std::int32_t i = node.value - 1; i >= 0; --i)
+  for (std::int32_t i = node.index() - 1; i >= 0; --i)
     if (frame.nodes.rest_positions[i] == frame.nodes.rest_positions[node]) nodes.emplace_back(i);
   return nodes;
 }
@@ -60,8 +60,8 @@ void fill_utilization(ui::RunCurves& curves, const std::vector<ui::UtilizationSa
                                        [](const ui::RunCurve& other) { return other.series.key; });
   if (curve == curves.curves.end()) return;
   for (const ui::UtilizationSample& sample : samples) {
-    const auto row = std::ranges::find(curves.times, sample.time);
-    if (row != curves.times.end() && !sample.broke)
+    const auto row = std::ranges::lower_bound(curves.times, sample.time);
+    if (row != curves.times.end() && *row == sample.time && !sample.broke)
       curve->values[static_cast<std::size_t>(row - curves.times.begin())] = static_cast<double>(sample.utilization);
   }
 }

@@ -10,17 +10,17 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json element_json(const CrackElement& element) {
-  return {{"tet", element.tet.value},
+  return {{"tet", element.tet.index()},
           {"above", element.above},
           {"tensile", components(element.force.tensile)},
           {"compressive", components(element.force.compressive)}};
 }
 
 Json event_json(const CrackEvent& event) {
-  Json json = {{"step", event.step}, {"time", event.time}, {"body", event.body.value}};
+  Json json = {{"step", event.step}, {"time", event.time}, {"body", event.body.index()}};
   json["children"] = Json::array();
-  for (BodyId child : event.children) json["children"].push_back(child.value);
-  json["node"] = event.node.value;
+  for (BodyId child : event.children) json["children"].push_back(child.index());
+  json["node"] = event.node.index();
   json["position"] = components(event.position);
   json["rest_position"] = components(event.rest_position);
   json["normal"] = components(event.normal);

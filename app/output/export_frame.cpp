@@ -28,7 +28,7 @@ ExportArrays arrays_of(const Frame& frame) {
   for (std::size_t i = 0; i < frame.elements.tets.size(); ++i) {
     const BodyId body = frame.elements.bodies[i];
     arrays.von_mises.push_back(von_mises_stress(frame.elements.stresses[i]));
-    arrays.bodies.push_back(body);
+    arrays.bodies.push_back(body.index());
     arrays.scene_bodies.push_back(frame.bodies[body].scene_body);
   }
   return arrays;

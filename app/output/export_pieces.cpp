@@ -114,7 +114,7 @@ std::vector<PieceSurface> piece_surfaces(const Frame& frame, std::span<const Ski
   for (const Skin& skin : skins) is_skinned[skin.scene_body] = true;
   for (const Splinter& splinter : frame.splinters.splinters) has_splinters[splinter.scene_body] = true;
   add_splinters(surfaces, frame, is_skinned);
-  for (TetId tet(0); tet < std::ssize(frame.elements.tets); ++tet.value) {
+  for (const TetId tet : IdRange<TetId>(0, std::ssize(frame.elements.tets))) {
     const BodyId body = frame.elements.bodies[tet];
     const int scene_body = frame.bodies[body].scene_body;
     if (!has_splinters[scene_body]) add_tet(surfaces[body], frame, tet, is_skinned[scene_body]);
@@ -138,7 +138,7 @@ void export_pieces(const std::filesystem::path& folder, const Frame& frame, cons
     const PieceSurface& surface = surfaces[body.id];
     if (surface.polygons.empty()) continue;  // tets too small to own a splinter
     char name[32];
-    std::snprintf(name, sizeof name, "body_%04d.obj", body.id.value);
+    std::snprintf(name, sizeof name, "body_%04d.obj", body.id.index());
     replace_file(folder / name, obj_text(surface));
   }
 }

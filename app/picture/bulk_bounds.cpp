@@ -19,7 +19,7 @@ std::vector<Thing> pieces(const ShownMesh& shown) {
   const Frame& frame = shown.frame;
   std::vector<Thing> all(frame.bodies.size());
   for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet) {
-    Box& box = all[static_cast<std::size_t>(frame.elements.bodies[tet].value)].box;
+    Box& box = all[frame.elements.bodies[tet]].box;
     for (const NodeId node : frame.elements.tets[tet])
       if (shown.positions[node].allFinite()) box.extend(shown.positions[node]);
   }

@@ -27,7 +27,8 @@ render::Weights ordered(const Weights& weights, const std::array<int, 4>& order)
 std::vector<std::array<std::int32_t, 4>> ordered_tets(const Frame& frame, std::span<const std::array<int, 4>> orders) {
   std::vector<std::array<std::int32_t, 4>> tets(frame.elements.tets.size());
   for (std::size_t tet = 0; tet < tets.size(); ++tet)
-    for (int i = 0; i < 4; ++i) tets[tet][i] = frame.elements.tets[tet][tet < orders.size() ? orders[tet][i] : i].value;
+    for (int i = 0; i < 4; ++i)
+      tets[tet][i] = frame.elements.tets[tet][tet < orders.size() ? orders[tet][i] : i].index();
   return tets;
 }
 

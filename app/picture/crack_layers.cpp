@@ -23,7 +23,7 @@ void add_outline(const ShownMesh& shown, TetId tet, const render::Rgb& color, re
     return (middle + kShrink * (shown.positions[shown.frame.elements.tets[tet][i]] - middle)).cast<float>().eval();
   };
   for (int a = 0; a < 4; ++a)
-    for (int b = a + 1; b < 4; ++b) picture.lines.push_back({corner(a), corner(b), color, tet.value});
+    for (int b = a + 1; b < 4; ++b) picture.lines.push_back({corner(a), corner(b), color, tet.index()});
 }
 
 }  // namespace
@@ -70,10 +70,10 @@ void add_element_forces(const ShownMesh& shown, render::DrawScene& picture) {
   int rank = 0;
   for (const ElementContribution& element : report.elements) {
     const Vec3 middle = shown.centroid(element.tet);
-    picture.lines.push_back({place.cast<float>(), middle.cast<float>(), {0.25f, 0.27f, 0.30f}, element.tet.value});
+    picture.lines.push_back({place.cast<float>(), middle.cast<float>(), {0.25f, 0.27f, 0.30f}, element.tet.index()});
     if (largest > 0) {
       const auto add = [&](const Vec3& force, const render::Rgb& color) {
-        add_arrow(picture.glyphs.arrows, middle, reach / largest * force, 0.05 * reach, color, element.tet.value);
+        add_arrow(picture.glyphs.arrows, middle, reach / largest * force, 0.05 * reach, color, element.tet.index());
       };
       add(element.force.tensile, sign_color::kTension);
       add(element.force.compressive, sign_color::kCompression);

@@ -62,7 +62,7 @@ void color_plainly(render::DrawScene& picture, const Frame& frame, const Embedde
 
 /// Colour of what the quantity "body", "tet" or "splinter" tells apart.
 render::Rgb tet_color(const Frame& frame, std::int32_t tet, const ViewSettings& view) {
-  return id_color(view.quantity == "tet" ? tet : frame.elements.bodies[tet].value);
+  return id_color(view.quantity == "tet" ? tet : frame.elements.bodies[tet].index());
 }
 
 void color_by_id(render::DrawScene& picture, const Frame& frame, const EmbeddedPieces& pieces,
@@ -70,12 +70,12 @@ void color_by_id(render::DrawScene& picture, const Frame& frame, const EmbeddedP
   for (const std::int32_t tet : picture.surface.ids) picture.surface.colors.push_back(tet_color(frame, tet, view));
   if (!picture.embedded.mesh) return;
   for (std::size_t i = 0; i < frame.splinters.splinters.size(); ++i) {
-    const std::int32_t owner = frame.splinters.splinters[i].owner.value;
+    const std::int32_t owner = frame.splinters.splinters[i].owner.index();
     picture.embedded.piece_colors.push_back(view.quantity == "splinter" ? id_color(static_cast<std::int32_t>(i))
                                                                         : tet_color(frame, owner, view));
   }
   for (const SkinPart& part : pieces.skin_parts)
-    picture.embedded.piece_colors.push_back(tet_color(frame, part.owner.value, view));
+    picture.embedded.piece_colors.push_back(tet_color(frame, part.owner.index(), view));
 }
 
 void color_by_material(render::DrawScene& picture, const Frame& frame) {
@@ -165,7 +165,7 @@ render::EmbeddedSurface embedded_surface(const ShownMesh& shown, const EmbeddedP
     surface.points.push_back(position.allFinite() ? position.cast<float>().eval() : Eigen::Vector3f(0, 0, 0));
   surface.tets = ordered_tets(frame, orders);
   add_carriers(frame, surface.carriers);
-  for (const SkinPart& part : pieces.skin_parts) surface.carriers.push_back(skin_carrier(frame, part).value);
+  for (const SkinPart& part : pieces.skin_parts) surface.carriers.push_back(skin_carrier(frame, part).index());
   surface.opened.assign(frame.splinters.open_walls.begin(), frame.splinters.open_walls.end());
   return surface;
 }
@@ -175,7 +175,7 @@ void mark_node(const ShownMesh& shown, NodeId node, render::DrawScene& picture) 
   // Of two at one place the first is seen: the second is its rim.
   picture.points.push_back({place, 9, {1.0f, 0.55f, 0.10f}, render::kNoId});
   picture.points.push_back({place, 13, {0.10f, 0.11f, 0.13f}, render::kNoId});
-  picture.labels.push_back({place, "node " + std::to_string(node.value), 1.4f});
+  picture.labels.push_back({place, "node " + std::to_string(node.index()), 1.4f});
 }
 
 /// Says above the bodies how much more than in truth they are drawn deformed.
@@ -283,7 +283,7 @@ render::DrawScene drawn(const Frame& frame, const EmbeddedPieces& pieces, std::s
   add_elements(shown, filter, values ? &*values : nullptr, selection.tet, result);
   if (filter.shows_embedded()) result.embedded = embedded_surface(shown, pieces, orders);
   result.embedded.materials = natural_materials(scene);
-  result.embedded.selected_tet = selection.tet.value;
+  result.embedded.selected_tet = selection.tet.index();
   add_colors(result, frame, pieces, view);
   if (values && filter.shows_embedded()) {
     result.embedded.scalars_per_point = values->place == ValuePlace::node;

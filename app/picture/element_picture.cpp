@@ -149,7 +149,7 @@ render::Surface surface_of(const std::vector<PictureTriangle>& triangles, const 
     const std::array<Vec3, 4> corners = shown_corners(shown, triangle.tet, shrink);
     for (const EdgePlace& place : triangle.corners)
       surface.positions.push_back((place.a == place.b ? corners[place.a] : place_of(place, corners)).cast<float>());
-    surface.ids.push_back(triangle.tet.value);
+    surface.ids.push_back(triangle.tet.index());
     surface.flags.push_back(flags_of(triangle, shown.frame, selected));
   }
   return surface;
@@ -165,7 +165,7 @@ void add_scalars(const std::vector<PictureTriangle>& triangles, const Frame& fra
     } else if (values.place == ValuePlace::tet) {
       surface.scalars.push_back(values.values[triangle.tet]);
     } else {
-      const float value = triangle.face < 0 ? NAN : values.values[4 * triangle.tet + triangle.face];
+      const float value = triangle.face < 0 ? NAN : values.values[4 * triangle.tet.index() + triangle.face];
       surface.scalars.push_back(value);
       if (std::isnan(value)) surface.flags[i] |= render::kPlain;
     }
@@ -186,7 +186,7 @@ std::vector<render::Line> wireframe(const ShownMesh& shown, const QuantityValues
     if (values && values->place == ValuePlace::node) value = 0.5f * (values->values[edge.a] + values->values[edge.b]);
     const float t = (value - style.minimum) / (style.maximum - style.minimum);
     lines.push_back({shown.positions[edge.a].cast<float>(), shown.positions[edge.b].cast<float>(),
-                     values ? render::color_map_color(style.color_map, t) : kWireColor, edge.tet.value});
+                     values ? render::color_map_color(style.color_map, t) : kWireColor, edge.tet.index()});
     i = end;
   }
   return lines;

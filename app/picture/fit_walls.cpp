@@ -129,7 +129,7 @@ class WallFitter {
   SplinterCorner carried(const SplinterFace& face, const Vec3& place) const {
     const SplinterPart& part = set_.parts[face.part];
     const auto weights = [&](TetId tet) {
-      const std::array<double, 4> in_tet = locator_.weights_in(tet.value, place);
+      const std::array<double, 4> in_tet = locator_.weights_in(tet.index(), place);
       return Eigen::Map<const Eigen::Vector4d>(in_tet.data()).cast<float>().eval();
     };
     return {place.cast<float>(), weights(part.tet), weights(set_.splinters[part.splinter].owner)};

@@ -11,7 +11,7 @@ PlacedTets placed_tets(const Frame& frame, int scene_body) {
 PlacedTets placed_tets(const Frame& frame, std::span<const std::array<NodeId, 4>> first_tets, int scene_body) {
   PlacedTets placed;
   std::map<NodeId, int> points;
-  for (TetId tet(0); tet < std::ssize(first_tets); ++tet.value) {
+  for (const TetId tet : IdRange<TetId>(0, std::ssize(first_tets))) {
     if (frame.bodies[frame.elements.bodies[tet]].scene_body != scene_body) continue;
     std::array<int, 4>& corners = placed.soup.tets.emplace_back();
     for (int i = 0; i < 4; ++i) {

@@ -75,8 +75,7 @@ double min_width(const Frame& frame, std::string_view key) {
 
 double element_quality(const Frame& frame, std::size_t tet) {
   std::array<Vec3, 4> corners;
-  for (std::size_t i = 0; i < 4; ++i)
-    corners[i] = frame.nodes.rest_positions[static_cast<std::size_t>(frame.elements.tets[tet][i].value)];
+  for (std::size_t i = 0; i < 4; ++i) corners[i] = frame.nodes.rest_positions[frame.elements.tets[tet][i]];
   return 1 / aspect_ratio(corners);
 }
 

@@ -62,7 +62,7 @@ SplinterState Shards::state(const Frame& frame) const {
   std::ranges::copy(frame.splinters.attached, state.attached.begin());
   state.open_walls.assign(frame.splinters.open_walls.begin(), frame.splinters.open_walls.end());
   std::vector<TetId> cracked;
-  for (TetId tet(0); tet < std::ssize(neighbours_); ++tet.value)
+  for (const TetId tet : IdRange<TetId>(0, std::ssize(neighbours_)))
     if (frame.elements.neighbours[tet] != neighbours_[tet]) cracked.push_back(tet);
   follow_cracks(set_, frame.elements.neighbours, cracked, state);
   return state;

@@ -59,10 +59,10 @@ int owner_near(const BodyShards& shards, const TetLocator& locator, int cell, co
   const std::vector<int>& of_cell = shards.set.parts_of_cell[cell];
   const std::vector<int>& parts = of_cell.empty() ? shards.set.parts_of_tet[point.tet] : of_cell;
   const auto depth = [&](int part) {
-    return std::ranges::min(locator.weights_in(shards.set.parts[part].tet.value, place));
+    return std::ranges::min(locator.weights_in(shards.set.parts[part].tet.index(), place));
   };
   const int nearest = *std::ranges::max_element(parts, {}, depth);
-  return shards.set.splinters[shards.set.parts[nearest].splinter].owner.value;
+  return shards.set.splinters[shards.set.parts[nearest].splinter].owner.index();
 }
 
 Vec3 barycentric(const std::array<Vec3, 3>& triangle, const Vec3& place) {

@@ -37,7 +37,7 @@ void add_skin(const Frame& frame, std::span<const std::array<int, 4>> orders, co
       render::EmbeddedCorner drawn{corner.rest.cast<float>(),
                                    ordered(single(corner.weights), orders[tet]),
                                    ordered(single(corner.owner_weights), orders[owner]),
-                                   tet.value,
+                                   tet.index(),
                                    first_part++,
                                    first_piece++,
                                    style.packed()};

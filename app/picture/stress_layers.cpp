@@ -66,7 +66,7 @@ void add_stress_axes(const ShownMesh& shown, render::DrawScene& picture) {
       const double stress = tet.stress.values[axis];
       const Vec3 arm = std::min(std::abs(stress) / field.typical, 1.5) * reach * tet.stress.directions.col(axis);
       picture.lines.push_back(
-          {(tet.center - arm).cast<float>(), (tet.center + arm).cast<float>(), sign_of(stress), tet.tet.value});
+          {(tet.center - arm).cast<float>(), (tet.center + arm).cast<float>(), sign_of(stress), tet.tet.index()});
     }
 }
 
@@ -82,7 +82,7 @@ void add_stress_ellipsoids(const ShownMesh& shown, render::DrawScene& picture) {
     const Vec3 axes = (tet.stress.values.cwiseAbs() / largest).cwiseMax(kThinnest) * size;
     picture.glyphs.balls.push_back({tet.center.cast<float>(),
                                     (tet.stress.directions * axes.asDiagonal()).eval().cast<float>(),
-                                    sign_of(prevailing), 1, tet.tet.value});
+                                    sign_of(prevailing), 1, tet.tet.index()});
   }
 }
 

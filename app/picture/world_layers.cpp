@@ -89,7 +89,7 @@ void add_collision_shapes(const ShownMesh& shown, render::DrawScene& picture) {
   for (const BodyView& body : shown.frame.bodies) {
     const Vec3 center = body.center_of_mass + shown.offsets[body.id];
     if (!shown.visible(center)) continue;
-    const render::Rgb color = id_color(body.id.value);
+    const render::Rgb color = id_color(body.id.index());
     for (const std::vector<Vec3>& part : body.collision_parts) {
       const ConvexHull hull = convex_hull(part);
       const auto corner = [&](int i) { return (center + body.orientation * hull.corners[i]).cast<float>().eval(); };

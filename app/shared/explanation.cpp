@@ -21,7 +21,7 @@ std::string element_lines(const NodeReport& report) {
   std::string text = "  element    side    adds to the load    tensile force    compressive force\n";
   for (const ElementContribution& element : report.elements) {
     char line[160];
-    std::snprintf(line, sizeof line, "  %7d    %-5s   %16s %16s %20s\n", element.tet.value,
+    std::snprintf(line, sizeof line, "  %7d    %-5s   %16s %16s %20s\n", element.tet.index(),
                   element.above ? "above" : "below", ui::format_quantity(element.contribution, unit).c_str(),
                   newtons(element.force.tensile.norm()).c_str(), newtons(element.force.compressive.norm()).c_str());
     text += line;
@@ -37,7 +37,7 @@ std::string explanation(const Frame& frame, NodeId node, bool fracture) {
   const NodeSeparation& separation = report.separation;
   const Material& material = frame.materials[frame.bodies[report.body].scene_body];
   const char* unit = ui::load_unit(material);
-  std::string text = "Node " + std::to_string(node.value) + ", step " + std::to_string(frame.step) + ", " +
+  std::string text = "Node " + std::to_string(node.index()) + ", step " + std::to_string(frame.step) + ", " +
                      ui::format_quantity(frame.time, "s") + "\n" + ui::verdict_on(report, frame, fracture).text + "\n";
   if (!report.strained) return text;
   text += "  load " + ui::format_quantity(ui::load_of(separation, material), unit) + ", resistance " +

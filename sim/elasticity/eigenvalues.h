@@ -1,21 +1,11 @@
 #pragma once
 
 #include "sim/core/lane_matrices.h"
+#include "sim/core/lane_vectors.h"
 
 // Closed forms of symmetric 3×3 matrices, of one or of four side by side.
 
 namespace griffith::simd {
-
-template <class Real>
-struct Vector3 {
-  Real x, y, z;
-};
-
-/// a·b.
-template <class Real>
-Real dot(const Vector3<Real>& a, const Vector3<Real>& b) {
-  return a.x * b.x + (a.y * b.y + a.z * b.z);
-}
 
 /// m v.
 template <class Real>
@@ -28,11 +18,6 @@ Vector3<Real> operator*(const Matrix3<Real>& m, const Vector3<Real>& v) {
 template <class Real>
 Vector3<Real> combined(Real a, const Vector3<Real>& v, Real b, const Vector3<Real>& w) {
   return {a * v.x + b * w.x, a * v.y + b * w.y, a * v.z + b * w.z};
-}
-
-template <class Mask, class Real>
-Vector3<Real> select(const Mask& mask, const Vector3<Real>& a, const Vector3<Real>& b) {
-  return {mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z};
 }
 
 /// A unit vector across n, which has unit length.

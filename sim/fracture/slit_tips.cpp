@@ -13,7 +13,7 @@ std::vector<NodeId> slit_tips(const TetMesh& mesh) {
   // Per node, where the surface's edges from it lead, and to which node there.
   std::map<std::pair<NodeId, std::array<double, 3>>, NodeId> edge_ends;
   std::set<NodeId> tips;
-  for (TetId tet(0); tet < mesh.tet_count(); ++tet.value)
+  for (const TetId tet : IdRange<TetId>(0, mesh.tet_count()))
     for (int face = 0; face < 4; ++face) {
       if (mesh.neighbours[tet][face].valid()) continue;
       const std::array<NodeId, 3> corners = face_nodes(mesh, tet, face);

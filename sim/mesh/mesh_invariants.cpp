@@ -27,9 +27,10 @@ std::array<NodeId, 3> sorted_face(const TetMesh& mesh, TetId tet, int face) {
 void check_tets(const TetMesh& mesh, Findings& findings) {
   for (int tet = 0; tet < mesh.tet_count(); ++tet) {
     for (NodeId node : mesh.tets[tet])
-      findings.require(node >= 0 && node < mesh.node_count(), "tet", tet, "has a corner that does not exist");
+      findings.require(node.valid() && node.index() < mesh.node_count(), "tet", tet,
+                       "has a corner that does not exist");
     for (TetId other : mesh.neighbours[tet])
-      findings.require(other < mesh.tet_count(), "tet", tet, "has a neighbour that does not exist");
+      findings.require(other.index() < mesh.tet_count(), "tet", tet, "has a neighbour that does not exist");
     if (findings.list.empty())
       findings.require(rest_volume(mesh, TetId(tet)) > 0, "tet", tet, "has no positive volume");
   }
@@ -44,7 +45,7 @@ void check_links(const TetMesh& mesh, Findings& findings) {
     for (int face = 0; face < 4; ++face) {
       const auto& sharing = tets_of_face[sorted_face(mesh, TetId(tet), face)];
       findings.require(sharing.size() <= 2, "tet", tet, "has a face shared by more than two tets");
-      const TetId other = sharing.size() < 2 ? TetId() : sharing[0] == tet ? sharing[1] : sharing[0];
+      const TetId other = sharing.size() < 2 ? TetId() : sharing[0] == TetId(tet) ? sharing[1] : sharing[0];
       findings.require(mesh.neighbours[tet][face] == other, "tet", tet,
                        "has a link that disagrees with the shared nodes");
     }

@@ -12,8 +12,9 @@ namespace {
 
 /// A face of a tet with its nodes ascending, so that the two sides of an inner face compare equal.
 struct FaceSide {
-  std::array<int, 3> key;
-  int tet, face;
+  std::array<NodeId, 3> key;
+  TetId tet;
+  int face;
   bool operator<(const FaceSide& other) const {
     return std::tie(key, tet, face) < std::tie(other.key, other.tet, other.face);
   }
@@ -22,9 +23,9 @@ struct FaceSide {
 std::vector<FaceSide> sorted_face_sides(const TetMesh& mesh) {
   std::vector<FaceSide> sides;
   sides.reserve(4 * mesh.tets.size());
-  for (int tet = 0; tet < mesh.tet_count(); ++tet)
+  for (const TetId tet : IdRange<TetId>(0, mesh.tet_count()))
     for (int face = 0; face < 4; ++face) {
-      std::array<int, 3> key;
+      std::array<NodeId, 3> key;
       for (int i = 0; i < 3; ++i) key[i] = mesh.tets[tet][kTetFaces[face][i]];
       std::sort(key.begin(), key.end());
       sides.push_back({key, tet, face});
@@ -40,8 +41,8 @@ void link_faces(TetMesh& mesh) {
     const FaceSide &a = sides[i], &b = sides[i + 1];
     if (a.key != b.key) continue;
     assert((i + 2 == sides.size() || sides[i + 2].key != a.key) && "a face of three tets: the soup was not prepared");
-    mesh.neighbours[a.tet][a.face] = TetId(b.tet);
-    mesh.neighbours[b.tet][b.face] = TetId(a.tet);
+    mesh.neighbours[a.tet][a.face] = b.tet;
+    mesh.neighbours[b.tet][b.face] = a.tet;
   }
 }
 
@@ -96,16 +97,16 @@ AppendedRange append(TetMesh& mesh, const TetMesh& other) {
   const AppendedRange range = {NodeId(mesh.node_count()), TetId(mesh.tet_count())};
   mesh.rest_positions.insert(mesh.rest_positions.end(), other.rest_positions.begin(), other.rest_positions.end());
   for (std::array<NodeId, 4> tet : other.tets) {
-    for (NodeId& node : tet) node.value += range.first_node;
+    for (NodeId& node : tet) node = node.shifted(range.first_node);
     mesh.tets.push_back(tet);
   }
   for (std::array<TetId, 4> links : other.neighbours) {
     for (TetId& tet : links)
-      if (tet.valid()) tet.value += range.first_tet;
+      if (tet.valid()) tet = tet.shifted(range.first_tet);
     mesh.neighbours.push_back(links);
   }
   for (std::vector<TetId> star : other.stars) {
-    for (TetId& tet : star) tet.value += range.first_tet;
+    for (TetId& tet : star) tet = tet.shifted(range.first_tet);
     mesh.stars.push_back(std::move(star));
   }
   return range;

@@ -77,7 +77,7 @@ void add_cells(VtuFile& file, std::span<const std::array<NodeId, 4>> tets) {
   std::vector<std::int32_t> connectivity, offsets;
   connectivity.reserve(4 * tets.size());
   for (const auto& tet : tets) {
-    connectivity.insert(connectivity.end(), tet.begin(), tet.end());
+    for (const NodeId corner : tet) connectivity.push_back(corner.index());
     offsets.push_back(static_cast<std::int32_t>(connectivity.size()));
   }
   const std::vector<std::uint8_t> types(tets.size(), 10);  // VTK_TETRA

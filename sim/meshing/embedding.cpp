@@ -10,7 +10,7 @@ namespace griffith {
 namespace {
 
 Vec3 carried(const CarryingTets& carrying, int tet, const std::array<double, 4>& weights) {
-  const auto& nodes = carrying.tets[carrying.first_tet + tet];
+  const auto& nodes = carrying.tets[carrying.first_tet.index() + tet];
   Vec3 sum = Vec3::Zero();
   for (int corner = 0; corner < 4; ++corner) sum += weights[corner] * carrying.positions[nodes[corner]];
   return sum;
@@ -54,7 +54,7 @@ Embedding embed(const TriangleSurface& surface, const TetSoup& soup) {
 
 std::array<Vec3, 3> embedded_corners(const Embedding& embedding, const TriangleSurface& surface, int triangle,
                                      const CarryingTets& carrying) {
-  const auto body_of = [&](int tet) { return carrying.bodies[carrying.first_tet + tet]; };
+  const auto body_of = [&](int tet) { return carrying.bodies[carrying.first_tet.index() + tet]; };
   const EmbeddedTriangle& whole = embedding.triangles[triangle];
   const auto& points = surface.triangles[triangle];
   const bool together = std::all_of(points.begin(), points.end(), [&](int point) {

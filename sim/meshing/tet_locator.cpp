@@ -15,8 +15,8 @@ TriangleSurface free_faces(const TetSoup& soup, std::vector<int>& tet_of_triangl
   surface.points = soup.points;
   for (const SurfaceFace& face : surface_faces(mesh)) {
     const auto [a, b, c] = face_nodes(mesh, face.tet, face.face);
-    surface.triangles.push_back({a, b, c});
-    tet_of_triangle.push_back(face.tet);
+    surface.triangles.push_back({a.index(), b.index(), c.index()});
+    tet_of_triangle.push_back(face.tet.index());
   }
   return surface;
 }

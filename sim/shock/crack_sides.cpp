@@ -1,17 +1,13 @@
-#include <Eigen/Geometry>
 #include <algorithm>
 
+#include "sim/shock/four_sides.h"
 #include "sim/shock/impacts.h"
 
 namespace griffith::shock {
 namespace {
 
-struct Sides {
-  std::array<int, 3> first{}, second{};
-};
-
-Sides nodes_of(const Solid& solid, const CrackSides& crack) {
-  Sides sides;
+NodesOfSides nodes_of(const Solid& solid, const CrackSides& crack) {
+  NodesOfSides sides;
   for (int i = 0; i < 3; ++i) {
     sides.first[i] = solid.corner(crack.first_slot, crack.first_corners[i]);
     sides.second[i] = solid.corner(crack.second_slot, crack.second_corners[i]);
@@ -19,20 +15,31 @@ Sides nodes_of(const Solid& solid, const CrackSides& crack) {
   return sides;
 }
 
-Vec3 center_of(const Solid& solid, const std::array<int, 3>& nodes) {
-  return (solid.position(nodes[0]) + solid.position(nodes[1]) + solid.position(nodes[2])) / 3;
-}
+/// How the sides of four cracks lie to each other, where the first of each has its centre.
+struct FourGaps {
+  FourVectors normals;                 ///< unit, out of the first sides
+  std::array<DoubleLanes, 3> weights;  ///< of the second sides' corners
+  DoubleLanes clear;                   ///< how near they may come to each other without pressing [m]
+  DoubleMask are_pressing;
+};
 
-std::array<double, 3> weights_in(const Solid& solid, const std::array<int, 3>& nodes, const Vec3& point) {
-  const Vec3 a = solid.position(nodes[0]), b = solid.position(nodes[1]), c = solid.position(nodes[2]);
-  const Vec3 normal = (b - a).cross(c - a);
-  return weights_in_triangle(a, b, c, normal, normal.squaredNorm(), point);
-}
-
-/// The area vector of the first side, out of it: its corners are counter-clockwise seen from outside.
-Vec3 area_of(const Solid& solid, const Sides& sides) {
-  const Vec3 a = solid.position(sides.first[0]);
-  return 0.5 * (solid.position(sides.first[1]) - a).cross(solid.position(sides.first[2]) - a);
+/// The first sides' corners are counter-clockwise seen from outside.
+FourGaps gaps_between(const FourSides& first, const FourSides& second) {
+  FourGaps gaps;
+  const FourVectors area = DoubleLanes{0.5, 0.5, 0.5, 0.5} * double_areas(first);
+  const DoubleLanes size = simd::root(dot(area, area));
+  gaps.normals = area / size;
+  const FourVectors center = (first[0] + first[1] + first[2]) / DoubleLanes{3, 3, 3, 3};
+  const FourVectors across = double_areas(second);
+  const DoubleLanes square = dot(across, across);
+  gaps.weights = weights_in(second, across, square, center);
+  DoubleLanes gap = -dot(gaps.normals, center);
+  for (int i = 0; i < 3; ++i) gap += gaps.weights[i] * dot(gaps.normals, second[i]);
+  const DoubleLanes least = smaller(smaller(gaps.weights[0], gaps.weights[1]), gaps.weights[2]);
+  const DoubleMask are_opposite = least >= 0.0;
+  gaps.clear = are_opposite ? gap : distance_beyond(second, square, -least);
+  gaps.are_pressing = are_opposite & (gap <= 0.0) & (gap * gap <= size);
+  return gaps;
 }
 
 }  // namespace
@@ -40,38 +47,51 @@ Vec3 area_of(const Solid& solid, const Sides& sides) {
 /// The sides of a crack that close on each other meet without rebound, at the centre of the first, so that no torque is
 /// made. Those that have slid further apart are left to the contacts of whole pieces.
 void Impacts::close_cracks(Solid& solid) {
+  std::array<WatchedCrack*, simd::kDoubleLanes> four;
+  int count = 0;
+  const auto close = [&] {
+    std::fill(four.begin() + count, four.end(), four[0]);
+    const auto sides = [&](int lane) { return nodes_of(solid, four[lane]->sides); };
+    const FourGaps gaps = gaps_between(four_sides(solid, [&](int lane) { return sides(lane).first; }),
+                                       four_sides(solid, [&](int lane) { return sides(lane).second; }));
+    for (int lane = 0; lane < count; ++lane) {
+      record_gap(*four[lane], gaps.clear[lane]);
+      if (gaps.are_pressing[lane] == 0) continue;
+      const Vec3 weights(gaps.weights[0][lane], gaps.weights[1][lane], gaps.weights[2][lane]);
+      push_apart(solid, sides(lane), vector_of(gaps.normals, lane), weights);
+    }
+    count = 0;
+  };
   for (WatchedCrack& crack : cracks_) {
     if (is_clear(crack)) continue;
-    const Sides sides = nodes_of(solid, crack.sides);
-    const Vec3 area = area_of(solid, sides), center = center_of(solid, sides.first);
-    const Vec3 normal = area.normalized();
-    const std::array<double, 3> weights = weights_in(solid, sides.second, center);
-    if (!std::ranges::all_of(weights, [](double weight) { return weight >= 0; })) continue;
-    double gap = -normal.dot(center);
-    for (int i = 0; i < 3; ++i) gap += weights[i] * normal.dot(solid.position(sides.second[i]));
-    record_gap(crack, gap);
-    if (gap > 0 || gap * gap > area.norm()) continue;
-    const auto opening_speed = [&] {
-      double speed = 0;
-      for (int i = 0; i < 3; ++i)
-        speed += normal.dot(weights[i] * solid.velocity(sides.second[i]) - solid.velocity(sides.first[i]) / 3);
-      return speed;
-    };
-    const double speed = opening_speed();
-    if (speed >= 0) continue;
-    double mobility = 0;
-    for (int i = 0; i < 3; ++i)
-      mobility += solid.mobility(sides.first[i], normal) / 9 +
-                  weights[i] * weights[i] * solid.mobility(sides.second[i], normal);
-    if (mobility == 0) continue;
-    const Vec3 impulse = speed / mobility * normal;
-    for (int i = 0; i < 3; ++i) {
-      push_node(solid, sides.first[i], impulse / 3);
-      push_node(solid, sides.second[i], -weights[i] * impulse);
-    }
-    // Where both sides end in one node, at the front, they do not part: more speed is left than the others lost.
-    lost_ += 0.5 * speed / mobility * (speed + opening_speed());
+    four[count++] = &crack;
+    if (count == simd::kDoubleLanes) close();
   }
+  if (count > 0) close();
+}
+
+/// `normal`: out of the first side; `weights`: of the second side's corners, where the centre of the first is.
+void Impacts::push_apart(Solid& solid, const NodesOfSides& sides, const Vec3& normal, const Vec3& weights) {
+  const auto opening_speed = [&] {
+    double speed = 0;
+    for (int i = 0; i < 3; ++i)
+      speed += normal.dot(weights[i] * solid.velocity(sides.second[i]) - solid.velocity(sides.first[i]) / 3);
+    return speed;
+  };
+  const double speed = opening_speed();
+  if (speed >= 0) return;
+  double mobility = 0;
+  for (int i = 0; i < 3; ++i)
+    mobility +=
+        solid.mobility(sides.first[i], normal) / 9 + weights[i] * weights[i] * solid.mobility(sides.second[i], normal);
+  if (mobility == 0) return;
+  const Vec3 impulse = speed / mobility * normal;
+  for (int i = 0; i < 3; ++i) {
+    push_node(solid, sides.first[i], impulse / 3);
+    push_node(solid, sides.second[i], -weights[i] * impulse);
+  }
+  // Where both sides end in one node, at the front, they do not part: more speed is left than the others lost.
+  lost_ += 0.5 * speed / mobility * (speed + opening_speed());
 }
 
 }  // namespace griffith::shock

@@ -15,14 +15,6 @@ struct SurfaceSide {
   int slot = 0, face = 0;
 };
 
-/// The barycentric weights of where a point projects into triangle abc. `normal`: (b − a) × (c − a), `square`: its
-/// length squared.
-inline std::array<double, 3> weights_in_triangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal,
-                                                 double square, const Vec3& point) {
-  const double u = normal.dot((c - b).cross(point - b)) / square, v = normal.dot((a - c).cross(point - c)) / square;
-  return {u, v, 1 - u - v};
-}
-
 /// How a body of the solid meets others.
 struct SurfaceLaw {
   int family = 0;  ///< pieces of one family touch where cracks parted them alone
@@ -33,6 +25,11 @@ struct SurfaceLaw {
 struct CrackSides {
   int first_slot = 0, second_slot = 0;
   std::array<int, 3> first_corners{}, second_corners{};
+};
+
+/// Their nodes in the solid.
+struct NodesOfSides {
+  std::array<int, 3> first{}, second{};
 };
 
 /// What pushes in the microsteps: obstacles against the surface of the solid, bodies of the solid against each other,
@@ -84,6 +81,11 @@ class Impacts {
     int other_node = -1;                                ///< a node of another body
     Vec3 place = Vec3::Zero(), normal = Vec3::UnitY();  ///< normal: from the solid to the other
     double depth = 0;
+  };
+  /// A touch, and the index of what it was found of.
+  struct Found {
+    std::size_t candidate = 0;
+    Touch touch;
   };
   /// Things that may touch, but not before everything has travelled so far in all [m].
   struct Watched {
@@ -137,8 +139,8 @@ class Impacts {
   bool is_clear(const Watched& watched) const { return travelled_ < watched.clear_until; }
   void record_gap(Watched& watched, double gap) const;
   void list_candidates(const Solid& solid, double displacement);
-  /// Highest speed of all nodes and obstacles [m/s].
-  double fastest_of(const Solid& solid) const;
+  /// How fast any two of all nodes and obstacles come nearer to each other, at most [m/s].
+  double closing_speed(const Solid& solid) const;
   void list_near_obstacle(const Solid& solid, const Obstacle& obstacle, Candidates& candidates);
   void list_near_part(const Solid& solid, const Obstacle& obstacle, int part, Candidates& candidates) const;
   std::vector<BoxedSide> sides_near_others(const Solid& solid) const;
@@ -148,10 +150,12 @@ class Impacts {
   std::size_t candidate_count() const;
   void touch_sphere(const Solid& solid, int obstacle);
   void touch_convex(const Solid& solid, int obstacle);
+  void touch_inside(const Solid& solid, int obstacle);
   void drop_clamps(const Solid& solid, std::size_t first);
   void touch_bodies(const Solid& solid);
-  /// How far a point is from lying behind a side, no deeper than half the tet there: 0 where it does [m].
-  double gap_behind(const Solid& solid, const Side& side, const Vec3& point, Touch& touch) const;
+  template <class Candidate, class PlaceOf>
+  void find_behind(const Solid& solid, std::vector<Candidate>& candidates, PlaceOf place_of);
+  void touch_nearest(const Solid& solid, std::span<const Found> found);
   /// Whether what is behind two sides is rather touched by the first: by the one behind which it lies less deep; where
   /// that is the same, as at an edge, by the one that it comes through.
   bool is_nearer(const Solid& solid, const Touch& touch, const Touch& other) const;
@@ -164,6 +168,7 @@ class Impacts {
   void take_back(Solid& solid, const Touch& touch, const Vec3& impulse, double time);
   bool push(Solid& solid, Touch& touch, double dt, double min_speed);
   void close_cracks(Solid& solid);
+  void push_apart(Solid& solid, const NodesOfSides& sides, const Vec3& normal, const Vec3& weights);
   Pushed& pushed(const Solid& solid, int node);
   void push_node(Solid& solid, int node, const Vec3& impulse);
   void shift_node(Solid& solid, int node, const Vec3& displacement);
@@ -180,6 +185,7 @@ class Impacts {
   std::vector<Candidates> candidates_;  ///< per obstacle
   std::vector<NodeAndSide> pairs_;      ///< nodes near sides of other bodies, by node
   std::vector<Touch> touches_;
+  std::vector<Found> found_;
   std::vector<int> order_;  ///< of touches, the deepest first
   std::vector<Blow> blows_;
   std::vector<Pushed> pushed_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "sim/contact/contact_world.h"
@@ -12,6 +14,17 @@ namespace griffith::shock {
 struct ConvexSolid {
   std::vector<HalfSpace> faces;  ///< it is what they have in common
   std::vector<Vec3> samples;     ///< corners, and points along the edges
+
+  /// How far a point is outside, at most, and the normal of the face across which.
+  std::pair<double, Vec3> outermost_face(const Vec3& local) const {
+    double maximum = -std::numeric_limits<double>::infinity();
+    Vec3 normal = Vec3::UnitY();
+    for (const HalfSpace& face : faces) {
+      const double distance = face.distance(local);
+      if (distance > maximum) maximum = distance, normal = face.normal;
+    }
+    return {maximum, normal};
+  }
 };
 
 /// `spacing`: of the points along the edges, at most [m].

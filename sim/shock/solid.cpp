@@ -87,7 +87,7 @@ double highest_frequency(const ElasticLaw& law, double density, std::span<const 
 
 int Solid::add_node(const SolidNodeStart& start) {
   nodes_.push_back({.inverse_mass = 1 / start.mass});
-  references_.push_back(start.reference);
+  references_.push_back({wide(start.reference)});
   displacements_.push_back({wide(start.displacement)});
   velocities_.push_back({wide(start.velocity)});
   accelerations_.push_back({wide(start.acceleration)});
@@ -95,7 +95,7 @@ int Solid::add_node(const SolidNodeStart& start) {
 }
 
 int Solid::copy_node(int node, double mass) {
-  const SolidNodeStart start{references_[node], displacement(node), velocity(node), vector(accelerations_[node].value),
+  const SolidNodeStart start{reference(node), displacement(node), velocity(node), vector(accelerations_[node].value),
                              mass};
   const int copy = add_node(start);
   if (nodes_[node].constraint >= 0) constrain(copy, NodeConstraint(constraints_[nodes_[node].constraint].constraint));
@@ -221,6 +221,7 @@ void Solid::kick(double fraction) {
 /// Velocities take the forces of `kick`, positions the velocities of `drift` [s].
 void Solid::advance_nodes(double kick, double drift, std::vector<int>& flagged) {
   double fastest = 0;
+  lowest_ = highest_ = velocities_[0].value;
   for (int i = 0; i < node_count(); ++i) {
     const SolidNode& node = nodes_[i];
     const int* star = stars_.data() + node.first;
@@ -235,8 +236,11 @@ void Solid::advance_nodes(double kick, double drift, std::vector<int>& flagged) 
     if (largest[3] > node.threshold) flagged.push_back(i);
     WideQuad force = __builtin_convertvector(even + odd, WideQuad);
     force[3] = 0;
-    velocities_[i].value += kick * (node.inverse_mass * force + accelerations_[i].value);
-    if (node.constraint < 0) displacements_[i].value += drift * velocities_[i].value;
+    WideQuad& moving = velocities_[i].value;
+    moving += kick * (node.inverse_mass * force + accelerations_[i].value);
+    lowest_ = moving < lowest_ ? moving : lowest_;
+    highest_ = moving > highest_ ? moving : highest_;
+    if (node.constraint < 0) displacements_[i].value += drift * moving;
     fastest = std::max(fastest, velocity(i).squaredNorm());
   }
   fastest_ = std::sqrt(fastest);

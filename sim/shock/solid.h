@@ -1,11 +1,13 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 #include <limits>
 #include <span>
 #include <vector>
 
 #include "sim/elasticity/element.h"
+#include "sim/mesh/tet_mesh.h"
 #include "sim/shock/element_block.h"
 #include "sim/solver/node_constraint.h"
 
@@ -113,10 +115,18 @@ class Solid {
   /// What of a tet's strain in the body's turn has stress under the law.
   Mat3 elastic_strain(int slot, const Mat3& strain) const;
   int corner(int slot, int corner) const { return corners_[slot][corner]; }
+  /// Those of the face opposite a corner, counter-clockwise seen from outside.
+  std::array<int, 3> nodes_of_side(int slot, int face) const {
+    const std::array<int, 3>& corners = kTetFaces[face];
+    return {corner(slot, corners[0]), corner(slot, corners[1]), corner(slot, corners[2])};
+  }
+  int body_of_node(int node) const { return body_of_slot(star(node).front() / 4); }
 
-  Vec3 reference(int node) const { return references_[node]; }
+  Vec3 reference(int node) const { return vector(references_[node].value); }
   Vec3 displacement(int node) const { return vector(displacements_[node].value); }
-  Vec3 position(int node) const { return references_[node] + displacement(node); }
+  Vec3 position(int node) const { return vector(place(node)); }
+  /// Its position, the fourth lane 0.
+  WideQuad place(int node) const { return references_[node].value + displacements_[node].value; }
   Vec3 velocity(int node) const { return vector(velocities_[node].value); }
   /// Changes a node's velocity by an impulse [N·s]; where it is held, the support takes it.
   void push(int node, const Vec3& impulse);
@@ -137,6 +147,8 @@ class Solid {
   Vec3 acceleration(int node) const;
   /// Highest speed of any node, as advance() left it [m/s].
   double fastest() const { return fastest_; }
+  /// What holds the velocities of all nodes, as advance() left them [m/s].
+  Eigen::AlignedBox3d velocities() const { return {vector(lowest_), vector(highest_)}; }
 
  private:
   struct NodeValue {
@@ -153,14 +165,14 @@ class Solid {
   std::vector<SolidBody> bodies_;
   std::vector<SolidNode> nodes_;
   std::vector<SolidConstraint> constraints_;
-  std::vector<Vec3> references_;
-  std::vector<NodeValue> displacements_, velocities_, accelerations_;
+  std::vector<NodeValue> references_, displacements_, velocities_, accelerations_;
   std::vector<ElementBlock> blocks_;
   std::vector<std::array<int, 4>> corners_;  ///< per slot, those of a tet together
   std::vector<ViscousWork> viscous_works_;   ///< per block
   std::vector<int> block_bodies_;            ///< per block
   std::vector<CornerForce> forces_;          ///< 4·slot + corner
   std::vector<int> stars_;
+  WideQuad lowest_ = {}, highest_ = {};
   double dt_ = 0, fastest_ = 0;
 };
 

@@ -26,7 +26,9 @@ std::vector<int> find_rows(const std::vector<NodeId>& rows, std::span<const Node
 }  // namespace
 
 void ElementRows::add(const TetMesh& mesh, NodeId node, std::span<const int> column_of_node) {
-  const auto column_of = [&](NodeId corner) { return column_of_node.empty() ? corner.value : column_of_node[corner]; };
+  const auto column_of = [&](NodeId corner) {
+    return column_of_node.empty() ? corner.index() : column_of_node[corner];
+  };
   const std::vector<TetId>& star = mesh.stars[node];
   std::vector<int>& columns = matrix.columns;
   const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(columns.size());

@@ -14,7 +14,7 @@ void update_attachment(const SplinterSet& set, Neighbours neighbours, SplinterId
   const auto attached = state.attached.begin() + splinter.first_part;
   for (int i = 0; i < splinter.parts; ++i) attached[i] = set.parts[splinter.first_part + i].tet == splinter.owner;
   const std::span<const PartLink> links(set.links.data() + set.first_link[id],
-                                        set.links.data() + set.first_link[id + 1]);
+                                        set.links.data() + set.first_link[id.index() + 1]);
   for (bool grew = true; grew;) {
     grew = false;
     for (const PartLink& link : links) {

@@ -74,7 +74,7 @@ std::vector<Fragment> make_fragments(const TetMesh& mesh, const CellPartition& c
   parallel_for(mesh.tet_count(), 16, [&](int begin, int end) {
     if (monitor.is_cancelled()) return;
     int start = 0;
-    for (TetId tet(begin); tet < end; ++tet.value) {
+    for (const TetId tet : IdRange<TetId>(begin, end)) {
       start = locate(cells, rest_centroid(mesh, tet), start);
       by_tet[tet] = fragments_of_tet(mesh, cells, tet, start, tolerance);
     }

@@ -99,7 +99,7 @@ class Builder {
     const auto rest = std::ranges::unique(set_.links, {}, key);
     set_.links.erase(rest.begin(), rest.end());
     set_.first_link.assign(set_.splinters.size() + 1, 0);
-    for (const PartLink& link : set_.links) ++set_.first_link[set_.parts[link.a].splinter + 1];
+    for (const PartLink& link : set_.links) ++set_.first_link[set_.parts[link.a].splinter.index() + 1];
     std::partial_sum(set_.first_link.begin(), set_.first_link.end(), set_.first_link.begin());
   }
 
@@ -165,7 +165,7 @@ SplinterSet make_splinters(const TetMesh& mesh, const CellPartition& cells, cons
 Uncovered uncovered_part(const TetMesh& mesh, const SplinterSet& splinters) {
   Uncovered uncovered;
   double maximum = 0;
-  for (TetId tet(0); tet < mesh.tet_count(); ++tet.value) {
+  for (const TetId tet : IdRange<TetId>(0, mesh.tet_count())) {
     double missing = rest_volume(mesh, tet);
     for (const int part : splinters.parts_of_tet[tet]) missing -= splinters.parts[part].volume;
     uncovered.volume += missing;
@@ -175,18 +175,19 @@ Uncovered uncovered_part(const TetMesh& mesh, const SplinterSet& splinters) {
 }
 
 void append(SplinterSet& all, const SplinterSet& of_body, TetId first_tet, int scene_body) {
-  const int splinters = static_cast<int>(all.splinters.size()), parts = static_cast<int>(all.parts.size());
+  const SplinterId first_splinter(std::ssize(all.splinters));
+  const int parts = static_cast<int>(all.parts.size());
   const int faces = static_cast<int>(all.faces.size()), corners = static_cast<int>(all.corners.size());
   const int links = static_cast<int>(all.links.size());
   for (Splinter splinter : of_body.splinters) {
-    splinter.owner.value += first_tet;
+    splinter.owner = splinter.owner.shifted(first_tet);
     splinter.scene_body = scene_body;
     splinter.first_part += parts;
     all.splinters.push_back(splinter);
   }
   for (SplinterPart part : of_body.parts) {
-    part.splinter.value += splinters;
-    part.tet.value += first_tet;
+    part.splinter = part.splinter.shifted(first_splinter);
+    part.tet = part.tet.shifted(first_tet);
     part.first_face += faces;
     all.parts.push_back(part);
   }

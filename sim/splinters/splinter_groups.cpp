@@ -15,13 +15,13 @@ constexpr double kSmallestFraction = 0.1;
 class FragmentTable {
  public:
   FragmentTable(const std::vector<Fragment>& fragments, int tets) : fragments_(fragments), first_(tets + 1, 0) {
-    for (const Fragment& fragment : fragments) ++first_[fragment.tet + 1];
+    for (const Fragment& fragment : fragments) ++first_[fragment.tet.index() + 1];
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
   }
 
   /// -1 when there is none.
   int find(TetId tet, int cell) const {
-    const auto begin = fragments_.begin() + first_[tet], end = fragments_.begin() + first_[tet + 1];
+    const auto begin = fragments_.begin() + first_[tet], end = fragments_.begin() + first_[tet.index() + 1];
     const auto found = std::ranges::lower_bound(begin, end, cell, {}, &Fragment::cell);
     return found != end && found->cell == cell ? static_cast<int>(found - fragments_.begin()) : -1;
   }

@@ -58,7 +58,7 @@ std::vector<Vec3> jittered_lattice(const VoronoiSplinters& pattern, const Eigen:
 Vec3 place_in(const TetMesh& mesh, TetId tet, const ShardPattern& pattern) {
   std::array<double, 4> weights;
   double sum = 0;
-  for (int i = 0; i < 4; ++i) sum += weights[i] = -std::log1p(-random_unit(pattern.seed, tet.value, i));
+  for (int i = 0; i < 4; ++i) sum += weights[i] = -std::log1p(-random_unit(pattern.seed, tet.index(), i));
   Vec3 place = Vec3::Zero();
   for (int i = 0; i < 4; ++i)
     place += std::lerp(0.25, weights[i] / sum, pattern.jitter) * mesh.rest_positions[mesh.tets[tet][i]];
@@ -131,7 +131,7 @@ CellPartition make_shard_cells(const TetMesh& mesh, const ShardPattern& pattern)
   Eigen::AlignedBox3d bounds;
   for (const Vec3& position : mesh.rest_positions) bounds.extend(Vec3(map * position));
   std::vector<Vec3> points;
-  for (TetId tet(0); tet < mesh.tet_count(); ++tet.value) points.push_back(map * place_in(mesh, tet, pattern));
+  for (const TetId tet : IdRange<TetId>(0, mesh.tet_count())) points.push_back(map * place_in(mesh, tet, pattern));
   return decompressed(voronoi_cells(std::move(points), bounds), map);
 }
 

@@ -16,7 +16,7 @@ class FieldHash {
   /// Counts, ids and switches.
   template <class... Whole>
   FieldHash& add_whole(Whole... values) {
-    const std::array<std::int64_t, sizeof...(values)> all = {static_cast<std::int64_t>(values)...};
+    const std::array<std::int64_t, sizeof...(values)> all = {whole(values)...};
     value_ = hash_values(std::span<const std::int64_t>(all), value_);
     return *this;
   }
@@ -28,6 +28,14 @@ class FieldHash {
   std::uint64_t value() const { return value_; }
 
  private:
+  template <class Number>
+  static std::int64_t whole(Number number) {
+    return static_cast<std::int64_t>(number);
+  }
+  template <class Tag>
+  static std::int64_t whole(Id<Tag> id) {
+    return id.index();
+  }
   void add_one(double number) { value_ = hash_values(std::span<const double>(&number, 1), value_); }
   template <class Matrix>
   void add_one(const Eigen::MatrixBase<Matrix>& matrix) {

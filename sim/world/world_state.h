@@ -162,7 +162,7 @@ struct WorldState {
   bool integrates_explicitly() const { return model->scene.simulation.integrator == Integrator::symplectic_euler; }
   /// Whose proxy this is; invalid for projectiles and the ground.
   BodyId body_of(ProxyId proxy) const {
-    const auto index = static_cast<std::size_t>(proxy.value);
+    const auto index = static_cast<std::size_t>(proxy.index());
     return index < body_of_proxy.size() ? body_of_proxy[index] : BodyId();
   }
   const Material& material_of(const Body& body) const { return materials[body.scene_body]; }

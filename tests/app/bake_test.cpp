@@ -219,7 +219,7 @@ class PartedBlocks {
   PartedBlocks(const Scene& scene) : world_(scene), frame_(world_.frame()) {
     bodies_.assign(frame_.bodies.begin(), frame_.bodies.end());
     bodies_.push_back(bodies_[0]);
-    for (TetId tet(0); tet < std::ssize(frame_.elements.tets); ++tet.value) {
+    for (const TetId tet : IdRange<TetId>(0, std::ssize(frame_.elements.tets))) {
       body_of_.push_back(BodyId(is_right(tet)));
       std::array<double, 4>& opened = opened_.emplace_back();
       for (int face = 0; face < 4; ++face) {

@@ -87,8 +87,11 @@ TEST(CrackDust, CrumbsDoNotFallThroughBodies) {
   };
   const std::vector<render::Sphere> crumbs = crack_dust(frame, scene).crumbs;
   ASSERT_GT(crumbs.size(), 10u);
-  for (const render::Sphere& crumb : crumbs)
-    if (crumb.center.y() > 0.05f) EXPECT_LT(depth(crumb.center.cast<double>()), 0.02);
+  for (const render::Sphere& crumb : crumbs) {
+    if (crumb.center.y() > 0.05f) {
+      EXPECT_LT(depth(crumb.center.cast<double>()), 0.02);
+    }
+  }
 }
 
 TEST(CrackDust, FadesAndLeavesItsCrumbs) {

@@ -19,7 +19,7 @@ TEST(CrackEventFile, HoldsEveryEventWithItsElements) {
   ASSERT_EQ(events.size(), frame.crack_events.size());
   for (std::size_t i = 0; i < events.size(); ++i) {
     const CrackEvent& event = frame.crack_events[i];
-    EXPECT_EQ(events[i]["node"], event.node.value);
+    EXPECT_EQ(events[i]["node"], event.node.index());
     EXPECT_EQ(events[i]["load"], event.load);
     EXPECT_GT(events[i]["load"], events[i]["resistance"]);
     EXPECT_EQ(events[i]["elements"].size(), event.elements.size());

@@ -128,7 +128,7 @@ TEST(DrawSceneFromFrame, SelectionAndLockedRangeAreTakenOver) {
   EXPECT_EQ(surface.scalar_style.maximum, 5);
   EXPECT_EQ(surface.scalar_style.color_map, render::ColorMap::coolwarm);
   for (std::size_t i = 0; i < surface.flags.size(); ++i) {
-    EXPECT_EQ((surface.flags[i] & render::kSelected) != 0, surface.ids[i] == selected.value);
+    EXPECT_EQ((surface.flags[i] & render::kSelected) != 0, surface.ids[i] == selected.index());
   }
 }
 

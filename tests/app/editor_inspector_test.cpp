@@ -15,14 +15,14 @@ namespace {
 TEST_F(EditorTest, ClickInTheViewSelectsAnElementOfTheWall) {
   click("viewport");
   EXPECT_TRUE(editor_.state().selection.valid());
-  EXPECT_EQ(value("value/Element"), std::to_string(editor_.state().selection.tet.value));
+  EXPECT_EQ(value("value/Element"), std::to_string(editor_.state().selection.tet.index()));
 }
 
 TEST_F(EditorTest, SelectionIsExplainedAndSurvivesBreakingAndReset) {
   click("viewport");
   const ui::Selection selected = editor_.state().selection;
   ASSERT_TRUE(selected.valid());
-  EXPECT_EQ(value("value/Node"), std::to_string(selected.node.value));
+  EXPECT_EQ(value("value/Node"), std::to_string(selected.node.index()));
   for (int i = 0; i < 12; ++i) click("command/simulation.step");
   EXPECT_EQ(editor_.state().selection.rest_position, selected.rest_position);
   EXPECT_NE(value("inspector/verdict").find("resistance"), std::string::npos);
@@ -105,7 +105,7 @@ TEST_F(EditorTest, RigidPiecesAreSaidToKeepTheStressThatThePictureShows) {
 
 /// The first free node that a load pulls at, of those with one element or with more; invalid where there is none.
 NodeId pulled_node(const Frame& frame, bool of_one_element) {
-  for (NodeId node(0); node < static_cast<std::int64_t>(frame.nodes.stars.size()); ++node.value) {
+  for (const NodeId node : IdRange<NodeId>(0, static_cast<std::int64_t>(frame.nodes.stars.size()))) {
     const bool wanted =
         (frame.nodes.stars[node].size() == 1) == of_one_element && frame.nodes.constraints[node].is_free();
     if (wanted && node_report(frame, node).load > 0) return node;

@@ -102,7 +102,7 @@ TEST(ElementPicture, WireframeHasEveryEdgeOnce) {
   std::set<std::pair<int, int>> edges;
   for (const auto& tet : frame.elements.tets)
     for (int a = 0; a < 4; ++a)
-      for (int b = a + 1; b < 4; ++b) edges.insert(std::minmax(tet[a].value, tet[b].value));
+      for (int b = a + 1; b < 4; ++b) edges.insert(std::minmax(tet[a].index(), tet[b].index()));
   const ViewSettings view;
   const ShownMesh shown = shown_mesh(frame, view, {});
   EXPECT_EQ(wireframe(shown, nullptr, {}).size(), edges.size());

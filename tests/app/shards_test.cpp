@@ -166,7 +166,7 @@ TEST(Shards, AnyFrameShowsWhatFollowingAllCracksGives) {
     world.step();
     const Frame frame = world.frame();
     std::vector<TetId> cracked;
-    for (TetId tet(0); tet < std::ssize(neighbours); ++tet.value)
+    for (const TetId tet : IdRange<TetId>(0, std::ssize(neighbours)))
       if (frame.elements.neighbours[tet] != neighbours[tet]) cracked.push_back(tet);
     SplinterState state = intact_state(set);
     follow_cracks(set, frame.elements.neighbours, cracked, state);

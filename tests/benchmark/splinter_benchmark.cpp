@@ -30,7 +30,7 @@ BENCHMARK(make)->Arg(10)->Arg(27)->Unit(benchmark::kMillisecond)->Iterations(1);
 /// Cuts all faces in the plane x = 0, as if the cube broke in two.
 std::vector<TetId> halve(TetMesh& mesh) {
   std::vector<TetId> changed;
-  for (TetId tet(0); tet < mesh.tet_count(); ++tet.value)
+  for (const TetId tet : IdRange<TetId>(0, mesh.tet_count()))
     for (TetId& neighbour : mesh.neighbours[tet])
       if (neighbour.valid() && rest_centroid(mesh, tet).x() * rest_centroid(mesh, neighbour).x() < 0) {
         neighbour = TetId();

@@ -22,22 +22,23 @@ struct ElasticBody : ElasticMesh {
   }
   void flow_plastically() {
     const std::optional<PlasticLaw> plastic = plastic_law(material);
-    for (TetId tet(0); plastic && tet < mesh.tet_count(); ++tet.value)
+    if (!plastic) return;
+    for (const TetId tet : IdRange<TetId>(0, mesh.tet_count()))
       plastic_strains[tet] = flow(*plastic, deformation(tet, positions), plastic_strains[tet]);
   }
   std::vector<Vec3> forces() const {
     std::vector<Vec3> sum(positions.size(), Vec3::Zero());
-    for (TetId tet(0); tet < mesh.tet_count(); ++tet.value) add_elastic_forces(tet, state(tet), sum);
+    for (const TetId tet : IdRange<TetId>(0, mesh.tet_count())) add_elastic_forces(tet, state(tet), sum);
     return sum;
   }
   int inverted_tets() const {
     int count = 0;
-    for (TetId tet(0); tet < mesh.tet_count(); ++tet.value) count += state(tet).inverted;
+    for (const TetId tet : IdRange<TetId>(0, mesh.tet_count())) count += state(tet).inverted;
     return count;
   }
   double elastic_energy() const {
     double sum = 0;
-    for (TetId tet(0); tet < mesh.tet_count(); ++tet.value)
+    for (const TetId tet : IdRange<TetId>(0, mesh.tet_count()))
       sum += rest_elements[tet].volume * state(tet).energy_density;
     return sum;
   }

@@ -36,7 +36,7 @@ int pieces_by_nodes(const TetMesh& mesh) {
     return node;
   };
   for (const auto& tet : mesh.tets)
-    for (int i = 1; i < 4; ++i) parent[root(tet[i])] = root(tet[0]);
+    for (int i = 1; i < 4; ++i) parent[root(tet[i].index())] = root(tet[0].index());
   int pieces = 0;
   for (int node = 0; node < mesh.node_count(); ++node) pieces += root(node) == node;
   return pieces;

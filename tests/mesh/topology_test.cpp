@@ -49,8 +49,8 @@ TEST(TopologyTest, AppendKeepsWhatWasThereAndLinksNothingToIt) {
   TetMesh mesh = box_mesh();
   const TetMesh before = mesh;
   const AppendedRange range = append(mesh, before);
-  EXPECT_EQ(range.first_node, before.node_count());
-  EXPECT_EQ(range.first_tet, before.tet_count());
+  EXPECT_EQ(range.first_node.index(), before.node_count());
+  EXPECT_EQ(range.first_tet.index(), before.tet_count());
   EXPECT_THAT(check_invariants(mesh), IsEmpty());
   for (int t = 0; t < before.tet_count(); ++t) EXPECT_EQ(mesh.neighbours[t], before.neighbours[t]);
   const auto pieces = connected_components(mesh);
@@ -61,7 +61,7 @@ TEST(TopologyTest, AppendKeepsWhatWasThereAndLinksNothingToIt) {
 TEST(TopologyTest, SurfaceIsClosed) {
   const TetMesh mesh = box_mesh();
   Vec3 area = Vec3::Zero();
-  std::set<std::pair<int, int>> edges;
+  std::set<std::pair<NodeId, NodeId>> edges;
   for (const auto& [tet, face] : surface_faces(mesh)) {
     const auto nodes = face_nodes(mesh, tet, face);
     const auto& x = mesh.rest_positions;

@@ -25,8 +25,8 @@ struct ElasticBox : ElasticMesh {
     forces.assign(positions.size(), Vec3::Zero());
     constraints.resize(positions.size());
     rows.assign(positions.size(), -1);
-    for (TetId tet(0); tet < mesh.tet_count(); ++tet.value) tets.push_back(tet);
-    for (NodeId node(0); node < mesh.node_count(); ++node.value) masses.push_back(lumped_mass(node));
+    for (const TetId tet : IdRange<TetId>(0, mesh.tet_count())) tets.push_back(tet);
+    for (const NodeId node : IdRange<NodeId>(0, mesh.node_count())) masses.push_back(lumped_mass(node));
     update_states();
   }
 

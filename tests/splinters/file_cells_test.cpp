@@ -67,7 +67,7 @@ TEST(FileCells, ASideMayHaveSeveralNeighbours) {
     Vec3 area = Vec3::Zero();
     const auto at = [&](int i) { return Vec3(set.corners[face.first_corner + i].rest.cast<double>()); };
     for (int i = 2; i < face.corners; ++i) area += (at(i - 1) - at(0)).cross(at(i) - at(0)) / 2;
-    areas[{set.parts[face.part].splinter.value, set.parts[face.beyond].splinter.value}] += area.norm();
+    areas[{set.parts[face.part].splinter.index(), set.parts[face.beyond].splinter.index()}] += area.norm();
   }
   const auto number = [&](const Vec3& inside) {  // of the splinter there
     for (std::size_t i = 0; i < set.splinters.size(); ++i) {

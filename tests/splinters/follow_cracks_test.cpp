@@ -55,7 +55,7 @@ TEST_P(FollowCracks, AnIntactBodyShowsNoWall) {
   for (std::size_t f = 0; f < box.set.faces.size(); ++f) EXPECT_EQ(box.state.open[f] != 0, box.set.faces[f].beyond < 0);
   SplinterState state = box.state;
   std::vector<TetId> all;
-  for (TetId tet(0); tet < box.mesh.tet_count(); ++tet.value) all.push_back(tet);
+  for (const TetId tet : IdRange<TetId>(0, box.mesh.tet_count())) all.push_back(tet);
   follow_cracks(box.set, box.mesh.neighbours, all, state);
   EXPECT_TRUE(state.open_walls.empty());
 }
@@ -132,7 +132,7 @@ TEST_P(FollowCracks, OnlyWhatCracksTouchIsUpdated) {
   SplinterState whole = intact_state(box.set);
   for (int i = 0; i < 30; ++i) box.split(random);
   std::vector<TetId> all;
-  for (TetId tet(0); tet < box.mesh.tet_count(); ++tet.value) all.push_back(tet);
+  for (const TetId tet : IdRange<TetId>(0, box.mesh.tet_count())) all.push_back(tet);
   follow_cracks(box.set, box.mesh.neighbours, all, whole);
   EXPECT_EQ(box.state.attached, whole.attached);
   for (std::size_t f = 0; f < whole.open.size(); ++f) EXPECT_GE(box.state.open[f], whole.open[f]);

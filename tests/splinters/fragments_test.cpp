@@ -22,7 +22,7 @@ using testing::RandomValues;
 
 double total_volume(const TetMesh& mesh) {
   double sum = 0;
-  for (TetId tet(0); tet < mesh.tet_count(); ++tet.value) sum += rest_volume(mesh, tet);
+  for (const TetId tet : IdRange<TetId>(0, mesh.tet_count())) sum += rest_volume(mesh, tet);
   return sum;
 }
 
@@ -49,7 +49,7 @@ TEST_P(Fragments, FillEveryTetWithoutOverlap) {
       EXPECT_GE(fragment.volume, 0);
       filled[fragment.tet] += fragment.volume;
     }
-    for (TetId tet(0); tet < mesh.tet_count(); ++tet.value)
+    for (const TetId tet : IdRange<TetId>(0, mesh.tet_count()))
       EXPECT_NEAR(filled[tet], rest_volume(mesh, tet), 1e-9 * total_volume(mesh) / mesh.tet_count());
   }
 }

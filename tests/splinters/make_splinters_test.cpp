@@ -43,7 +43,8 @@ TEST_P(MakeSplinters, ShareOutTheBody) {
   for (const SplinterPart& part : set_.parts) of_tets[part.tet] += part.volume;
   for (const Splinter& splinter : set_.splinters) sum += splinter.volume;
   EXPECT_NEAR(sum, 0.8 * 0.6 * 0.4, 1e-9 * 0.8 * 0.6 * 0.4);
-  for (TetId tet(0); tet < mesh_.tet_count(); ++tet.value) EXPECT_NEAR(of_tets[tet], rest_volume(mesh_, tet), 1e-12);
+  for (const TetId tet : IdRange<TetId>(0, mesh_.tet_count()))
+    EXPECT_NEAR(of_tets[tet], rest_volume(mesh_, tet), 1e-12);
 }
 
 TEST_P(MakeSplinters, TheSurfaceIsTheBodysOwn) {

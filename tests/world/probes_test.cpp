@@ -117,7 +117,7 @@ TEST(Probes, SurviveACrack) {
       build_world(probed_block({probe_at(ProbePoint{}, {ProbeQuantity::stress}),
                                 probe_at(everything, {ProbeQuantity::reaction, ProbeQuantity::separation})}));
   const int nodes = world.mesh.node_count();
-  for (NodeId node(0); node < nodes; ++node.value) world.nodes.separations[node].utilization = 2;
+  for (const NodeId node : IdRange<NodeId>(0, nodes)) world.nodes.separations[node].utilization = 2;
   open_cracks(world, 0);
   ASSERT_GT(world.mesh.node_count(), nodes);
   for (std::size_t tet = 0; tet < world.elements.stresses.size(); ++tet)

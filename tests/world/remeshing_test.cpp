@@ -186,7 +186,7 @@ TEST(Remeshing, SupportsGoOnAsTheStepBegan) {
   const Vec3 velocity = (stop - begin) / time_step * Vec3(0.1, 0, 0);
   ASSERT_LT(velocity.x(), 0.09);
   int held = 0;
-  for (NodeId node(0); node < halved.world.mesh.node_count(); ++node.value) {
+  for (const NodeId node : IdRange<NodeId>(0, halved.world.mesh.node_count())) {
     if (!halved.world.nodes.has_support[node]) continue;
     EXPECT_LT((halved.world.nodes.constraints[node].velocity - velocity).norm(), 1e-12) << "node " << node;
     ++held;

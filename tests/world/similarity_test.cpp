@@ -123,7 +123,7 @@ struct StretchedBar {
   WorldState world;
 
   explicit StretchedBar(bool supported) : world(build_world(scene(supported))) {
-    for (NodeId node(0); node < world.mesh.node_count(); ++node.value) {
+    for (const NodeId node : IdRange<NodeId>(0, world.mesh.node_count())) {
       const Vec3 rest = world.mesh.rest_positions[node];
       world.nodes.positions[node] = rest + 1e-5 * Vec3(rest.x() + 0.5, 0.2 * (rest.x() + 0.5), 0);
       world.nodes.velocities[node] = Vec3(1, rest.x(), 0.3);
@@ -149,7 +149,7 @@ TEST(Similarity, ScalingKeepsStressAndEnergy) {
       set_similarity(bar.world, bar.body(), factor);
       update_elements(bar.world, bar.body());
       EXPECT_NEAR(mechanical_energy(bar.world, bar.body()), energy, 1e-9 * energy);
-      for (TetId tet(0); tet < bar.world.mesh.tet_count(); ++tet.value)
+      for (const TetId tet : IdRange<TetId>(0, bar.world.mesh.tet_count()))
         EXPECT_LT((bar.world.elements.states[tet].stress.full() - before[tet].stress.full()).norm(),
                   1e-6 * before[tet].stress.full().norm());
     }
@@ -162,13 +162,13 @@ TEST(Similarity, TheEndGivesTheShapeThatBelongsToTheStress) {
     StretchedBar bar(supported);
     WorldState& world = bar.world;
     set_similarity(world, bar.body(), 0.25);
-    for (NodeId node(0); node < world.mesh.node_count(); ++node.value)
+    for (const NodeId node : IdRange<NodeId>(0, world.mesh.node_count()))
       world.nodes.positions[node].x() += 4e-5 * (world.mesh.rest_positions[node].x() + 0.5);
     update_elements(world, bar.body());
     const std::vector<ElementState> scaled = world.elements.states;
     const RigidMotion motion = motion_of(world, bar.body());
     end_shock(world, bar.body());
-    for (TetId tet(0); tet < world.mesh.tet_count(); ++tet.value)
+    for (const TetId tet : IdRange<TetId>(0, world.mesh.tet_count()))
       EXPECT_LT((world.elements.states[tet].stress.full() - scaled[tet].stress.full()).norm(),
                 1e-3 * scaled[tet].stress.full().norm());
     for (const NodeId node : bar.body().nodes) {

@@ -17,7 +17,7 @@ template <class Action>
 void for_each_node(const Frame& frame, int scene_body, Action action) {
   for (std::size_t node = 0; node < frame.nodes.points.size(); ++node) {
     const std::vector<TetId>& star = frame.nodes.stars[node];
-    if (!star.empty() && scene_body_of(frame, static_cast<std::size_t>(star.front().value)) == scene_body)
+    if (!star.empty() && scene_body_of(frame, static_cast<std::size_t>(star.front().index())) == scene_body)
       action(NodeId(static_cast<std::int32_t>(node)));
   }
 }

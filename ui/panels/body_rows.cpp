@@ -44,7 +44,7 @@ std::vector<BodyRow> piece_rows(const Scene& scene, const Frame& frame) {
   for (const BodyView& piece : frame.bodies) {
     if (piece.tets == 0 || static_cast<std::size_t>(piece.scene_body) >= scene.bodies.size()) continue;
     BodyRow& row = rows.emplace_back();
-    row.name = scene.bodies[piece.scene_body].name + " #" + std::to_string(piece.id.value);
+    row.name = scene.bodies[piece.scene_body].name + " #" + std::to_string(piece.id.index());
     row.scene_body = piece.scene_body;
     row.piece = piece.id;
     add(row, piece);

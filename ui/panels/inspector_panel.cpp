@@ -74,7 +74,7 @@ void load_rows(const Panel& panel, const NodeReport& report, const Material& mat
 /// One ranked element; a click selects it.
 void element_row(Panel& panel, const ElementContribution& element, const char* unit, std::size_t rank) {
   char text[96];
-  std::snprintf(text, sizeof text, "%zu   element %d, %s", rank + 1, element.tet.value,
+  std::snprintf(text, sizeof text, "%zu   element %d, %s", rank + 1, element.tet.index(),
                 element.above ? "above" : "below");
   const bool selected = panel.state.selection.tet == element.tet;
   if (ImGui::Selectable((std::string(text) + "##share").c_str(), selected)) panel.state.selection.tet = element.tet;
@@ -125,11 +125,12 @@ void element_rows(const Panel& panel, TetId tet) {
   const Frame& frame = panel.input.frame;
   const Mat3& stress = frame.elements.stresses[tet];
   const BodyView& body = frame.bodies[frame.elements.bodies[tet]];
-  value_row(panel, "Element", std::to_string(tet.value), palette::kText);
+  value_row(panel, "Element", std::to_string(tet.index()), palette::kText);
   value_row(panel, "Von Mises stress", format_quantity(von_mises_stress(stress), "Pa"), palette::kText);
   value_row(panel, "Principal stresses", triple(principal_stresses(stress), "Pa"), palette::kText);
   if (body.rigid) hint(panel, "as they were when the piece became rigid");
-  value_row(panel, "Piece", std::to_string(body.id.value) + ", " + format_quantity(body.mass, "kg", 3), palette::kText);
+  value_row(panel, "Piece", std::to_string(body.id.index()) + ", " + format_quantity(body.mass, "kg", 3),
+            palette::kText);
   value_row(panel, "Its elements", std::to_string(body.tets), palette::kText);
   value_row(panel, "Speed", format_quantity(body.velocity.norm(), "m/s", 3), palette::kText);
 }
@@ -152,7 +153,7 @@ void draw_inspector_panel(Panel& panel) {
   const Material& material = frame.materials[body.scene_body];
   if (report.strained) draw_utilization_bar(panel, report.separation.utilization);
   draw_utilization_plot(panel, panel.input.utilizations);
-  value_row(panel, "Node", std::to_string(report.node.value), palette::kText);
+  value_row(panel, "Node", std::to_string(report.node.index()), palette::kText);
   if (report.strained) utilization_rows(panel, report, material);
   event_rows(panel, report);
   if (report.strained) {

@@ -79,8 +79,8 @@ std::vector<ContactConstraint> ContactWorld::Impl::constraints(double dt) const 
     const Contact& contact = contacts[i];
     const Object &a = objects[contact.a], &b = objects[contact.b];
     ContactConstraint& row = made[i];
-    row.a = {static_cast<int>(contact.a.value), -1, contact.position - a.state.pose.translation};
-    row.b = {static_cast<int>(contact.b.value), -1, contact.position - b.state.pose.translation};
+    row.a = {static_cast<int>(contact.a.index()), -1, contact.position - a.state.pose.translation};
+    row.b = {static_cast<int>(contact.b.index()), -1, contact.position - b.state.pose.translation};
     row.axes = contact_axes(contact.normal);
     row.friction = std::sqrt(a.surface.friction * b.surface.friction);
     // The last impulse, as a mean force along the axes: they hardly turn.
@@ -135,7 +135,7 @@ int ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elasti
     response_of[response.object] = &response;
     for (std::size_t point = 0; point < response.contacts.size(); ++point) {
       ContactConstraint& row = solved[response.contacts[point]];
-      (row.a.solver_body == response.object.value ? row.a : row.b).point = static_cast<int>(point);
+      (row.a.solver_body == response.object.index() ? row.a : row.b).point = static_cast<int>(point);
     }
   }
   const auto free_velocity = [&](const ContactEnd& end) {
@@ -167,7 +167,7 @@ std::vector<std::pair<int, int>> ContactWorld::Impl::touching_pairs() const {
   std::vector<std::pair<int, int>> touching;
   for (const Contact& contact : contacts)
     if (objects[contact.a].responds() && objects[contact.b].responds())
-      touching.emplace_back(contact.a.value, contact.b.value);
+      touching.emplace_back(contact.a.index(), contact.b.index());
   return touching;
 }
 

@@ -145,7 +145,7 @@ void ContactWorld::Impl::attach(ProxyId id, const RigidMass& mass) {
   object.inverse_inertia = is_free ? Mat3(mass.inertia.inverse()) : Mat3(Mat3::Zero());
   object.body = OwnedObject(std::make_unique<btCollisionObject>());
   object.body->setCollisionShape(object.shape.root());
-  object.body->setUserIndex(id);
+  object.body->setUserIndex(id.index());
   object.body->setCollisionFlags(is_free ? 0 : static_cast<int>(btCollisionObject::CF_STATIC_OBJECT));
   // A pair is looked at when one of them is active: what cannot move is not.
   object.body->forceActivationState(is_free ? ACTIVE_TAG : ISLAND_SLEEPING);

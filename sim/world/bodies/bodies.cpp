@@ -160,7 +160,7 @@ void add_proxies(WorldState& world, std::span<Body> bodies) {
   for (const Body& body : bodies) added.push_back(proxy_of(world, body));
   const std::vector<ProxyId> ids = world.contact_world.add_proxies(added);
   if (ids.empty()) return;
-  world.body_of_proxy.resize(ids.back() + 1);
+  world.body_of_proxy.resize(ids.back().index() + 1);
   for (std::size_t i = 0; i < ids.size(); ++i) {
     bodies[i].proxy = ids[i];
     world.body_of_proxy[ids[i]] = bodies[i].id;

@@ -18,7 +18,7 @@ bool all_marked(const TetSoup& soup, int tet, const std::vector<std::uint8_t>& m
 std::vector<TetCorner> one_corner_a_node(const RestBody& body, std::vector<std::uint8_t> marked) {
   std::vector<TetCorner> corners;
   for (const TetCorner& corner : corners_at(body, marked)) {
-    std::uint8_t& is_new = marked[body.soup.tets[corner.tet - body.range.first_tet][corner.corner]];
+    std::uint8_t& is_new = marked[soup_node(body, corner)];
     if (is_new) corners.push_back(corner);
     is_new = 0;
   }
@@ -29,7 +29,7 @@ std::vector<SurfaceFace> faces_of(const TetMesh& mesh, const RestBody& body, con
   std::vector<SurfaceFace> faces;
   for (int i = 0; i < static_cast<int>(body.soup.tets.size()); ++i)
     for (int face = 0; face < 4; ++face) {
-      const TetId tet(body.range.first_tet + i);
+      const TetId tet = TetId(i).shifted(body.range.first_tet);
       if (!mesh.neighbours[tet][face].valid() && all_marked(body.soup, i, marked, face)) faces.push_back({tet, face});
     }
   return faces;
@@ -38,7 +38,7 @@ std::vector<SurfaceFace> faces_of(const TetMesh& mesh, const RestBody& body, con
 std::vector<TetId> tets_of(const RestBody& body, const std::vector<std::uint8_t>& marked) {
   std::vector<TetId> tets;
   for (int i = 0; i < static_cast<int>(body.soup.tets.size()); ++i)
-    if (all_marked(body.soup, i, marked)) tets.push_back(TetId(body.range.first_tet + i));
+    if (all_marked(body.soup, i, marked)) tets.push_back(TetId(i).shifted(body.range.first_tet));
   return tets;
 }
 

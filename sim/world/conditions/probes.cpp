@@ -66,7 +66,7 @@ std::vector<ProbedNode> nodes_at(const RestBody& body, const ProbePoint& place) 
   std::vector<ProbedNode> nodes;
   for (int i = 0; i < 4; ++i) {
     nodes.push_back(probed_node(body, body.soup.tets[best_tet][i], best.first[i]));
-    nodes.back().corner = {TetId(body.range.first_tet + static_cast<std::int64_t>(best_tet)), i};
+    nodes.back().corner = {TetId(static_cast<std::int64_t>(best_tet)).shifted(body.range.first_tet), i};
   }
   return nodes;
 }
@@ -83,7 +83,7 @@ std::vector<ProbedNode> nodes_at(const RestBody& body, const Region& region) {
   std::vector<int> index(marked.size(), -1);
   std::vector<ProbedNode> nodes;
   for (const TetCorner& corner : corners_at(body, marked)) {
-    int& i = index[body.soup.tets[corner.tet - body.range.first_tet][corner.corner]];
+    int& i = index[soup_node(body, corner)];
     if (i < 0) {
       i = static_cast<int>(nodes.size());
       nodes.push_back({corner, weight, {}});

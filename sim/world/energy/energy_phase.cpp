@@ -22,13 +22,13 @@ std::vector<RigidImpulse> contact_impulses(const WorldState& world) {
   std::vector<Vec3> centers(world.body_of_proxy.size(), Vec3::Zero());
   for (const Body& body : world.bodies) centers[body.proxy] = body.motion.center;
   for (std::size_t i = 0; i < world.projectiles.size(); ++i) {
-    const auto object = static_cast<std::size_t>(world.projectiles[i].object.value);
+    const auto object = static_cast<std::size_t>(world.projectiles[i].object.index());
     if (object >= centers.size()) centers.resize(object + 1, Vec3::Zero());
     centers[object] = world.scratch.substep_start.projectiles[i].pose.translation;
   }
   std::vector<RigidImpulse> sums(centers.size());
   const auto add = [&](ProxyId object, const Vec3& place, const Vec3& impulse) {
-    const auto index = static_cast<std::size_t>(object.value);
+    const auto index = static_cast<std::size_t>(object.index());
     if (index >= sums.size()) return;  // the ground
     sums[index].linear += impulse;
     sums[index].angular += (place - centers[index]).cross(impulse);

@@ -243,6 +243,16 @@ bool is_calm(const WorldState& world, const Body& body) {
   });
 }
 
+/// Whether nothing touched a free body in the last substep and no stress or wave is in it: a rigid one would move
+/// alike.
+bool flies_unstressed(const WorldState& world, const Body& body) {
+  constexpr double kUnstressed = 1e-3;  // of the strain that breaks
+  if (!body.harmless.empty()) return false;
+  const double strain = kUnstressed * min_breaking_stress(world, body, true) / world.material_of(body).young_modulus;
+  return mechanical_energy(world, body) - kinetic_energy(motion_of(world, body)) <
+         energy_of_strain(world, body, strain);
+}
+
 }  // namespace
 
 Wrench wrench_of(const WorldState& world, const Body& body, const std::vector<Vec3>& forces) {
@@ -360,7 +370,8 @@ void rigidify_quiet_bodies(WorldState& world) {
   for (Body& body : world.bodies) {
     if (!body.sways() || body.supported()) continue;
     body.quiet_steps = is_calm(world, body) ? body.quiet_steps + 1 : 0;
-    if (body.tets.size() > 1 && body.quiet_steps < kQuietSteps) continue;
+    const bool is_quiet = body.quiet_steps >= kQuietSteps || (body.quiet_steps > 0 && flies_unstressed(world, body));
+    if (body.tets.size() > 1 && !is_quiet) continue;
     const double before = energy_of(world, body);
     make_rigid(world, body);
     world.energy.hand_over += before - energy_of(world, body);

@@ -28,7 +28,8 @@ struct Wrench {
 Wrench wrench_of(const WorldState& world, const Body& body, const std::vector<Vec3>& forces);
 /// Kinetic and elastic energy of a body [J].
 double mechanical_energy(const WorldState& world, const Body& body);
-/// Bodies whose stress has died, and single tets, which cannot break, turn rigid.
+/// Free bodies whose stress has died turn rigid: at once where nothing touched them and there is none, and single tets,
+/// which cannot break.
 void rigidify_quiet_bodies(WorldState& world);
 
 }  // namespace griffith

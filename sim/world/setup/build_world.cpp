@@ -58,18 +58,18 @@ std::optional<Weakness> place_weakness(const BodyDescription& body) {
 void draw_strengths(WorldState& world, const std::optional<StrengthScatter>& scatter, NodeId first) {
   if (!scatter) return;
   std::vector<double> volumes;
-  for (NodeId node = first; node < world.mesh.node_count(); ++node.value) {
+  for (const NodeId node : IdRange<NodeId>(first.index(), world.mesh.node_count())) {
     volumes.push_back(0);
     for (TetId tet : world.mesh.stars[node]) volumes.back() += world.elements.rest_elements[tet].volume / 4;
   }
   const std::vector<double> factors = strength_factors(*scatter, volumes);
-  std::copy(factors.begin(), factors.end(), world.nodes.strength_factors.begin() + first);
+  std::copy(factors.begin(), factors.end(), world.nodes.strength_factors.begin() + first.index());
 }
 
 void append_elements(WorldState& world, TetId first) {
   ElementArrays& elements = world.elements;
   elements.resize(world.mesh.tets.size());
-  for (TetId tet = first; tet < world.mesh.tet_count(); ++tet.value) {
+  for (const TetId tet : IdRange<TetId>(first.index(), world.mesh.tet_count())) {
     elements.rest_elements[tet] = rest_element(corners_of(world.mesh, tet, world.mesh.rest_positions));
     int faces = 0;
     for (int face = 0; face < 4; ++face) faces |= !world.mesh.neighbours[tet][face].valid() << face;
@@ -102,7 +102,7 @@ Pieces add_bodies(WorldState& world, int scene_body, TetId first_tet, const Shap
   body.scene_body = scene_body;
   std::vector<std::vector<TetId>> pieces = shape.pieces;
   for (std::vector<TetId>& piece : pieces)
-    for (TetId& tet : piece) tet.value += first_tet;
+    for (TetId& tet : piece) tet = tet.shifted(first_tet);
   assign_pieces(world, body.id, std::move(pieces));
   for (std::size_t i = first; i < world.bodies.size(); ++i) world.bodies[i].parent = BodyId();
   return {first, world.bodies.size(), shape};
@@ -119,10 +119,10 @@ Pieces add_scene_body(Model& model, WorldState& world, int scene_body, const Sha
   place_loads(world, scene_body, rest, model.findings);
   place_probes(world, scene_body, rest, model.findings);
   place_splinters(model, scene_body, rest, monitor);
-  for (NodeId tip : shape.slit_tips) world.nodes.at_crack_front[first_node + tip] = 1;
+  for (NodeId tip : shape.slit_tips) world.nodes.at_crack_front[tip.shifted(first_node)] = 1;
   draw_strengths(world, description.strength_scatter, first_node);
   std::vector<TetId> tets;
-  for (TetId tet = first_tet; tet < world.mesh.tet_count(); ++tet.value) tets.push_back(tet);
+  for (const TetId tet : IdRange<TetId>(first_tet.index(), world.mesh.tet_count())) tets.push_back(tet);
   const double quarter = mean_element_size(world, tets) / 4;
   model.min_edges.push_back(description.minimum_element_size > 0 ? description.minimum_element_size : quarter);
   return add_bodies(world, scene_body, first_tet, shape);

@@ -15,7 +15,7 @@ namespace {
 void require_covered(const TetMesh& mesh, const SplinterSet& splinters, const std::string& where) {
   constexpr double kFraction = 1e-6;
   double volume = 0;
-  for (TetId tet(0); tet < mesh.tet_count(); ++tet.value) volume += rest_volume(mesh, tet);
+  for (const TetId tet : IdRange<TetId>(0, mesh.tet_count())) volume += rest_volume(mesh, tet);
   const Uncovered uncovered = uncovered_part(mesh, splinters);
   if (uncovered.volume <= kFraction * volume) return;
   char text[160];

@@ -31,6 +31,9 @@ struct RestBody {
 /// Per node of the body: 1 where it lies in the region, borders included. Regions name nodes by their number as read.
 std::vector<std::uint8_t> nodes_in(const RestBody& body, const Region& region);
 
+/// The node of the soup at a corner as the world numbers it.
+int soup_node(const RestBody& body, const TetCorner& corner);
+
 /// All corners of all tets at the nodes marked with 1.
 std::vector<TetCorner> corners_at(const RestBody& body, const std::vector<std::uint8_t>& marked);
 

@@ -44,7 +44,7 @@ void check_size(const MeshReport& report, const std::string& name) {
 
 Vec3 center_of_mass(const TetMesh& mesh, double volume) {
   Vec3 sum = Vec3::Zero();
-  for (TetId tet(0); tet < mesh.tet_count(); ++tet.value) sum += rest_volume(mesh, tet) * rest_centroid(mesh, tet);
+  for (const TetId tet : IdRange<TetId>(0, mesh.tet_count())) sum += rest_volume(mesh, tet) * rest_centroid(mesh, tet);
   return sum / volume;
 }
 

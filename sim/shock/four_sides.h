@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+
+#include "sim/core/lane_vectors.h"
+#include "sim/shock/solid.h"
+
+// Triangles of the solid's surface four side by side.
+
+namespace griffith::shock {
+
+using simd::DoubleLanes;
+using simd::DoubleMask;
+using FourVectors = simd::Vector3<DoubleLanes>;
+
+/// The places of corners a, b and c of four triangles [m].
+using FourSides = std::array<FourVectors, 3>;
+
+/// The triangles of these nodes, which are asked for by lane.
+template <class NodesOf>
+FourSides four_sides(const Solid& solid, NodesOf nodes_of) {
+  const std::array<std::array<int, 3>, 4> nodes = {nodes_of(0), nodes_of(1), nodes_of(2), nodes_of(3)};
+  FourSides sides;
+  for (int i = 0; i < 3; ++i)
+    sides[i] = simd::side_by_side(solid.place(nodes[0][i]), solid.place(nodes[1][i]), solid.place(nodes[2][i]),
+                                  solid.place(nodes[3][i]));
+  return sides;
+}
+
+/// Twice the area vectors [m²].
+inline FourVectors double_areas(const FourSides& sides) { return cross(sides[1] - sides[0], sides[2] - sides[0]); }
+
+/// The barycentric weights of where points project into triangles. `across`: their double_areas(), `square`: the
+/// squared length of these.
+inline std::array<DoubleLanes, 3> weights_in(const FourSides& sides, const FourVectors& across,
+                                             const DoubleLanes& square, const FourVectors& points) {
+  const auto& [a, b, c] = sides;
+  const DoubleLanes u = dot(across, cross(c - b, points - b)) / square,
+                    v = dot(across, cross(a - c, points - c)) / square;
+  return {u, v, 1.0 - u - v};
+}
+
+/// How far points that project to where a weight is `beyond` less than it may be are from getting there: sides turn
+/// about their edges [m].
+inline DoubleLanes distance_beyond(const FourSides& sides, const DoubleLanes& square, const DoubleLanes& beyond) {
+  constexpr double kFraction = 0.5;
+  const auto squared_length = [](const FourVectors& v) { return dot(v, v); };
+  const DoubleLanes longest = larger(larger(squared_length(sides[1] - sides[0]), squared_length(sides[2] - sides[1])),
+                                     squared_length(sides[0] - sides[2]));
+  return kFraction * beyond * simd::root(square / longest);
+}
+
+}  // namespace griffith::shock

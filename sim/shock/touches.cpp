@@ -1,0 +1,214 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "sim/geometry/closest_on_triangle.h"
+#include "sim/shock/four_sides.h"
+#include "sim/shock/impacts.h"
+
+namespace griffith::shock {
+namespace {
+
+/// How four points lie to a side each.
+struct FourBehind {
+  FourVectors normals;                 ///< unit, out of the sides
+  std::array<DoubleLanes, 3> weights;  ///< of the corners
+  DoubleLanes depth;                   ///< below the planes of the sides [m]
+  DoubleLanes clear;                   ///< how near they may come to each other without getting behind [m]
+  DoubleMask are_behind;
+};
+
+/// What lies behind a side, no deeper than `deepest` [m].
+FourBehind behind(const FourSides& sides, const FourVectors& points, const DoubleLanes& deepest) {
+  constexpr double kOutside = 0.02;  // of a side: corners that meet corners touch though they shift a little
+  constexpr double kFraction = 0.5;  // sides turn about their edges
+  FourBehind found;
+  const FourVectors across = double_areas(sides);
+  const DoubleLanes size = simd::root(dot(across, across)), square = size * size;
+  found.normals = across / size;
+  found.depth = -dot(found.normals, points - sides[0]);
+  found.weights = weights_in(sides, across, square, points);
+  const DoubleLanes least = smaller(smaller(found.weights[0], found.weights[1]), found.weights[2]);
+  const DoubleLanes beyond = -kOutside - least;
+  const DoubleLanes outside = distance_beyond(sides, square, beyond);
+  found.clear = found.depth < 0.0       ? -found.depth
+                : found.depth > deepest ? kFraction * (found.depth - deepest)
+                                        : outside;
+  found.are_behind = (found.depth >= 0.0) & (found.depth <= deepest) & (beyond <= 0.0);
+  return found;
+}
+
+}  // namespace
+
+/// Records that things are so far apart [m].
+void Impacts::record_gap(Watched& watched, double gap) const {
+  if (gap > 0) watched.clear_until = travelled_ + gap;
+}
+
+void Impacts::touch_sphere(const Solid& solid, int index) {
+  const Obstacle& sphere = obstacles_[index];
+  const Vec3& center = sphere.state.pose.translation;
+  for (WatchedSide& near : candidates_[index].sides) {
+    if (is_clear(near)) continue;
+    Touch touch{.nodes = solid.nodes_of_side(near.side.slot, near.side.face), .obstacle = index};
+    const Vec3 a = solid.position(touch.nodes[0]), b = solid.position(touch.nodes[1]),
+               c = solid.position(touch.nodes[2]);
+    const Vec3 weights = closest_on_triangle(center, {a, b, c});
+    touch.weights = {weights[0], weights[1], weights[2]};
+    touch.place = touch.weights[0] * a + touch.weights[1] * b + touch.weights[2] * c;
+    const Vec3 away = center - touch.place;
+    touch.depth = sphere.radius - away.norm();
+    record_gap(near, -touch.depth);
+    if (touch.depth < 0 || (b - a).cross(c - a).dot(center - a) <= 0) continue;
+    touch.normal = away.normalized();
+    touches_.push_back(touch);
+  }
+}
+
+bool Impacts::is_nearer(const Solid& solid, const Touch& touch, const Touch& other) const {
+  // Of an edge: beyond rounding and what a microstep brings. Things that overlap would else leap from side to side.
+  constexpr double kSameDepth = 1e-4;
+  if (std::abs(touch.depth - other.depth) > kSameDepth * element_size_) return touch.depth < other.depth;
+  return approach_of(solid, touch).dot(touch.normal) < approach_of(solid, other).dot(other.normal);
+}
+
+/// Finds which of these lie behind the side that they are listed with. `place_of`: tells where a candidate is.
+template <class Candidate, class PlaceOf>
+void Impacts::find_behind(const Solid& solid, std::vector<Candidate>& candidates, PlaceOf place_of) {
+  found_.clear();
+  std::array<std::size_t, simd::kDoubleLanes> four{};
+  int count = 0;
+  const auto look = [&] {
+    std::fill(four.begin() + count, four.end(), four[0]);
+    const auto side = [&](int lane) -> const Side& { return candidates[four[lane]].side; };
+    const auto nodes = [&](int lane) { return solid.nodes_of_side(side(lane).slot, side(lane).face); };
+    const auto place = [&](int lane) {
+      const Vec3 point = place_of(candidates[four[lane]]);
+      return simd::WideQuad{point[0], point[1], point[2], 0};
+    };
+    const FourVectors points = simd::side_by_side(place(0), place(1), place(2), place(3));
+    const FourBehind four_behind =
+        behind(four_sides(solid, nodes), points,
+               DoubleLanes{side(0).deepest, side(1).deepest, side(2).deepest, side(3).deepest});
+    for (int lane = 0; lane < count; ++lane) {
+      record_gap(candidates[four[lane]], four_behind.clear[lane]);
+      if (four_behind.are_behind[lane] == 0) continue;
+      const auto& weights = four_behind.weights;
+      found_.push_back({four[lane],
+                        {.nodes = nodes(lane),
+                         .weights = {weights[0][lane], weights[1][lane], weights[2][lane]},
+                         .place = vector_of(points, lane),
+                         .normal = vector_of(four_behind.normals, lane),
+                         .depth = four_behind.depth[lane]}});
+    }
+    count = 0;
+  };
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (is_clear(candidates[i])) continue;
+    four[count++] = i;
+    if (count == simd::kDoubleLanes) look();
+  }
+  if (count > 0) look();
+}
+
+/// Touches, of the sides that one thing lies behind, the nearest.
+void Impacts::touch_nearest(const Solid& solid, std::span<const Found> found) {
+  const Found* nearest = &found.front();
+  for (const Found& other : found.subspan(1))
+    if (is_nearer(solid, other.touch, nearest->touch)) nearest = &other;
+  touches_.push_back(nearest->touch);
+}
+
+/// Nodes inside a convex part, and its sample points behind sides.
+void Impacts::touch_convex(const Solid& solid, int index) {
+  const std::size_t first_touch = touches_.size();
+  touch_inside(solid, index);
+  const Obstacle& obstacle = obstacles_[index];
+  std::vector<SampleAndSide>& samples = candidates_[index].samples;
+  find_behind(solid, samples, [&](const SampleAndSide& near) {
+    return obstacle.state.pose.to_world(obstacle.solids[near.part].samples[near.sample]);
+  });
+  for (Found& found : found_) found.touch.obstacle = index;
+  const auto same_sample = [&](const Found& a, const Found& b) {
+    return samples[a.candidate].part == samples[b.candidate].part &&
+           samples[a.candidate].sample == samples[b.candidate].sample;
+  };
+  for (auto first = found_.begin(); first != found_.end();) {
+    const auto last =
+        std::find_if(first, found_.end(), [&](const Found& found) { return !same_sample(found, *first); });
+    touch_nearest(solid, {first, last});
+    first = last;
+  }
+  drop_clamps(solid, first_touch);
+}
+
+/// Nodes inside a convex part.
+void Impacts::touch_inside(const Solid& solid, int index) {
+  const Obstacle& obstacle = obstacles_[index];
+  const Pose& pose = obstacle.state.pose;
+  for (PartAndNode& near : candidates_[index].nodes) {
+    if (is_clear(near)) continue;
+    const Vec3 place = solid.position(near.node);
+    const auto [outside, normal] = obstacle.solids[near.part].outermost_face(pose.to_local(place));
+    record_gap(near, outside);
+    if (outside > 0) continue;
+    Touch touch{.nodes = {near.node, near.node, near.node}, .count = 1, .obstacle = index, .place = place};
+    touch.normal = -(pose.rotation * normal);
+    touch.depth = -outside;
+    touches_.push_back(touch);
+  }
+}
+
+/// Of touches with one other thing, those from `first` on: what has got through a body is behind sides that look away
+/// from each other. Both would be held, and whatever vibrates between them pressed ever tighter: it goes out the
+/// shorter way alone.
+void Impacts::drop_clamps(const Solid& solid, std::size_t first) {
+  constexpr double kOpposite = -0.5;  // cosine
+  const auto clamp = [&](const Touch& a, const Touch& b) {
+    return a.normal.dot(b.normal) < kOpposite && (b.place - a.place).dot(a.normal) < 0 &&
+           solid.body_of_node(a.nodes[0]) == solid.body_of_node(b.nodes[0]);
+  };
+  const std::span<Touch> found = std::span(touches_).subspan(first);
+  if (found.size() < 2) return;
+  std::vector<std::uint8_t> dropped(found.size(), 0);
+  for (std::size_t a = 0; a < found.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b)
+      if (clamp(found[a], found[b])) dropped[found[a].depth > found[b].depth ? a : b] = 1;
+  std::size_t kept = first;
+  for (std::size_t i = 0; i < found.size(); ++i)
+    if (dropped[i] == 0) touches_[kept++] = found[i];
+  touches_.resize(kept);
+}
+
+/// Each node against the side of another body that it lies behind least deep.
+void Impacts::touch_bodies(const Solid& solid) {
+  find_behind(solid, pairs_, [&](const NodeAndSide& pair) { return solid.position(pair.node); });
+  for (Found& found : found_) found.touch.other_node = pairs_[found.candidate].node;
+  std::size_t first_touch = touches_.size();  // of one body
+  int body = -1;
+  for (auto first = found_.begin(); first != found_.end();) {
+    const int node = first->touch.other_node;
+    if (solid.body_of_node(node) != body) {
+      drop_clamps(solid, first_touch);
+      first_touch = touches_.size();
+      body = solid.body_of_node(node);
+    }
+    const auto last =
+        std::find_if(first, found_.end(), [&](const Found& found) { return found.touch.other_node != node; });
+    touch_nearest(solid, {first, last});
+    first = last;
+  }
+  drop_clamps(solid, first_touch);
+}
+
+void Impacts::find_touches(const Solid& solid) {
+  touches_.clear();
+  for (int i = 0; i < static_cast<int>(obstacles_.size()); ++i)
+    obstacles_[i].is_sphere() ? touch_sphere(solid, i) : touch_convex(solid, i);
+  touch_bodies(solid);
+  order_.resize(touches_.size());
+  std::iota(order_.begin(), order_.end(), 0);
+  std::ranges::stable_sort(order_, std::ranges::greater(), [&](int index) { return touches_[index].depth; });
+}
+
+}  // namespace griffith::shock
