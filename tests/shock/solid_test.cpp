@@ -29,7 +29,7 @@ struct Box {
       for (int i = 0; i < 4; ++i) corners.col(i) = mesh.rest_positions[tet[i]];
       rest_elements.push_back(rest_element(corners));
       for (const NodeId node : tet) masses[node] += material.density * rest_elements.back().volume / 4;
-      tets.push_back({tet[0], tet[1], tet[2], tet[3]});
+      tets.push_back({tet[0].index(), tet[1].index(), tet[2].index(), tet[3].index()});
     }
     for (std::size_t i = 0; i < masses.size(); ++i) {
       const Vec3& rest = mesh.rest_positions[i];
@@ -46,7 +46,7 @@ struct Box {
     for (int i = 0; i < solid.node_count(); ++i) sum += 0.5 * masses[i] * solid.velocity(i).squaredNorm();
     for (std::size_t tet = 0; tet < rest_elements.size(); ++tet) {
       Corners corners;
-      for (int i = 0; i < 4; ++i) corners.col(i) = solid.position(mesh.tets[tet][i]);
+      for (int i = 0; i < 4; ++i) corners.col(i) = solid.position(mesh.tets[tet][i].index());
       const ElasticLaw law = elastic_law(material);
       sum += rest_elements[tet].volume *
              element_state(law, element_deformation(law.model, rest_elements[tet], corners)).energy_density;
@@ -166,7 +166,8 @@ Solid cube_with(
   change(box.rest_elements);
   Solid solid;
   std::vector<std::array<int, 4>> tets;
-  for (const auto& tet : box.mesh.tets) tets.push_back({tet[0], tet[1], tet[2], tet[3]});
+  for (const auto& tet : box.mesh.tets)
+    tets.push_back({tet[0].index(), tet[1].index(), tet[2].index(), tet[3].index()});
   for (std::size_t i = 0; i < box.masses.size(); ++i) {
     const Vec3& rest = box.mesh.rest_positions[i];
     solid.add_node({rest, place(rest) - rest, Vec3::Zero(), Vec3::Zero(), box.masses[i]});
