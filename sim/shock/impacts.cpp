@@ -3,9 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <iterator>
 
 #include "sim/core/sort_unique.h"
+#include "sim/geometry/point_grid.h"
 
 namespace griffith::shock {
 namespace {
@@ -46,6 +47,21 @@ bool may_be_near(const Obstacle& obstacle, const Eigen::AlignedBox3d& box, doubl
     const auto [outside, normal] = solid.outermost_face(center);
     return outside - 0.5 * (pose.rotation * normal).cwiseAbs().dot(box.sizes()) < margin;
   });
+}
+
+/// Per family, the box round all others, where `boxes` are those round each.
+std::vector<Eigen::AlignedBox3d> boxes_of_others(std::span<const Eigen::AlignedBox3d> boxes) {
+  std::vector<Eigen::AlignedBox3d> others(boxes.size());
+  Eigen::AlignedBox3d before, after;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    others[i].extend(before);
+    before.extend(boxes[i]);
+  }
+  for (std::size_t i = boxes.size(); i-- > 0;) {
+    others[i].extend(after);
+    after.extend(boxes[i]);
+  }
+  return others;
 }
 
 }  // namespace
@@ -113,50 +129,49 @@ const SurfaceLaw& Impacts::surface_at(const Solid& solid, int node) const {
   return surfaces_[solid.body_of_node(node)];
 }
 
+int Impacts::family_of(const Solid& solid, const SurfaceSide& side) const {
+  return surfaces_[solid.body_of_slot(side.slot)].family;
+}
+
 /// The listed sides that may be near bodies of other families.
 std::vector<Impacts::BoxedSide> Impacts::sides_near_others(const Solid& solid) const {
-  const auto family_of = [&](const BoxedSide& boxed) { return surfaces_[solid.body_of_slot(boxed.side.slot)].family; };
-  std::map<int, Eigen::AlignedBox3d> families;
-  for (const BoxedSide& boxed : boxed_) families[family_of(boxed)].extend(boxed.box);
+  std::vector<int> families;
+  for (const SurfaceLaw& surface : surfaces_) families.push_back(surface.family);
+  sort_unique(families);
+  if (families.size() < 2) return {};
+  const auto index_of = [&](const BoxedSide& boxed) {
+    return std::ranges::lower_bound(families, family_of(solid, boxed.side)) - families.begin();
+  };
+  std::vector<Eigen::AlignedBox3d> boxes(families.size());
+  for (const BoxedSide& boxed : boxed_) boxes[index_of(boxed)].extend(boxed.box);
+  const std::vector<Eigen::AlignedBox3d> others = boxes_of_others(boxes);
   std::vector<BoxedSide> near;
   std::ranges::copy_if(boxed_, std::back_inserter(near), [&](const BoxedSide& boxed) {
-    return std::ranges::any_of(families, [&, own = family_of(boxed)](const auto& family) {
-      return family.first != own && family.second.squaredExteriorDistance(boxed.box) < margin_ * margin_;
-    });
+    const Eigen::AlignedBox3d& other = others[index_of(boxed)];
+    return !other.isEmpty() && other.squaredExteriorDistance(boxed.box) < margin_ * margin_;
   });
   return near;
 }
 
-/// The nodes of these sides, in the order of their places along an axis.
-std::vector<Impacts::PlacedNode> Impacts::nodes_along(const Solid& solid, std::span<const BoxedSide> sides,
-                                                      int axis) const {
+/// Nodes near sides of other bodies.
+void Impacts::list_pairs(const Solid& solid) {
+  pairs_.clear();
+  const std::vector<BoxedSide> sides = sides_near_others(solid);
   std::vector<int> nodes;
   for (const BoxedSide& boxed : sides)
     for (const int node : solid.nodes_of_side(boxed.side.slot, boxed.side.face)) nodes.push_back(node);
   sort_unique(nodes);
-  std::vector<PlacedNode> placed;
-  for (const int node : nodes) placed.push_back({solid.position(node), node, surface_at(solid, node).family});
-  std::ranges::sort(placed, {}, [&](const PlacedNode& node) { return node.place[axis]; });
-  return placed;
-}
-
-/// Nodes near sides of other bodies, by a sweep along the axis in which those extend most.
-void Impacts::list_pairs(const Solid& solid) {
-  pairs_.clear();
-  const std::vector<BoxedSide> sides = sides_near_others(solid);
-  if (sides.empty()) return;
-  Eigen::AlignedBox3d all;
-  for (const BoxedSide& boxed : sides) all.extend(boxed.box);
-  int axis = 0;
-  all.sizes().maxCoeff(&axis);
-  const std::vector<PlacedNode> nodes = nodes_along(solid, sides, axis);
-  const auto along = [&](const PlacedNode& node) { return node.place[axis]; };
+  std::vector<Vec3> places;
+  for (const int node : nodes) places.push_back(solid.position(node));
+  const PointGrid grid(places, margin_ + element_size_);
+  const Vec3 reach = Vec3::Constant(margin_);
   for (const auto& [box, side] : sides) {
-    const int family = surfaces_[solid.body_of_slot(side.slot)].family;
-    for (auto at = std::ranges::lower_bound(nodes, box.min()[axis] - margin_, {}, along);
-         at != nodes.end() && along(*at) <= box.max()[axis] + margin_; ++at)
-      if (at->family != family && box.squaredExteriorDistance(at->place) < margin_ * margin_)
-        pairs_.push_back({{}, at->node, side});
+    const int family = family_of(solid, side);
+    grid.visit({box.min() - reach, box.max() + reach}, [&](int index) {
+      if (box.squaredExteriorDistance(places[index]) < margin_ * margin_ &&
+          surface_at(solid, nodes[index]).family != family)
+        pairs_.push_back({{}, nodes[index], side});
+    });
   }
   std::ranges::stable_sort(pairs_, {}, &NodeAndSide::node);
 }

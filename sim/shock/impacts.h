@@ -107,11 +107,6 @@ class Impacts {
     Eigen::AlignedBox3d box;
     Side side;
   };
-  /// A node of the surface, while pairs are listed.
-  struct PlacedNode {
-    Vec3 place;
-    int node = 0, family = 0;
-  };
   /// What of the surface may touch an obstacle: sides of it a sphere, nodes and samples anything else.
   struct Candidates {
     std::vector<WatchedSide> sides;
@@ -136,6 +131,7 @@ class Impacts {
 
   void add_side(const Solid& solid, const SurfaceSide& side);
   const SurfaceLaw& surface_at(const Solid& solid, int node) const;
+  int family_of(const Solid& solid, const SurfaceSide& side) const;
   bool is_clear(const Watched& watched) const { return travelled_ < watched.clear_until; }
   void record_gap(Watched& watched, double gap) const;
   void list_candidates(const Solid& solid, double displacement);
@@ -144,7 +140,6 @@ class Impacts {
   void list_near_obstacle(const Solid& solid, const Obstacle& obstacle, Candidates& candidates);
   void list_near_part(const Solid& solid, const Obstacle& obstacle, int part, Candidates& candidates) const;
   std::vector<BoxedSide> sides_near_others(const Solid& solid) const;
-  std::vector<PlacedNode> nodes_along(const Solid& solid, std::span<const BoxedSide> sides, int axis) const;
   void list_pairs(const Solid& solid);
   void find_touches(const Solid& solid);
   std::size_t candidate_count() const;

@@ -156,6 +156,28 @@ void step_statically(WorldState& world, double time_step) {
   }
 }
 
+/// Whether a step would move nothing: all lie asleep, as the contact world saw in the last step.
+bool all_lie_asleep(const WorldState& world) {
+  return world.loads.empty() && world.postponed.empty() && world.contact_world.contacts().empty() &&
+         std::ranges::all_of(world.bodies, &Body::asleep) &&
+         std::ranges::all_of(world.projectiles, [&](const Projectile& projectile) {
+           return world.contact_world.asleep(projectile.object);
+         });
+}
+
+void step_by_settings(WorldState& world, double time_step) {
+  const SimulationSettings& settings = world.model->scene.simulation;
+  if (world.model->scene.analysis == Analysis::equilibrium) {
+    step_statically(world, time_step);
+  } else if (world.integrates_explicitly()) {
+    step_explicitly(world, time_step);
+  } else if (settings.integrator == Integrator::hybrid) {
+    step_by_stretches(world, time_step);
+  } else {
+    step_implicitly(world, time_step);
+  }
+}
+
 }  // namespace
 
 void World::step() { advance(impl_->state); }
@@ -166,25 +188,20 @@ void advance(WorldState& world) {
   world.energy_before = world.energy;
   for (Body& body : world.bodies)
     if (!body.shock) body.scaled.reset();
+  bool asleep = false;
   {
     PhaseTimer timer(world.report.milliseconds.step);
     const double time_step = world.model->scene.simulation.time_step;
     launch_projectiles(world);
     update_supports(world, world.time, time_step);
     make_loaded_bodies_elastic(world, world.time - time_step, world.time);
-    if (world.model->scene.analysis == Analysis::equilibrium) {
-      step_statically(world, time_step);
-    } else if (world.integrates_explicitly()) {
-      step_explicitly(world, time_step);
-    } else if (world.model->scene.simulation.integrator == Integrator::hybrid) {
-      step_by_stretches(world, time_step);
-    } else {
-      step_implicitly(world, time_step);
-    }
+    asleep = all_lie_asleep(world);
+    asleep ? void(world.report.sleeping_bodies = static_cast<int>(world.bodies.size()))
+           : step_by_settings(world, time_step);
     ++world.step;
     world.time = static_cast<double>(world.step) * time_step;
   }
-  publish(world);
+  if (!asleep) publish(world);
 }
 
 }  // namespace griffith

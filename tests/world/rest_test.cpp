@@ -83,6 +83,19 @@ TEST(Rest, HeapsOfBlocksSleepAndDoNotCreep) {
   EXPECT_LT(steps[1], 780) << "most sleep within some five seconds";
 }
 
+TEST(Rest, WhereAllSleepsAStepMovesTimeAlone) {
+  World world(stack_of_blocks(3));
+  for (int step = 0; step < 240; ++step) world.step();
+  ASSERT_EQ(world.frame().report.sleeping_bodies, 3);
+  const StateHashes before = world.state_hashes();
+  const double time = world.frame().time, energy = world.frame().energy.lost();
+  for (int step = 0; step < 12; ++step) world.step();
+  EXPECT_EQ(world.state_hashes(), before);
+  EXPECT_NEAR(world.frame().time - time, 12 * world.scene().simulation.time_step, 1e-12);
+  EXPECT_EQ(world.frame().energy.lost(), energy);
+  EXPECT_EQ(world.frame().report.sleeping_bodies, 3);
+}
+
 TEST(Rest, AShotWakesWhatItHits) {
   World world(stack_of_blocks(3));
   for (int step = 0; step < 240; ++step) world.step();

@@ -1,0 +1,105 @@
+#include <gtest/gtest.h>
+
+#include "sim/core/parallel.h"
+#include "sim/world/world.h"
+#include "tests/world/scenes.h"
+
+namespace griffith {
+namespace {
+
+using testing::brick;
+
+/// A block in weightless, empty space.
+Scene floating(const Vec3& size, const Vec3& element_size) {
+  Scene scene;
+  scene.gravity.setZero();
+  scene.ground.reset();
+  BodyDescription& block = scene.bodies.emplace_back();
+  block.shape = BoxShape{size, element_size, BoxPattern::five_tet};
+  block.material = brick(1);
+  return scene;
+}
+
+TEST(Flight, WhatIsTouchedByNothingIsRigidAtOnceAndFallsByTheExactParabola) {
+  Scene scene = floating(Vec3(0.4, 0.2, 0.3), Vec3(0.1, 0.1, 0.1));
+  scene.gravity = Vec3(0, -9.81, 0);
+  const Vec3 start(1, 2, 3), velocity(3, 4, -1);
+  scene.bodies[0].position = start;
+  scene.bodies[0].velocity = velocity;
+  World world(scene);
+  for (int step = 0; step < 100; ++step) {
+    world.step();
+    EXPECT_TRUE(world.frame().bodies[0].rigid) << "step " << step;
+  }
+  const double t = world.frame().time, h = scene.simulation.time_step;
+  const Vec3 expected = start + t * velocity + 0.5 * t * (t + h) * scene.gravity;
+  EXPECT_LT((world.frame().bodies[0].center_of_mass - expected).norm(), 1e-10);
+}
+
+TEST(Flight, WhatLiesOnTheGroundIsNotRigidAtOnce) {
+  Scene scene;
+  BodyDescription& block = scene.bodies.emplace_back();
+  block.shape = BoxShape{Vec3(0.4, 0.2, 0.3), Vec3::Constant(0.1), BoxPattern::five_tet};
+  block.position = Vec3(0, 0.1, 0);
+  World world(scene);
+  world.step();
+  EXPECT_FALSE(world.frame().bodies[0].rigid);
+}
+
+/// A plate that spins about its axis; its rim is that fast [m/s]. Whether it bursts.
+bool bursts(double rim_speed) {
+  Scene scene = floating(Vec3(1, 0.1, 1), Vec3(0.1, 0.1, 0.1));
+  scene.bodies[0].angular_velocity = Vec3(0, rim_speed / 0.5, 0);
+  World world(scene);
+  for (int step = 0; step < 20; ++step) world.step();
+  return world.frame().bodies.size() > 1;
+}
+
+// In the middle of a spinning disc the stress is (3 + ν)/8 ρ v², v the speed of its rim: 2.5 MPa at 58 m/s.
+TEST(Flight, APlateThatSpinsTooFastStillBursts) {
+  EXPECT_FALSE(bursts(30));
+  EXPECT_TRUE(bursts(100));
+}
+
+TEST(Flight, ABarThatIsPulledStaysElasticUnderItsStress) {
+  constexpr double kStress = 5e5;
+  Scene scene = floating(Vec3(1, 0.2, 0.2), Vec3::Constant(0.1));
+  for (const double side : {-1.0, 1.0}) {
+    Load load;
+    load.kind = LoadKind::traction;
+    load.region = HalfSpaceRegion{Vec3(0.5 * side, 0, 0), Vec3(side, 0, 0)};
+    load.traction = Vec3(kStress * side, 0, 0);
+    scene.bodies[0].loads.push_back(load);
+  }
+  World world(scene);
+  for (int step = 0; step < 40; ++step) {
+    world.step();
+    EXPECT_FALSE(world.frame().bodies[0].rigid);
+  }
+  for (const Mat3& stress : world.frame().elements.stresses) EXPECT_NEAR(stress(0, 0), kStress, 0.02 * kStress);
+}
+
+/// Bricks that fall into a heap.
+std::uint64_t hash_of_heap(int threads) {
+  const ThreadLimit limit(threads);
+  Scene scene;
+  for (int i = 0; i < 48; ++i) {
+    BodyDescription& falling = scene.bodies.emplace_back();
+    falling.shape = BoxShape{Vec3(0.12, 0.08, 0.1), Vec3(0.12, 0.08, 0.1), BoxPattern::five_tet};
+    falling.position = 0.17 * Vec3(i % 4, 1 + i / 16, i / 4 % 4);
+    falling.rotation_degrees = Vec3(37 * i % 60, 53 * i % 90, 71 * i % 60);
+  }
+  World world(scene);
+  for (int step = 0; step < 40; ++step) world.step();
+  EXPECT_GT(world.frame().report.contacts, 0);
+  return world.state_hash();
+}
+
+TEST(Flight, AHeapOfWhatFellIsTheSameForAnyNumberOfThreads) {
+  const std::uint64_t one = hash_of_heap(1);
+  EXPECT_EQ(hash_of_heap(2), one);
+  EXPECT_EQ(hash_of_heap(4), one);
+}
+
+}  // namespace
+}  // namespace griffith
