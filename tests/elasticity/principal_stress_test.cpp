@@ -105,7 +105,7 @@ TEST(TensilePart, OfDiagonalStressesIsExact) {
 bool same_number(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0 || (std::isnan(a) && std::isnan(b)); }
 
 bool are_same(const LargestPrincipal& a, const LargestPrincipal& b) {
-  return same_number(a.index(), b.index()) &&
+  return same_number(a.value, b.value) &&
          std::equal(a.direction.begin(), a.direction.end(), b.direction.begin(), b.direction.end(), same_number);
 }
 
