@@ -31,7 +31,9 @@ TEST(PointGrid, VisitsEveryPointOfARegionOnce) {
         grid.visit(region, [&](int point) { visited.insert(point); });
         for (int i = 0; i < 500; ++i) {
           EXPECT_LE(visited.count(i), 1u);
-          if (region.contains(points[i])) EXPECT_EQ(visited.count(i), 1u);
+          if (region.contains(points[i])) {
+            EXPECT_EQ(visited.count(i), 1u);
+          }
         }
       }
     }
