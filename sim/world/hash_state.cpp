@@ -89,6 +89,7 @@ void add_body(const Body& body, FieldHash& hash) {
   hash.add_real(motion.mass, motion.center, motion.inertia, motion.velocity, motion.angular_velocity);
   hash.add_real(body.orientation, body.compliance_factor, body.shock_ended);
   for (const ContactLoad& load : body.harmless) hash.add_whole(load.other).add_real(load.force);
+  if (body.untouched) hash.add_whole(body.untouched);
   hash.add_whole(body.shock.has_value());
   if (const auto& shock = body.shock)
     hash.add_real(shock->last_event, shock->impact_speed, shock->frequency, shock->similarity);

@@ -195,9 +195,13 @@ void advance(WorldState& world) {
     launch_projectiles(world);
     update_supports(world, world.time, time_step);
     make_loaded_bodies_elastic(world, world.time - time_step, world.time);
+    make_first_struck_elastic(world, time_step);
     asleep = all_lie_asleep(world);
-    asleep ? void(world.report.sleeping_bodies = static_cast<int>(world.bodies.size()))
-           : step_by_settings(world, time_step);
+    if (asleep) {
+      world.report.sleeping_bodies = static_cast<int>(world.bodies.size());
+    } else {
+      step_by_settings(world, time_step);
+    }
     ++world.step;
     world.time = static_cast<double>(world.step) * time_step;
   }

@@ -63,6 +63,7 @@ struct Body {
   double highest_frequency = 0;             ///< [rad/s]; 0 until explicit integration asks for it
   bool rigid = false;                       ///< moves as a whole: nothing about it is elastic until it is hit
   int quiet_steps = 0;                      ///< steps in a row with next to no stress
+  bool untouched = false;                   ///< rigid for less than 20 steps in free flight: elastic once touched
   bool asleep = false;                      ///< rigid, and lies still until something strikes it
   double element_size = 0;                  ///< edge length of the cubes that six of its tets would fill, mean [m]
   double extent = 0;                        ///< longest edge of the box round it at rest [m]

@@ -143,7 +143,7 @@ double rebuild_shape(WorldState& world, Body& body) {
   body.element_size = mean_element_size(world, body.tets);
   body.extent = extent_of(world, body);
   body.weakest_fraction = weakest_fraction_of(world, body);
-  body.asleep = false;
+  body.asleep = body.untouched = false;
   // A single tet cannot break any further: it is debris from the start.
   body.rigid = body.tets.size() == 1 && !body.supported();
   body.quiet_steps = 0;

@@ -73,16 +73,22 @@ void record_loads(WorldState& world, double dt) {
   }
 }
 
-/// Makes rigid bodies elastic where the impulses found could hurt them; whether there were any.
+/// Whether a rigid body has to be elastic under a contact: one that could hurt it, or the first that it meets.
+bool must_give_way(const WorldState& world, const Body& body, const Contact& contact, double dt) {
+  if (body.untouched) return !contact.impulse.isZero(0);
+  if (is_left_to_shock(world, contact)) return false;
+  return could_hurt(world, body, contact.impulse.norm() / dt) &&
+         !is_harmless(world, body, contact.a == body.proxy ? contact.b : contact.a, dt);
+}
+
+/// Makes rigid bodies elastic that must be under the impulses found; whether there were any.
 bool make_struck_bodies_elastic(WorldState& world, double dt) {
   bool any = false;
   for (const Contact& contact : world.contact_world.contacts())
     for (ProxyId side : {contact.a, contact.b}) {
       const BodyId id = world.body_of(side);
       if (!id.valid() || !world.bodies[id].rigid || world.bodies[id].supported()) continue;
-      if (is_left_to_shock(world, contact)) continue;
-      if (!could_hurt(world, world.bodies[id], contact.impulse.norm() / dt)) continue;
-      if (is_harmless(world, world.bodies[id], side == contact.a ? contact.b : contact.a, dt)) continue;
+      if (!must_give_way(world, world.bodies[id], contact, dt)) continue;
       place_rigid_nodes(world, world.bodies[id]);
       make_elastic(world, world.bodies[id]);
       world.bodies[id].energy = mechanical_energy(world, world.bodies[id]);
@@ -336,6 +342,18 @@ void drop_contacts_of_shocks(WorldState& world) {
   for (const Body& body : world.bodies)
     if (body.shock) in_shock[body.proxy] = true;
   world.contact_world.drop_contacts_of(in_shock);
+}
+
+void make_first_struck_elastic(WorldState& world, double duration) {
+  const auto is_untouched = [&](BodyId id) { return id.valid() && world.bodies[id].untouched; };
+  if (std::ranges::none_of(world.bodies, &Body::untouched)) return;
+  const auto matters = [&](BodyId a, BodyId b) { return is_untouched(a) || is_untouched(b); };
+  for (const auto& impact : expected_impacts(world, duration, matters))
+    for (const BodyId id : {world.body_of(impact.a), world.body_of(impact.b)}) {
+      if (!is_untouched(id)) continue;
+      place_rigid_nodes(world, world.bodies[id]);
+      make_elastic(world, world.bodies[id]);
+    }
 }
 
 void resolve_contacts(WorldState& world, double dt) {

@@ -10,6 +10,8 @@ namespace griffith {
 void place_proxies(WorldState& world);
 /// External force on each node [N]: gravity and loads.
 std::vector<Vec3> external_forces(const WorldState& world);
+/// Bodies that nothing has touched yet become elastic where something strikes them within `duration` [s].
+void make_first_struck_elastic(WorldState& world, double duration);
 /// Finds all contacts and changes the velocities so that nothing penetrates; moves the projectiles.
 void resolve_contacts(WorldState& world, double dt);
 /// Rigid bodies that lie still fall asleep; after a step of this length [s].

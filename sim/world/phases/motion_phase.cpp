@@ -253,6 +253,13 @@ bool flies_unstressed(const WorldState& world, const Body& body) {
          energy_of_strain(world, body, strain);
 }
 
+/// Whatever strikes an untouched body is to be foretold.
+void set_untouched(WorldState& world, Body& body, bool untouched) {
+  if (body.untouched == untouched) return;
+  body.untouched = untouched;
+  world.contact_world.set_impact_speed(body.proxy, untouched ? 0 : damage_speed(world, body));
+}
+
 }  // namespace
 
 Wrench wrench_of(const WorldState& world, const Body& body, const std::vector<Vec3>& forces) {
@@ -359,6 +366,7 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
 void make_elastic(WorldState& world, Body& body) {
   world.contact_world.wake_up(body.proxy);
   const double before = elastic_energy(world, body);
+  set_untouched(world, body, false);
   body.rigid = body.asleep = false;
   body.quiet_steps = 0;
   update_elements(world, body);  // it has turned since
@@ -368,10 +376,12 @@ void make_elastic(WorldState& world, Body& body) {
 void rigidify_quiet_bodies(WorldState& world) {
   constexpr int kQuietSteps = 20;
   for (Body& body : world.bodies) {
+    if (body.untouched && ++body.quiet_steps == kQuietSteps) set_untouched(world, body, false);
     if (!body.sways() || body.supported()) continue;
     body.quiet_steps = is_calm(world, body) ? body.quiet_steps + 1 : 0;
-    const bool is_quiet = body.quiet_steps >= kQuietSteps || (body.quiet_steps > 0 && flies_unstressed(world, body));
-    if (body.tets.size() > 1 && !is_quiet) continue;
+    const bool flies = body.quiet_steps > 0 && flies_unstressed(world, body);
+    if (body.tets.size() > 1 && body.quiet_steps < kQuietSteps && !flies) continue;
+    set_untouched(world, body, body.tets.size() > 1 && body.quiet_steps < kQuietSteps);
     const double before = energy_of(world, body);
     make_rigid(world, body);
     world.energy.hand_over += before - energy_of(world, body);
