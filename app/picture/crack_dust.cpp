@@ -67,6 +67,7 @@ class Chance {
 struct Source {
   Vec3 place, normal;
   double age = 0, size = 0, speed = 0;  ///< [s], of elements [m], [m/s]
+  double openness = 0;                  ///< 0..1: a crack that is closed gives off nothing
   const Crumbling* crumbling = nullptr;
   render::Rgb color;
 };
@@ -76,6 +77,17 @@ double element_size(const Frame& frame, const CrackEvent& event) {
   double volume = 0;
   for (const CrackElement& element : event.elements) volume += frame.elements.rest_elements[element.tet].volume;
   return event.elements.empty() ? 0 : std::cbrt(6 * volume / static_cast<double>(event.elements.size()));
+}
+
+/// How far the elements at a crack have come apart by now, as a share of what lets all dust out of it.
+double openness_of(const Frame& frame, const CrackEvent& event, double element_size) {
+  constexpr double kAllOut = 0.02;  // of the elements' size
+  Eigen::AlignedBox3d corners;
+  for (const CrackElement& element : event.elements) {
+    const auto apart = [&](NodeId node) { return (frame.nodes.rest_positions[node] - event.rest_position).norm(); };
+    corners.extend(frame.nodes.positions[*std::ranges::min_element(frame.elements.tets[element.tet], {}, apart)]);
+  }
+  return std::min(1.0, corners.diagonal().norm() / (kAllOut * element_size));
 }
 
 /// Clear matter in small chips has hardly any colour, and scatters light.
@@ -114,7 +126,7 @@ render::Puff puff_of(const Source& source, Chance& chance) {
   const double left = 1 - source.age / kPuffTime, risen = std::min(source.age / 0.03, 1.0);
   const double share = 0.3 + 0.2 * chance();
   return {(source.place + reach * thrown).cast<float>(), static_cast<float>(0.45 * source.size * grown), source.color,
-          static_cast<float>(source.crumbling->dust * share * left * left * risen)};
+          static_cast<float>(source.openness * source.crumbling->dust * share * left * left * risen)};
 }
 
 /// When something thrown up from that height above the ground with that speed comes to it [s].
@@ -162,7 +174,7 @@ Crumb crumb_of(const Source& source, const Scene& scene, Chance& chance) {
   const double size = std::min(source.crumbling->size * source.size, kLargestCrumb);
   Crumb crumb;
   crumb.age = source.age;
-  crumb.radius = come_out * size * (0.4 + 0.8 * chance());
+  crumb.radius = source.openness * come_out * size * (0.4 + 0.8 * chance());
   crumb.flight = {source.place, throw_of(source, chance), scene.gravity};
   const float shade = static_cast<float>(0.85 + 0.25 * chance());
   const auto lit = [&](float channel) { return std::min(1.0f, shade * channel); };
@@ -222,6 +234,8 @@ CrackDust crack_dust(const Frame& frame, const Scene& scene, const HiddenBodies&
     source.age = frame.time - event.time;
     source.size = element_size(frame, event);
     if (source.size == 0) continue;
+    source.openness = openness_of(frame, event, source.size);
+    if (source.openness == 0) continue;
     Chance chance(i);
     const bool is_dusty = source.crumbling->dust > 0 && source.age < kPuffTime && dust.puffs.size() < kMaxPuffs;
     if (is_dusty) dust.puffs.push_back(puff_of(source, chance));

@@ -70,6 +70,17 @@ TEST(CrackDust, BeginsAtItsCrackAndStaysAboveTheGround) {
   }
 }
 
+TEST(CrackDust, ComesOutOfCracksThatAreOpenAlone) {
+  const Scene scene = shot_wall(preset("brick", 1e4));
+  World world = cracked(scene);
+  for (int step = 0; step < 10; ++step) world.step();
+  Frame frame = world.frame();
+  EXPECT_FALSE(crack_dust(frame, scene).puffs.empty());
+  frame.nodes.positions = frame.nodes.rest_positions;  // all pieces where they were
+  EXPECT_TRUE(crack_dust(frame, scene).puffs.empty());
+  EXPECT_TRUE(crack_dust(frame, scene).crumbs.empty());
+}
+
 /// A crumb is nowhere inside of a body, as bodies lie then.
 TEST(CrackDust, CrumbsDoNotFallThroughBodies) {
   const Scene scene = shot_wall(preset("brick", 1e4));
