@@ -1,7 +1,6 @@
 #include "sim/world/phases/separation_phase.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "sim/core/parallel.h"
@@ -11,9 +10,7 @@
 namespace griffith {
 
 double element_size_at(const WorldState& world, NodeId node) {
-  double volume = 0;
-  for (TetId tet : world.mesh.stars[node]) volume += world.elements.rest_elements[tet].volume;
-  return std::cbrt(6 * volume / static_cast<double>(world.mesh.stars[node].size()));
+  return mean_element_size(world.elements.rest_elements, world.mesh.stars[node]);
 }
 
 double resistance_at(const WorldState& world, const Material& material, NodeId node) {
