@@ -10,7 +10,7 @@ namespace {
 
 static_assert(sizeof(EmbeddedCorner) == 21 * sizeof(float), "uploaded as it is");
 
-constexpr int kMaterialFloats = 13;
+constexpr int kMaterialFloats = 14;
 
 const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
@@ -44,10 +44,10 @@ void add_fan(std::vector<std::uint32_t>& indices, const EmbeddedPolygon& polygon
 std::vector<float> packed(const std::vector<EmbeddedMaterial>& materials) {
   std::vector<float> values;
   values.reserve(kMaterialFloats * materials.size());
-  for (const auto& [color, variation, mottle, roughness, noise_size, fibre, clear_depth, grain, grain_size, dressed] :
-       materials)
+  for (const auto& [color, variation, mottle, roughness, noise_size, fibre, clear_depth, grain, grain_size, dressed,
+                    gloss] : materials)
     values.insert(values.end(), {color.r, color.g, color.b, variation, mottle, roughness, noise_size, fibre.x(),
-                                 fibre.y(), fibre.z(), clear_depth, static_cast<float>(grain), grain_size});
+                                 fibre.y(), fibre.z(), clear_depth, static_cast<float>(grain), grain_size, gloss});
   return values;
 }
 

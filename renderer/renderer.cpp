@@ -263,7 +263,7 @@ void Renderer::Passes::draw_picture(const DrawScene& scene, const Camera& camera
   glyphs.draw(Output::opaque);
   draw_ground(scene, camera, focus, light_of(options.quality));
   strokes.draw();
-  puffs.draw();
+  puffs.draw(light_of(options.quality));
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   if (see_through || clear || glyphs.has_transparent()) {
     draw_transparent(scene, options);

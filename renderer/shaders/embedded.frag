@@ -20,7 +20,7 @@ flat in int carrier;
 flat in ivec4 labels;  // tet, part, piece, style
 uniform float opacity;
 
-float material(int index) { return texelFetch(materials, 13 * (labels.w & 0xffff) + index).r; }
+float material(int index) { return texelFetch(materials, 14 * (labels.w & 0xffff) + index).r; }
 
 #ifdef GRAIN
 // A slope in rest coordinates as it is on the polygon that is seen, whichever way that has turned.
@@ -113,7 +113,8 @@ void main() {
   vec3 color = is_scalar ? value_color() : has_piece_colors ? piece_color(inner) : material_color(here.tint);
   if (checker && ((labels.w >> 21) & 1) != 0) color = checked(color);
   if (!(unlit && is_scalar)) {
-    color = shade(selected ? mix(color, kSelectionColor, 0.45) : color, position, normal_here(), here.slope, is_scalar);
+    color = shade(selected ? mix(color, kSelectionColor, 0.45) : color, position, normal_here(), here.slope, is_scalar,
+                  plain ? 0.0 : material(13));
   }
   color = mix(color, selected ? kSelectionColor : kEdgeColor, (selected ? 1.0 : 0.6) * edge);
   if (!is_drawn(selected, clear)) discard;

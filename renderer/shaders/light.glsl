@@ -4,6 +4,7 @@
 const vec3 kSkyLight = vec3(0.43, 0.48, 0.55), kGroundLight = vec3(0.30, 0.28, 0.25), kLampLight = vec3(0.73, 0.70, 0.64);
 const float kNarrowest = 8e-4, kWidest = 0.03;  // penumbras, in widths of the shadow map
 
+uniform vec3 sky_top, sky_bottom;  // the background's colours
 uniform sampler2DShadow shadow_map;
 uniform sampler2DShadow clear_shadow_map;
 uniform sampler2D shadow_depth;   // the depths in shadow_map
@@ -128,6 +129,20 @@ float ambient_openness(vec3 position) {
 vec3 colored_illumination(vec3 normal, float visibility, float openness) {
   vec3 sky = mix(kGroundLight, kSkyLight, 0.5 + 0.5 * normal.y) * openness;
   return sky + kLampLight * max(dot(normal, light.xyz), 0.0) * visibility;
+}
+
+vec3 sky_light(vec3 direction) {
+  return linear_from_srgb(mix(sky_bottom, sky_top, smoothstep(-0.2, 1.0, direction.y)));
+}
+
+// Share of light that a smooth face mirrors (Schlick 1994). `ray`: from the eye.
+float mirrored_share(vec3 normal, vec3 ray) { return 0.04 + 0.96 * pow(1.0 - min(abs(dot(normal, ray)), 1.0), 5.0); }
+
+// What a glaze mirrors of the sky, as far as it is open, and of the lamp.
+vec3 glaze_light(vec3 position, vec3 normal, float visibility, float openness) {
+  vec3 ray = -towards_eye(position), direction = reflect(ray, normal);
+  float lamp = 12.0 * pow(max(dot(direction, light.xyz), 0.0), 120.0) * visibility;
+  return mirrored_share(normal, ray) * (openness * sky_light(direction) + lamp);
 }
 
 // Colour that is seen of a colour in light.

@@ -162,6 +162,19 @@ TEST_F(EmbeddedPassTest, InnerFacesShowTheirMaterialAndFromStandardQualityOnItsN
   }
 }
 
+TEST_F(EmbeddedPassTest, GlazeAddsWhatItMirrorsFromStandardQualityOn) {
+  EmbeddedSurface dull = embedded();
+  dull.piece_colors.clear();
+  EmbeddedSurface glazed = dull;
+  glazed.materials[0].gloss = 1;
+  EXPECT_EQ(picture(dull, Quality::draft), picture(glazed, Quality::draft));
+  for (const Quality quality : {Quality::standard, Quality::high}) {
+    const Image without = picture(dull, quality), with = picture(glazed, quality);
+    EXPECT_GT(different_pixels(without, with), 500);
+    for (std::size_t i = 0; i < with.rgba.size(); ++i) ASSERT_GE(with.rgba[i], without.rgba[i]);
+  }
+}
+
 /// Without edges a draft of materials has a shader of its own.
 TEST_F(EmbeddedPassTest, EdgesThatAreNotThereChangeNothing) {
   EmbeddedSurface surface = embedded();
