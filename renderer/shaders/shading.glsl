@@ -3,7 +3,11 @@ const vec3 kCrackTint = vec3(0.80, 0.66, 0.55), kEdgeColor = vec3(0.09, 0.10, 0.
 const vec3 kSelectionColor = vec3(1.0, 0.55, 0.10);
 
 // What is drawn in this pass, a DrawnPart.
+#ifdef NATURAL
+const int drawn_part = 0;
+#else
 uniform int drawn_part;
+#endif
 bool is_drawn(bool selected, bool clear) {
   if (drawn_part >= 3) return (drawn_part == 4) == clear;
   return drawn_part == 0 || (drawn_part == 1) == selected;
@@ -43,5 +47,5 @@ vec3 shade(vec3 color, vec3 position, vec3 normal, vec3 bump, bool is_scalar) {
   vec3 bumped = normalize(normal + bump);
   vec3 factor = is_scalar ? vec3(mix(0.62, 1.0, min(illumination(bumped, visibility), 1.0)))
                           : colored_illumination(bumped, visibility, ambient_openness(position));
-  return srgb_from_linear(linear_from_srgb(color) * factor);
+  return reflected(color, factor);
 }
