@@ -85,11 +85,12 @@ void evaluate_separation(WorldState& world, bool averaged) {
     for (const Body& body : std::span(world.bodies).subspan(first, last - first))
       if (body.sways()) evaluate_body(world, input, body, averaged);
   });
-  for (const Body& body : world.bodies)
+  for (const Body& body : world.bodies) {
+    if (!body.sways()) continue;
     for (NodeId node : body.nodes)
-      if (body.sways())
-        world.report.peak_utilization =
-            std::max(world.report.peak_utilization, world.nodes.separations[node].utilization);
+      world.report.peak_utilization =
+          std::max(world.report.peak_utilization, world.nodes.separations[node].utilization);
+  }
 }
 
 }  // namespace griffith
