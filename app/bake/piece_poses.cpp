@@ -1,6 +1,6 @@
 #include "app/bake/piece_poses.h"
 
-#include "sim/elasticity/polar_decomposition.h"
+#include "sim/elasticity/placement.h"
 
 namespace griffith::app {
 namespace {
@@ -29,7 +29,7 @@ std::vector<Vec3> centers_of(const Frame& last, const MeshHistory& history, int 
 Pose fitted_pose(const PieceSums& sums, const std::vector<Pose>& before) {
   Pose pose;
   pose.translation = sums.center / sums.volume;
-  pose.rotation = Quat(polar_rotation(sums.covariance / sums.covariance.norm()));
+  pose.rotation = Quat(best_rotation(sums.covariance));
   if (!before.empty() && pose.rotation.dot(before.back().rotation) < 0) pose.rotation.coeffs() *= -1;
   return pose;
 }

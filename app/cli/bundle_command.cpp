@@ -11,7 +11,6 @@
 #include "app/picture/draw_scene_from_frame.h"
 #include "app/picture/picture_options.h"
 #include "app/picture/scene_camera.h"
-#include "app/picture/steady_range.h"
 #include "app/shared/progress.h"
 #include "app/shared/scene_world.h"
 #include "renderer/egl_context.h"
@@ -35,12 +34,9 @@ struct BundleOptions {
 std::string add_picture(const World& first, const World& world, const Scene& scene, ReportParts& parts) try {
   constexpr int kWidth = 1280, kHeight = 720;
   const render::EglContext context(std::nullopt);
-  const Frame frame = world.frame();
-  SteadyRange range;
-  range.follow(frame, scene.view.quantity);
   EmbeddedDisplay display = embedded_display(first.frame(), scene);
-  follow_first_cracks(display, frame, scene);
-  const render::DrawScene drawn = draw_scene_from_frame(frame, display, scene, scene.view, {}, range.range());
+  SteadyRange range;
+  const render::DrawScene drawn = draw_next_step(world.frame(), display, range, scene, scene.view);
   render::Renderer renderer;
   const render::Camera camera = scene_camera(scene, "", drawn, static_cast<float>(kWidth) / kHeight);
   renderer.render(drawn, camera, picture_options(kWidth, kHeight, std::nullopt, scene.view));

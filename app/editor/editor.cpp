@@ -99,11 +99,7 @@ void Editor::restart() {
 }
 
 void Editor::update_picture() {
-  const Frame frame = world().frame();
-  range_.follow(frame, state_.view.quantity);
-  follow_first_cracks(display_, frame, built_);
-  picture_ =
-      draw_scene_from_frame(frame, display_, built_, state_.view, state_.selection, range_.range(), hidden_bodies());
+  picture_ = draw_next_step(world().frame(), display_, range_, built_, state_.view, state_.selection, hidden_bodies());
 }
 
 HiddenBodies Editor::hidden_bodies() const {

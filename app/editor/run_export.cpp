@@ -11,7 +11,6 @@
 #include "app/export/export_bake.h"
 #include "app/output/video_writer.h"
 #include "app/picture/picture_options.h"
-#include "app/picture/steady_range.h"
 #include "app/shared/scene_files.h"
 #include "renderer/renderer.h"
 #include "sim/core/monitor.h"
@@ -122,11 +121,8 @@ class PictureExport : public RunExport {
 
  private:
   render::Image picture() {
-    const Frame frame = timeline_.world().frame();
-    range_.follow(frame, view_.view.quantity);
-    follow_first_cracks(display_, frame, scene_);
     const render::DrawScene drawn =
-        draw_scene_from_frame(frame, display_, scene_, view_.view, {}, range_.range(), view_.hidden);
+        draw_next_step(timeline_.world().frame(), display_, range_, scene_, view_.view, {}, view_.hidden);
     renderer_.render(drawn, view_.camera, picture_options(view_.width, view_.height, std::nullopt, view_.view));
     return renderer_.image();
   }

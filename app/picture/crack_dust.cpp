@@ -74,11 +74,11 @@ struct Source {
   render::Rgb color;
 };
 
-/// Edge length of the elements at the crack: that of a cube of six of them [m].
+/// Edge length of the elements at the crack [m].
 double element_size(const Frame& frame, const CrackEvent& event) {
-  double volume = 0;
-  for (const CrackElement& element : event.elements) volume += frame.elements.rest_elements[element.tet].volume;
-  return event.elements.empty() ? 0 : std::cbrt(6 * volume / static_cast<double>(event.elements.size()));
+  std::vector<TetId> tets;
+  for (const CrackElement& element : event.elements) tets.push_back(element.tet);
+  return mean_element_size(frame.elements.rest_elements, tets);
 }
 
 /// How far the elements at a crack have come apart by now, as a share of what lets all dust out of it.

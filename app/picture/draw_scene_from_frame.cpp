@@ -322,4 +322,11 @@ render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDispla
   return drawn(sharded.frame(), display.natural, display.orders, scene, view, selection, range, hidden);
 }
 
+render::DrawScene draw_next_step(const Frame& frame, EmbeddedDisplay& display, SteadyRange& range, const Scene& scene,
+                                 const ViewSettings& view, const ui::Selection& selection, const HiddenBodies& hidden) {
+  range.follow(frame, view.quantity);
+  follow_first_cracks(display, frame, scene);
+  return draw_scene_from_frame(frame, display, scene, view, selection, range.range(), hidden);
+}
+
 }  // namespace griffith::app

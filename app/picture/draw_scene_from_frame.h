@@ -9,6 +9,7 @@
 #include "app/picture/shards.h"
 #include "app/picture/shown_mesh.h"
 #include "app/picture/skin.h"
+#include "app/picture/steady_range.h"
 #include "renderer/draw_scene.h"
 #include "sim/scene/scene.h"
 #include "sim/world/frame.h"
@@ -46,5 +47,10 @@ render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDispla
                                         const ViewSettings& view, const ui::Selection& selection,
                                         const std::optional<Vec2>& range = std::nullopt,
                                         const HiddenBodies& hidden = {});
+
+/// The picture of a step that comes after those that `display` and `range` have followed: they follow it first.
+render::DrawScene draw_next_step(const Frame& frame, EmbeddedDisplay& display, SteadyRange& range, const Scene& scene,
+                                 const ViewSettings& view, const ui::Selection& selection = {},
+                                 const HiddenBodies& hidden = {});
 
 }  // namespace griffith::app

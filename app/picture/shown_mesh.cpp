@@ -1,7 +1,6 @@
 #include "app/picture/shown_mesh.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "app/picture/exaggeration.h"
@@ -30,14 +29,6 @@ std::vector<Vec3> offsets_of(const Frame& frame, double explode, const HiddenBod
     if (hidden.contains(frame.bodies[i].scene_body)) offsets[i].setConstant(std::numeric_limits<double>::quiet_NaN());
   }
   return offsets;
-}
-
-double mean_element_size(const Frame& frame) {
-  double volume = 0;
-  for (const RestElement& rest : frame.elements.rest_elements) volume += rest.volume;
-  return frame.elements.rest_elements.empty()
-             ? 1
-             : std::cbrt(6 * volume / static_cast<double>(frame.elements.rest_elements.size()));
 }
 
 /// Fine meshes have signs larger than their elements, in proportion to the largest body, but not so large that those
@@ -82,7 +73,8 @@ ShownMesh shown_mesh(const Frame& frame, const ViewSettings& view, const ui::Sel
       shown.positions[i] += shown.offsets[shown.body_of(NodeId(static_cast<std::int64_t>(i)))];
   }
   if (view.layers.empty()) return shown;
-  shown.element_size = mean_element_size(frame);
+  const auto rest_elements = frame.elements.rest_elements;
+  shown.element_size = rest_elements.empty() ? 1 : mean_element_size(rest_elements);
   shown.sign_size = sign_size(frame, shown.element_size);
   if (!shown.chosen.valid()) shown.chosen = most_loaded_node(frame);
   if (shown.chosen.valid() && shown.is_hidden(shown.body_of(shown.chosen))) shown.chosen = {};

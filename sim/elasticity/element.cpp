@@ -2,10 +2,18 @@
 
 #include <Eigen/LU>
 #include <cassert>
+#include <cmath>
 
 #include "sim/elasticity/element_kernel.h"
 
 namespace griffith {
+namespace {
+
+double size_of(double volume, std::size_t count) {
+  return count == 0 ? 0 : std::cbrt(6 * volume / static_cast<double>(count));
+}
+
+}  // namespace
 
 RestElement rest_element(const Corners& rest_corners) {
   const Mat3 edges = rest_corners.rightCols<3>().colwise() - rest_corners.col(0);
@@ -17,6 +25,18 @@ RestElement rest_element(const Corners& rest_corners) {
   rest.shape_gradients.col(0) = -inverse.transpose().rowwise().sum();
   rest.volume = determinant / 6;
   return rest;
+}
+
+double mean_element_size(std::span<const RestElement> elements) {
+  double volume = 0;
+  for (const RestElement& element : elements) volume += element.volume;
+  return size_of(volume, elements.size());
+}
+
+double mean_element_size(std::span<const RestElement> elements, std::span<const TetId> tets) {
+  double volume = 0;
+  for (const TetId tet : tets) volume += elements[tet].volume;
+  return size_of(volume, tets.size());
 }
 
 ElasticLaw elastic_law(const Material& material) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+
+#include "sim/core/ids.h"
 #include "sim/core/linear_algebra.h"
 #include "sim/elasticity/material.h"
 
@@ -16,6 +19,11 @@ struct RestElement {
 
 /// Rest data of a positively oriented tet with these corners [m].
 RestElement rest_element(const Corners& rest_corners);
+
+/// Edge length of the cubes that six of these elements fill on the mean [m]; 0 for none.
+double mean_element_size(std::span<const RestElement> elements);
+/// That of some of the elements of a mesh.
+double mean_element_size(std::span<const RestElement> elements, std::span<const TetId> tets);
 
 /// How an element's stress follows from its corners: the strain it measures, and Lamé's constants.
 struct ElasticLaw {

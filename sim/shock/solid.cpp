@@ -53,11 +53,10 @@ double relieved_limit(const ElasticLaw& law, double density, std::span<const Res
                       std::span<const double> frequencies) {
   const double young_modulus = law.mu * (3 * law.lambda + 2 * law.mu) / (law.lambda + law.mu);
   const double speed = std::sqrt(young_modulus / density);
-  double limit = 0, volume = 0;
+  double limit = 0;
   std::vector<double> slivers;
   for (std::size_t i = 0; i < rest_elements.size(); ++i) {
-    volume += rest_elements[i].volume;
-    const bool is_sliver = frequencies[i] * std::cbrt(6 * rest_elements[i].volume) > kSliverFrequency * speed;
+    const bool is_sliver = frequencies[i] * mean_element_size(rest_elements.subspan(i, 1)) > kSliverFrequency * speed;
     if (is_sliver)
       slivers.push_back(frequencies[i]);
     else
@@ -68,7 +67,7 @@ double relieved_limit(const ElasticLaw& law, double density, std::span<const Res
     std::ranges::nth_element(slivers, slivers.begin() + static_cast<std::ptrdiff_t>(relieved), std::ranges::greater());
     limit = std::max(limit, slivers[relieved]);
   }
-  return std::min(limit, kHighestFrequency * speed / std::cbrt(6 * volume / static_cast<double>(rest_elements.size())));
+  return std::min(limit, kHighestFrequency * speed / mean_element_size(rest_elements));
 }
 
 /// Leaves an element a share of its stiffness.

@@ -12,6 +12,7 @@ struct RigidMotion {
   Vec3 velocity = Vec3::Zero();          ///< [m/s]
   Vec3 angular_velocity = Vec3::Zero();  ///< [rad/s]
 
+  bool is_still() const { return velocity.isZero(0) && angular_velocity.isZero(0); }
   Vec3 velocity_at(const Vec3& position) const { return velocity + angular_velocity.cross(position - center); }
 };
 

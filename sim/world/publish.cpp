@@ -8,10 +8,27 @@ namespace griffith {
 namespace {
 
 BodyView view_of(const Body& body) {
-  return {body.id,          body.parent,          body.scene_body,      static_cast<int>(body.tets.size()),
-          body.motion.mass, body.motion.center,   body.motion.velocity, body.motion.angular_velocity,
-          body.orientation, body.collision_parts, body.supported(),     body.rigid,
-          body.asleep,      body.scaled};
+  const bool supported = !body.asleep && body.supported();  // what sleeps is free
+  return {body.id,
+          body.parent,
+          body.scene_body,
+          static_cast<int>(body.tets.size()),
+          body.motion.mass,
+          body.motion.center,
+          body.motion.velocity,
+          body.motion.angular_velocity,
+          body.orientation,
+          body.collision_parts,
+          supported,
+          body.rigid,
+          body.asleep,
+          body.scaled};
+}
+
+/// Whether a sleeper lies where its view of the last step has it.
+bool still_shows(const BodyView& view, const Body& body) {
+  return body.asleep && view.asleep && view.center_of_mass == body.motion.center &&
+         view.orientation.coeffs() == body.orientation.coeffs() && !view.scaled && !body.scaled;
 }
 
 void add_nodes(const WorldState& world, Totals& totals) {
@@ -19,6 +36,7 @@ void add_nodes(const WorldState& world, Totals& totals) {
     const double mass = world.nodes.masses[i];
     const Vec3 momentum = mass * world.nodes.velocities[i];
     totals.mass += mass;
+    if (world.nodes.velocities[i].isZero(0)) continue;
     totals.momentum += momentum;
     totals.angular_momentum += world.nodes.positions[i].cross(momentum);
     totals.kinetic_energy += 0.5 * momentum.dot(world.nodes.velocities[i]);
@@ -49,9 +67,12 @@ ProjectileView view_of(const Projectile& projectile, const RigidState& state) {
 
 void publish(WorldState& world) {
   world.totals = {};
-  world.body_views.clear();
+  world.body_views.resize(world.bodies.size());
   world.projectile_views.clear();
-  for (const Body& body : world.bodies) world.body_views.push_back(view_of(body));
+  for (const Body& body : world.bodies) {
+    BodyView& view = world.body_views[body.id];
+    if (!still_shows(view, body)) view = view_of(body);
+  }
   add_nodes(world, world.totals);
   for (std::size_t i = 0; i < world.elements.rest_elements.size(); ++i)
     world.totals.elastic_energy += world.elements.rest_elements[i].volume * world.elements.states[i].energy_density;

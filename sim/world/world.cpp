@@ -164,7 +164,7 @@ std::size_t World::memory() const {
     size += sizeof(Body) + body.tets.size() * sizeof(TetId) + body.surface.size() * sizeof(SurfaceFace) +
             body.nodes.size() * (sizeof(NodeId) + sizeof(Vec3));
     for (const ConvexPart& part : body.collision_parts) size += part.size() * sizeof(Vec3);
-    if (body.system) size += body.system->memory() - sizeof(ElasticSystem);
+    if (body.system) size += body.system->memory();
   }
   for (const CrackEvent& event : world.crack_events)
     size += sizeof(CrackEvent) + event.elements.size() * sizeof(CrackElement);

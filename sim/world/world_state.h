@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/contact/contact_world.h"
+#include "sim/core/boxed.h"
 #include "sim/core/error.h"
 #include "sim/elasticity/element.h"
 #include "sim/geometry/convex_hull.h"
@@ -48,23 +49,26 @@ struct RigidStart {
 };
 
 /// A connected piece of elastic material and its proxy in the contact world.
-struct Body {
+struct alignas(64) Body {
+  // What a step asks of every body, awake or not, in one line of the cache.
+  std::optional<Shock> shock;
   BodyId id, parent;
+  ProxyId proxy;
+  int quiet_steps = 0;     ///< steps in a row with next to no stress
+  bool rigid = false;      ///< moves as a whole: nothing about it is elastic until it is hit
+  bool untouched = false;  ///< rigid for less than 20 steps in free flight: elastic once touched
+  bool asleep = false;     ///< rigid, and lies still until something strikes it
+
+  RigidMotion motion;                   ///< mass, momentum and inertia of the nodes now
+  Quat orientation = Quat::Identity();  ///< from the reference shape to now
   int scene_body = 0;
   std::vector<TetId> tets;    ///< ascending
   std::vector<NodeId> nodes;  ///< ascending, held ones too
   std::vector<SurfaceFace> surface;
   NodeVectors reference_arms;  ///< nodes relative to the centre of mass when the shape was made [m]
-  std::optional<ElasticSystem> system;
-  ProxyId proxy;
+  Boxed<ElasticSystem> system;
   std::vector<ConvexPart> collision_parts;  ///< of the proxy, for the frame [m]
-  RigidMotion motion;                       ///< mass, momentum and inertia of the nodes now
-  Quat orientation = Quat::Identity();      ///< from the reference shape to now
   double highest_frequency = 0;             ///< [rad/s]; 0 until explicit integration asks for it
-  bool rigid = false;                       ///< moves as a whole: nothing about it is elastic until it is hit
-  int quiet_steps = 0;                      ///< steps in a row with next to no stress
-  bool untouched = false;                   ///< rigid for less than 20 steps in free flight: elastic once touched
-  bool asleep = false;                      ///< rigid, and lies still until something strikes it
   double element_size = 0;                  ///< edge length of the cubes that six of its tets would fill, mean [m]
   double extent = 0;                        ///< longest edge of the box round it at rest [m]
   double weakest_fraction = 1;              ///< of its material's resistance, at its weakest node and plane [-]
@@ -74,8 +78,6 @@ struct Body {
   RigidStart start;                         ///< of the present substep
   std::vector<ContactLoad> harmless;        ///< of a rigid body: what it carried when it was calm, by object
   double compliance_factor = 1;             ///< true compliance at contacts over the estimated one, as seen last
-
-  std::optional<Shock> shock;
   double shock_ended = -std::numeric_limits<double>::infinity();  ///< when it left its last shock [s]
 
   bool supported() const { return !system->is_free(); }

@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <vector>
 
 #include "sim/elasticity/stiffness.h"
 #include "tests/elasticity/random_element.h"
@@ -193,6 +194,17 @@ TEST_P(Element, FoldedAndFlatElementsStayFiniteAndAreReported) {
     EXPECT_EQ(state.inverted, corners != nearly_flat);
   }
   EXPECT_FALSE(elastic_state(law(), rest, rest_corners).inverted);
+}
+
+TEST(ElementSize, IsTheEdgeOfACubeOfSix) {
+  constexpr double kEdge = 0.2, kSixth = kEdge * kEdge * kEdge / 6;
+  std::vector<RestElement> elements(2);
+  elements[0].volume = 0.5 * kSixth;
+  elements[1].volume = 1.5 * kSixth;
+  const std::vector<TetId> first = {TetId(0)};
+  EXPECT_NEAR(mean_element_size(elements), kEdge, 1e-15);
+  EXPECT_NEAR(mean_element_size(elements, first), kEdge * std::cbrt(0.5), 1e-15);
+  EXPECT_EQ(mean_element_size(std::span<const RestElement>()), 0);
 }
 
 }  // namespace

@@ -96,6 +96,21 @@ TEST(Rest, WhereAllSleepsAStepMovesTimeAlone) {
   EXPECT_EQ(world.frame().report.sleeping_bodies, 3);
 }
 
+std::size_t body_of_node(const Frame& frame, std::size_t node) {
+  return static_cast<std::size_t>(frame.elements.bodies[frame.nodes.stars[node].front()].index());
+}
+
+Vec3 center_by_nodes(const Frame& frame, int body) {
+  Vec3 moment = Vec3::Zero();
+  double mass = 0;
+  for (std::size_t i = 0; i < frame.nodes.positions.size(); ++i) {
+    if (body_of_node(frame, i) != static_cast<std::size_t>(body)) continue;
+    moment += frame.nodes.masses[i] * frame.nodes.positions[i];
+    mass += frame.nodes.masses[i];
+  }
+  return moment / mass;
+}
+
 TEST(Rest, AShotWakesWhatItHits) {
   World world(stack_of_blocks(3));
   for (int step = 0; step < 240; ++step) world.step();
@@ -106,8 +121,53 @@ TEST(Rest, AShotWakesWhatItHits) {
   shot.mass = 5;
   shot.radius = 0.05;
   world.fire(shot);
-  for (int step = 0; step < 60; ++step) world.step();
+  for (int step = 0; step < 60; ++step) {
+    world.step();
+    for (int body = 0; body < 3; ++body)
+      EXPECT_LT((world.frame().bodies[body].center_of_mass - center_by_nodes(world.frame(), body)).norm(), 1e-9);
+  }
   EXPECT_LT(world.frame().bodies[1].center_of_mass.z(), -2e-3);
+}
+
+/// A stack that has fallen asleep, and a brick that flies past.
+World sleepers_and_flyer() {
+  Scene scene = stack_of_blocks(3);
+  scene.bodies.push_back(block("flyer", Vec3(0.4, 0.2, 0.3), Vec3(3, 60, 0)));
+  scene.bodies.back().angular_velocity = Vec3(1, 2, 3);
+  World world(scene);
+  while (world.frame().report.sleeping_bodies < 3 && world.frame().step < 180) world.step();
+  return world;
+}
+
+TEST(Rest, SleepersStayToTheBitWhileSomethingFliesPast) {
+  World world = sleepers_and_flyer();
+  ASSERT_EQ(world.frame().report.sleeping_bodies, 3);
+  const Frame before = world.frame();
+  const std::vector<Vec3> positions(before.nodes.positions.begin(), before.nodes.positions.end());
+  const std::vector<BodyView> views(before.bodies.begin(), before.bodies.end());
+  for (int step = 0; step < 12; ++step) {
+    world.step();
+    const Frame frame = world.frame();
+    ASSERT_EQ(frame.report.sleeping_bodies, 3);
+    EXPECT_NE(frame.bodies[3].center_of_mass, views[3].center_of_mass);
+    for (int body = 0; body < 3; ++body) EXPECT_EQ(frame.bodies[body].center_of_mass, views[body].center_of_mass);
+    for (std::size_t i = 0; i < positions.size(); ++i)
+      EXPECT_EQ(frame.nodes.positions[i] == positions[i], frame.bodies[body_of_node(frame, i)].asleep);
+  }
+}
+
+TEST(Rest, WhatFliesPastSleepersMovesAsIfTheyWereNotThere) {
+  World among = sleepers_and_flyer();
+  Scene scene = among.scene();
+  scene.bodies.erase(scene.bodies.begin(), scene.bodies.begin() + 3);
+  World alone(scene);
+  while (alone.frame().step < among.frame().step) alone.step();
+  for (int step = 0; step < 12; ++step) {
+    among.step();
+    alone.step();
+    EXPECT_EQ(among.frame().bodies[3].center_of_mass, alone.frame().bodies[0].center_of_mass);
+    EXPECT_EQ(among.frame().bodies[3].angular_velocity, alone.frame().bodies[0].angular_velocity);
+  }
 }
 
 /// A weightless plank, and a ball that strikes it in the middle after `rest` [s].

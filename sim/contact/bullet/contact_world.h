@@ -43,24 +43,26 @@ class OwnedObject {
   std::unique_ptr<btCollisionObject> object_;
 };
 
-struct Object {
+struct alignas(64) Object {
+  // What a substep asks of every object, moving or not, in one line of the cache.
   Kind kind;
   Mobility mobility;
+  bool asleep = false;      ///< lies still: neither moved nor looked at until something disturbs it
+  bool elastic = false;     ///< its owner answers the impulses of the present solve
+  bool fresh = true;        ///< its shape has not yet been seen by detect()
+  OwnedObject body = {};    ///< null once removed
+  double inverse_mass = 0;  ///< 0 when held
+  double impact_speed = std::numeric_limits<double>::infinity();  ///< from which it could be hurt [m/s]
+  double still_time = 0;                                          ///< that it has hardly left its resting place [s]
+
   Shape shape;
   RigidState state = {};  ///< as its owner set it or, after advance(), with the solved velocities
   SurfaceProperties surface = {};
   Vec3 first_velocity = Vec3::Zero(), first_spin = Vec3::Zero();  ///< when the substep began
-  double inverse_mass = 0;                                        ///< 0 when held
   Mat3 inverse_inertia = Mat3::Zero();                            ///< in its own frame
   ContactWorld::Correction correction = {};
   Vec3 pushed_out = Vec3::Zero();  ///< projectiles: the correction that the last advance() made [m]
-  double impact_speed = std::numeric_limits<double>::infinity();  ///< from which it could be hurt [m/s]
-  bool asleep = false;      ///< lies still: neither moved nor looked at until something disturbs it
-  Pose resting_place = {};  ///< that it has hardly left
-  double still_time = 0;    ///< for so long [s]
-  bool elastic = false;     ///< its owner answers the impulses of the present solve
-  bool fresh = true;        ///< its shape has not yet been seen by detect()
-  OwnedObject body = {};    ///< null once removed
+  Pose resting_place = {};         ///< that it has hardly left
 
   bool is_free() const { return body && mobility == Mobility::free; }
   bool moves() const { return is_free() && !asleep; }
@@ -71,6 +73,7 @@ struct Object {
   std::size_t part_count() const { return kind == Kind::ground ? 1 : shape.parts.size(); }
   /// Speed of its fastest point [m/s].
   double speed() const { return state.velocity.norm() + state.angular_velocity.norm() * shape.radius; }
+  bool is_still() const { return state.velocity.isZero(0) && state.angular_velocity.isZero(0); }
   /// Whether impulses change its velocities in the present solve.
   bool responds() const { return elastic || moves(); }
 };

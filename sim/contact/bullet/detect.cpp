@@ -77,10 +77,13 @@ void ContactWorld::Impl::forget_parted() {
 }
 
 void ContactWorld::Impl::collect_manifolds() {
+  using Order = decltype(order_of(nullptr));
+  std::vector<std::pair<Order, btPersistentManifold*>> ordered;
+  dispatcher.visit_touching(
+      [&](btPersistentManifold* manifold) { ordered.emplace_back(order_of(manifold), manifold); });
+  std::ranges::sort(ordered, {}, &std::pair<Order, btPersistentManifold*>::first);
   manifolds.clear();
-  dispatcher.visit_touching([&](btPersistentManifold* manifold) { manifolds.push_back(manifold); });
-  std::sort(manifolds.begin(), manifolds.end(),
-            [](auto* left, auto* right) { return order_of(left) < order_of(right); });
+  for (const auto& [order, manifold] : ordered) manifolds.push_back(manifold);
 }
 
 void ContactWorld::Impl::update_allowances() {

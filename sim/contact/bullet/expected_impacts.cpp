@@ -42,6 +42,11 @@ Flight flight_of(const Object& object, const Vec3& gravity) {
           object.is_sphere() ? Vec3::Zero() : state.angular_velocity};
 }
 
+/// That no point of it exceeds within `dt` [m/s].
+double highest_speed(const Flight& flight, double dt) {
+  return flight.velocity.norm() + dt * flight.acceleration.norm() + flight.turning_speed();
+}
+
 /// A convex part of an object in flight.
 struct FlyingPart {
   const Flight& flight;
@@ -171,11 +176,14 @@ std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double
         if (objects[j].moves()) look(j, i);
       continue;
     }
-    const Flight flight = flight_of(object, gravity);
-    const double speed = flight.velocity.norm() + dt * flight.acceleration.norm() + flight.turning_speed();
+    const double speed = !object.moves() && object.is_still() ? 0 : highest_speed(flight_of(object, gravity), dt);
     const Vec3 center = object.state.pose.translation, reach = Vec3::Constant(object.shape.radius + dt * speed);
     extents.push_back({i, {center - reach, center + reach}, speed > minimum_speed / 2});
   }
+  Eigen::AlignedBox3d fast;
+  for (const Extent& extent : extents)
+    if (extent.fast) fast.extend(extent.box);
+  std::erase_if(extents, [&](const Extent& extent) { return !extent.box.intersects(fast); });
   std::stable_sort(extents.begin(), extents.end(),
                    [](auto& left, auto& right) { return left.box.min().x() < right.box.min().x(); });
   for (auto a = extents.begin(); a != extents.end(); ++a)

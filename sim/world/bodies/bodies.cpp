@@ -1,11 +1,10 @@
 #include "sim/world/bodies/bodies.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "sim/core/parallel.h"
-#include "sim/elasticity/polar_decomposition.h"
+#include "sim/elasticity/element.h"
 #include "sim/fracture/resistance.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/collision_shape.h"
@@ -109,10 +108,8 @@ RigidMotion motion_of(const WorldState& world, const Body& body) {
                       gather(world.nodes.masses, body.nodes));
 }
 
-double mean_element_size(const WorldState& world, std::span<const TetId> tets) {
-  double volume = 0;
-  for (TetId tet : tets) volume += world.elements.rest_elements[tet].volume;
-  return std::cbrt(6 * volume / static_cast<double>(tets.size()));
+Placement placement_of(const WorldState& world, std::span<const NodeId> nodes) {
+  return best_placement(world.mesh.rest_positions, world.nodes.positions, world.nodes.masses, nodes);
 }
 
 void update_motion(WorldState& world, Body& body) {
@@ -123,7 +120,7 @@ void update_motion(WorldState& world, Body& body) {
     correlation += world.nodes.masses[node] * (world.nodes.positions[node] - body.motion.center) *
                    body.reference_arms.col(i).transpose();
   }
-  body.orientation = Quat(polar_rotation(correlation / correlation.norm())).normalized();
+  body.orientation = Quat(best_rotation(correlation)).normalized();
 }
 
 double rebuild_shape(WorldState& world, Body& body) {
@@ -140,7 +137,7 @@ double rebuild_shape(WorldState& world, Body& body) {
   body.motion = motion_of(world, body);
   body.reference_arms = gather(world.nodes.positions, body.nodes).colwise() - body.motion.center;
   body.orientation.setIdentity();
-  body.element_size = mean_element_size(world, body.tets);
+  body.element_size = mean_element_size(world.elements.rest_elements, body.tets);
   body.extent = extent_of(world, body);
   body.weakest_fraction = weakest_fraction_of(world, body);
   body.asleep = body.untouched = false;

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/elasticity/placement.h"
 #include "sim/world/world_state.h"
 
 namespace griffith {
@@ -26,8 +27,8 @@ void add_proxies(WorldState& world, std::span<Body> bodies);
 RigidMotion motion_of(const WorldState& world, const Body& body);
 /// Takes mass, momentum and orientation of a body from its nodes.
 void update_motion(WorldState& world, Body& body);
-/// Edge length of the cubes that six of these tets would fill [m].
-double mean_element_size(const WorldState& world, std::span<const TetId> tets);
+/// The placement that fits nodes best, by their masses.
+Placement placement_of(const WorldState& world, std::span<const NodeId> nodes);
 /// The least stress, spread over the face of an element, that could open a crack somewhere in the body, or could let
 /// one run on that is there already [Pa].
 double min_breaking_stress(const WorldState& world, const Body& body, bool at_crack_front);

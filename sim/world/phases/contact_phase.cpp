@@ -100,7 +100,7 @@ bool make_struck_bodies_elastic(WorldState& world, double dt) {
 
 void push_rigid_velocities(WorldState& world) {
   for (const Body& body : world.bodies) {
-    if (body.supported() || body.asleep) continue;
+    if (body.asleep || body.supported()) continue;
     const RigidMotion motion = body.rigid ? body.motion : motion_of(world, body);
     world.contact_world.set_velocity(body.proxy, motion.velocity, motion.angular_velocity);
   }
@@ -246,7 +246,7 @@ void limit_energy(WorldState& world, TouchedBodies& touched, double dt) {
 
 void apply_corrections(WorldState& world) {
   for (Body& body : world.bodies) {
-    if (body.supported() || body.asleep) continue;
+    if (body.asleep || body.supported()) continue;
     const ContactWorld::Correction correction = world.contact_world.position_correction(body.proxy);
     if (correction.translation.isZero(0) && correction.rotation.isZero(0)) continue;
     const Mat3 turn = rotation_by(correction.rotation).toRotationMatrix();
@@ -319,10 +319,10 @@ void update_sleep(WorldState& world, double time_step) {
   world.energy.hand_over += moving - kinetic_energy_of_projectiles(world);
   for (const Body& body : world.bodies)
     if (!body.rigid) world.contact_world.wake_up(body.proxy);
-  take_sleep(world);
   for (Body& body : world.bodies) {
-    if (!body.asleep) continue;
-    ++world.report.sleeping_bodies;
+    body.asleep = body.rigid && world.contact_world.asleep(body.proxy);
+    world.report.sleeping_bodies += body.asleep;
+    if (!body.asleep || body.motion.is_still()) continue;
     world.energy.hand_over += kinetic_energy(body.motion);
     body.motion.velocity = body.motion.angular_velocity = Vec3::Zero();
     for (NodeId node : body.nodes) world.nodes.velocities[node].setZero();

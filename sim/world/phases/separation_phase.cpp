@@ -1,7 +1,6 @@
 #include "sim/world/phases/separation_phase.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "sim/core/parallel.h"
@@ -11,9 +10,7 @@
 namespace griffith {
 
 double element_size_at(const WorldState& world, NodeId node) {
-  double volume = 0;
-  for (TetId tet : world.mesh.stars[node]) volume += world.elements.rest_elements[tet].volume;
-  return std::cbrt(6 * volume / static_cast<double>(world.mesh.stars[node].size()));
+  return mean_element_size(world.elements.rest_elements, world.mesh.stars[node]);
 }
 
 double resistance_at(const WorldState& world, const Material& material, NodeId node) {
@@ -88,11 +85,12 @@ void evaluate_separation(WorldState& world, bool averaged) {
     for (const Body& body : std::span(world.bodies).subspan(first, last - first))
       if (body.sways()) evaluate_body(world, input, body, averaged);
   });
-  for (const Body& body : world.bodies)
+  for (const Body& body : world.bodies) {
+    if (!body.sways()) continue;
     for (NodeId node : body.nodes)
-      if (body.sways())
-        world.report.peak_utilization =
-            std::max(world.report.peak_utilization, world.nodes.separations[node].utilization);
+      world.report.peak_utilization =
+          std::max(world.report.peak_utilization, world.nodes.separations[node].utilization);
+  }
 }
 
 }  // namespace griffith

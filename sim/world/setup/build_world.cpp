@@ -123,7 +123,7 @@ Pieces add_scene_body(Model& model, WorldState& world, int scene_body, const Sha
   draw_strengths(world, description.strength_scatter, first_node);
   std::vector<TetId> tets;
   for (const TetId tet : IdRange<TetId>(first_tet.index(), world.mesh.tet_count())) tets.push_back(tet);
-  const double quarter = mean_element_size(world, tets) / 4;
+  const double quarter = mean_element_size(world.elements.rest_elements, tets) / 4;
   model.min_edges.push_back(description.minimum_element_size > 0 ? description.minimum_element_size : quarter);
   return add_bodies(world, scene_body, first_tet, shape);
 }

@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "sim/elasticity/placement.h"
 #include "sim/shock/impacts.h"
 #include "sim/shock/solid.h"
 #include "sim/world/phases/cracking.h"
-#include "sim/world/shock/placement.h"
 
 namespace griffith {
 

@@ -14,7 +14,6 @@
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/subdivision.h"
-#include "sim/world/shock/placement.h"
 #include "sim/world/world_state.h"
 
 namespace griffith {
