@@ -10,7 +10,7 @@ namespace {
 
 static_assert(sizeof(EmbeddedCorner) == 21 * sizeof(float), "uploaded as it is");
 
-constexpr int kMaterialFloats = 13;
+constexpr int kMaterialFloats = 14;
 
 const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
@@ -44,10 +44,10 @@ void add_fan(std::vector<std::uint32_t>& indices, const EmbeddedPolygon& polygon
 std::vector<float> packed(const std::vector<EmbeddedMaterial>& materials) {
   std::vector<float> values;
   values.reserve(kMaterialFloats * materials.size());
-  for (const auto& [color, variation, mottle, roughness, noise_size, fibre, clear_depth, grain, grain_size, dressed] :
-       materials)
+  for (const auto& [color, variation, mottle, roughness, noise_size, fibre, clear_depth, grain, grain_size, dressed,
+                    gloss] : materials)
     values.insert(values.end(), {color.r, color.g, color.b, variation, mottle, roughness, noise_size, fibre.x(),
-                                 fibre.y(), fibre.z(), clear_depth, static_cast<float>(grain), grain_size});
+                                 fibre.y(), fibre.z(), clear_depth, static_cast<float>(grain), grain_size, gloss});
   return values;
 }
 
@@ -68,16 +68,26 @@ bool shows_grain(const EmbeddedSurface& surface, const RenderOptions& options, O
          std::ranges::any_of(surface.materials, [](const auto& material) { return material.grain != Grain::none; });
 }
 
+/// Whether a draft shows materials and nothing else.
+bool is_plain(const EmbeddedSurface& surface, const RenderOptions& options) {
+  return options.quality == Quality::draft && surface.scalars.empty() && surface.piece_colors.empty() &&
+         !options.edges && !surface.checker;
+}
+
 }  // namespace
 
 EmbeddedPass::EmbeddedPass()
-    : program_("embedded surface", shaders::embedded_vert, fragment_source(Output::opaque).c_str()),
+    : program_("embedded surface", shaders::embedded_vert, fragment_source(Output::opaque)),
       transparent_program_("transparent embedded surface", shaders::embedded_vert,
-                           fragment_source(Output::transparent).c_str()),
+                           fragment_source(Output::transparent)),
+      plain_program_("plain embedded surface", shaders::embedded_vert,
+                     ("#define NATURAL\n" + fragment_source(Output::opaque)).c_str(), Light::plain),
       glass_program_("clear embedded surface", shaders::embedded_vert, fragment_source(Output::glass).c_str()),
       grain_program_("broken embedded surface", shaders::embedded_vert,
                      ("#define GRAIN\n" + fragment_source(Output::opaque)).c_str()),
-      depth_program_("embedded depth", shaders::embedded_vert, shaders::embedded_depth_frag) {
+      depth_program_("embedded depth", shaders::embedded_vert, shaders::depth_frag),
+      part_depth_program_("depth of part of an embedded surface", shaders::embedded_vert,
+                          shaders::embedded_depth_frag) {
   glBindVertexArray(vertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, corners_.id());
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, triangles_.id());
@@ -137,9 +147,10 @@ void EmbeddedPass::upload_opened(const std::vector<std::int32_t>& opened) {
 
 void EmbeddedPass::draw_depth(DrawnPart part) const {
   if (!mesh_) return;
-  depth_program_.use();
-  depth_program_.set("drawn_part", static_cast<int>(part));
-  depth_program_.set("scalar_kind", 0);
+  const ShaderProgram& program = part == DrawnPart::all ? depth_program_ : part_depth_program_;
+  program.use();
+  program.set("drawn_part", static_cast<int>(part));
+  program.set("scalar_kind", 0);
   draw_triangles(0, indices_);
 }
 
@@ -166,16 +177,19 @@ void EmbeddedPass::draw(const EmbeddedSurface& surface, const ScalarStyle& style
   };
   const bool dressed = std::ranges::any_of(surface.materials, &EmbeddedMaterial::dressed);
   const GLsizei plain = !shows_grain(surface, options, output) ? indices_ : dressed ? 0 : outer_indices_;
-  use(program_for(output));
+  use(program_for(surface, options, output, part));
   draw_triangles(0, plain);
   if (plain == indices_) return;
   use(grain_program_);
   draw_triangles(plain, indices_);
 }
 
-const ShaderProgram& EmbeddedPass::program_for(Output output) const {
+const ShaderProgram& EmbeddedPass::program_for(const EmbeddedSurface& surface, const RenderOptions& options,
+                                               Output output, DrawnPart part) const {
   if (output == Output::glass) return glass_program_;
-  return output == Output::opaque ? program_ : transparent_program_;
+  if (output == Output::transparent) return transparent_program_.in(light_of(options.quality));
+  const bool plain = part == DrawnPart::all && is_plain(surface, options);
+  return plain ? plain_program_ : program_.in(light_of(options.quality));
 }
 
 void EmbeddedPass::draw_triangles(GLsizei first, GLsizei end) const {

@@ -25,10 +25,12 @@ class EmbeddedPass {
   void upload_mesh();
   void append_triangles(std::span<const std::int32_t> polygons);
   void upload_opened(const std::vector<std::int32_t>& opened);
-  const ShaderProgram& program_for(Output output) const;
+  const ShaderProgram& program_for(const EmbeddedSurface& surface, const RenderOptions& options, Output output,
+                                   DrawnPart part) const;
   void draw_triangles(GLsizei first, GLsizei end) const;  ///< of the indices
 
-  ShaderProgram program_, transparent_program_, glass_program_, grain_program_, depth_program_;
+  LitProgram program_, transparent_program_;
+  ShaderProgram plain_program_, glass_program_, grain_program_, depth_program_, part_depth_program_;
   VertexArray vertices_;
   Buffer corners_, triangles_;
   StreamTexture points_{GL_R32F}, tets_{GL_R32I}, carriers_{GL_R32I}, scalars_{GL_R32F}, colors_{GL_R32F},

@@ -72,6 +72,7 @@ enum class Grain {
   sand,      ///< as stones, of like tones
   crystals,  ///< of several minerals, one dark
   facets,    ///< crystals of one kind
+  veins,     ///< the same, with dark veins through them
   rings      ///< of growth, with fibres
 };
 
@@ -87,6 +88,7 @@ struct EmbeddedMaterial {
   Grain grain = Grain::none;
   float grain_size = 0.02f;  ///< of its largest parts [m]
   bool dressed = false;      ///< its grain is seen on outer polygons too
+  float gloss = 0;           ///< of a glaze that mirrors sky and lamp, 0..1, from standard quality on
 };
 
 /// Embedded polygons as they are now. Nothing is drawn without a mesh.

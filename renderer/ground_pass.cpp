@@ -15,14 +15,15 @@ GridLevel grid_level(float view_height) {
 GroundPass::GroundPass() : program_("ground", shaders::ground_vert, shaders::ground_frag) {}
 
 void GroundPass::draw(const Ground& ground, const GridLevel& grid, const Eigen::Vector3f& center, float radius,
-                      bool from_below) const {
-  program_.use();
-  program_.set("center", center.x(), ground.height, center.z());
-  program_.set("radius", radius);
-  program_.set("color", ground.color);
-  program_.set("grid_spacing", grid.spacing);
-  program_.set("grid_fade", grid.fade);
-  program_.set("opacity", from_below ? 0.25f : 1.0f);
+                      bool from_below, Light light) const {
+  const ShaderProgram& program = program_.in(light);
+  program.use();
+  program.set("center", center.x(), ground.height, center.z());
+  program.set("radius", radius);
+  program.set("color", ground.color);
+  program.set("grid_spacing", grid.spacing);
+  program.set("grid_fade", grid.fade);
+  program.set("opacity", from_below ? 0.25f : 1.0f);
   glBindVertexArray(vertices_.id());
   glEnable(GL_BLEND);
   glDepthMask(!from_below);

@@ -20,11 +20,11 @@ GridLevel grid_level(float view_height);
 class GroundPass {
  public:
   GroundPass();
-  void draw(const Ground& ground, const GridLevel& grid, const Eigen::Vector3f& center, float radius,
-            bool from_below) const;
+  void draw(const Ground& ground, const GridLevel& grid, const Eigen::Vector3f& center, float radius, bool from_below,
+            Light light) const;
 
  private:
-  ShaderProgram program_;
+  LitProgram program_;
   VertexArray vertices_;
 };
 

@@ -23,9 +23,9 @@ void PuffPass::upload(const std::vector<Puff>& puffs) {
   puffs_.upload(puffs);
 }
 
-void PuffPass::draw() const {
+void PuffPass::draw(Light light) const {
   if (count_ == 0) return;
-  program_.use();
+  program_.in(light).use();
   glEnable(GL_BLEND);
   glDepthMask(GL_FALSE);
   glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);  // what is behind can be picked

@@ -13,10 +13,10 @@ class PuffPass {
   PuffPass();
   void upload(const std::vector<Puff>& puffs);
   /// Leaves blending off and depth as it was.
-  void draw() const;
+  void draw(Light light) const;
 
  private:
-  ShaderProgram program_;
+  LitProgram program_;
   VertexArray vertices_;
   StreamBuffer puffs_;
   GLsizei count_ = 0;

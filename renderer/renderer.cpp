@@ -52,7 +52,7 @@ Eigen::AlignedBox3f visible_box(const DrawScene& scene, const Focus& focus, Eige
 
 /// What a quality asks for.
 struct Effects {
-  float penumbra = 0;          ///< width over the distance of what casts the shadow; 0: plain light, hard shadows
+  float penumbra = 0;          ///< width over the distance of what casts the shadow
   int shadow_samples = 0;      ///< of a penumbra
   int occlusion_samples = 0;   ///< 0: no ambient occlusion
   int occlusion_fraction = 1;  ///< width and height of the picture over those of its occlusion map
@@ -71,7 +71,7 @@ ViewBlock picture_view(const Camera& camera, const Eigen::AlignedBox3f& box, con
   block.view_projection = projection_matrix(camera, width / height, box) * view_matrix(camera);
   block.eye << camera.position, 1;
   block.viewport << width, height, static_cast<float>(target.samples()), 0;
-  block.effects << effects.penumbra, static_cast<float>(effects.shadow_samples), effects.occlusion_samples > 0, 0;
+  block.effects << effects.penumbra, static_cast<float>(effects.shadow_samples), 0, 0;
   return block;
 }
 
@@ -159,7 +159,7 @@ struct Renderer::Passes {
   void draw_shadow_maps(const DrawScene& scene, const ViewBlock& view, const RenderOptions& options) const;
   void draw_occlusion_map(const DrawScene& scene, const Camera& camera, const Focus& focus, const Mat4& view_projection,
                           const RenderOptions& options);
-  void draw_ground(const DrawScene& scene, const Camera& camera, const Focus& focus) const;
+  void draw_ground(const DrawScene& scene, const Camera& camera, const Focus& focus, Light light) const;
   void draw_picture(const DrawScene& scene, const Camera& camera, const Focus& focus, const RenderOptions& options);
 };
 
@@ -215,10 +215,12 @@ void Renderer::Passes::draw_shadow_maps(const DrawScene& scene, const ViewBlock&
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-void Renderer::Passes::draw_ground(const DrawScene& scene, const Camera& camera, const Focus& focus) const {
+void Renderer::Passes::draw_ground(const DrawScene& scene, const Camera& camera, const Focus& focus,
+                                   Light light) const {
   if (!scene.ground) return;
   const bool from_below = camera.position.y() < scene.ground->height;
-  ground.draw(*scene.ground, grid_level(height_at_target(camera)), focus.center, ground_radius(focus), from_below);
+  ground.draw(*scene.ground, grid_level(height_at_target(camera)), focus.center, ground_radius(focus), from_below,
+              light);
 }
 
 void Renderer::Passes::draw_occlusion_map(const DrawScene& scene, const Camera& camera, const Focus& focus,
@@ -232,7 +234,7 @@ void Renderer::Passes::draw_occlusion_map(const DrawScene& scene, const Camera& 
     occlusion = std::make_unique<OcclusionMap>(width, height);
   occlusion->begin();
   draw_depths(scene, options);
-  draw_ground(scene, camera, focus);
+  draw_ground(scene, camera, focus, Light::plain);
   occlusion->finish(view_projection, kReach * focus.radius, effects.occlusion_samples);
 }
 
@@ -256,12 +258,12 @@ void Renderer::Passes::draw_picture(const DrawScene& scene, const Camera& camera
   background.draw(scene.background);
   glColorMaski(0, GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);  // the picture is opaque; alpha only blends
   draw_surfaces(scene, options, Output::opaque, opaque_part(scene, clear));
-  spheres.draw();
-  crumbs.draw();
+  spheres.draw(light_of(options.quality));
+  crumbs.draw(light_of(options.quality));
   glyphs.draw(Output::opaque);
-  draw_ground(scene, camera, focus);
+  draw_ground(scene, camera, focus, light_of(options.quality));
   strokes.draw();
-  puffs.draw();
+  puffs.draw(light_of(options.quality));
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   if (see_through || clear || glyphs.has_transparent()) {
     draw_transparent(scene, options);
@@ -312,7 +314,7 @@ void Renderer::render(const DrawScene& scene, const Camera& camera, const Render
   passes_->draw_shadow_maps(scene, shadow_view, options);
   ViewBlock view =
       picture_view(camera, visible_box(scene, focus, box), passes_->target, shadow_view, effects_of(options.quality));
-  view.effects.w() = has_glass(scene, options) ? 1.0f : 0.0f;
+  view.effects.z() = has_glass(scene, options) ? 1.0f : 0.0f;
   passes_->picture_view.bind(view);
   passes_->draw_occlusion_map(scene, camera, focus, view.view_projection, options);
   passes_->draw_picture(scene, camera, focus, options);

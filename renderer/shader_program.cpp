@@ -1,5 +1,6 @@
 #include "renderer/shader_program.h"
 
+#include <iterator>
 #include <utility>
 
 #include "renderer/error.h"
@@ -18,11 +19,12 @@ std::string read_log(GLuint object, GetParameter get_parameter, GetLog get_log) 
   return log.c_str();
 }
 
-void attach_stage(GLuint program, GLenum stage, const std::string& name, const char* source) {
-  const char* parts[] = {"#version 330 core\n", shaders::common_glsl,
-                         stage == GL_FRAGMENT_SHADER ? shaders::light_glsl : "", "#line 1 1\n", source};
+void attach_stage(GLuint program, GLenum stage, const std::string& name, const char* source, Light light) {
+  const char* parts[] = {"#version 330 core\n", light == Light::plain ? "#define PLAIN_LIGHT\n" : "",
+                         shaders::common_glsl,  stage == GL_FRAGMENT_SHADER ? shaders::light_glsl : "",
+                         "#line 1 1\n",         source};
   const GLuint shader = glCreateShader(stage);
-  glShaderSource(shader, 5, parts, nullptr);
+  glShaderSource(shader, static_cast<GLsizei>(std::size(parts)), parts, nullptr);
   glCompileShader(shader);
   GLint compiled = 0;
   glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
@@ -43,9 +45,10 @@ std::string with_output(const std::string& fragment_source, Output output) {
   return prefix + std::string(shaders::output_glsl) + fragment_source;
 }
 
-ShaderProgram::ShaderProgram(const std::string& name, const char* vertex_source, const char* fragment_source) {
-  attach_stage(program_.id(), GL_VERTEX_SHADER, name, vertex_source);
-  attach_stage(program_.id(), GL_FRAGMENT_SHADER, name, fragment_source);
+ShaderProgram::ShaderProgram(const std::string& name, const char* vertex_source, const char* fragment_source,
+                             Light light) {
+  attach_stage(program_.id(), GL_VERTEX_SHADER, name, vertex_source, light);
+  attach_stage(program_.id(), GL_FRAGMENT_SHADER, name, fragment_source, light);
   glLinkProgram(program_.id());
   GLint linked = 0;
   glGetProgramiv(program_.id(), GL_LINK_STATUS, &linked);

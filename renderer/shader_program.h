@@ -5,6 +5,7 @@
 #include "renderer/camera.h"
 #include "renderer/color.h"
 #include "renderer/gl_objects.h"
+#include "renderer/renderer.h"
 
 namespace griffith::render {
 
@@ -37,11 +38,16 @@ std::string with_output(const std::string& fragment_source, Output output);
 /// Which part of a surface is drawn.
 enum class DrawnPart : int { all, selected, unselected, not_clear, clear };
 
+/// The light that fragment shaders know: `plain` is what a draft has, one lamp with hard shadows, in few steps.
+enum class Light { full, plain };
+inline Light light_of(Quality quality) { return quality == Quality::draft ? Light::plain : Light::full; }
+
 /// A vertex and a fragment shader, each preceded by shaders/common.glsl, the latter by light.glsl too, linked. Throws
 /// RenderError with `name`, the stage and the driver's log if one is rejected.
 class ShaderProgram {
  public:
-  ShaderProgram(const std::string& name, const char* vertex_source, const char* fragment_source);
+  ShaderProgram(const std::string& name, const char* vertex_source, const char* fragment_source,
+                Light light = Light::full);
 
   void use() const { glUseProgram(program_.id()); }
 
@@ -59,6 +65,19 @@ class ShaderProgram {
   GLint location(const char* uniform) const { return glGetUniformLocation(program_.id(), uniform); }
 
   Program program_;
+};
+
+/// A program for each light.
+class LitProgram {
+ public:
+  LitProgram(const std::string& name, const char* vertex_source, const std::string& fragment_source)
+      : full_(name, vertex_source, fragment_source.c_str()),
+        plain_("plainly lit " + name, vertex_source, fragment_source.c_str(), Light::plain) {}
+
+  const ShaderProgram& in(Light light) const { return light == Light::full ? full_ : plain_; }
+
+ private:
+  ShaderProgram full_, plain_;
 };
 
 }  // namespace griffith::render

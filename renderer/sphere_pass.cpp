@@ -19,7 +19,7 @@ std::string shape_source(SpherePass::Shape shape, const char* ball, const char* 
 }  // namespace
 
 SpherePass::SpherePass(Shape shape)
-    : program_("sphere", shaders::sphere_vert, shape_source(shape, shaders::sphere_frag, shaders::chip_frag).c_str()),
+    : program_("sphere", shaders::sphere_vert, shape_source(shape, shaders::sphere_frag, shaders::chip_frag)),
       shadow_program_("sphere shadow", shaders::sphere_vert,
                       shape_source(shape, shaders::sphere_depth_frag, shaders::chip_depth_frag).c_str()) {
   glBindVertexArray(vertices_.id());
@@ -40,8 +40,8 @@ void SpherePass::draw_shadow() const {
   draw_squares();
 }
 
-void SpherePass::draw() const {
-  program_.use();
+void SpherePass::draw(Light light) const {
+  program_.in(light).use();
   glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);  // smooth outlines; nothing happens with one sample
   draw_squares();
   glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);

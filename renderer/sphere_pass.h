@@ -14,12 +14,13 @@ class SpherePass {
   explicit SpherePass(Shape shape = Shape::ball);
   void upload(const std::vector<Sphere>& spheres);
   void draw_shadow() const;
-  void draw() const;
+  void draw(Light light) const;
 
  private:
   void draw_squares() const;
 
-  ShaderProgram program_, shadow_program_;
+  LitProgram program_;
+  ShaderProgram shadow_program_;
   VertexArray vertices_;
   StreamBuffer spheres_;
   GLsizei count_ = 0;

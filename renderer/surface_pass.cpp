@@ -30,10 +30,11 @@ std::string fragment_source(Output output) {
 }  // namespace
 
 SurfacePass::SurfacePass()
-    : program_("surface", shaders::surface_vert, fragment_source(Output::opaque).c_str()),
-      transparent_program_("transparent surface", shaders::surface_vert, fragment_source(Output::transparent).c_str()),
+    : program_("surface", shaders::surface_vert, fragment_source(Output::opaque)),
+      transparent_program_("transparent surface", shaders::surface_vert, fragment_source(Output::transparent)),
       glass_program_("clear surface", shaders::surface_vert, fragment_source(Output::glass).c_str()),
-      depth_program_("surface depth", shaders::surface_vert, shaders::surface_depth_frag) {
+      depth_program_("surface depth", shaders::surface_vert, shaders::depth_frag),
+      part_depth_program_("depth of part of a surface", shaders::surface_vert, shaders::surface_depth_frag) {
   glBindVertexArray(vertices_.id());
   glBindBuffer(GL_ARRAY_BUFFER, positions_.id());
   glEnableVertexAttribArray(0);
@@ -52,16 +53,18 @@ void SurfacePass::upload(const Surface& surface) {
 }
 
 void SurfacePass::draw_depth(DrawnPart part) const {
-  depth_program_.use();
   if (part == DrawnPart::clear && !has_flags_) return;
-  depth_program_.set("drawn_part", static_cast<int>(has_flags_ ? part : DrawnPart::all));
+  const ShaderProgram& program = part == DrawnPart::all || !has_flags_ ? depth_program_ : part_depth_program_;
+  program.use();
+  program.set("scalars_per_triangle", 0);
+  program.set("drawn_part", static_cast<int>(part));
   draw_triangles();
 }
 
 void SurfacePass::draw(const Surface& surface, const ColorTables& color_tables, const RenderOptions& options,
                        const Background& sky, Output output, DrawnPart part) const {
   const ScalarStyle& style = surface.scalar_style;
-  const ShaderProgram& program = program_for(output);
+  const ShaderProgram& program = program_for(output, options.quality);
   program.use();
   program.set("scalars_per_triangle", scalars_per_triangle(surface));
   program.set("scalar_range", style.minimum, style.maximum);
@@ -82,9 +85,9 @@ void SurfacePass::draw(const Surface& surface, const ColorTables& color_tables, 
   draw_triangles();
 }
 
-const ShaderProgram& SurfacePass::program_for(Output output) const {
+const ShaderProgram& SurfacePass::program_for(Output output, Quality quality) const {
   if (output == Output::glass) return glass_program_;
-  return output == Output::opaque ? program_ : transparent_program_;
+  return (output == Output::opaque ? program_ : transparent_program_).in(light_of(quality));
 }
 
 void SurfacePass::draw_triangles() const {

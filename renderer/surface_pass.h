@@ -19,10 +19,11 @@ class SurfacePass {
             const Background& sky, Output output, DrawnPart part) const;
 
  private:
-  const ShaderProgram& program_for(Output output) const;
+  const ShaderProgram& program_for(Output output, Quality quality) const;
   void draw_triangles() const;
 
-  ShaderProgram program_, transparent_program_, glass_program_, depth_program_;
+  LitProgram program_, transparent_program_;
+  ShaderProgram glass_program_, depth_program_, part_depth_program_;
   VertexArray vertices_;
   StreamBuffer positions_;
   StreamTexture scalars_{GL_R32F}, colors_{GL_R32F}, ids_{GL_R32I}, flags_{GL_R8UI};

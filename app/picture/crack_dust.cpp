@@ -30,6 +30,8 @@ struct Crumbling {
 constexpr Crumbling kCrumblingTable[] = {{"concrete", 1, 3, 0.05},
                                          {"brick", 0.9, 4, 0.05},
                                          {"granite", 0.6, 3, 0.05},
+                                         {"marble", 0.6, 3, 0.05},
+                                         {"plaster", 1, 4, 0.05},
                                          {"porcelain", 0.25, 3, 0.04},
                                          {"alumina", 0.25, 3, 0.04},
                                          {"soda_lime_glass", 0, 3, 0.025},

@@ -1,8 +1,12 @@
 #include "app/picture/natural_materials.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "sim/scene/body_pose.h"
 
@@ -19,6 +23,7 @@ struct NaturalLook {
   float clear_depth = 0;               ///< as EmbeddedMaterial
   render::Grain grain = render::Grain::none;
   float grain_size = 0.02f;  ///< as EmbeddedMaterial
+  float gloss = 0;           ///< of the outside, as EmbeddedMaterial
 };
 
 constexpr render::Rgb kMortar = {0.72f, 0.70f, 0.66f};
@@ -28,10 +33,12 @@ constexpr NaturalLook kLookTable[] = {
     {"soda_lime_glass", {0.62f, 0.81f, 0.82f}, {0.62f, 0.81f, 0.82f}, 0, 0.02f, 0.06f, 0.06f},
     {"concrete", {0.66f, 0.65f, 0.63f}, {0.57f, 0.56f, 0.54f}, 0, 0.20f, 0.35f, 0, stones, 0.04f},
     {"brick", {0.60f, 0.33f, 0.25f}, {0.67f, 0.40f, 0.30f}, 0.12f, 0.15f, 0.40f, 0, clay, 0.02f},
-    {"porcelain", {0.93f, 0.93f, 0.91f}, {0.86f, 0.82f, 0.75f}, 0, 0.02f, 0.15f, 0, sand, 0.006f},
-    {"alumina", {0.92f, 0.90f, 0.85f}, {0.86f, 0.84f, 0.80f}, 0, 0.03f, 0.15f, 0, facets, 0.004f},
+    {"porcelain", {0.93f, 0.93f, 0.91f}, {0.86f, 0.82f, 0.75f}, 0, 0.02f, 0.15f, 0, sand, 0.006f, 1},
+    {"alumina", {0.92f, 0.90f, 0.85f}, {0.86f, 0.84f, 0.80f}, 0, 0.03f, 0.15f, 0, facets, 0.004f, 0.5f},
     {"ice", {0.80f, 0.90f, 0.96f}, {0.80f, 0.90f, 0.96f}, 0, 0.05f, 0.25f, 0.25f},
     {"granite", {0.55f, 0.54f, 0.55f}, {0.50f, 0.49f, 0.50f}, 0, 0.25f, 0.40f, 0, crystals, 0.012f},
+    {"marble", {0.89f, 0.88f, 0.86f}, {0.87f, 0.86f, 0.85f}, 0, 0.05f, 0.30f, 0, veins, 0.035f, 0.6f},
+    {"plaster", {0.92f, 0.90f, 0.86f}, {0.95f, 0.93f, 0.89f}, 0, 0.03f, 0.40f, 0, sand, 0.005f},
     {"wood_along_grain", {0.67f, 0.49f, 0.31f}, {0.83f, 0.67f, 0.45f}, 0.06f, 0.30f, 0.30f, 0, rings, 0.012f},
     {"wood_across_grain", {0.67f, 0.49f, 0.31f}, {0.83f, 0.67f, 0.45f}, 0.06f, 0.30f, 0.30f, 0, rings, 0.012f},
     {"abs", {0.25f, 0.26f, 0.28f}, {0.42f, 0.43f, 0.45f}, 0, 0.02f, 0.10f},
@@ -42,8 +49,46 @@ constexpr NaturalLook kLookTable[] = {
     {"jelly", {0.76f, 0.25f, 0.32f}, {0.83f, 0.36f, 0.42f}, 0, 0.03f, 0.05f},
 };
 
-/// Nearest in density and Poisson's ratio, which people hardly tune; stiffness, which they do, parts what is alike.
+/// Words of materials' names, by what they look like.
+constexpr std::pair<std::string_view, std::string_view> kWords[] = {{"glass", "soda_lime_glass"},
+                                                                    {"concrete", "concrete"},
+                                                                    {"cement", "concrete"},
+                                                                    {"brick", "brick"},
+                                                                    {"terracotta", "brick"},
+                                                                    {"earthenware", "brick"},
+                                                                    {"porcelain", "porcelain"},
+                                                                    {"alumina", "alumina"},
+                                                                    {"ice", "ice"},
+                                                                    {"granite", "granite"},
+                                                                    {"marble", "marble"},
+                                                                    {"plaster", "plaster"},
+                                                                    {"gypsum", "plaster"},
+                                                                    {"acrylic", "acrylic"},
+                                                                    {"wood", "wood_along_grain"},
+                                                                    {"iron", "grey_cast_iron"},
+                                                                    {"steel", "mild_steel"},
+                                                                    {"rubber", "rubber"},
+                                                                    {"jelly", "jelly"}};
+
+/// Whether a word of a name begins so, as one of "brickwork" begins with "brick". Both in small letters.
+bool has_word(std::string_view name, std::string_view beginning) {
+  for (std::size_t at = name.find(beginning); at != std::string_view::npos; at = name.find(beginning, at + 1))
+    if (at == 0 || name[at - 1] < 'a' || name[at - 1] > 'z') return true;
+  return false;
+}
+
+/// The look that a material's name tells, as "soft porcelain" does; null where it tells none.
+const NaturalLook* named_look(std::string name) {
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const auto& [word, preset] : kWords)
+    if (has_word(name, word)) return std::ranges::find(kLookTable, preset, &NaturalLook::preset);
+  return nullptr;
+}
+
+/// By name, else nearest in density and Poisson's ratio, which people hardly tune; stiffness, which they do, parts what
+/// is alike.
 const NaturalLook& look_of(const Material& material) {
+  if (const NaturalLook* named = named_look(material.name)) return *named;
   const NaturalLook* best = &kLookTable[0];
   double minimum = std::numeric_limits<double>::infinity();
   for (const NaturalLook& look : kLookTable) {
@@ -78,10 +123,12 @@ void fit_to_splinters(render::EmbeddedMaterial& material, const SplinterPattern&
   }
 }
 
-/// Crystals are seen on dressed stone too; what else matter is made of only where it broke.
+bool is_stone(const NaturalLook& natural) { return natural.grain == crystals || natural.grain == veins; }
+
+/// What stone is made of is seen where it is dressed too; what else matter is made of only where it broke.
 render::Grain grain_of(const NaturalLook& natural, Look look) {
   if (look == Look::mortar) return sand;
-  return look == Look::outside && natural.grain != crystals ? none : natural.grain;
+  return look == Look::outside && !is_stone(natural) ? none : natural.grain;
 }
 
 render::EmbeddedMaterial material_of(const BodyDescription& body, const NaturalLook& natural, Look look) {
@@ -89,7 +136,8 @@ render::EmbeddedMaterial material_of(const BodyDescription& body, const NaturalL
   material.color = look == Look::mortar ? kMortar : look == Look::inside ? natural.inside : natural.outside;
   material.variation = look == Look::mortar || !body.splinters ? 0 : natural.variation;
   material.clear_depth = natural.clear_depth;
-  material.dressed = look == Look::outside && natural.grain == crystals;
+  material.dressed = look == Look::outside && is_stone(natural);
+  material.gloss = look == Look::outside ? natural.gloss : 0;
   material.grain = grain_of(natural, look);
   material.grain_size = natural.grain_size;
   material.mottle = natural.mottle;

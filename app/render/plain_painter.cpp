@@ -120,6 +120,7 @@ class PlainPainter : public Painter {
     if (!job_.legend) return {};
     Writing writing{scene_legend(drawn, viewpoint.view.range.has_value()),
                     scene_labels(drawn, viewpoint.camera, aspect())};
+    if (!ui::legend_fits({{0, 0}, size()}, scale_)) writing.legend.reset();
     if (writing.legend) writing.legend->corner = viewpoint.corner;
     return writing;
   }

@@ -6,7 +6,7 @@ layout(std140) uniform View {
   vec4 light;          // unit vector towards the light; w: size of a shadow texel [m]
   vec4 viewport;       // width, height [pixels]; z: samples per pixel
   vec4 visible;        // surfaces are drawn where dot(visible.xyz, position) <= visible.w
-  vec4 effects;        // x: width of penumbras over distance, 0: plain light; y: samples of them; z: 1 with occlusion; w: 1 with clear matter
+  vec4 effects;        // x: width of penumbras over distance; y: samples of them; z: 1 with clear matter
 };
 
 vec3 towards_eye(vec3 position) { return normalize(eye.xyz - position * eye.w); }

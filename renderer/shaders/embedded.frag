@@ -1,8 +1,14 @@
 const float kHalf = 0.5;
 
 uniform samplerBuffer scalars, colors, materials;
-uniform int scalar_kind, selected_tet;
+uniform int selected_tet;
+#ifdef NATURAL  // materials in plain light and nothing else
+const int scalar_kind = 0;
+const bool has_piece_colors = false, draw_edges = false, unlit = false, checker = false;
+#else
+uniform int scalar_kind;
 uniform bool has_piece_colors, draw_edges, unlit, checker;
+#endif
 in vec3 position;
 centroid in vec3 covered;  // a place in the part of the pixel that the polygon covers
 in vec3 smooth_normal;
@@ -14,7 +20,7 @@ flat in int carrier;
 flat in ivec4 labels;  // tet, part, piece, style
 uniform float opacity;
 
-float material(int index) { return texelFetch(materials, 13 * (labels.w & 0xffff) + index).r; }
+float material(int index) { return texelFetch(materials, 14 * (labels.w & 0xffff) + index).r; }
 
 #ifdef GRAIN
 // A slope in rest coordinates as it is on the polygon that is seen, whichever way that has turned.
@@ -27,7 +33,10 @@ vec3 carried_slope(vec3 slope) {
 }
 #endif
 
-// `octaves` of noise: 2, 1 in a draft, 0 where a value is shown.
+#ifdef PLAIN_LIGHT
+Matter matter_here(int octaves) { return Matter(vec3(1.0), vec3(0.0)); }
+#else
+// `octaves` of noise: 2, 0 where a value is shown.
 Matter matter_here(int octaves) {
   vec3 fibre = vec3(material(7), material(8), material(9));
   vec3 place = (rest - fibre * dot(fibre, rest)) / material(6);
@@ -45,6 +54,7 @@ Matter matter_here(int octaves) {
 #endif
   return matter;
 }
+#endif
 
 vec3 value_color() { return scalar_color(scalar_kind == 1 ? texelFetch(scalars, carrier).r : scalar); }
 
@@ -99,11 +109,12 @@ void main() {
   float edge = face_edge();
   Matter here = Matter(vec3(1.0), vec3(0.0));
   bool plain = is_scalar || (has_piece_colors && !inner);
-  if (!plain) here = matter_here(is_scalar ? 0 : effects.x == 0.0 ? 1 : 2);
+  if (!plain) here = matter_here(is_scalar ? 0 : 2);
   vec3 color = is_scalar ? value_color() : has_piece_colors ? piece_color(inner) : material_color(here.tint);
   if (checker && ((labels.w >> 21) & 1) != 0) color = checked(color);
   if (!(unlit && is_scalar)) {
-    color = shade(selected ? mix(color, kSelectionColor, 0.45) : color, position, normal_here(), here.slope, is_scalar);
+    color = shade(selected ? mix(color, kSelectionColor, 0.45) : color, position, normal_here(), here.slope, is_scalar,
+                  plain ? 0.0 : material(13));
   }
   color = mix(color, selected ? kSelectionColor : kEdgeColor, (selected ? 1.0 : 0.6) * edge);
   if (!is_drawn(selected, clear)) discard;

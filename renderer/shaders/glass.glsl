@@ -3,15 +3,13 @@
 const float kMatShare = 1.4;  // of light from the rough of a crack
 const float kCaught = 0.6;     // of the lamp's light, at the edges of a pane
 
-uniform vec3 sky_top, sky_bottom;  // the background's colours
 layout(location = 0) out vec4 depth_sum;  // rgb: optical depth, entered faces negative; a: reflected shares
 layout(location = 1) out vec4 light_sum;  // rgb: reflected light; a: 1 for each face
 layout(location = 2) out vec4 face_sum;   // xy: slopes of the faces, across the line of sight; z: -1 for an entered face,
                                           // 1 for one that is left; w: optical depth to each face
 
 vec3 mirrored_light(vec3 direction) {
-  vec3 sky = linear_from_srgb(mix(sky_bottom, sky_top, smoothstep(-0.2, 1.0, direction.y)));
-  return sky + 6.0 * pow(max(dot(direction, light.xyz), 0.0), 300.0);
+  return sky_light(direction) + 6.0 * pow(max(dot(direction, light.xyz), 0.0), 300.0);
 }
 
 // `color`: of light that has come `clear_depth` far [m] through the matter; `covered`: a place in the part of the pixel
@@ -21,7 +19,7 @@ void emit_glass(vec3 color, float clear_depth, vec3 covered, vec3 position, vec3
   vec3 ray = -towards_eye(position);
   float away = eye.w == 0.0 ? dot(ray, covered) : length(eye.xyz - covered);
   vec3 absorption = -log(max(linear_from_srgb(color), 1e-3)) / clear_depth;
-  float share = 0.04 + 0.96 * pow(1.0 - min(abs(dot(normal, ray)), 1.0), 5.0);  // Schlick 1994
+  float share = mirrored_share(normal, ray);
   vec3 mirrored = mirrored_light(reflect(ray, normal));
   if (rough) {  // light that was caught within the pane leaves it here, whichever way the face is turned
     vec3 caught = linear_from_srgb(sqrt(sqrt(color))) * (kSkyLight + kCaught * kLampLight);

@@ -1,6 +1,6 @@
 // What a crack lays bare: patterns in a body's own coordinates, so that they stick to it and go on from piece to piece.
 // What is smaller than a pixel fades to the mean.
-const int kStones = 1, kClay = 2, kSand = 3, kCrystals = 4, kFacets = 5, kRings = 6;  // Grain
+const int kStones = 1, kClay = 2, kSand = 3, kCrystals = 4, kFacets = 5, kVeins = 6, kRings = 7;  // Grain
 
 struct Matter {
   vec3 tint;   // times the material's colour
@@ -88,6 +88,14 @@ void grow_crystals(inout Matter matter, vec3 place, float pixel, float contrast,
   matter.slope += tilt * seen(pixel) * grain.xyz;
 }
 
+// Sheets through matter, where smooth noise changes its sign, here wide and there gone.
+void draw_veins(inout Matter matter, vec3 place, float pixel) {
+  vec4 large = noise(place), small = noise(2.7 * place + 5.0);
+  float away = abs(large.x + 0.45 * small.x), width = 0.012 + 0.06 * max(large.y + 0.5 * small.y, 0.0);
+  float vein = (1.0 - smoothstep(0.0, width + pixel, away)) * width / (width + pixel) * seen(pixel);
+  matter.tint *= (1.0 + seen(pixel) * (0.03 + 0.10 * large.z)) * (1.0 - vein * vec3(0.42, 0.40, 0.36));
+}
+
 // Growth rings round a pith far off, darker towards their ends, with fibres. `fibre`: along the grain, unit length.
 void grow_rings(inout Matter matter, vec3 place, vec3 fibre, float pixel) {
   vec3 across = place - 0.96 * fibre * dot(fibre, place);
@@ -108,6 +116,10 @@ void add_grain(inout Matter matter, int kind, vec3 rest, float size, vec3 fibre,
   if (kind == kSand) lay_stones(matter, place, pixel, warp, 0.45, vec3(0.34, 0.31, 0.26), -0.5);
   if (kind == kCrystals) grow_crystals(matter, place + 0.5 * warp.xyz, pixel, 1.0, 0.7);
   if (kind == kFacets) grow_crystals(matter, place + 0.5 * warp.xyz, pixel, 0.3, 0.9);
+  if (kind == kVeins) {
+    grow_crystals(matter, 5.0 * place, 5.0 * pixel, 0.12, 0.5);
+    draw_veins(matter, 0.35 * place, 0.35 * pixel);
+  }
   if (kind == kRings) grow_rings(matter, rest / size, normalize(fibre + vec3(1e-6, 0.0, 0.0)), pixel);
 }
 #endif

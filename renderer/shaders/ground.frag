@@ -20,7 +20,6 @@ void main() {
   float fine = 0.45 * (1.0 - fade_out) * grid(place), medium = mix(0.9, 0.45, fade_out) * grid(place / 10.0);
   float lines = max(max(fine, medium), 0.9 * grid(place / 100.0));
   float shade = mix(0.55, 1.0, light_visibility(position, vec3(0, 1, 0))) - 0.55 * (1.0 - ambient_openness(position));
-  vec3 ground = linear_from_srgb(color) * shade * (1.0 - 0.35 * lines);
   float fade = 1.0 - smoothstep(0.2, 1.0, length(position.xz - center.xz) / radius);
-  pixel_color = vec4(srgb_from_linear(ground), fade * opacity);
+  pixel_color = vec4(reflected(color, vec3(shade * (1.0 - 0.35 * lines))), fade * opacity);
 }

@@ -1,13 +1,36 @@
 // What light falls on a point; all fragment shaders have it. Software GL goes both ways of a branch, but through loops
-// only as often as some pixel asks: what a quality or a scene does without are loops of no rounds.
+// only as often as some pixel asks: what a scene does without are loops of no rounds. With PLAIN_LIGHT, a draft's, there
+// is one lamp with hard shadows, and light has no colour.
 const vec3 kSkyLight = vec3(0.43, 0.48, 0.55), kGroundLight = vec3(0.30, 0.28, 0.25), kLampLight = vec3(0.73, 0.70, 0.64);
 const float kNarrowest = 8e-4, kWidest = 0.03;  // penumbras, in widths of the shadow map
 
+uniform vec3 sky_top, sky_bottom;  // the background's colours
 uniform sampler2DShadow shadow_map;
 uniform sampler2DShadow clear_shadow_map;
 uniform sampler2D shadow_depth;   // the depths in shadow_map
 uniform sampler2D occlusion_map;  // openness to the sky, distance from the eye
 
+// Moving off the surface avoids self-shadowing.
+vec3 place_in_shadow_map(vec3 position, vec3 normal) {
+  return (shadow_matrix * vec4(position + 2.0 * light.w * normal, 1.0)).xyz;
+}
+
+// Light from a bright sky, a dimmer ground and one lamp; about 1 for a face turned to the lamp.
+float illumination(vec3 normal, float visibility) {
+  float sky = mix(0.27, 0.47, 0.5 + 0.5 * normal.y);
+  return sky + 0.68 * max(dot(normal, light.xyz), 0.0) * visibility;
+}
+
+#ifdef PLAIN_LIGHT
+float light_visibility(vec3 position, vec3 normal) { return texture(shadow_map, place_in_shadow_map(position, normal)); }
+
+float ambient_openness(vec3 position) { return 1.0; }
+
+vec3 colored_illumination(vec3 normal, float visibility, float openness) { return vec3(illumination(normal, visibility)); }
+
+// Colour that is seen of a colour in light, both as encoded: sRGB is nearly a power, and one is enough.
+vec3 reflected(vec3 color, vec3 light_here) { return min(color * pow(light_here.x, 1.0 / 2.2), 1.0); }
+#else
 // One of `count` points that cover the unit disc evenly (Vogel 1979).
 vec2 disc_point(int i, int count) {
   float angle = 2.3999632 * float(i);
@@ -19,15 +42,6 @@ vec2 disc_point(int i, int count) {
 mat2 turn_here() {
   float angle = 6.2831853 * fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
   return mat2(cos(angle), sin(angle), -sin(angle), cos(angle));
-}
-
-// The average of 2×2 bilinear samples; of plain light alone.
-float hard_visibility(vec3 place) {
-  vec2 texel = 1.8 / vec2(textureSize(shadow_map, 0));
-  float sum = 0.0;
-  for (int i = 0; i < (effects.x == 0.0 ? 4 : 0); ++i)
-    sum += texture(shadow_map, place + vec3(texel * (vec2(i & 1, i >> 1) - 0.5), 0.0));
-  return sum / 4.0;
 }
 
 // Sum over the 2×2 pixels that are shaded together.
@@ -75,17 +89,16 @@ float clear_visibility(vec3 place, vec2 slope) {
   const int kCount = 8;
   const float kKept = 0.3;  // by two faces and what lies between
   float taken = 0.0;
-  for (int i = 0; i < (effects.w == 0.0 ? 0 : kCount); ++i) {
+  for (int i = 0; i < (effects.z == 0.0 ? 0 : kCount); ++i) {
     vec2 offset = 4.0 * kNarrowest * disc_point(i, kCount);
     taken += 1.0 - texture(clear_shadow_map, place + vec3(offset, dot(slope, offset)));
   }
   return 1.0 - kKept * taken / float(kCount);
 }
 
-// Share of the lamp's light that arrives. Moving off the surface avoids self-shadowing.
+// Share of the lamp's light that arrives.
 float light_visibility(vec3 position, vec3 normal) {
-  vec3 place = (shadow_matrix * vec4(position + 2.0 * light.w * normal, 1.0)).xyz;
-  if (effects.x == 0.0) return hard_visibility(place);
+  vec3 place = place_in_shadow_map(position, normal);
   vec3 turned = normalize(mat3(shadow_matrix) * normal);
   if (turned.z >= 0.0) return 0.0;  // turned away
   vec2 slope = turned.xy / max(-turned.z, 0.2);
@@ -101,7 +114,7 @@ float ambient_openness(vec3 position) {
   ivec2 first = ivec2(floor(place));
   vec2 t = place - vec2(first);
   float sum = 0.0, weights = 0.0;
-  for (int i = 0; i < (effects.z == 0.0 ? 0 : 4); ++i) {
+  for (int i = 0; i < 4; ++i) {
     ivec2 corner = ivec2(i & 1, i >> 1);
     vec2 there = texelFetch(occlusion_map, clamp(first + corner, ivec2(0), last), 0).rg;
     vec2 share = mix(1.0 - t, t, vec2(corner)) + 1e-3;
@@ -109,18 +122,29 @@ float ambient_openness(vec3 position) {
     sum += weight * there.x;
     weights += weight;
   }
-  return effects.z == 0.0 ? 1.0 : sum / weights;
+  return sum / weights;
 }
 
-// Light from a bright sky, a dimmer ground and one lamp; about 1 for a face turned to the lamp.
-float illumination(vec3 normal, float visibility) {
-  float sky = mix(0.27, 0.47, 0.5 + 0.5 * normal.y);
-  return sky + 0.68 * max(dot(normal, light.xyz), 0.0) * visibility;
-}
-
-// The same in colour: a blue sky, as far as it is open, a warm lamp. Plain light has none.
+// The same in colour: a blue sky, as far as it is open, a warm lamp.
 vec3 colored_illumination(vec3 normal, float visibility, float openness) {
-  if (effects.x == 0.0) return vec3(illumination(normal, visibility));
   vec3 sky = mix(kGroundLight, kSkyLight, 0.5 + 0.5 * normal.y) * openness;
   return sky + kLampLight * max(dot(normal, light.xyz), 0.0) * visibility;
 }
+
+vec3 sky_light(vec3 direction) {
+  return linear_from_srgb(mix(sky_bottom, sky_top, smoothstep(-0.2, 1.0, direction.y)));
+}
+
+// Share of light that a smooth face mirrors (Schlick 1994). `ray`: from the eye.
+float mirrored_share(vec3 normal, vec3 ray) { return 0.04 + 0.96 * pow(1.0 - min(abs(dot(normal, ray)), 1.0), 5.0); }
+
+// What a glaze mirrors of the sky, as far as it is open, and of the lamp.
+vec3 glaze_light(vec3 position, vec3 normal, float visibility, float openness) {
+  vec3 ray = -towards_eye(position), direction = reflect(ray, normal);
+  float lamp = 12.0 * pow(max(dot(direction, light.xyz), 0.0), 120.0) * visibility;
+  return mirrored_share(normal, ray) * (openness * sky_light(direction) + lamp);
+}
+
+// Colour that is seen of a colour in light.
+vec3 reflected(vec3 color, vec3 light_here) { return srgb_from_linear(linear_from_srgb(color) * light_here); }
+#endif

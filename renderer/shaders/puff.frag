@@ -1,5 +1,6 @@
 in vec2 place;
 flat in vec3 center;
+flat in float radius;
 flat in vec4 color;
 layout(location = 0) out vec4 pixel_color;
 layout(location = 1) out int pixel_id;
@@ -10,6 +11,18 @@ float noise() {
   return fract(52.9829189 * fract(dot(at, vec2(0.06711056, 0.00583715))));
 }
 
+// Puffs end softly where bodies and ground begin: how much of one lies before what is seen behind it, which the map of
+// occlusion knows. A parallel projection tells no distances.
+#ifdef PLAIN_LIGHT
+float share_before_bodies() { return 1.0; }
+#else
+float share_before_bodies() {
+  vec2 at = gl_FragCoord.xy / viewport.xy * vec2(textureSize(occlusion_map, 0));
+  float behind = texelFetch(occlusion_map, ivec2(at), 0).g - 1.0 / gl_FragCoord.w;
+  return eye.w == 0.0 ? 1.0 : clamp(1.3 * behind / radius, 0.0, 1.0);
+}
+#endif
+
 // Denser towards the middle; light comes from all sides. Many faint puffs lie on one another, of which rounding would
 // take the channels that differ most first, so that dust would fade to another hue: each pixel has few of them instead.
 void main() {
@@ -17,7 +30,7 @@ void main() {
   if (density == 0.0) discard;
   vec3 light_here = kSkyLight + 0.5 * kLampLight * light_visibility(center, light.xyz);
   const float kSteps = 32.0;
-  float alpha = floor(kSteps * color.a * density * density + noise()) / kSteps;
+  float alpha = floor(kSteps * share_before_bodies() * color.a * density * density + noise()) / kSteps;
   pixel_color = vec4(srgb_from_linear(linear_from_srgb(mix(color.rgb, vec3(1.0), 0.45)) * light_here), alpha);
   pixel_id = -1;
 }

@@ -3,7 +3,11 @@ const vec3 kCrackTint = vec3(0.80, 0.66, 0.55), kEdgeColor = vec3(0.09, 0.10, 0.
 const vec3 kSelectionColor = vec3(1.0, 0.55, 0.10);
 
 // What is drawn in this pass, a DrawnPart.
+#ifdef NATURAL
+const int drawn_part = 0;
+#else
 uniform int drawn_part;
+#endif
 bool is_drawn(bool selected, bool clear) {
   if (drawn_part >= 3) return (drawn_part == 4) == clear;
   return drawn_part == 0 || (drawn_part == 1) == selected;
@@ -38,10 +42,15 @@ vec3 flat_normal(vec3 position) {
 }
 
 // A plain colour takes the whole range of light, a scalar's colour only its upper part so that values stay comparable.
-vec3 shade(vec3 color, vec3 position, vec3 normal, vec3 bump, bool is_scalar) {
-  float visibility = light_visibility(position, flat_normal(position));
+// `gloss`: of a glaze over it, 0..1.
+vec3 shade(vec3 color, vec3 position, vec3 normal, vec3 bump, bool is_scalar, float gloss) {
+  float visibility = light_visibility(position, flat_normal(position)), openness = ambient_openness(position);
   vec3 bumped = normalize(normal + bump);
   vec3 factor = is_scalar ? vec3(mix(0.62, 1.0, min(illumination(bumped, visibility), 1.0)))
-                          : colored_illumination(bumped, visibility, ambient_openness(position));
-  return srgb_from_linear(linear_from_srgb(color) * factor);
+                          : colored_illumination(bumped, visibility, openness);
+#ifdef PLAIN_LIGHT
+  return reflected(color, factor);
+#else
+  return srgb_from_linear(linear_from_srgb(color) * factor + gloss * glaze_light(position, bumped, visibility, openness));
+#endif
 }

@@ -38,7 +38,7 @@ void main() {
   float edge = draw_edges ? edge_coverage(barycentric, marked) : 0.0;
   if (!(unlit && is_scalar)) {
     color = shade(selected ? mix(color, kSelectionColor, 0.45) : color, position, flat_normal(position), vec3(0.0),
-                  is_scalar);
+                  is_scalar, 0.0);
   }
   color = mix(color, selected ? kSelectionColor : kEdgeColor, (selected ? 1.0 : 0.6) * edge);
   if (!is_drawn(selected, clear)) discard;

@@ -1,9 +1,8 @@
 const int kClear = 64;  // TriangleFlag
 uniform usamplerBuffer flags;
-uniform int drawn_part;  // a DrawnPart: all, not_clear or clear
+uniform int drawn_part;  // a DrawnPart: not_clear or clear
 
 void main() {
-  if (drawn_part < 3) return;
   bool clear = (int(texelFetch(flags, gl_PrimitiveID).r) & kClear) != 0;
   if ((drawn_part == 4) != clear) discard;
 }

@@ -48,7 +48,7 @@ MaterialPreset yielding(double yield_strength, MaterialPreset ductile) {
   return ductile;
 }
 
-std::array<MaterialPreset, 15> make_presets() {
+std::array<MaterialPreset, 17> make_presets() {
   const Elastic rubber{2e6, 0.49, 930}, jelly{1e4, 0.49, 1010};
   return {{
       preset("soda_lime_glass", "soda-lime glass", {70e9, 0.22, 2500}, {45e6, 0.76e6}, {0.4, 0.5}, kAshby),
@@ -58,6 +58,8 @@ std::array<MaterialPreset, 15> make_presets() {
       preset("alumina", "alumina", {370e9, 0.22, 3900}, {250e6, 4.0e6}, {0.4, 0.5}, kAshby),
       preset("ice", "ice", {9e9, 0.33, 917}, {1e6, 0.1e6}, {0.05, 0.3}, kIce),
       preset("granite", "granite", {60e9, 0.25, 2650}, {10e6, 0.9e6}, {0.6, 0.3}, kHandbook),
+      preset("marble", "marble", {55e9, 0.27, 2730}, {8e6, 0.9e6}, {0.5, 0.3}, kAshby),
+      preset("plaster", "plaster", {4.5e9, 0.20, 1100}, {2e6, 0.15e6}, {0.7, 0.1}, kHandbook),
       preset("wood_along_grain", "wood, along the grain", {11e9, 0.35, 500}, {90e6, 7e6}, {0.5, 0.3}, kAshby),
       preset("wood_across_grain", "wood, across the grain", {0.6e9, 0.30, 500}, {3e6, 0.4e6}, {0.5, 0.3}, kAshby),
       preset("abs", "ABS", {2.2e9, 0.37, 1040}, {42e6, 3.0e6}, {0.4, 0.4}, kAshby),
@@ -74,7 +76,7 @@ std::array<MaterialPreset, 15> make_presets() {
 }  // namespace
 
 std::span<const MaterialPreset> material_presets() {
-  static const std::array<MaterialPreset, 15> kPresets = make_presets();
+  static const std::array<MaterialPreset, 17> kPresets = make_presets();
   return kPresets;
 }
 

@@ -88,5 +88,17 @@ TEST_F(LegendCornerTest, CardGrowsWithThePicture) {
   }
 }
 
+TEST_F(LegendCornerTest, CardHasRoomForAHistogramInLargePicturesAlone) {
+  const ui::Legend plain{"stress", "Pa", 0, 3e6, {}};
+  ui::Legend counted = plain;
+  counted.histogram = {1, 2, 3};
+  const auto width = [&](const ui::Legend& legend, ImVec2 size) {
+    const auto [low, high] = ui::legend_card(legend, legend.corner, imgui_.fonts(), {{0, 0}, size}, 0.8f);
+    return high.x - low.x;
+  };
+  EXPECT_GT(width(counted, {640, 360}), width(plain, {640, 360}));
+  EXPECT_EQ(width(counted, {320, 180}), width(plain, {320, 180}));
+}
+
 }  // namespace
 }  // namespace griffith::app

@@ -29,7 +29,8 @@ Scene swaying_wall(const Vec3& element_size) {
 
 /// What is drawn after so many steps of a scene.
 struct Subject {
-  Subject(Scene shown, int steps) : scene(std::move(shown)) {
+  Subject(Scene shown, int steps, PictureQuality quality) : scene(std::move(shown)) {
+    scene.view.quality = quality;
     World world(scene);
     EmbeddedDisplay display = embedded_display(world.frame(), scene);
     for (int i = 0; i < steps; ++i) world.step();
@@ -46,8 +47,7 @@ struct Subject {
 
 void draw(benchmark::State& state, const Scene& scene, int steps, PictureQuality quality) {
   const render::EglContext context(std::nullopt);
-  Subject subject(scene, steps);
-  subject.scene.view.quality = quality;
+  const Subject subject(scene, steps, quality);
   render::Renderer renderer;
   const render::RenderOptions options = picture_options(kWidth, kHeight, std::nullopt, subject.scene.view);
   renderer.render(subject.drawn, subject.camera, options);  // the first one compiles shaders
@@ -110,9 +110,8 @@ int main(int argc, char** argv) {
                                     {"wood_beam", 40}})
     griffith::app::add(name, griffith::app::scene_of(name), steps);
   griffith::app::add("triangles_100000", griffith::app::swaying_wall({2.0 / 158, 2.0 / 158, 0.25}), 0);
-  for (benchmark::internal::Benchmark* work :
-       {benchmark::RegisterBenchmark("editor/copy_world", griffith::app::copy_world),
-        benchmark::RegisterBenchmark("editor/make_picture", griffith::app::make_picture)})
-    work->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+  for (const auto& [name, work] : {std::pair{"editor/copy_world", &griffith::app::copy_world},
+                                   {"editor/make_picture", &griffith::app::make_picture}})
+    benchmark::RegisterBenchmark(name, work)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
   benchmark::RunSpecifiedBenchmarks();
 }

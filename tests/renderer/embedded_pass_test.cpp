@@ -76,19 +76,20 @@ Surface triangles(const EmbeddedSurface& like) {
 
 class EmbeddedPassTest : public ::testing::Test {
  protected:
-  Image picture(const DrawScene& scene, Quality quality = RenderOptions().quality) {
+  Image picture(const DrawScene& scene, Quality quality = RenderOptions().quality, bool edges = true) {
     RenderOptions options;
     options.quality = quality;
+    options.edges = edges;
     options.width = kWidth;
     options.height = kHeight;
     renderer_.render(scene, camera(), options);
     return renderer_.image();
   }
-  Image picture(const EmbeddedSurface& surface) {
+  Image picture(const EmbeddedSurface& surface, Quality quality = RenderOptions().quality, bool edges = true) {
     DrawScene scene;
     scene.embedded = surface;
     scene.ground = Ground{-0.5f};
-    return picture(scene);
+    return picture(scene, quality, edges);
   }
   Image picture(const Surface& surface) {
     DrawScene scene;
@@ -148,15 +149,45 @@ TEST_F(EmbeddedPassTest, AnotherCarrierMovesAPart) {
   EXPECT_GT(different_pixels(moved, picture(embedded())), 500);
 }
 
-TEST_F(EmbeddedPassTest, InnerFacesShowTheirMaterialAndItsNoise) {
+TEST_F(EmbeddedPassTest, InnerFacesShowTheirMaterialAndFromStandardQualityOnItsNoise) {
   EmbeddedSurface surface = embedded();
   surface.piece_colors.clear();
-  const Image even = picture(surface);
-  surface.materials[0].roughness = 0.5f;
-  EXPECT_GT(different_pixels(even, picture(surface)), 500);
-  surface.materials[0].roughness = 0;
-  surface.materials[0].color = {0.2f, 0.4f, 0.1f};
-  EXPECT_GT(different_pixels(even, picture(surface)), 500);
+  EmbeddedSurface rough = surface, green = surface;
+  rough.materials[0].roughness = 0.5f;
+  green.materials[0].color = {0.2f, 0.4f, 0.1f};
+  for (const Quality quality : {Quality::draft, Quality::standard, Quality::high}) {
+    const Image even = picture(surface, quality);
+    EXPECT_GT(different_pixels(even, picture(green, quality)), 500);
+    EXPECT_EQ(different_pixels(even, picture(rough, quality)) > 500, quality != Quality::draft);
+  }
+}
+
+TEST_F(EmbeddedPassTest, GlazeAddsWhatItMirrorsFromStandardQualityOn) {
+  EmbeddedSurface dull = embedded();
+  dull.piece_colors.clear();
+  EmbeddedSurface glazed = dull;
+  glazed.materials[0].gloss = 1;
+  EXPECT_EQ(picture(dull, Quality::draft), picture(glazed, Quality::draft));
+  for (const Quality quality : {Quality::standard, Quality::high}) {
+    const Image without = picture(dull, quality), with = picture(glazed, quality);
+    EXPECT_GT(different_pixels(without, with), 500);
+    for (std::size_t i = 0; i < with.rgba.size(); ++i) ASSERT_GE(with.rgba[i], without.rgba[i]);
+  }
+}
+
+/// Without edges a draft of materials has a shader of its own.
+TEST_F(EmbeddedPassTest, EdgesThatAreNotThereChangeNothing) {
+  EmbeddedSurface surface = embedded();
+  surface.piece_colors.clear();
+  surface.materials[0].variation = 0.5f;
+  EmbeddedMesh mesh = *surface.mesh;
+  for (EmbeddedCorner& corner : mesh.corners) corner.style = EmbeddedStyle{0, -1, true}.packed();
+  surface.mesh = std::make_shared<EmbeddedMesh>(mesh);
+  for (const std::int32_t selected : {-1, 1}) {
+    surface.selected_tet = selected;
+    for (const Quality quality : {Quality::draft, Quality::standard})
+      EXPECT_EQ(picture(surface, quality, true), picture(surface, quality, false));
+  }
 }
 
 /// Body, shadow and what is seen through it.

@@ -8,7 +8,8 @@ namespace {
 
 using Eigen::Vector3f;
 
-constexpr Grain kGrains[] = {Grain::stones, Grain::clay, Grain::sand, Grain::crystals, Grain::facets, Grain::rings};
+constexpr Grain kGrains[] = {Grain::stones, Grain::clay,  Grain::sand, Grain::crystals,
+                             Grain::facets, Grain::veins, Grain::rings};
 
 const Camera kNear = {{-0.5f, 1.6f, 2.2f}, {0, 0.8f, 0}, 40};
 

@@ -180,6 +180,27 @@ TEST_F(RendererTest, PuffsAreSeenThroughAndNotPicked) {
   EXPECT_EQ(brightness(0.9f, -1.5f), without) << "behind the sphere";
 }
 
+/// From standard quality on there is no border where it goes into a body.
+TEST_F(RendererTest, PuffsGrowFaintTowardsWhatTheyLieOn) {
+  DrawScene bare = screen_filling_square(camera());
+  bare.surface.color = {0.1f, 0.1f, 0.1f};
+  const Vector3f towards_eye = (camera().position - camera().target).normalized();
+  const auto effect = [&](Quality quality, float distance) {
+    RenderOptions how = options(1);
+    how.quality = quality;
+    DrawScene scene = bare;
+    scene.puffs = {{camera().target + distance * towards_eye, 0.6f, {0.9f, 0.9f, 0.9f}, 0.9f}};
+    const int with = picture(scene, how).pixel(kWidth / 2, kHeight / 2)[0];
+    return with - picture(bare, how).pixel(kWidth / 2, kHeight / 2)[0];
+  };
+  for (const Quality quality : {Quality::standard, Quality::high}) {
+    EXPECT_LE(effect(quality, 0.01f), 8);
+    EXPECT_GT(effect(quality, 0.2f), effect(quality, 0.01f) + 8);
+    EXPECT_GT(effect(quality, 0.6f), effect(quality, 0.2f) + 8);
+  }
+  EXPECT_GT(effect(Quality::draft, 0.01f), 50);
+}
+
 /// Each changes a pixel by less than a step of its colour; together they must change all three channels in proportion.
 /// Rounded to the nearest step, green and blue would be some 50 steps off.
 TEST_F(RendererTest, ManyFaintPuffsFadeInTheirOwnHue) {

@@ -32,7 +32,7 @@ TEST(MaterialPresets, EveryOneIsPhysicalNamedAndSourced) {
     // Sound in rubbery gels runs at metres per second, in ceramics at some ten kilometres.
     EXPECT_TRUE(bar_wave_speed(m) > 1 && bar_wave_speed(m) < 12000) << bar_wave_speed(m);
   }
-  EXPECT_EQ(keys.size(), 15u);
+  EXPECT_EQ(keys.size(), 17u);
 }
 
 TEST(MaterialPresets, SoftOnesTakeTheEnergyToTearThem) {

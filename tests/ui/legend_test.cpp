@@ -55,5 +55,13 @@ TEST(Legend, TitleNamesTheUnitOfTheTicks) {
   EXPECT_EQ(legend_title({"speed", "m/s", 0, 4000, {}, false}), "speed [m/s]");
 }
 
+TEST(Legend, LeavesHalfOfThePictureOrIsLeftOut) {
+  for (const float scale : {0.8f, 1.0f, 2.0f}) {
+    EXPECT_TRUE(legend_fits({{0, 0}, {320 * scale, 180 * scale}}, scale));
+    EXPECT_FALSE(legend_fits({{0, 0}, {200 * scale, 400 * scale}}, scale));
+    EXPECT_FALSE(legend_fits({{0, 0}, {400 * scale, 150 * scale}}, scale));
+  }
+}
+
 }  // namespace
 }  // namespace griffith::ui

@@ -130,7 +130,7 @@ void draw_viewport(Panel& panel) {
   draw_painted_region(panel);
   draw_gizmo(panel);
   draw_aim(panel);
-  if (panel.input.legend) {
+  if (panel.input.legend && legend_fits({state.viewport_minimum, end}, ui_scale(panel))) {
     draw_legend(list, *panel.input.legend, panel.input.fonts, {state.viewport_minimum, end}, ui_scale(panel));
   }
   draw_hints(panel, state.viewport_minimum, end);

@@ -10,6 +10,7 @@
 namespace griffith::ui {
 namespace {
 
+constexpr float kLowest = 90;   // height of a card, in design pixels
 constexpr float kPadding = 12;  // design pixels between the card's edge and what is on it
 
 /// 1, 2, 2.5 or 5 times a power of ten, at least `wanted`.
@@ -88,8 +89,14 @@ void draw_ticks(ImDrawList* list, const Legend& legend, const Fonts& fonts, ImVe
 
 std::string written_title(const Legend& legend) { return legend_title(legend) + (legend.locked ? "  locked" : ""); }
 
-/// Width of the histogram.
-float bars_width(const Legend& legend, float scale) { return legend.histogram.empty() ? 0 : 44 * scale; }
+constexpr float kPlainWidth = 110;  ///< of a card without a histogram [design pixels]
+
+/// Width of the histogram, which small pictures go without.
+float bars_width(const Legend& legend, const ScreenArea& picture, float scale) {
+  constexpr float kBars = 44, kMostOfPicture = 0.375f;  // design pixels; of the picture's width
+  const bool fits = (kPlainWidth + kBars) * scale <= kMostOfPicture * (picture.maximum.x - picture.minimum.x);
+  return legend.histogram.empty() || !fits ? 0 : kBars * scale;
+}
 
 }  // namespace
 
@@ -115,12 +122,18 @@ std::string legend_title(const Legend& legend) {
   return legend.title + " [" + std::string(si_prefix(largest, legend.unit).symbol) + legend.unit + "]";
 }
 
+bool legend_fits(const ScreenArea& picture, float scale) {
+  return 2 * kPlainWidth * scale <= picture.maximum.x - picture.minimum.x &&
+         2 * kLowest * scale <= picture.maximum.y - picture.minimum.y;
+}
+
 ScreenArea legend_card(const Legend& legend, LegendCorner corner, const Fonts& fonts, const ScreenArea& picture,
                        float scale) {
   constexpr float kMargin = 14, kOtherCards = 40;  // design pixels; the others: marks and hints in the editor's view
   const float text_width = fonts.small->CalcTextSizeA(kSmallText * scale, FLT_MAX, 0, written_title(legend).c_str()).x;
-  const ImVec2 size = {std::max(text_width + 2 * kPadding * scale, 110 * scale + bars_width(legend, scale)),
-                       std::clamp(0.4f * (picture.maximum.y - picture.minimum.y), 90 * scale, 300 * scale)};
+  const ImVec2 size = {
+      std::max(text_width + 2 * kPadding * scale, kPlainWidth * scale + bars_width(legend, picture, scale)),
+      std::clamp(0.4f * (picture.maximum.y - picture.minimum.y), kLowest * scale, 300 * scale)};
   const bool left = corner == LegendCorner::upper_left || corner == LegendCorner::lower_left;
   const bool lower = corner == LegendCorner::lower_right || corner == LegendCorner::lower_left;
   const float margin = kMargin * scale, edge = margin + (left || lower ? kOtherCards * scale : 0);
@@ -135,10 +148,11 @@ void draw_legend(ImDrawList* list, const Legend& legend, const Fonts& fonts, con
   list->AddRectFilled(corner, end, IM_COL32(24, 27, 32, 215), 6 * scale);
   list->AddText(fonts.small, size, {corner.x + padding, corner.y + padding * 0.75f}, palette::kText,
                 written_title(legend).c_str());
-  const ImVec2 bar = {corner.x + padding + bars_width(legend, scale), corner.y + padding * 1.9f + size};
+  const ImVec2 bar = {corner.x + padding + bars_width(legend, picture, scale), corner.y + padding * 1.9f + size};
   const float below = legend.nan_color ? 1.6f * size : 0;
   const ImVec2 bar_end = {bar.x + 18 * scale, end.y - padding - size * 0.3f - below};
-  draw_histogram(list, legend, {corner.x + padding, bar.y}, {bar.x - 2 * scale, bar_end.y});
+  if (bars_width(legend, picture, scale) > 0)
+    draw_histogram(list, legend, {corner.x + padding, bar.y}, {bar.x - 2 * scale, bar_end.y});
   draw_color_bar(list, legend, bar, bar_end);
   draw_ticks(list, legend, fonts, bar, bar_end, scale);
   if (legend.nan_color) draw_nan_sample(list, legend, fonts, {bar.x, bar_end.y + 0.6f * size}, scale);

@@ -34,6 +34,9 @@ struct ScreenArea {
   ImVec2 minimum, maximum;
 };
 
+/// Whether a legend leaves half of the picture's width and height.
+bool legend_fits(const ScreenArea& picture, float scale);
+
 /// Round values inside [minimum, maximum], ascending, at least a `count`-th of it apart, two at least. The range must
 /// not be empty; `count` >= 1.
 std::vector<double> legend_ticks(double minimum, double maximum, double count);
