@@ -3,6 +3,8 @@
 // on one thread.
 #include <benchmark/benchmark.h>
 
+#include <optional>
+
 #include "app/picture/draw_scene_from_frame.h"
 #include "app/picture/picture_options.h"
 #include "app/picture/scene_camera.h"
@@ -64,6 +66,16 @@ void copy_world(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(World(world));
 }
 
+/// A step, of the world itself or of a copy of it, as in the background: what is shared is copied as it changes.
+void make_step(benchmark::State& state, bool of_copy) {
+  World world(swaying_wall(Vec3(0.0384, 0.0384, 0.0625)));
+  for (int i = 0; i < 10; ++i) world.step();
+  for (auto _ : state) {
+    const std::optional<World> shown = of_copy ? std::optional(world) : std::nullopt;
+    world.step();
+  }
+}
+
 /// The picture of a frame, by stress, before it is drawn.
 void make_picture(benchmark::State& state) {
   const Scene scene = swaying_wall(Vec3(0.0384, 0.0384, 0.0625));
@@ -110,8 +122,12 @@ int main(int argc, char** argv) {
                                     {"wood_beam", 40}})
     griffith::app::add(name, griffith::app::scene_of(name), steps);
   griffith::app::add("triangles_100000", griffith::app::swaying_wall({2.0 / 158, 2.0 / 158, 0.25}), 0);
-  for (const auto& [name, work] : {std::pair{"editor/copy_world", &griffith::app::copy_world},
-                                   {"editor/make_picture", &griffith::app::make_picture}})
-    benchmark::RegisterBenchmark(name, work)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+  const auto add = [](const char* name, auto... work) {
+    benchmark::RegisterBenchmark(name, work...)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+  };
+  add("editor/copy_world", griffith::app::copy_world);
+  add("editor/step", griffith::app::make_step, false);
+  add("editor/step_of_copy", griffith::app::make_step, true);
+  add("editor/make_picture", griffith::app::make_picture);
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -26,7 +26,7 @@ void add_elastic_forces(const WorldState& world, const Body& body, std::vector<V
     for (int i = begin; i < end; ++i) {
       const NodeId node = body.nodes[i];
       simd::WideQuad sum = {};
-      for (TetId tet : world.mesh.stars[node]) {
+      for (TetId tet : world.mesh->stars[node]) {
         const RestElement& rest = elements.rest_elements[tet];
         sum -= rest.volume * corner_traction(rest, elements.states[tet], local_corner(world.mesh, tet, node));
       }
@@ -92,6 +92,8 @@ ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt)
 
 void update_elements(WorldState& world, const Body& body) {
   ElementArrays& elements = world.elements;
+  std::vector<ElementState>& states = elements.states.edit();
+  std::vector<Mat3>& stresses = elements.stresses.edit();
   const PlacedElements placed{law_in_shock(world, body), world.mesh, elements.rest_elements, world.nodes.positions};
   const std::optional<PlasticLaw> plastic = plastic_law(world.material_of(body));
   const double similarity = body.shock ? body.shock->similarity : 1;
@@ -99,10 +101,10 @@ void update_elements(WorldState& world, const Body& body) {
     if (plastic) elements.plastic_strains[tet] = flow(*plastic, deformations.of(lane), elements.plastic_strains[tet]);
     return elements.stress_free_strain(tet);
   };
-  const auto write = [&](TetId tet, const FourStates& states, int lane) {
-    elements.states[tet] = states.of(lane);
-    elements.states[tet].energy_density *= similarity;
-    elements.stresses[tet] = states.cauchy_stress.of(lane);
+  const auto write = [&](TetId tet, const FourStates& found, int lane) {
+    states[tet] = found.of(lane);
+    states[tet].energy_density *= similarity;
+    stresses[tet] = found.cauchy_stress.of(lane);
   };
   parallel_for(static_cast<int>(body.tets.size()), 1024, [&](int begin, int end) {
     find_states(placed, std::span(body.tets).subspan(begin, end - begin), strain_of, write);
