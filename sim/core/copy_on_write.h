@@ -28,7 +28,8 @@ class CopyOnWrite {
   const T& operator*() const { return *value_; }
   const T* operator->() const { return value_.get(); }
   operator const T&() const { return *value_; }
-  /// The value to be changed, of this copy alone. To be called before a parallel loop, not in it.
+  /// The value to be changed, of this copy alone. The first call after copying makes it so and belongs before a
+  /// parallel loop; later ones may be in it.
   T& edit() {
     if (is_shared()) *this = CopyOnWrite(T(*value_));
     return *value_;

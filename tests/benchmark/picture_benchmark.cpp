@@ -1,9 +1,6 @@
-// What a picture of 1280×720 costs the renderer, in natural colours, some time after the blow; one of a plate of
-// 100,000 triangles; and what the editor does in a frame beside it, for 54,080 tets. LP_NUM_THREADS=0 keeps software GL
-// on one thread.
+// What a picture of 1280×720 costs the renderer, in natural colours, some time after the blow; and one of a plate of
+// 100,000 triangles. LP_NUM_THREADS=0 keeps software GL on one thread.
 #include <benchmark/benchmark.h>
-
-#include <optional>
 
 #include "app/picture/draw_scene_from_frame.h"
 #include "app/picture/picture_options.h"
@@ -59,32 +56,6 @@ void draw(benchmark::State& state, const Scene& scene, int steps, PictureQuality
   }
 }
 
-/// The copy of the world that the step in the background is given.
-void copy_world(benchmark::State& state) {
-  World world(swaying_wall(Vec3(0.0384, 0.0384, 0.0625)));
-  world.step();
-  for (auto _ : state) benchmark::DoNotOptimize(World(world));
-}
-
-/// A step, of the world itself or of a copy of it, as in the background: what is shared is copied as it changes.
-void make_step(benchmark::State& state, bool of_copy) {
-  World world(swaying_wall(Vec3(0.0384, 0.0384, 0.0625)));
-  for (int i = 0; i < 10; ++i) world.step();
-  for (auto _ : state) {
-    const std::optional<World> shown = of_copy ? std::optional(world) : std::nullopt;
-    world.step();
-  }
-}
-
-/// The picture of a frame, by stress, before it is drawn.
-void make_picture(benchmark::State& state) {
-  const Scene scene = swaying_wall(Vec3(0.0384, 0.0384, 0.0625));
-  World world(scene);
-  const EmbeddedDisplay display = embedded_display(world.frame(), scene);
-  world.step();
-  for (auto _ : state) benchmark::DoNotOptimize(draw_scene_from_frame(world.frame(), display, scene, scene.view, {}));
-}
-
 void add(const std::string& name, const Scene& scene, int steps) {
   const std::pair<const char*, PictureQuality> qualities[] = {
       {"/draft", PictureQuality::draft}, {"/standard", PictureQuality::standard}, {"/high", PictureQuality::high}};
@@ -122,12 +93,5 @@ int main(int argc, char** argv) {
                                     {"wood_beam", 40}})
     griffith::app::add(name, griffith::app::scene_of(name), steps);
   griffith::app::add("triangles_100000", griffith::app::swaying_wall({2.0 / 158, 2.0 / 158, 0.25}), 0);
-  const auto add = [](const char* name, auto... work) {
-    benchmark::RegisterBenchmark(name, work...)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
-  };
-  add("editor/copy_world", griffith::app::copy_world);
-  add("editor/step", griffith::app::make_step, false);
-  add("editor/step_of_copy", griffith::app::make_step, true);
-  add("editor/make_picture", griffith::app::make_picture);
   benchmark::RunSpecifiedBenchmarks();
 }
