@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
+#include <utility>
 
 #include "sim/core/sort_unique.h"
-#include "sim/geometry/point_grid.h"
 
 namespace griffith::shock {
 namespace {
@@ -17,6 +18,8 @@ constexpr int kRounds = 4;
 constexpr double kReachOfCracks = 0.25;
 /// Candidates are listed for about so many microsteps, within an edge length.
 constexpr double kMicrostepsOfCandidates = 24;
+/// Edge of the boxes that places are sorted into to find candidates, in edge lengths of elements.
+constexpr double kGridEdge = 0.5;
 /// What a candidate takes in a microstep, half of them being too far away to be looked at, and a touch [µs].
 constexpr double kCandidateWork = 0.012, kTouchWork = 0.3;
 
@@ -93,11 +96,40 @@ void Impacts::open(const Solid& solid, const CrackSides& sides) {
   listed_until_ = std::min(listed_until_, travelled_ + kReachOfCracks * margin_);
 }
 
+/// Boxes the surface, and sorts the boxes by their centres.
+void Impacts::box_surface(const Solid& solid) {
+  boxed_.clear();
+  for (const Side& side : surface_) boxed_.push_back({box_of(solid, side), side});
+  std::vector<Vec3> centers;
+  Vec3 largest = Vec3::Zero();
+  for (const BoxedSide& boxed : boxed_) {
+    centers.push_back(boxed.box.center());
+    largest = largest.cwiseMax(0.5 * boxed.box.sizes());
+  }
+  boxes_at_ = BoxesByCenter{PointGrid(centers, kGridEdge * element_size_), largest};
+}
+
+/// The sides that may be near an obstacle, in the order of the surface.
+void Impacts::find_near(const Obstacle& obstacle) {
+  near_.clear();
+  const auto take = [&](int index) {
+    if (may_be_near(obstacle, boxed_[index].box, margin_)) near_.push_back(boxed_[index]);
+  };
+  const Vec3 reach = Vec3::Constant(obstacle.radius + margin_) + boxes_at_->largest;
+  if (!reach.allFinite()) {
+    for (int index = 0; index < static_cast<int>(boxed_.size()); ++index) take(index);
+    return;
+  }
+  const Vec3& center = obstacle.state.pose.translation;
+  std::vector<int> indices;
+  boxes_at_->grid.visit({center - reach, center + reach}, [&](int index) { indices.push_back(index); });
+  std::ranges::sort(indices);
+  std::ranges::for_each(indices, take);
+}
+
 void Impacts::list_near_obstacle(const Solid& solid, const Obstacle& obstacle, Candidates& candidates) {
   candidates.sides.clear(), candidates.nodes.clear(), candidates.samples.clear();
-  near_.clear();
-  for (const BoxedSide& boxed : boxed_)
-    if (may_be_near(obstacle, boxed.box, margin_)) near_.push_back(boxed);
+  find_near(obstacle);
   if (obstacle.is_sphere()) {
     for (const BoxedSide& near : near_) candidates.sides.push_back({{}, near.side});
     return;
@@ -155,25 +187,33 @@ std::vector<Impacts::BoxedSide> Impacts::sides_near_others(const Solid& solid) c
 
 /// Nodes near sides of other bodies.
 void Impacts::list_pairs(const Solid& solid) {
-  pairs_.clear();
   const std::vector<BoxedSide> sides = sides_near_others(solid);
   std::vector<int> nodes;
   for (const BoxedSide& boxed : sides)
     for (const int node : solid.nodes_of_side(boxed.side.slot, boxed.side.face)) nodes.push_back(node);
   sort_unique(nodes);
   std::vector<Vec3> places;
-  for (const int node : nodes) places.push_back(solid.position(node));
-  const PointGrid grid(places, margin_ + element_size_);
+  std::vector<int> families;
+  for (const int node : nodes) {
+    places.push_back(solid.position(node));
+    families.push_back(surface_at(solid, node).family);
+  }
+  const PointGrid grid(places, kGridEdge * element_size_);
   const Vec3 reach = Vec3::Constant(margin_);
-  for (const auto& [box, side] : sides) {
-    const int family = family_of(solid, side);
+  std::vector<std::pair<int, int>> found;  // of `nodes` and `sides`
+  std::vector<int> starts(nodes.size() + 1, 0);
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const Eigen::AlignedBox3d& box = sides[i].box;
+    const int family = family_of(solid, sides[i].side);
     grid.visit({box.min() - reach, box.max() + reach}, [&](int index) {
-      if (box.squaredExteriorDistance(places[index]) < margin_ * margin_ &&
-          surface_at(solid, nodes[index]).family != family)
-        pairs_.push_back({{}, nodes[index], side});
+      if (families[index] == family || !(box.squaredExteriorDistance(places[index]) < margin_ * margin_)) return;
+      found.emplace_back(index, static_cast<int>(i));
+      ++starts[index + 1];
     });
   }
-  std::ranges::stable_sort(pairs_, {}, &NodeAndSide::node);
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  pairs_.resize(found.size());
+  for (const auto& [index, side] : found) pairs_[starts[index]++] = {{}, nodes[index], sides[side].side};
 }
 
 /// `displacement`: that two things may come nearer to each other in a microstep [m].
@@ -182,8 +222,7 @@ void Impacts::list_candidates(const Solid& solid, double displacement) {
   for (const Obstacle& obstacle : obstacles_)
     if (obstacle.inverse_mass > 0 && std::isfinite(obstacle.radius)) margin_ = std::max(margin_, 0.1 * obstacle.radius);
   catch_up();
-  boxed_.clear();
-  for (const Side& side : surface_) boxed_.push_back({box_of(solid, side), side});
+  box_surface(solid);
   for (std::size_t i = 0; i < obstacles_.size(); ++i) list_near_obstacle(solid, obstacles_[i], candidates_[i]);
   list_pairs(solid);
   listed_until_ = travelled_ + margin_;

@@ -2,9 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "sim/geometry/point_grid.h"
 #include "sim/shock/obstacle.h"
 #include "sim/shock/solid.h"
 
@@ -107,6 +109,10 @@ class Impacts {
     Eigen::AlignedBox3d box;
     Side side;
   };
+  struct BoxesByCenter {
+    PointGrid grid;
+    Vec3 largest;  ///< half the sizes of the largest box, along each axis [m]
+  };
   /// What of the surface may touch an obstacle: sides of it a sphere, nodes and samples anything else.
   struct Candidates {
     std::vector<WatchedSide> sides;
@@ -137,6 +143,8 @@ class Impacts {
   void list_candidates(const Solid& solid, double displacement);
   /// How fast any two of all nodes and obstacles come nearer to each other, at most [m/s].
   double closing_speed(const Solid& solid) const;
+  void box_surface(const Solid& solid);
+  void find_near(const Obstacle& obstacle);
   void list_near_obstacle(const Solid& solid, const Obstacle& obstacle, Candidates& candidates);
   void list_near_part(const Solid& solid, const Obstacle& obstacle, int part, Candidates& candidates) const;
   std::vector<BoxedSide> sides_near_others(const Solid& solid) const;
@@ -173,8 +181,9 @@ class Impacts {
   std::vector<Side> surface_;
   std::vector<WatchedCrack> cracks_;
   std::vector<Obstacle> obstacles_;
-  std::vector<SurfaceLaw> surfaces_;    ///< per body of the solid
-  std::vector<BoxedSide> boxed_;        ///< the surface, while candidates are listed
+  std::vector<SurfaceLaw> surfaces_;  ///< per body of the solid
+  std::vector<BoxedSide> boxed_;      ///< the surface, while candidates are listed
+  std::optional<BoxesByCenter> boxes_at_;
   std::vector<BoxedSide> near_;         ///< of it, near one obstacle
   std::vector<int> near_nodes_;         ///< of these
   std::vector<Candidates> candidates_;  ///< per obstacle
