@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "sim/core/parallel.h"
 #include "sim/core/sort_unique.h"
 
 namespace griffith::shock {
@@ -110,48 +111,50 @@ void Impacts::box_surface(const Solid& solid) {
 }
 
 /// The sides that may be near an obstacle, in the order of the surface.
-void Impacts::find_near(const Obstacle& obstacle) {
-  near_.clear();
+std::vector<Impacts::BoxedSide> Impacts::sides_near(const Obstacle& obstacle) const {
+  std::vector<BoxedSide> near;
   const auto take = [&](int index) {
-    if (may_be_near(obstacle, boxed_[index].box, margin_)) near_.push_back(boxed_[index]);
+    if (may_be_near(obstacle, boxed_[index].box, margin_)) near.push_back(boxed_[index]);
   };
   const Vec3 reach = Vec3::Constant(obstacle.radius + margin_) + boxes_at_->largest;
   if (!reach.allFinite()) {
     for (int index = 0; index < static_cast<int>(boxed_.size()); ++index) take(index);
-    return;
+    return near;
   }
   const Vec3& center = obstacle.state.pose.translation;
   std::vector<int> indices;
   boxes_at_->grid.visit({center - reach, center + reach}, [&](int index) { indices.push_back(index); });
   std::ranges::sort(indices);
   std::ranges::for_each(indices, take);
+  return near;
 }
 
-void Impacts::list_near_obstacle(const Solid& solid, const Obstacle& obstacle, Candidates& candidates) {
+void Impacts::list_near_obstacle(const Solid& solid, const Obstacle& obstacle, Candidates& candidates) const {
   candidates.sides.clear(), candidates.nodes.clear(), candidates.samples.clear();
-  find_near(obstacle);
+  const std::vector<BoxedSide> sides = sides_near(obstacle);
   if (obstacle.is_sphere()) {
-    for (const BoxedSide& near : near_) candidates.sides.push_back({{}, near.side});
+    for (const BoxedSide& near : sides) candidates.sides.push_back({{}, near.side});
     return;
   }
-  near_nodes_.clear();
-  for (const BoxedSide& near : near_)
-    for (const int node : solid.nodes_of_side(near.side.slot, near.side.face)) near_nodes_.push_back(node);
-  sort_unique(near_nodes_);
+  std::vector<int> nodes;
+  for (const BoxedSide& near : sides)
+    for (const int node : solid.nodes_of_side(near.side.slot, near.side.face)) nodes.push_back(node);
+  sort_unique(nodes);
   for (int part = 0; part < static_cast<int>(obstacle.solids.size()); ++part)
-    list_near_part(solid, obstacle, part, candidates);
+    list_near_part(solid, obstacle, part, sides, nodes, candidates);
 }
 
-/// Lists, of the nodes of the sides near an obstacle, those that are near one of its parts, and that part's samples
-/// near the sides.
-void Impacts::list_near_part(const Solid& solid, const Obstacle& obstacle, int part, Candidates& candidates) const {
+/// Lists, of the sides near an obstacle and their nodes, the nodes that are near one of its parts, and that part's
+/// samples near the sides.
+void Impacts::list_near_part(const Solid& solid, const Obstacle& obstacle, int part, std::span<const BoxedSide> sides,
+                             std::span<const int> nodes, Candidates& candidates) const {
   const ConvexSolid& convex = obstacle.solids[part];
-  for (const int node : near_nodes_)
+  for (const int node : nodes)
     if (convex.outermost_face(obstacle.state.pose.to_local(solid.position(node))).first < margin_)
       candidates.nodes.push_back({{}, part, node});
   for (int sample = 0; sample < static_cast<int>(convex.samples.size()); ++sample) {
     const Vec3 place = obstacle.state.pose.to_world(convex.samples[sample]);
-    for (const BoxedSide& near : near_)
+    for (const BoxedSide& near : sides)
       if (near.box.squaredExteriorDistance(place) < margin_ * margin_)
         candidates.samples.push_back({{}, part, sample, near.side});
   }
@@ -201,16 +204,19 @@ void Impacts::list_pairs(const Solid& solid) {
   const PointGrid grid(places, kGridEdge * element_size_);
   const Vec3 reach = Vec3::Constant(margin_);
   std::vector<std::pair<int, int>> found;  // of `nodes` and `sides`
+  parallel_collect(
+      static_cast<int>(sides.size()), found, [&](int begin, int end, std::vector<std::pair<int, int>>& near) {
+        for (int i = begin; i < end; ++i) {
+          const Eigen::AlignedBox3d& box = sides[i].box;
+          const int family = family_of(solid, sides[i].side);
+          grid.visit({box.min() - reach, box.max() + reach}, [&](int index) {
+            if (families[index] != family && box.squaredExteriorDistance(places[index]) < margin_ * margin_)
+              near.emplace_back(index, i);
+          });
+        }
+      });
   std::vector<int> starts(nodes.size() + 1, 0);
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const Eigen::AlignedBox3d& box = sides[i].box;
-    const int family = family_of(solid, sides[i].side);
-    grid.visit({box.min() - reach, box.max() + reach}, [&](int index) {
-      if (families[index] == family || !(box.squaredExteriorDistance(places[index]) < margin_ * margin_)) return;
-      found.emplace_back(index, static_cast<int>(i));
-      ++starts[index + 1];
-    });
-  }
+  for (const auto& [index, side] : found) ++starts[index + 1];
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
   pairs_.resize(found.size());
   for (const auto& [index, side] : found) pairs_[starts[index]++] = {{}, nodes[index], sides[side].side};
@@ -223,7 +229,9 @@ void Impacts::list_candidates(const Solid& solid, double displacement) {
     if (obstacle.inverse_mass > 0 && std::isfinite(obstacle.radius)) margin_ = std::max(margin_, 0.1 * obstacle.radius);
   catch_up();
   box_surface(solid);
-  for (std::size_t i = 0; i < obstacles_.size(); ++i) list_near_obstacle(solid, obstacles_[i], candidates_[i]);
+  parallel_for(static_cast<int>(obstacles_.size()), 8, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) list_near_obstacle(solid, obstacles_[i], candidates_[i]);
+  });
   list_pairs(solid);
   listed_until_ = travelled_ + margin_;
 }
