@@ -6,17 +6,21 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <thread>
 #include <vector>
 
 namespace griffith {
 namespace {
 
+int allowed_threads() {
+  return static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+}
+
 #ifdef __SANITIZE_THREAD__
 /// The thread sanitizer does not see into TBB: under it, threads that it sees do the same parts.
 void run_parts(int count, int grain, const std::function<void(int, int)>& body) {
-  const auto allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
-  const int threads = std::min(static_cast<int>(allowed), (count + grain - 1) / grain);
+  const int threads = std::min(allowed_threads(), (count + grain - 1) / grain);
   std::vector<std::jthread> others;
   for (int i = 1; i < threads; ++i)
     others.emplace_back([=, &body] { body(count / threads * i, i + 1 < threads ? count / threads * (i + 1) : count); });
@@ -45,6 +49,15 @@ void parallel_for(int count, int grain, const std::function<void(int, int)>& bod
   if (count <= 0) return;
   if (count <= grain) return body(0, count);
   run_parts(count, grain, body);
+}
+
+void parallel_parts(int count, int grain, const std::function<void(int, int)>& body) {
+  if (count <= 0) return;
+  const std::int64_t parts = std::clamp(count / grain, 1, allowed_threads());
+  const auto start = [&](int part) { return static_cast<int>(count * part / parts); };
+  parallel_for(static_cast<int>(parts), 1, [&](int first, int last) {
+    for (int part = first; part < last; ++part) body(start(part), start(part + 1));
+  });
 }
 
 double parallel_sum(int count, const std::function<double(int, int)>& block) {

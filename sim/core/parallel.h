@@ -26,6 +26,10 @@ int default_thread_count();
 /// thread. The body writes to its own range alone, so results do not depend on the threads.
 void parallel_for(int count, int grain, const std::function<void(int begin, int end)>& body);
 
+/// Calls body(begin, end) on as many equal ranges of [0, count) as there are threads, or fewer so that each is at least
+/// `grain` long: for what costs more the more ranges there are.
+void parallel_parts(int count, int grain, const std::function<void(int begin, int end)>& body);
+
 /// The sum of block(begin, end) over consecutive blocks of fixed length, added in order: the same bits for any number
 /// of threads.
 double parallel_sum(int count, const std::function<double(int begin, int end)>& block);

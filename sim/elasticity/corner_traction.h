@@ -1,6 +1,8 @@
 #pragma once
 
-#include "sim/core/lanes.h"
+#include <array>
+
+#include "sim/core/lane_vectors.h"
 #include "sim/elasticity/element.h"
 
 namespace griffith {
@@ -13,6 +15,38 @@ inline simd::WideQuad corner_traction(const RestElement& rest, const ElementStat
   const double x = gradient[0], y = gradient[1], z = gradient[2];
   return simd::product(state.frame.data(), xx * x + xy * y + xz * z, xy * x + yy * y + yz * z,
                        xz * x + yz * y + zz * z);
+}
+
+/// Vectors at the four corners of an element, a lane each: to the bits of one corner at a time.
+using CornerVectors = simd::Vector3<simd::DoubleLanes>;
+
+inline CornerVectors corner_gradients(const RestElement& rest) {
+  const double* gradients = rest.shape_gradients.data();
+  const simd::WideQuad shifted = simd::load(gradients + 8);  // not beyond the end
+  return simd::side_by_side(simd::load(gradients), simd::load(gradients + 3), simd::load(gradients + 6),
+                            __builtin_shufflevector(shifted, shifted, 1, 2, 3, 0));
+}
+
+/// m v of each.
+inline CornerVectors product(const Mat3& m, const CornerVectors& v) {
+  const auto row = [&](int i) { return m(i, 0) * v.x + m(i, 1) * v.y + m(i, 2) * v.z; };
+  return {row(0), row(1), row(2)};
+}
+inline CornerVectors product(const SymmetricMat3& m, const CornerVectors& v) {
+  return {m.xx * v.x + m.xy * v.y + m.xz * v.z, m.xy * v.x + m.yy * v.y + m.yz * v.z,
+          m.xz * v.x + m.yz * v.y + m.zz * v.z};
+}
+
+/// corner_traction() of all corners, of which `gradients` are the shape gradients.
+inline CornerVectors corner_tractions(const ElementState& state, const CornerVectors& gradients) {
+  return product(state.frame, product(state.stress, gradients));
+}
+
+/// The vectors one by one, each in the first three lanes; the fourth is 0.
+inline std::array<simd::WideQuad, 4> one_by_one(const CornerVectors& v) {
+  simd::WideQuad a = v.x, b = v.y, c = v.z, d = {};
+  simd::transpose(a, b, c, d);
+  return {a, b, c, d};
 }
 
 }  // namespace griffith

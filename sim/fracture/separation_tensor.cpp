@@ -5,34 +5,19 @@
 #include <functional>
 
 #include "sim/elasticity/corner_traction.h"
-#include "sim/elasticity/principal_stress.h"
+#include "sim/fracture/force_dyads.h"
 
 namespace griffith {
 namespace {
 
-bool constrained(const SeparationInput& input, NodeId node) {
-  return !input.constraints.empty() && !input.constraints[node].is_free();
-}
-
-bool anchored(const SeparationInput& input, TetId tet) {
-  const auto& corners = input.tets[tet];
-  return std::all_of(corners.begin(), corners.end(),
-                     [&](NodeId corner) { return input.constraints[corner].is_held(); });
-}
-
 bool counts(const SeparationInput& input, TetId tet, NodeId node) {
-  return !constrained(input, node) || !anchored(input, tet);
+  return !is_constrained(input, node) || !is_anchored(input, tet);
 }
 
 int local_corner(const SeparationInput& input, TetId tet, NodeId node) {
   const auto& corners = input.tets[tet];
   return (corners[1] == node) + 2 * (corners[2] == node) + 3 * (corners[3] == node);
 }
-
-/// A split force in the first three lanes; the fourth counts for nothing.
-struct ForceLanes {
-  simd::WideQuad tensile = {}, compressive = {};
-};
 
 ForceLanes force_lanes(const RestElement& rest, const ElementState& state, int corner) {
   const auto gradient = rest.shape_gradients.col(corner);
@@ -41,57 +26,23 @@ ForceLanes force_lanes(const RestElement& rest, const ElementState& state, int c
   return {-rest.volume * part, rest.volume * (part - whole)};
 }
 
-/// 1/|f| of the first three lanes of each, 0 of a zero force.
-simd::DoubleLanes inverse_lengths(simd::WideQuad a, simd::WideQuad b, simd::WideQuad c, simd::WideQuad d) {
-  simd::transpose(a, b, c, d);
-  const simd::DoubleLanes length = simd::root(a * a + b * b + c * c), zero = {};
-  return length > 0.0 ? 1.0 / length : zero;
-}
-
-/// A sum of m(f⁺) − m(f⁻).
-struct Dyads {
-  simd::WideQuad columns[3] = {};
-
-  /// Adds `factor` times that of two elements, in their order: 1 and −1 cancel exactly.
-  void add(const ForceLanes& first, const ForceLanes& second, double factor) {
-    const simd::DoubleLanes inverse =
-        inverse_lengths(first.tensile, first.compressive, second.tensile, second.compressive);
-    add(first, factor, inverse[0], inverse[1]);
-    add(second, factor, inverse[2], inverse[3]);
-  }
-
- private:
-  void add(const ForceLanes& forces, double factor, double inverse_tensile, double inverse_compressive) {
-    const simd::WideQuad tensile = forces.tensile * inverse_tensile,
-                         compressive = forces.compressive * inverse_compressive;
-    for (int i = 0; i < 3; ++i)
-      columns[i] += factor * (tensile * forces.tensile[i] - compressive * forces.compressive[i]);
-  }
-};
-
-/// Sums over the elements round a node, seen across a plane.
-struct StarSums {
-  double area = 0, volume = 0, largest = 0;
-  Mat3 tension = Mat3::Zero();  ///< volume times stress
-};
-
-StarSums sum_star(const SeparationInput& input, NodeId node, const Vec3& normal) {
-  StarSums sums;
+StarLoad star_load(const SeparationInput& input, NodeId node, const Mat3& tensor, const LargestPrincipal& pulled) {
+  StarLoad load{.tensor = tensor, .pulled = pulled};
   simd::WideQuad diagonal = {}, others = {};  // of volume times tension
   for (TetId tet : input.stars[node]) {
     if (!counts(input, tet, node)) continue;
     const RestElement& rest = input.rest_elements[tet];
     const ElementState& state = input.states[tet];
-    const Vec3 across = cofactor(state.frame).transpose() * normal;
-    sums.area += 0.5 * rest.volume * std::abs(across.dot(rest.shape_gradients.col(local_corner(input, tet, node))));
-    sums.volume += rest.volume;
+    const Vec3 across = cofactor(state.frame).transpose() * pulled.direction;
+    load.area += 0.5 * rest.volume * std::abs(across.dot(rest.shape_gradients.col(local_corner(input, tet, node))));
+    load.volume += rest.volume;
     const SymmetricMat3& t = state.tension;
     diagonal += rest.volume * simd::WideQuad{t.xx, t.yy, t.zz, 0};
     others += rest.volume * simd::WideQuad{t.xy, t.xz, t.yz, 0};
-    sums.largest = std::max(sums.largest, state.tension_norm);
+    load.largest = std::max(load.largest, state.tension_norm);
   }
-  sums.tension = SymmetricMat3{diagonal[0], diagonal[1], diagonal[2], others[0], others[1], others[2]};
-  return sums;
+  load.tension = SymmetricMat3{diagonal[0], diagonal[1], diagonal[2], others[0], others[1], others[2]};
+  return load;
 }
 
 std::array<LargestPrincipal, 1> principals_of(const std::array<Mat3, 1>& symmetric) {
@@ -124,17 +75,16 @@ bool all_uniform(const std::array<DirectionalStrength, N>& strengths) {
   return std::ranges::all_of(strengths, &DirectionalStrength::is_uniform);
 }
 
-/// The plane that the separation tensor pulls at, across `normal`. `pulled`: its largest eigenpair.
-CandidatePlane pulled_plane(const StarSums& sums, const Mat3& tensor, const LargestPrincipal& pulled,
-                            const Vec3& normal) {
+/// The plane that the separation tensor pulls at, across `normal`.
+CandidatePlane pulled_plane(const StarLoad& load, const Vec3& normal) {
   CandidatePlane plane;
   plane.normal = plane.pulled = normal;
-  plane.eigenvalue = normal.dot(tensor * normal);
-  plane.volume = sums.volume;
+  plane.eigenvalue = normal.dot(load.tensor * normal);
+  plane.volume = load.volume;
   // Where hardly any face meets the plane (a star of one tet, say) the quotient means nothing: no plane can carry more
   // than the stress that is there.
-  if (pulled.value > 0 && sums.area > 0)
-    plane.stress = std::min(1 / sums.area, sums.largest / pulled.value) * plane.eigenvalue;
+  if (load.pulled.value > 0 && load.area > 0)
+    plane.stress = std::min(1 / load.area, load.largest / load.pulled.value) * plane.eigenvalue;
   return plane;
 }
 
@@ -148,25 +98,26 @@ void take_if_weaker(const Mat3& average, const Vec3& normal, const DirectionalSt
   plane.by_tension = true;
 }
 
-/// candidate_plane() of each node: what takes longest, eigenvectors, side by side.
+/// The plane of each: what takes longest, eigenvectors, side by side.
 template <std::size_t N>
-std::array<CandidatePlane, N> find_planes(const SeparationInput& input, const std::array<NodeId, N>& nodes,
-                                          const std::array<Mat3, N>& tensors,
+std::array<CandidatePlane, N> find_planes(const std::array<StarLoad, N>& loads,
                                           const std::array<DirectionalStrength, N>& strengths) {
-  const std::array<LargestPrincipal, N> pulled = principals_of(tensors);
   std::array<Vec3, N> normals;
-  for (std::size_t i = 0; i < N; ++i) normals[i] = pulled[i].direction;
+  std::array<Mat3, N> tensors, averages;
+  for (std::size_t i = 0; i < N; ++i) {
+    tensors[i] = loads[i].tensor;
+    normals[i] = loads[i].pulled.direction;
+  }
   if (!all_uniform(strengths)) normals = weakest_normals(tensors, strengths);
 
   std::array<CandidatePlane, N> planes;
-  std::array<Mat3, N> averages;
   std::array<bool, N> is_open;  // whether the mean stress may have a plane that is weaker
   for (std::size_t i = 0; i < N; ++i) {
-    const StarSums sums = sum_star(input, nodes[i], pulled[i].direction);
-    planes[i] = pulled_plane(sums, tensors[i], pulled[i], normals[i]);
-    averages[i] = sums.volume > 0 ? Mat3(sums.tension / sums.volume) : Mat3(Mat3::Zero());
+    const double volume = loads[i].volume;
+    planes[i] = pulled_plane(loads[i], normals[i]);
+    averages[i] = volume > 0 ? Mat3(loads[i].tension / volume) : Mat3(Mat3::Zero());
     // No plane of a mean stress has more than its norm.
-    is_open[i] = sums.volume != 0 && !(strengths[i].is_uniform() && averages[i].norm() <= planes[i].stress);
+    is_open[i] = volume != 0 && !(strengths[i].is_uniform() && averages[i].norm() <= planes[i].stress);
   }
   if (std::ranges::none_of(is_open, std::identity())) return planes;
   normals = weakest_normals(averages, strengths);
@@ -175,7 +126,26 @@ std::array<CandidatePlane, N> find_planes(const SeparationInput& input, const st
   return planes;
 }
 
+/// The loads of nodes with these separation tensors.
+template <std::size_t N>
+std::array<StarLoad, N> star_loads(const SeparationInput& input, const std::array<NodeId, N>& nodes,
+                                   const std::array<Mat3, N>& tensors) {
+  const std::array<LargestPrincipal, N> pulled = principals_of(tensors);
+  std::array<StarLoad, N> loads;
+  for (std::size_t i = 0; i < N; ++i) loads[i] = star_load(input, nodes[i], tensors[i], pulled[i]);
+  return loads;
+}
+
 }  // namespace
+
+bool is_constrained(const SeparationInput& input, NodeId node) {
+  return !input.constraints.empty() && !input.constraints[node].is_free();
+}
+
+bool is_anchored(const SeparationInput& input, TetId tet) {
+  return !input.constraints.empty() &&
+         std::ranges::all_of(input.tets[tet], [&](NodeId corner) { return input.constraints[corner].is_held(); });
+}
 
 Mat3 force_dyad(const Vec3& force) {
   const double length = force.norm();
@@ -205,19 +175,24 @@ Mat3 separation_tensor(const SeparationInput& input, NodeId node) {
     total.tensile = total.tensile + first.tensile + second.tensile;
     total.compressive = total.compressive + first.compressive + second.compressive;
   }
-  if (!constrained(input, node)) sum.add(total, {}, -1);
+  if (!is_constrained(input, node)) sum.add(total, {}, -1);
   return 0.5 * simd::matrix_of(sum.columns);
 }
 
 CandidatePlane candidate_plane(const SeparationInput& input, NodeId node, const Mat3& tensor,
                                const DirectionalStrength& strength) {
-  return find_planes<1>(input, {node}, {tensor}, {strength})[0];
+  return find_planes<1>(star_loads<1>(input, {node}, {tensor}), {strength})[0];
 }
 
 std::array<CandidatePlane, 4> candidate_planes(const SeparationInput& input, const std::array<NodeId, 4>& nodes,
                                                const std::array<Mat3, 4>& tensors,
                                                const std::array<DirectionalStrength, 4>& strengths) {
-  return find_planes<4>(input, nodes, tensors, strengths);
+  return find_planes<4>(star_loads<4>(input, nodes, tensors), strengths);
+}
+
+std::array<CandidatePlane, 4> candidate_planes(const std::array<StarLoad, 4>& loads,
+                                               const std::array<DirectionalStrength, 4>& strengths) {
+  return find_planes<4>(loads, strengths);
 }
 
 double tension_fraction(const SeparationInput& input, TetId tet, NodeId node, const CandidatePlane& plane) {

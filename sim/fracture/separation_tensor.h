@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/elasticity/element.h"
+#include "sim/elasticity/principal_stress.h"
 #include "sim/fracture/strength_variation.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/solver/node_constraint.h"
@@ -22,6 +23,9 @@ struct SeparationInput {
   std::span<const ElementState> states;         // per tet
   std::span<const NodeConstraint> constraints;  // per node; empty: all are free
 };
+bool is_constrained(const SeparationInput& input, NodeId node);
+/// Whether a support holds a tet at all corners.
+bool is_anchored(const SeparationInput& input, TetId tet);
 
 /// What an element does to one of its nodes, world frame [N].
 struct SplitForce {
@@ -54,7 +58,19 @@ struct CandidatePlane {
 /// part of the anchor and do not count.
 CandidatePlane candidate_plane(const SeparationInput& input, NodeId node, const Mat3& tensor,
                                const DirectionalStrength& strength = {});
-/// Those of four nodes side by side, to the bits of one at a time.
+
+/// What a candidate plane follows from: sums over the elements round its node, of those that count but for the tensor.
+struct StarLoad {
+  Mat3 tensor = Mat3::Zero();   ///< ς, world frame [N]
+  LargestPrincipal pulled;      ///< v⁺ [N] and e
+  double area = 0;              ///< A [m²]
+  double volume = 0;            ///< [m³]
+  double largest = 0;           ///< tensile stress of an element, Frobenius norm [Pa]
+  Mat3 tension = Mat3::Zero();  ///< volume times tensile stress [J]
+};
+/// The planes of four nodes side by side, to the bits of one at a time.
+std::array<CandidatePlane, 4> candidate_planes(const std::array<StarLoad, 4>& loads,
+                                               const std::array<DirectionalStrength, 4>& strengths);
 std::array<CandidatePlane, 4> candidate_planes(const SeparationInput& input, const std::array<NodeId, 4>& nodes,
                                                const std::array<Mat3, 4>& tensors,
                                                const std::array<DirectionalStrength, 4>& strengths);

@@ -11,6 +11,7 @@
 #include "sim/core/copy_on_write.h"
 #include "sim/core/error.h"
 #include "sim/elasticity/element.h"
+#include "sim/fracture/star_sums.h"
 #include "sim/geometry/convex_hull.h"
 #include "sim/mesh/topology.h"
 #include "sim/scene/scene.h"
@@ -117,7 +118,9 @@ struct SubstepStart {
 /// What a step needs and nobody keeps.
 struct Scratch {
   SubstepStart substep_start;
-  double microstep_work = 0;  ///< of the step so far, in microseconds of a usual core
+  double microstep_work = 0;                   ///< of the step so far, in microseconds of a usual core
+  std::vector<StarSums> stars;                 ///< per node: what separation follows from
+  std::vector<simd::WideQuad> elastic_forces;  ///< per node, in the first three lanes [N]
 
   Scratch() = default;
   Scratch(Scratch&&) = default;

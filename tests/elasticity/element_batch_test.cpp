@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 
+#include "sim/elasticity/corner_traction.h"
 #include "tests/elasticity/random_element.h"
 
 namespace griffith {
@@ -79,6 +80,20 @@ TEST_P(ElementBatch, ALaneWithoutANumberLeavesTheOthersAlone) {
     for (int lane = 0; lane < 4; ++lane) {
       EXPECT_EQ(same_bits(states.of(lane).stress.full(), sound.of(lane).stress.full()), lane != broken);
       EXPECT_EQ(states.of(lane).stress.full().allFinite(), lane != broken);
+    }
+  }
+}
+
+TEST_P(ElementBatch, TractionsOfAllCornersHaveTheBitsOfEach) {
+  RandomValues random(3);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Quartet four(random, trial);
+    const RestElement& rest = four.elements[0];
+    const ElementState state = testing::elastic_state(law_, rest, four.corners[0]);
+    const auto tractions = one_by_one(corner_tractions(state, corner_gradients(rest)));
+    for (int corner = 0; corner < 4; ++corner) {
+      const simd::WideQuad one = corner_traction(rest, state, corner);
+      for (int i = 0; i < 3; ++i) EXPECT_EQ(tractions[corner][i], one[i]) << corner;
     }
   }
 }

@@ -7,9 +7,11 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #include "sim/elasticity/principal_stress.h"
+#include "sim/fracture/star_sums.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/topology.h"
 #include "tests/random_values.h"
@@ -204,6 +206,50 @@ TEST(CandidatePlane, OfFourSideBySideHasTheBitsOfOneAtATime) {
           expect_same_plane(planes[lane], candidate_plane(box.input(), nodes[lane], tensors[lane], strengths[lane]));
       }
   }
+}
+
+/// What is held, slides, has no stress or no numbers, in parts of the nodes such as threads take.
+TEST(StarSums, ElementByElementHaveTheBitsOfStarByStar) {
+  RandomValues random(11);
+  for (const ElementModel model : {ElementModel::corotational, ElementModel::green_strain}) {
+    StressedBox box(BoxPattern::five_tet, 4, Mat3::Identity() + random.matrix(1e-3), 0.15, model);
+    const int count = box.mesh.node_count();
+    box.constraints.assign(count, {});
+    for (int node = 0; node < count / 4; ++node) box.constraints[node] = NodeConstraint::held();
+    for (int node = count / 4; node < count / 3; ++node)
+      box.constraints[node] = NodeConstraint::sliding(random.direction());
+    for (int tet = 0; tet < box.mesh.tet_count(); tet += 3) box.states[tet] = {};
+    box.states.back().tension.xx = box.states.back().stress.xx = std::numeric_limits<double>::quiet_NaN();
+    std::vector<TetId> tets;
+    std::vector<NodeId> nodes;
+    for (const TetId tet : IdRange<TetId>(0, box.mesh.tet_count())) tets.push_back(tet);
+    for (const NodeId node : IdRange<NodeId>(0, count)) nodes.push_back(node);
+
+    std::vector<StarSums> sums(count);
+    for (int first = 0, last = 0; first < count; first = last) {
+      last = std::min(count, first + 1 + random.index(count / 2));
+      add_up_stars(box.input(), tets, std::span(nodes).subspan(first, last - first), sums);
+    }
+    for (const NodeId node : nodes) {
+      const Mat3 tensor = separation_tensor(box.input(), node);
+      const StarLoad load = sums[node].load();
+      const bool same = std::memcmp(load.tensor.data(), tensor.data(), sizeof tensor) == 0;
+      EXPECT_TRUE(same || !(tensor.allFinite() || load.tensor.allFinite())) << node.index();
+      const CandidatePlane plane = candidate_planes({load, load, load, load}, {})[1];
+      expect_same_plane(plane, candidate_plane(box.input(), node, tensor));
+    }
+  }
+}
+
+TEST(StarSums, LeaveOtherNodesAlone) {
+  const StressedBox box(BoxPattern::kuhn, 2, Mat3::Identity() * (1 + kStrain));
+  std::vector<TetId> tets;
+  for (const TetId tet : IdRange<TetId>(0, box.mesh.tet_count())) tets.push_back(tet);
+  std::vector<StarSums> sums(box.mesh.node_count());
+  for (StarSums& star : sums) star.area = -1;
+  const std::vector<NodeId> nodes = {NodeId(5), NodeId(6), NodeId(7)};
+  add_up_stars(box.input(), tets, nodes, sums);
+  for (int node = 0; node < box.mesh.node_count(); ++node) EXPECT_EQ(sums[node].area > 0, node >= 5 && node <= 7);
 }
 
 /// The definition, dyad by dyad: elements are added two at a time, an odd one by itself.

@@ -8,7 +8,7 @@
 #include "sim/core/parallel.h"
 #include "sim/elasticity/corner_traction.h"
 #include "sim/elasticity/plasticity.h"
-#include "sim/mesh/topology.h"
+#include "sim/mesh/corner_sums.h"
 #include "sim/solver/pivot.h"
 #include "sim/world/element_states.h"
 #include "sim/world/phases/explicit_phase.h"
@@ -19,19 +19,21 @@
 namespace griffith {
 namespace {
 
-/// Elastic plus external force of the body's nodes, per node of the mesh; only the body's own entries are written.
-void add_elastic_forces(const WorldState& world, const Body& body, std::vector<Vec3>& forces) {
+/// Elastic plus external force of the body's nodes, per node of the mesh; only the body's own entries are written, as
+/// are those of `sums`.
+void add_elastic_forces(const WorldState& world, const Body& body, std::span<simd::WideQuad> sums,
+                        std::vector<Vec3>& forces) {
   const ElementArrays& elements = world.elements;
-  parallel_for(static_cast<int>(body.nodes.size()), 1024, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      const NodeId node = body.nodes[i];
-      simd::WideQuad sum = {};
-      for (TetId tet : world.mesh->stars[node]) {
-        const RestElement& rest = elements.rest_elements[tet];
-        sum -= rest.volume * corner_traction(rest, elements.states[tet], local_corner(world.mesh, tet, node));
-      }
-      forces[node] += Vec3(sum[0], sum[1], sum[2]);
-    }
+  const auto add = [&](TetId tet, const std::array<simd::WideQuad*, 4>& to) {
+    const RestElement& rest = elements.rest_elements[tet];
+    const auto tractions = one_by_one(corner_tractions(elements.states[tet], corner_gradients(rest)));
+    for (int i = 0; i < 4; ++i) *to[i] -= rest.volume * tractions[i];
+  };
+  parallel_parts(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
+    const std::span<const NodeId> nodes = std::span(body.nodes).subspan(begin, end - begin);
+    for (const NodeId node : nodes) sums[node] = simd::WideQuad{};
+    add_at_corners(world.mesh->tets, body.tets, nodes, sums, add);
+    for (const NodeId node : nodes) forces[node] += Vec3(sums[node][0], sums[node][1], sums[node][2]);
   });
 }
 
@@ -69,7 +71,7 @@ SolveReport predict_elastic(WorldState& world, Body& body, std::vector<Vec3>& fo
   const bool spins_freely = !body.supported() && world.material_of(body).yield_strength;
   const Vec3 outer_torque = spins_freely ? wrench_of(world, body, forces).torque : Vec3(Vec3::Zero());
   if (body.supported() && !world.integrates_explicitly()) turn_forces_halfway(world, body, dt, forces);
-  add_elastic_forces(world, body, forces);
+  add_elastic_forces(world, body, world.scratch.elastic_forces, forces);
   if (spins_freely) remove_inner_torque(world, body, wrench_of(world, body, forces).torque - outer_torque, forces);
   if (world.integrates_explicitly()) {
     predict_explicitly(world, body, forces, dt);
@@ -143,6 +145,7 @@ void count_solve(WorldState& world, const SolveReport& solve) {
 
 void predict_velocities(WorldState& world, std::vector<Vec3> forces, double dt) {
   std::ranges::fill(world.nodes.reactions, Vec3::Zero());
+  world.scratch.elastic_forces.resize(world.nodes.positions.size());
   std::vector<SolveReport> reports(world.bodies.size());
   parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {

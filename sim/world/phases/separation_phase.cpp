@@ -41,32 +41,61 @@ void take_load(const WorldState& world, NodeId node, const CandidatePlane& plane
   separation.utilization = load / separation.resistance;
 }
 
+constexpr std::size_t kNodes = 4;  // side by side
+
+/// What four nodes are judged by.
+struct FourNodes {
+  std::array<NodeId, kNodes> nodes;
+  std::array<Mat3, kNodes> tensors;
+  std::array<DirectionalStrength, kNodes> strengths;
+};
+
+/// Takes the first `count` of them.
+void take_planes(WorldState& world, const FourNodes& four, const std::array<CandidatePlane, kNodes>& planes,
+                 std::size_t count, bool averaged) {
+  for (std::size_t i = 0; i < count; ++i) {
+    NodeSeparation& separation = world.nodes.separations[four.nodes[i]];
+    separation.tensor = four.tensors[i];
+    take_load(world, four.nodes[i], planes[i], four.strengths[i], averaged, separation);
+  }
+}
+
+/// As evaluate_nodes() does, to the bit: nodes in a row of a body whose stars are added up.
+void take_sums(WorldState& world, const SeparationInput& input, std::span<const NodeId> nodes, bool averaged) {
+  for (std::size_t first = 0; first < nodes.size(); first += kNodes) {
+    const std::size_t count = std::min(kNodes, nodes.size() - first);
+    FourNodes four;
+    std::array<StarLoad, kNodes> loads;
+    for (std::size_t i = 0; i < kNodes; ++i) {
+      four.nodes[i] = nodes[first + std::min(i, count - 1)];  // lanes to spare repeat the last
+      loads[i] = world.scratch.stars[four.nodes[i]].load();
+      four.tensors[i] = loads[i].tensor;
+      four.strengths[i] = directional_strength_at(world, input, four.nodes[i]);
+    }
+    take_planes(world, four, candidate_planes(loads, four.strengths), count, averaged);
+  }
+}
+
 void evaluate_body(WorldState& world, const SeparationInput& input, const Body& body, bool averaged) {
-  parallel_for(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
-    evaluate_nodes(world, input, std::span(body.nodes).subspan(begin, end - begin), averaged);
+  parallel_parts(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
+    const std::span<const NodeId> nodes = std::span(body.nodes).subspan(begin, end - begin);
+    add_up_stars(input, body.tets, nodes, world.scratch.stars);
+    take_sums(world, input, nodes, averaged);
   });
 }
 
 }  // namespace
 
 void evaluate_nodes(WorldState& world, const SeparationInput& input, std::span<const NodeId> nodes, bool averaged) {
-  constexpr std::size_t kLanes = 4;
-  for (std::size_t first = 0; first < nodes.size(); first += kLanes) {
-    const std::size_t count = std::min(kLanes, nodes.size() - first);
-    std::array<NodeId, kLanes> lanes;
-    std::array<Mat3, kLanes> tensors;
-    std::array<DirectionalStrength, kLanes> strengths;
-    for (std::size_t i = 0; i < kLanes; ++i) {
-      lanes[i] = nodes[first + std::min(i, count - 1)];  // lanes to spare repeat the last
-      tensors[i] = i < count ? separation_tensor(input, lanes[i]) : tensors[i - 1];
-      strengths[i] = directional_strength_at(world, input, lanes[i]);
+  for (std::size_t first = 0; first < nodes.size(); first += kNodes) {
+    const std::size_t count = std::min(kNodes, nodes.size() - first);
+    FourNodes four;
+    for (std::size_t i = 0; i < kNodes; ++i) {
+      four.nodes[i] = nodes[first + std::min(i, count - 1)];  // lanes to spare repeat the last
+      four.tensors[i] = i < count ? separation_tensor(input, four.nodes[i]) : four.tensors[i - 1];
+      four.strengths[i] = directional_strength_at(world, input, four.nodes[i]);
     }
-    const std::array<CandidatePlane, kLanes> planes = candidate_planes(input, lanes, tensors, strengths);
-    for (std::size_t i = 0; i < count; ++i) {
-      NodeSeparation& separation = world.nodes.separations[lanes[i]];
-      separation.tensor = tensors[i];
-      take_load(world, lanes[i], planes[i], strengths[i], averaged, separation);
-    }
+    take_planes(world, four, candidate_planes(input, four.nodes, four.tensors, four.strengths), count, averaged);
   }
 }
 
@@ -76,11 +105,14 @@ SeparationInput separation_input(const WorldState& world) {
 }
 
 void evaluate_separation(WorldState& world, const Body& body) {
-  if (!body.rigid) evaluate_body(world, separation_input(world), body, false);
+  if (body.rigid) return;
+  world.scratch.stars.resize(world.nodes.positions.size());
+  evaluate_body(world, separation_input(world), body, false);
 }
 
 void evaluate_separation(WorldState& world, bool averaged) {
   const SeparationInput input = separation_input(world);
+  world.scratch.stars.resize(world.nodes.positions.size());
   parallel_for(static_cast<int>(world.bodies.size()), 16, [&](int first, int last) {
     for (const Body& body : std::span(world.bodies).subspan(first, last - first))
       if (body.sways()) evaluate_body(world, input, body, averaged);

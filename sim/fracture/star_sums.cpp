@@ -1,0 +1,121 @@
+#include "sim/fracture/star_sums.h"
+
+#include <algorithm>
+#include <array>
+
+#include "sim/elasticity/corner_traction.h"
+#include "sim/fracture/force_dyads.h"
+#include "sim/mesh/corner_sums.h"
+
+namespace griffith {
+namespace {
+
+using simd::DoubleLanes;
+using simd::WideQuad;
+
+/// What each corner of an element gets.
+using CornerSums = std::array<StarSums*, 4>;
+
+void add_forces(const CornerVectors& tensile, const CornerVectors& compressive, const CornerSums& to) {
+  const std::array<WideQuad, 4> t = one_by_one(tensile), c = one_by_one(compressive);
+  for (int i = 0; i < 4; ++i) {
+    to[i]->total.tensile += t[i];
+    to[i]->total.compressive += c[i];
+  }
+}
+
+/// Vectors of unit length, and 0 of 0.
+CornerVectors directions_of(const CornerVectors& f) {
+  return inverse_or_zero(simd::root(f.x * f.x + f.y * f.y + f.z * f.z)) * f;
+}
+
+void add_dyads(const CornerVectors& tensile, const CornerVectors& compressive, const CornerSums& to) {
+  const CornerVectors t = directions_of(tensile), c = directions_of(compressive);
+  const auto add_column = [&](int column, DoubleLanes f, DoubleLanes g) {
+    const std::array<WideQuad, 4> of_corners = one_by_one(f * t - g * c);
+    for (int i = 0; i < 4; ++i) to[i]->dyads.columns[column] += of_corners[i];
+  };
+  add_column(0, tensile.x, compressive.x);
+  add_column(1, tensile.y, compressive.y);
+  add_column(2, tensile.z, compressive.z);
+}
+
+void add_tension(double volume, const ElementState& state, const CornerSums& to) {
+  const auto& [xx, yy, zz, xy, xz, yz] = state.tension;
+  const WideQuad diagonal = volume * WideQuad{xx, yy, zz, 1}, off_diagonal = volume * WideQuad{xy, xz, yz, 0};
+  for (StarSums* sums : to) {
+    sums->diagonal += diagonal;
+    sums->off_diagonal += off_diagonal;
+    sums->largest = std::max(sums->largest, state.tension_norm);
+  }
+}
+
+void add_element(const RestElement& rest, const ElementState& state, bool anchored, const CornerSums& to) {
+  const CornerVectors gradients = corner_gradients(rest);
+  const CornerVectors part = product(state.tensile_traction, gradients), whole = corner_tractions(state, gradients);
+  const DoubleLanes zero = {}, volume = zero + rest.volume;
+  const CornerVectors tensile = -volume * part, compressive = volume * (part - whole);
+  add_forces(tensile, compressive, to);
+  add_dyads(tensile, compressive, to);
+  if (!anchored) add_tension(rest.volume, state, to);
+}
+
+/// Adds V/2 |(cof(B) g)·e| with the direction e of each corner.
+void add_area(const RestElement& rest, const ElementState& state, const CornerSums& to) {
+  const auto direction = [&](int i) {
+    const Vec3& e = to[i]->pulled.direction;
+    return WideQuad{e.x(), e.y(), e.z(), 0};
+  };
+  const CornerVectors directions = simd::side_by_side(direction(0), direction(1), direction(2), direction(3));
+  const Mat3 cofactors = cofactor(state.frame);
+  const auto along = [&](int i) {  // cof(B)ᵀ e
+    const DoubleLanes zero = {};
+    return simd::dot({zero + cofactors(0, i), zero + cofactors(1, i), zero + cofactors(2, i)}, directions);
+  };
+  const CornerVectors across = {along(0), along(1), along(2)};
+  const DoubleLanes area = 0.5 * rest.volume * simd::absolute(simd::dot(across, corner_gradients(rest)));
+  for (int i = 0; i < 4; ++i) to[i]->area += area[i];
+}
+
+Mat3 tensor_of(const Dyads& dyads) { return 0.5 * simd::matrix_of(dyads.columns); }
+
+/// The separation tensors of nodes whose forces are added up, and their largest eigenpairs.
+void find_pulls(const SeparationInput& input, std::span<const NodeId> nodes, std::span<StarSums> sums) {
+  constexpr std::size_t kLanes = 4;
+  for (std::size_t first = 0; first < nodes.size(); first += kLanes) {
+    const std::size_t count = std::min(kLanes, nodes.size() - first);
+    std::array<Mat3, kLanes> tensors;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      StarSums& star = sums[nodes[first + std::min(i, count - 1)]];  // lanes to spare repeat the last
+      if (i < count && !is_constrained(input, nodes[first + i])) star.dyads.add(star.total, {}, -1);
+      tensors[i] = tensor_of(star.dyads);
+    }
+    const std::array<LargestPrincipal, kLanes> pulled = largest_principals(tensors);
+    for (std::size_t i = 0; i < count; ++i) sums[nodes[first + i]].pulled = pulled[i];
+  }
+}
+
+}  // namespace
+
+StarLoad StarSums::load() const {
+  return {tensor_of(dyads),
+          pulled,
+          area,
+          diagonal[3],
+          largest,
+          SymmetricMat3{diagonal[0], diagonal[1], diagonal[2], off_diagonal[0], off_diagonal[1], off_diagonal[2]}};
+}
+
+void add_up_stars(const SeparationInput& input, std::span<const TetId> tets, std::span<const NodeId> nodes,
+                  std::span<StarSums> sums) {
+  for (const NodeId node : nodes) sums[node] = {};
+  add_at_corners(input.tets, tets, nodes, sums, [&](TetId tet, const CornerSums& to) {
+    add_element(input.rest_elements[tet], input.states[tet], is_anchored(input, tet), to);
+  });
+  find_pulls(input, nodes, sums);
+  add_at_corners(input.tets, tets, nodes, sums, [&](TetId tet, const CornerSums& to) {
+    if (!is_anchored(input, tet)) add_area(input.rest_elements[tet], input.states[tet], to);
+  });
+}
+
+}  // namespace griffith
