@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace griffith {
 
@@ -31,5 +33,18 @@ void parallel_parts(int count, int grain, const std::function<void(int begin, in
 /// The sum of block(begin, end) over consecutive blocks of fixed length, added in order: the same bits for any number
 /// of threads.
 double parallel_sum(int count, const std::function<double(int begin, int end)>& block);
+
+/// Appends to `all` what find(begin, end, found) appends to `found` for consecutive blocks that cover [0, count), in
+/// the order of the blocks: the same for any number of threads.
+template <class T, class Find>
+void parallel_collect(int count, std::vector<T>& all, const Find& find) {
+  constexpr int kBlock = 1024;
+  if (count <= kBlock) return find(0, count, all);
+  std::vector<std::vector<T>> found((count + kBlock - 1) / kBlock);
+  parallel_for(static_cast<int>(found.size()), 1, [&](int first, int last) {
+    for (int i = first; i < last; ++i) find(i * kBlock, std::min(count, (i + 1) * kBlock), found[i]);
+  });
+  for (const std::vector<T>& of_block : found) all.insert(all.end(), of_block.begin(), of_block.end());
+}
 
 }  // namespace griffith

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
+#include <utility>
 
+#include "sim/core/parallel.h"
 #include "sim/core/sort_unique.h"
-#include "sim/geometry/point_grid.h"
 
 namespace griffith::shock {
 namespace {
@@ -17,6 +19,8 @@ constexpr int kRounds = 4;
 constexpr double kReachOfCracks = 0.25;
 /// Candidates are listed for about so many microsteps, within an edge length.
 constexpr double kMicrostepsOfCandidates = 24;
+/// Edge of the boxes that places are sorted into to find candidates, in edge lengths of elements.
+constexpr double kGridEdge = 0.5;
 /// What a candidate takes in a microstep, half of them being too far away to be looked at, and a touch [µs].
 constexpr double kCandidateWork = 0.012, kTouchWork = 0.3;
 
@@ -93,33 +97,64 @@ void Impacts::open(const Solid& solid, const CrackSides& sides) {
   listed_until_ = std::min(listed_until_, travelled_ + kReachOfCracks * margin_);
 }
 
-void Impacts::list_near_obstacle(const Solid& solid, const Obstacle& obstacle, Candidates& candidates) {
-  candidates.sides.clear(), candidates.nodes.clear(), candidates.samples.clear();
-  near_.clear();
-  for (const BoxedSide& boxed : boxed_)
-    if (may_be_near(obstacle, boxed.box, margin_)) near_.push_back(boxed);
-  if (obstacle.is_sphere()) {
-    for (const BoxedSide& near : near_) candidates.sides.push_back({{}, near.side});
-    return;
+/// Boxes the surface, and sorts the boxes by their centres.
+void Impacts::box_surface(const Solid& solid) {
+  boxed_.clear();
+  for (const Side& side : surface_) boxed_.push_back({box_of(solid, side), side});
+  std::vector<Vec3> centers;
+  Vec3 largest = Vec3::Zero();
+  for (const BoxedSide& boxed : boxed_) {
+    centers.push_back(boxed.box.center());
+    largest = largest.cwiseMax(0.5 * boxed.box.sizes());
   }
-  near_nodes_.clear();
-  for (const BoxedSide& near : near_)
-    for (const int node : solid.nodes_of_side(near.side.slot, near.side.face)) near_nodes_.push_back(node);
-  sort_unique(near_nodes_);
-  for (int part = 0; part < static_cast<int>(obstacle.solids.size()); ++part)
-    list_near_part(solid, obstacle, part, candidates);
+  boxes_at_ = BoxesByCenter{PointGrid(centers, kGridEdge * element_size_), largest};
 }
 
-/// Lists, of the nodes of the sides near an obstacle, those that are near one of its parts, and that part's samples
-/// near the sides.
-void Impacts::list_near_part(const Solid& solid, const Obstacle& obstacle, int part, Candidates& candidates) const {
+/// The sides that may be near an obstacle, in the order of the surface.
+std::vector<Impacts::BoxedSide> Impacts::sides_near(const Obstacle& obstacle) const {
+  std::vector<BoxedSide> near;
+  const auto take = [&](int index) {
+    if (may_be_near(obstacle, boxed_[index].box, margin_)) near.push_back(boxed_[index]);
+  };
+  const Vec3 reach = Vec3::Constant(obstacle.radius + margin_) + boxes_at_->largest;
+  if (!reach.allFinite()) {
+    for (int index = 0; index < static_cast<int>(boxed_.size()); ++index) take(index);
+    return near;
+  }
+  const Vec3& center = obstacle.state.pose.translation;
+  std::vector<int> indices;
+  boxes_at_->grid.visit({center - reach, center + reach}, [&](int index) { indices.push_back(index); });
+  std::ranges::sort(indices);
+  std::ranges::for_each(indices, take);
+  return near;
+}
+
+void Impacts::list_near_obstacle(const Solid& solid, const Obstacle& obstacle, Candidates& candidates) const {
+  candidates.sides.clear(), candidates.nodes.clear(), candidates.samples.clear();
+  const std::vector<BoxedSide> sides = sides_near(obstacle);
+  if (obstacle.is_sphere()) {
+    for (const BoxedSide& near : sides) candidates.sides.push_back({{}, near.side});
+    return;
+  }
+  std::vector<int> nodes;
+  for (const BoxedSide& near : sides)
+    for (const int node : solid.nodes_of_side(near.side.slot, near.side.face)) nodes.push_back(node);
+  sort_unique(nodes);
+  for (int part = 0; part < static_cast<int>(obstacle.solids.size()); ++part)
+    list_near_part(solid, obstacle, part, sides, nodes, candidates);
+}
+
+/// Lists, of the sides near an obstacle and their nodes, the nodes that are near one of its parts, and that part's
+/// samples near the sides.
+void Impacts::list_near_part(const Solid& solid, const Obstacle& obstacle, int part, std::span<const BoxedSide> sides,
+                             std::span<const int> nodes, Candidates& candidates) const {
   const ConvexSolid& convex = obstacle.solids[part];
-  for (const int node : near_nodes_)
+  for (const int node : nodes)
     if (convex.outermost_face(obstacle.state.pose.to_local(solid.position(node))).first < margin_)
       candidates.nodes.push_back({{}, part, node});
   for (int sample = 0; sample < static_cast<int>(convex.samples.size()); ++sample) {
     const Vec3 place = obstacle.state.pose.to_world(convex.samples[sample]);
-    for (const BoxedSide& near : near_)
+    for (const BoxedSide& near : sides)
       if (near.box.squaredExteriorDistance(place) < margin_ * margin_)
         candidates.samples.push_back({{}, part, sample, near.side});
   }
@@ -155,25 +190,36 @@ std::vector<Impacts::BoxedSide> Impacts::sides_near_others(const Solid& solid) c
 
 /// Nodes near sides of other bodies.
 void Impacts::list_pairs(const Solid& solid) {
-  pairs_.clear();
   const std::vector<BoxedSide> sides = sides_near_others(solid);
   std::vector<int> nodes;
   for (const BoxedSide& boxed : sides)
     for (const int node : solid.nodes_of_side(boxed.side.slot, boxed.side.face)) nodes.push_back(node);
   sort_unique(nodes);
   std::vector<Vec3> places;
-  for (const int node : nodes) places.push_back(solid.position(node));
-  const PointGrid grid(places, margin_ + element_size_);
-  const Vec3 reach = Vec3::Constant(margin_);
-  for (const auto& [box, side] : sides) {
-    const int family = family_of(solid, side);
-    grid.visit({box.min() - reach, box.max() + reach}, [&](int index) {
-      if (box.squaredExteriorDistance(places[index]) < margin_ * margin_ &&
-          surface_at(solid, nodes[index]).family != family)
-        pairs_.push_back({{}, nodes[index], side});
-    });
+  std::vector<int> families;
+  for (const int node : nodes) {
+    places.push_back(solid.position(node));
+    families.push_back(surface_at(solid, node).family);
   }
-  std::ranges::stable_sort(pairs_, {}, &NodeAndSide::node);
+  const PointGrid grid(places, kGridEdge * element_size_);
+  const Vec3 reach = Vec3::Constant(margin_);
+  std::vector<std::pair<int, int>> found;  // of `nodes` and `sides`
+  parallel_collect(
+      static_cast<int>(sides.size()), found, [&](int begin, int end, std::vector<std::pair<int, int>>& near) {
+        for (int i = begin; i < end; ++i) {
+          const Eigen::AlignedBox3d& box = sides[i].box;
+          const int family = family_of(solid, sides[i].side);
+          grid.visit({box.min() - reach, box.max() + reach}, [&](int index) {
+            if (families[index] != family && box.squaredExteriorDistance(places[index]) < margin_ * margin_)
+              near.emplace_back(index, i);
+          });
+        }
+      });
+  std::vector<int> starts(nodes.size() + 1, 0);
+  for (const auto& [index, side] : found) ++starts[index + 1];
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  pairs_.resize(found.size());
+  for (const auto& [index, side] : found) pairs_[starts[index]++] = {{}, nodes[index], sides[side].side};
 }
 
 /// `displacement`: that two things may come nearer to each other in a microstep [m].
@@ -182,9 +228,10 @@ void Impacts::list_candidates(const Solid& solid, double displacement) {
   for (const Obstacle& obstacle : obstacles_)
     if (obstacle.inverse_mass > 0 && std::isfinite(obstacle.radius)) margin_ = std::max(margin_, 0.1 * obstacle.radius);
   catch_up();
-  boxed_.clear();
-  for (const Side& side : surface_) boxed_.push_back({box_of(solid, side), side});
-  for (std::size_t i = 0; i < obstacles_.size(); ++i) list_near_obstacle(solid, obstacles_[i], candidates_[i]);
+  box_surface(solid);
+  parallel_for(static_cast<int>(obstacles_.size()), 8, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) list_near_obstacle(solid, obstacles_[i], candidates_[i]);
+  });
   list_pairs(solid);
   listed_until_ = travelled_ + margin_;
 }

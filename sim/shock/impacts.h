@@ -2,9 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "sim/geometry/point_grid.h"
 #include "sim/shock/obstacle.h"
 #include "sim/shock/solid.h"
 
@@ -107,6 +109,10 @@ class Impacts {
     Eigen::AlignedBox3d box;
     Side side;
   };
+  struct BoxesByCenter {
+    PointGrid grid;
+    Vec3 largest;  ///< half the sizes of the largest box, along each axis [m]
+  };
   /// What of the surface may touch an obstacle: sides of it a sphere, nodes and samples anything else.
   struct Candidates {
     std::vector<WatchedSide> sides;
@@ -137,8 +143,11 @@ class Impacts {
   void list_candidates(const Solid& solid, double displacement);
   /// How fast any two of all nodes and obstacles come nearer to each other, at most [m/s].
   double closing_speed(const Solid& solid) const;
-  void list_near_obstacle(const Solid& solid, const Obstacle& obstacle, Candidates& candidates);
-  void list_near_part(const Solid& solid, const Obstacle& obstacle, int part, Candidates& candidates) const;
+  void box_surface(const Solid& solid);
+  std::vector<BoxedSide> sides_near(const Obstacle& obstacle) const;
+  void list_near_obstacle(const Solid& solid, const Obstacle& obstacle, Candidates& candidates) const;
+  void list_near_part(const Solid& solid, const Obstacle& obstacle, int part, std::span<const BoxedSide> sides,
+                      std::span<const int> nodes, Candidates& candidates) const;
   std::vector<BoxedSide> sides_near_others(const Solid& solid) const;
   void list_pairs(const Solid& solid);
   void find_touches(const Solid& solid);
@@ -150,6 +159,9 @@ class Impacts {
   void touch_bodies(const Solid& solid);
   template <class Candidate, class PlaceOf>
   void find_behind(const Solid& solid, std::vector<Candidate>& candidates, PlaceOf place_of);
+  template <class Candidate, class PlaceOf>
+  void find_behind(const Solid& solid, std::span<Candidate> candidates, std::size_t first, PlaceOf place_of,
+                   std::vector<Found>& found) const;
   void touch_nearest(const Solid& solid, std::span<const Found> found);
   /// Whether what is behind two sides is rather touched by the first: by the one behind which it lies less deep; where
   /// that is the same, as at an edge, by the one that it comes through.
@@ -173,10 +185,9 @@ class Impacts {
   std::vector<Side> surface_;
   std::vector<WatchedCrack> cracks_;
   std::vector<Obstacle> obstacles_;
-  std::vector<SurfaceLaw> surfaces_;    ///< per body of the solid
-  std::vector<BoxedSide> boxed_;        ///< the surface, while candidates are listed
-  std::vector<BoxedSide> near_;         ///< of it, near one obstacle
-  std::vector<int> near_nodes_;         ///< of these
+  std::vector<SurfaceLaw> surfaces_;  ///< per body of the solid
+  std::vector<BoxedSide> boxed_;      ///< the surface, while candidates are listed
+  std::optional<BoxesByCenter> boxes_at_;
   std::vector<Candidates> candidates_;  ///< per obstacle
   std::vector<NodeAndSide> pairs_;      ///< nodes near sides of other bodies, by node
   std::vector<Touch> touches_;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "sim/core/parallel.h"
 #include "sim/geometry/closest_on_triangle.h"
 #include "sim/shock/four_sides.h"
 #include "sim/shock/impacts.h"
@@ -72,10 +73,10 @@ bool Impacts::is_nearer(const Solid& solid, const Touch& touch, const Touch& oth
   return approach_of(solid, touch).dot(touch.normal) < approach_of(solid, other).dot(other.normal);
 }
 
-/// Finds which of these lie behind the side that they are listed with. `place_of`: tells where a candidate is.
+/// Appends which of some candidates lie behind the side that they are listed with.
 template <class Candidate, class PlaceOf>
-void Impacts::find_behind(const Solid& solid, std::vector<Candidate>& candidates, PlaceOf place_of) {
-  found_.clear();
+void Impacts::find_behind(const Solid& solid, std::span<Candidate> candidates, std::size_t first, PlaceOf place_of,
+                          std::vector<Found>& found) const {
   std::array<std::size_t, simd::kDoubleLanes> four{};
   int count = 0;
   const auto look = [&] {
@@ -94,12 +95,12 @@ void Impacts::find_behind(const Solid& solid, std::vector<Candidate>& candidates
       record_gap(candidates[four[lane]], four_behind.clear[lane]);
       if (four_behind.are_behind[lane] == 0) continue;
       const auto& weights = four_behind.weights;
-      found_.push_back({four[lane],
-                        {.nodes = nodes(lane),
-                         .weights = {weights[0][lane], weights[1][lane], weights[2][lane]},
-                         .place = vector_of(points, lane),
-                         .normal = vector_of(four_behind.normals, lane),
-                         .depth = four_behind.depth[lane]}});
+      found.push_back({first + four[lane],
+                       {.nodes = nodes(lane),
+                        .weights = {weights[0][lane], weights[1][lane], weights[2][lane]},
+                        .place = vector_of(points, lane),
+                        .normal = vector_of(four_behind.normals, lane),
+                        .depth = four_behind.depth[lane]}});
     }
     count = 0;
   };
@@ -109,6 +110,15 @@ void Impacts::find_behind(const Solid& solid, std::vector<Candidate>& candidates
     if (count == simd::kDoubleLanes) look();
   }
   if (count > 0) look();
+}
+
+/// Finds which of all of these lie behind their sides. `place_of`: tells where a candidate is.
+template <class Candidate, class PlaceOf>
+void Impacts::find_behind(const Solid& solid, std::vector<Candidate>& candidates, PlaceOf place_of) {
+  found_.clear();
+  parallel_collect(static_cast<int>(candidates.size()), found_, [&](int begin, int end, std::vector<Found>& found) {
+    find_behind(solid, std::span(candidates).subspan(begin, end - begin), begin, place_of, found);
+  });
 }
 
 /// Touches, of the sides that one thing lies behind, the nearest.

@@ -99,28 +99,32 @@ SolveReport solve_swinging(const BlockSparseMatrix& a, const RigidModePreconditi
 ElasticSystem::ElasticSystem(const TetMesh& mesh, std::span<const TetId> tets,
                              std::span<const NodeConstraint> constraints, std::span<int> row_of_node) {
   const std::vector<NodeId> body_nodes = nodes_of(mesh, tets);
-  for (NodeId node : number_rows(body_nodes, constraints, row_of_node)) rows_.add(mesh, node, row_of_node);
-  rows_.allocate();
+  ElementRows& rows = rows_.edit();
+  for (NodeId node : number_rows(body_nodes, constraints, row_of_node)) rows.add(mesh, node, row_of_node);
+  rows.allocate();
   rebuild_support_rows(mesh, body_nodes, constraints, row_of_node);
-  preconditioner_.emplace(rows_.matrix, aggregate_size(rows_.matrix.rows()));
+  preconditioner_.emplace(RigidModePreconditioner(matrix(), aggregate_size(matrix().rows())));
 }
 
-std::size_t ElasticSystem::memory() const {
-  const auto rows_memory = [](const ElementRows& rows) {
-    return rows.matrix.blocks.size() * (sizeof(Mat3) + sizeof(int)) +
-           rows.tets.size() * sizeof(ElementRows::TetAtNode) + rows.nodes.size() * 4 * sizeof(int);
+std::size_t ElasticSystem::memory(const ElasticSystem* beside) const {
+  const auto size_of = [&](auto part) {
+    const auto& mine = this->*part;
+    const bool is_shared = beside && mine && (beside->*part) && mine->shares_with(*(beside->*part));
+    return !mine || is_shared ? 0 : (*mine)->memory();
   };
-  const std::size_t preconditioners = (fixed_preconditioner_ ? 2 : 1) * preconditioner_->memory();
-  const std::size_t inputs = inputs_ ? inputs_->memory() : 0;
-  return sizeof(*this) + rows_memory(rows_) + rows_memory(support_rows_) + preconditioners + inputs;
+  std::size_t size = sizeof(*this);
+  if (!beside || !rows_.shares_with(beside->rows_)) size += rows_->memory();
+  if (!beside || !support_rows_.shares_with(beside->support_rows_)) size += support_rows_->memory();
+  size += size_of(&ElasticSystem::inputs_) + size_of(&ElasticSystem::preconditioner_);
+  return size + size_of(&ElasticSystem::fixed_preconditioner_);
 }
 
 void ElasticSystem::patch(const TetMesh& mesh, std::span<const NodeId> body_nodes,
                           std::span<const NodeConstraint> constraints, std::span<int> row_of_node) {
   const std::vector<NodeId> unknown = number_rows(body_nodes, constraints, row_of_node);
-  const std::vector<int> previous_rows = rows_.patch(mesh, unknown, row_of_node);
+  const std::vector<int> previous_rows = rows_.edit().patch(mesh, unknown, row_of_node);
   rebuild_support_rows(mesh, body_nodes, constraints, row_of_node);
-  preconditioner_->patch(rows_.matrix, previous_rows, aggregate_size(rows_.matrix.rows()));
+  preconditioner_->edit().patch(matrix(), previous_rows, aggregate_size(matrix().rows()));
   fixed_preconditioner_.reset();
   inputs_.reset();
 }
@@ -129,15 +133,16 @@ void ElasticSystem::rebuild_support_rows(const TetMesh& mesh, std::span<const No
                                          std::span<const NodeConstraint> constraints,
                                          std::span<const int> row_of_node) {
   sliding_.clear();
-  support_rows_ = {};
+  ElementRows support_rows;
   row_of_support_column_.clear();
   for (NodeId node : body_nodes) {
     if (constraints[node].is_free()) continue;
     if (row_of_node[node] >= 0) sliding_.push_back({row_of_node[node], constraints[node].allowed});
-    support_rows_.add(mesh, node, {});
+    support_rows.add(mesh, node, {});
   }
-  support_rows_.allocate();
-  for (int column : support_rows_.matrix.columns) row_of_support_column_.push_back(row_of_node[column]);
+  support_rows.allocate();
+  support_rows_ = CopyOnWrite(std::move(support_rows));
+  for (int column : support_rows_->matrix.columns) row_of_support_column_.push_back(row_of_node[column]);
   reactions_.assign(supports().size(), Vec3::Zero());
 }
 
@@ -151,36 +156,36 @@ void ElasticSystem::assemble(const ImplicitStep& step, const ElasticLaw& law,
 void ElasticSystem::assemble(const MatrixFactors& factors, const ElasticLaw& law,
                              std::span<const RestElement> rest_elements, std::span<const ElementState> states,
                              std::span<const Vec3> positions, std::span<const double> masses) {
-  if (!inputs_) inputs_.emplace(rows_, support_rows_);
-  if (inputs_->still_hold(factors, law, states, masses)) return;
-  inputs_->record(factors, law, states, masses);
-  rows_.assemble(factors, law, rest_elements, states, masses);
-  support_rows_.assemble(factors, law, rest_elements, states, masses);
+  if (!inputs_) inputs_.emplace(AssemblyInputs(rows_, support_rows_));
+  if ((*inputs_)->still_hold(factors, law, states, masses)) return;
+  inputs_->edit().record(factors, law, states, masses);
+  rows_.edit().assemble(factors, law, rest_elements, states, masses);
+  support_rows_.edit().assemble(factors, law, rest_elements, states, masses);
   project_sliding_rows();
-  preconditioner_->update(rows_.matrix, gather(positions));
+  preconditioner_->edit().update(matrix(), gather(positions));
 }
 
 void ElasticSystem::project_sliding_rows() {
-  for (const SlidingRow& sliding : sliding_) project_row(rows_.matrix, sliding.row, sliding.allowed);
+  for (const SlidingRow& sliding : sliding_) project_row(rows_.edit().matrix, sliding.row, sliding.allowed);
 }
 
 SolveReport ElasticSystem::hold(std::span<const FixedRow> held, std::span<const Vec3> positions, double tolerance,
                                 int max_iterations, NodeVectors& impulses, NodeVectors& x) {
-  BlockSparseMatrix a = rows_.matrix;
+  BlockSparseMatrix a = rows_->matrix;
   NodeVectors known = NodeVectors::Zero(3, a.rows()), pushed;
   for (const FixedRow& row : held) {
     known.col(row.row) = row.known - row.allowed * row.known;
     project_row(a, row.row, row.allowed);
   }
-  multiply(rows_.matrix, known, pushed);
+  multiply(rows_->matrix, known, pushed);
   NodeVectors b = impulses - pushed;
   for (const FixedRow& row : held) b.col(row.row) = Vec3(row.allowed * b.col(row.row));
-  if (!fixed_preconditioner_) fixed_preconditioner_.emplace(a, aggregate_size(a.rows()));
-  fixed_preconditioner_->update(a, gather(positions));
+  if (!fixed_preconditioner_) fixed_preconditioner_.emplace(RigidModePreconditioner(a, aggregate_size(a.rows())));
+  fixed_preconditioner_->edit().update(a, gather(positions));
   x = NodeVectors::Zero(3, a.rows());
-  const SolveReport report = conjugate_gradient(a, *fixed_preconditioner_, b, x, 1, tolerance, max_iterations);
+  const SolveReport report = conjugate_gradient(a, **fixed_preconditioner_, b, x, 1, tolerance, max_iterations);
   x += known;
-  multiply(rows_.matrix, x, pushed);
+  multiply(rows_->matrix, x, pushed);
   for (const FixedRow& row : held)
     impulses.col(row.row) +=
         pushed.col(row.row) - impulses.col(row.row) - row.allowed * (pushed.col(row.row) - impulses.col(row.row));
@@ -208,7 +213,7 @@ SolveReport ElasticSystem::solve(const ImplicitStep& step, std::span<const Vec3>
     report = solve_free(step, gather(positions), mass, b, true, x);
   } else if (const std::optional<Pivot> pivot = pivot_of(supports(), constraints, positions)) {
     project(b);
-    report = solve_swinging(rows_.matrix, *preconditioner_, step, *pivot, gather(positions), mass, b, true, x);
+    report = solve_swinging(rows_->matrix, **preconditioner_, step, *pivot, gather(positions), mass, b, true, x);
     project(x);
   } else {
     report = solve_projected(constraints, step.relative_residual, step.max_iterations, b, x);
@@ -228,13 +233,13 @@ SolveReport ElasticSystem::respond(const ImplicitStep& step, std::span<const Vec
   if (is_free()) return solve_free(step, gather(positions), gather_masses(masses), b, false, change);
   project(b);
   const std::optional<Pivot> pivot = pivot_of(supports(), constraints, positions);
-  const SolveReport report = pivot
-                                 ? solve_swinging(rows_.matrix, *preconditioner_, step, *pivot, gather(positions),
-                                                  gather_masses(masses), b, false, change)
-                                 : conjugate_gradient(rows_.matrix, *preconditioner_, b, change, step.relative_residual,
-                                                      std::sqrt(dot(b, b)), step.max_iterations);
+  const SolveReport report =
+      pivot ? solve_swinging(rows_->matrix, **preconditioner_, step, *pivot, gather(positions), gather_masses(masses),
+                             b, false, change)
+            : conjugate_gradient(rows_->matrix, **preconditioner_, b, change, step.relative_residual,
+                                 std::sqrt(dot(b, b)), step.max_iterations);
   project(change);
-  const BlockSparseMatrix& a = support_rows_.matrix;
+  const BlockSparseMatrix& a = support_rows_->matrix;
   for (int support = 0; support < a.rows(); ++support) {
     Vec3 impulse = -impulses[supports()[support]];
     for (int k = a.row_starts[support]; k < a.row_starts[support + 1]; ++k)
@@ -257,7 +262,7 @@ void ElasticSystem::project(NodeVectors& x) const {
 
 void ElasticSystem::project_right_hand_side(std::span<const NodeConstraint> constraints, NodeVectors& b) const {
   // A is symmetric, so the rows of the supports hold the columns that meet the known velocities.
-  const BlockSparseMatrix& a = support_rows_.matrix;
+  const BlockSparseMatrix& a = support_rows_->matrix;
   for (int support = 0; support < a.rows(); ++support) {
     const Vec3& known = constraints[supports()[support]].velocity;
     if (known.isZero(0)) continue;
@@ -273,18 +278,18 @@ SolveReport ElasticSystem::solve_projected(std::span<const NodeConstraint> const
   if (nodes().empty()) return {};
   project_right_hand_side(constraints, b);
   project(x);
-  return conjugate_gradient(rows_.matrix, *preconditioner_, b, x, relative_residual, std::sqrt(dot(b, b)),
+  return conjugate_gradient(rows_->matrix, **preconditioner_, b, x, relative_residual, std::sqrt(dot(b, b)),
                             max_iterations, given_up);
 }
 
 bool ElasticSystem::solve_directly(std::span<const NodeConstraint> constraints, NodeVectors b, NodeVectors& x) const {
   project_right_hand_side(constraints, b);
-  return direct_solve(rows_.matrix, b, x);
+  return direct_solve(rows_->matrix, b, x);
 }
 
 void ElasticSystem::balance_supports(double dt, std::span<const NodeConstraint> constraints,
                                      std::span<const Vec3> velocities) {
-  const BlockSparseMatrix& a = support_rows_.matrix;
+  const BlockSparseMatrix& a = support_rows_->matrix;
   for (int support = 0; support < a.rows(); ++support) {
     Vec3 impulse = reactions_[support];
     for (int k = a.row_starts[support]; k < a.row_starts[support + 1]; ++k)
@@ -307,7 +312,7 @@ SolveReport ElasticSystem::solve_free(const ImplicitStep& step, const NodeVector
     const RigidMotion motion = rigid_motion(positions, rigid, masses);
     if (turning) add_centrifugal_impulses(motion.center, motion.angular_velocity, positions, masses, step.dt, impulses);
   };
-  return solve_beside(rows_.matrix, *preconditioner_, step, masses, b, rigid_field, centrifugal, x);
+  return solve_beside(rows_->matrix, **preconditioner_, step, masses, b, rigid_field, centrifugal, x);
 }
 
 }  // namespace griffith

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/core/copy_on_write.h"
 #include "sim/solver/assembly_inputs.h"
 #include "sim/solver/conjugate_gradient.h"
 #include "sim/solver/element_rows.h"
@@ -50,9 +51,9 @@ class ElasticSystem {
              std::span<int> row_of_node);
 
   /// The body's nodes that are not held, ascending; row i of the system is nodes()[i].
-  std::span<const NodeId> nodes() const { return rows_.nodes; }
+  std::span<const NodeId> nodes() const { return rows_->nodes; }
   /// The body's constrained nodes, ascending.
-  std::span<const NodeId> supports() const { return support_rows_.nodes; }
+  std::span<const NodeId> supports() const { return support_rows_->nodes; }
   /// Whether no node is constrained, so that the body's rigid motion follows from the forces alone.
   bool is_free() const { return supports().empty(); }
 
@@ -99,15 +100,17 @@ class ElasticSystem {
                    int max_iterations, NodeVectors& impulses, NodeVectors& x);
   /// About J A⁻¹ Jᵀ for these points: by the preconditioner, which is close for what is smooth and within a small
   /// factor for what is not. Weights hold what sliding leaves free; after assemble().
-  PointCompliance compliance(std::span<const WeightedRows> points) const { return preconditioner_->compliance(points); }
+  PointCompliance compliance(std::span<const WeightedRows> points) const {
+    return (*preconditioner_)->compliance(points);
+  }
   /// Compliance of a free body's deformation alone: its rigid motion follows from its momentum, exactly.
   PointCompliance deforming_compliance(std::span<const WeightedRows> points, std::span<const Vec3> positions,
                                        std::span<const double> masses) const {
-    return preconditioner_->deforming_compliance(points, gather(positions), gather_masses(masses));
+    return (*preconditioner_)->deforming_compliance(points, gather(positions), gather_masses(masses));
   }
-  const BlockSparseMatrix& matrix() const { return rows_.matrix; }
-  /// About [bytes].
-  std::size_t memory() const;
+  const BlockSparseMatrix& matrix() const { return rows_->matrix; }
+  /// About what it takes, but for what it shares with `beside` [bytes].
+  std::size_t memory(const ElasticSystem* beside = nullptr) const;
 
  private:
   struct SlidingRow {
@@ -126,13 +129,13 @@ class ElasticSystem {
                          const NodeVectors& b, bool turning, NodeVectors& x) const;
   Eigen::VectorXd gather_masses(std::span<const double> masses) const;
 
-  ElementRows rows_;          // S A S, one row a node that is not held
-  ElementRows support_rows_;  // A, one row a constrained node; columns are nodes of the mesh
+  CopyOnWrite<ElementRows> rows_;          // S A S, one row a node that is not held
+  CopyOnWrite<ElementRows> support_rows_;  // A, one row a constrained node; columns are nodes of the mesh
   std::vector<SlidingRow> sliding_;
-  std::vector<int> row_of_support_column_;          // per block of support_rows_, -1 for held nodes
-  std::vector<Vec3> solved_reactions_, reactions_;  // of the last solve(); with the last respond()
-  std::optional<AssemblyInputs> inputs_;            // of the matrix; none since the rows changed
-  std::optional<RigidModePreconditioner> preconditioner_, fixed_preconditioner_;  // the second for hold()
+  std::vector<int> row_of_support_column_;             // per block of support_rows_, -1 for held nodes
+  std::vector<Vec3> solved_reactions_, reactions_;     // of the last solve(); with the last respond()
+  std::optional<CopyOnWrite<AssemblyInputs>> inputs_;  // of the matrix; none since the rows changed
+  std::optional<CopyOnWrite<RigidModePreconditioner>> preconditioner_, fixed_preconditioner_;  // the second for hold()
 };
 
 }  // namespace griffith

@@ -40,6 +40,11 @@ struct ElementRows {
   /// blocks are left for assemble(). The columns must be the rows' own nodes. Returns the row that each node had, -1
   /// for a new one.
   std::vector<int> patch(const TetMesh& mesh, std::span<const NodeId> node_list, std::span<const int> column_of_node);
+  /// About [bytes].
+  std::size_t memory() const {
+    return matrix.blocks.size() * (sizeof(Mat3) + sizeof(int)) + tets.size() * sizeof(TetAtNode) +
+           nodes.size() * 4 * sizeof(int);
+  }
   /// Computes all blocks for the present states. Spans are per node or tet of the mesh; the diagonal block of row i
   /// is in the column of node i.
   void assemble(const MatrixFactors& factors, const ElasticLaw& law, std::span<const RestElement> rest_elements,

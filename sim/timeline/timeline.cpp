@@ -161,9 +161,8 @@ void Timeline::mark_step(std::size_t cracks_before) {
 }
 
 void Timeline::keep_copy() {
-  Copy copy{std::make_shared<const World>(world_), world_.memory()};
-  used_ += copy.size;
-  copies_[branch_].insert_or_assign(step_, std::move(copy));
+  copies_[branch_][step_] = std::make_shared<const World>(world_);
+  used_ += size_of_copy(branch_, step_);
   while (used_ > memory_ && interval_ < kMaxInterval) thin_out();
 }
 
@@ -175,12 +174,19 @@ void Timeline::limit_memory(std::size_t memory) {
 /// Drops every other copy; the start is always kept.
 void Timeline::thin_out() {
   interval_ *= 2;
-  const auto goes = [&](const auto& entry) {
-    if ((entry.first - first_step()) % interval_ == 0) return false;
-    used_ -= entry.second.size;
-    return true;
-  };
+  const auto goes = [&](const auto& entry) { return (entry.first - first_step()) % interval_ != 0; };
   for (auto& copies : copies_) std::erase_if(copies, goes);
+  used_ = 0;
+  for (int branch = 0; branch < std::ssize(copies_); ++branch)
+    for (const auto& [step, copy] : copies_[branch]) used_ += size_of_copy(branch, step);
+}
+
+/// What a copy takes but for what it shares with the one before it [bytes]: what several share they have had since the
+/// first of them.
+std::size_t Timeline::size_of_copy(int branch, std::int64_t step) const {
+  const auto [at, line] = nearest_copy(branch, step - 1);
+  const World *copy = copies_[branch].at(step).get(), *before = copies_[line].at(at).get();
+  return copy->memory(before == copy ? nullptr : before);
 }
 
 void Timeline::go_to(int branch, std::int64_t step) {
@@ -193,7 +199,7 @@ std::int64_t Timeline::approach(int branch, std::int64_t step) {
   ++revision_;
   if (branch != branch_ || step < step_ || nearest_copy(branch, step).first > step_) {
     const auto [at, line] = nearest_copy(branch, step);
-    world_ = *copies_[line].at(at).world;
+    world_ = *copies_[line].at(at);
     step_ = at;
     branch_ = branch;
     line_ = -1;  // found anew, with all inputs before this step done

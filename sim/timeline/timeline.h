@@ -85,14 +85,10 @@ class Timeline {
 
   /// How many steps are between copies of the world.
   std::int64_t interval() const { return interval_; }
-  /// Bytes that copies take, about.
+  /// Bytes that copies take, about; what they share counts once.
   std::size_t memory_used() const { return used_; }
 
  private:
-  struct Copy {
-    std::shared_ptr<const World> world;
-    std::size_t size = 0;
-  };
   static constexpr std::int64_t kMaxInterval = 4096;
 
   std::vector<int> way_to_branch() const;
@@ -104,6 +100,7 @@ class Timeline {
   void mark_step(std::size_t cracks_before);
   void keep_copy();
   void thin_out();
+  std::size_t size_of_copy(int branch, std::int64_t step) const;
   std::pair<std::int64_t, int> nearest_copy(int branch, std::int64_t step) const;
 
   World world_;
@@ -111,7 +108,8 @@ class Timeline {
   std::size_t memory_, used_ = 0;
   std::int64_t interval_ = 8;
   std::vector<Branch> branches_;
-  std::vector<std::map<std::int64_t, Copy>> copies_;  ///< per branch, by step: before its inputs of that step
+  std::vector<std::map<std::int64_t, std::shared_ptr<const World>>>
+      copies_;                 ///< per branch, by step: before its inputs of that step
   int branch_ = 0, line_ = 0;  ///< the second: it, or the ancestor to which the next step belongs
   std::int64_t step_ = 0, revision_ = 0;
   std::size_t inputs_done_ = 0;  ///< of the line

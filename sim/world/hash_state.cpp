@@ -48,9 +48,9 @@ class FieldHash {
 
 std::uint64_t hash_of_mesh(const WorldState& world) {
   return FieldHash()
-      .add(world.mesh.tets)
+      .add(world.mesh->tets)
       .add(world.elements.bodies)
-      .add(world.mesh.rest_positions)
+      .add(world.mesh->rest_positions)
       .add(world.nodes.masses)
       .value();
 }
@@ -60,7 +60,7 @@ std::uint64_t hash_of_stresses(const WorldState& world) {
   // Strains that take no room are zero.
   const std::vector<Mat3> zeros(elements.plastic_strains.empty() ? elements.states.size() : 0, Mat3::Zero());
   FieldHash hash;
-  hash.add(elements.stresses).add(zeros.empty() ? elements.plastic_strains : zeros);
+  hash.add(*elements.stresses).add(zeros.empty() ? elements.plastic_strains : zeros);
   hash.add(zeros.empty() ? elements.similarity_strains : zeros);
   return hash.value();
 }
@@ -75,7 +75,7 @@ std::uint64_t hash_of_separations(const WorldState& world) {
 
 std::uint64_t hash_of_cracks(const WorldState& world) {
   FieldHash hash;
-  hash.add(world.elements.opened).add(world.mesh.neighbours).add(world.nodes.at_crack_front);
+  hash.add(*world.elements.opened).add(world.mesh->neighbours).add(world.nodes.at_crack_front);
   hash.add(world.nodes.pushed_at).add(world.splinter_state.open_walls).add(world.splinter_state.attached);
   hash.add_whole(world.crack_events.size());
   for (const PostponedCrack& crack : world.postponed)

@@ -3,6 +3,15 @@
 namespace griffith {
 namespace {
 
+template <class T>
+std::vector<T>& editable(std::vector<T>& array) {
+  return array;
+}
+template <class T>
+std::vector<T>& editable(SharedArray<T>& array) {
+  return array.edit();
+}
+
 /// Appends a copy of an entry of the same array.
 template <class T>
 void append_entry(std::vector<T>& array, std::size_t original) {
@@ -26,16 +35,22 @@ void make_strains(ElementArrays& elements) {
 }  // namespace
 
 std::size_t NodeArrays::memory() const { return positions.size() * entry_size<NodeArrays>(); }
-std::size_t ElementArrays::memory() const {
-  return states.size() * entry_size<ElementArrays>() + 2 * plastic_strains.size() * sizeof(Mat3);
+std::size_t ElementArrays::memory(const ElementArrays* beside) const {
+  std::vector<const void*> counted;  // what lies at the same place is the same
+  if (beside) each_array(*beside, [&](const auto& array, const auto&) { counted.push_back(array.data()); });
+  std::size_t size = 2 * plastic_strains.size() * sizeof(Mat3), i = 0;
+  each_array(*this, [&](const auto& array, const auto& fresh) {
+    if (!beside || array.data() != counted[i++]) size += array.size() * sizeof(fresh);
+  });
+  return size;
 }
 
 void NodeArrays::resize(std::size_t count) {
-  each_array(*this, [&](auto& array, const auto& fresh) { array.resize(count, fresh); });
+  each_array(*this, [&](auto& array, const auto& fresh) { editable(array).resize(count, fresh); });
 }
 
 void NodeArrays::append_copy(NodeId original) {
-  each_array(*this, [&](auto& array, const auto&) { append_entry(array, original); });
+  each_array(*this, [&](auto& array, const auto&) { append_entry(editable(array), original); });
   at_crack_front.back() = 0;
   rows.back() = -1;
   separations.back() = {};
@@ -49,12 +64,12 @@ void NodeArrays::append_between(const EdgeNode& node) {
 }
 
 void ElementArrays::resize(std::size_t count) {
-  each_array(*this, [&](auto& array, const auto& fresh) { array.resize(count, fresh); });
+  each_array(*this, [&](auto& array, const auto& fresh) { editable(array).resize(count, fresh); });
   if (!plastic_strains.empty()) make_strains(*this);
 }
 
 void ElementArrays::append_copy(TetId original) {
-  each_array(*this, [&](auto& array, const auto&) { append_entry(array, original); });
+  each_array(*this, [&](auto& array, const auto&) { append_entry(editable(array), original); });
   if (plastic_strains.empty()) return;
   append_entry(plastic_strains, original);
   append_entry(similarity_strains, original);

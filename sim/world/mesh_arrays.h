@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "sim/core/copy_on_write.h"
 #include "sim/elasticity/element.h"
 #include "sim/fracture/node_separation.h"
 #include "sim/mesh/bisect.h"
@@ -54,12 +55,12 @@ constexpr double kNeverOpened = std::numeric_limits<double>::quiet_NaN();
 /// Per tet; the rest elements change by remeshing alone. Each array but the strains' stands in each_array(), by which
 /// tets are added.
 struct ElementArrays {
-  std::vector<RestElement> rest_elements;
-  std::vector<ElementState> states;
-  std::vector<Mat3> stresses;  ///< Cauchy stress, world frame [Pa], for the frame
+  SharedArray<RestElement> rest_elements;
+  SharedArray<ElementState> states;
+  SharedArray<Mat3> stresses;  ///< Cauchy stress, world frame [Pa], for the frame
   std::vector<BodyId> bodies;
-  std::vector<std::uint8_t> first_surface;  ///< bit i: face i was on the surface before anything broke
-  std::vector<OpenedFaces> opened;
+  SharedArray<std::uint8_t> first_surface;  ///< bit i: face i was on the surface before anything broke
+  SharedArray<OpenedFaces> opened;
 
   /// Strains without stress; empty until allow_strains(): in what only sways or lies they would all be zero.
   std::vector<Mat3> plastic_strains;     ///< in rest space, traceless [-]
@@ -77,8 +78,8 @@ struct ElementArrays {
   void resize(std::size_t count);
   /// A tet that starts as another one is.
   void append_copy(TetId original);
-  /// Size of the arrays [bytes].
-  std::size_t memory() const;
+  /// Size of the arrays, but for those that are shared with `beside` [bytes].
+  std::size_t memory(const ElementArrays* beside = nullptr) const;
 
   template <class Arrays, class Use>
   static void each_array(Arrays&& all, Use use) {

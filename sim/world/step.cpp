@@ -200,6 +200,7 @@ void advance(WorldState& world) {
     if (asleep) {
       world.report.sleeping_bodies = static_cast<int>(world.bodies.size());
     } else {
+      world.elements.states.edit(), world.elements.stresses.edit();  // bodies will write theirs side by side
       step_by_settings(world, time_step);
     }
     ++world.step;

@@ -51,10 +51,10 @@ void change_resistance(WorldState& world, int scene_body) {
 void restore_start(WorldState& world, int scene_body) {
   for (const Body& body : world.bodies) {
     if (body.scene_body != scene_body) continue;
-    for (NodeId node : body.nodes) world.nodes.positions[node] = world.mesh.rest_positions[node];
+    for (NodeId node : body.nodes) world.nodes.positions[node] = world.mesh->rest_positions[node];
     for (TetId tet : body.tets) {
       if (!world.elements.plastic_strains.empty()) world.elements.plastic_strains[tet].setZero();
-      world.elements.states[tet] = {};
+      world.elements.states.edit()[tet] = {};
     }
   }
 }
@@ -62,10 +62,16 @@ void restore_start(WorldState& world, int scene_body) {
 /// Under the material that is in force now; what was put off is forgotten, since another would have to open.
 void judge_anew(WorldState& world, int scene_body) {
   std::erase_if(world.postponed, [&](const PostponedCrack& crack) {
-    return world.bodies[world.elements.bodies[world.mesh.stars[crack.node].front()]].scene_body == scene_body;
+    return world.bodies[world.elements.bodies[world.mesh->stars[crack.node].front()]].scene_body == scene_body;
   });
   for (const Body& body : world.bodies)
     if (body.scene_body == scene_body) evaluate_separation(world, body);
+}
+
+/// With its stars [bytes].
+std::size_t mesh_memory(const TetMesh& mesh) {
+  return mesh.rest_positions.size() * (sizeof(Vec3) + sizeof(std::vector<TetId>)) +
+         mesh.tets.size() * 12 * sizeof(TetId);
 }
 
 }  // namespace
@@ -87,7 +93,7 @@ Frame World::frame() const {
   Frame frame;
   frame.step = world.step;
   frame.time = world.time;
-  frame.nodes.rest_positions = world.mesh.rest_positions;
+  frame.nodes.rest_positions = world.mesh->rest_positions;
   frame.nodes.positions = world.nodes.positions;
   frame.nodes.points = world.model->points;
   frame.nodes.velocities = world.nodes.velocities;
@@ -98,12 +104,12 @@ Frame World::frame() const {
   frame.nodes.at_crack_front = world.nodes.at_crack_front;
   frame.nodes.separations = world.nodes.separations;
   frame.nodes.reactions = world.nodes.reactions;
-  frame.elements.tets = world.mesh.tets;
-  frame.elements.neighbours = world.mesh.neighbours;
+  frame.elements.tets = world.mesh->tets;
+  frame.elements.neighbours = world.mesh->neighbours;
   frame.elements.bodies = world.elements.bodies;
   frame.elements.first_surface = world.elements.first_surface;
   frame.elements.opened = world.elements.opened;
-  frame.nodes.stars = world.mesh.stars;
+  frame.nodes.stars = world.mesh->stars;
   frame.elements.rest_elements = world.elements.rest_elements;
   frame.elements.states = world.elements.states;
   frame.elements.stresses = world.elements.stresses;
@@ -155,16 +161,19 @@ void World::set_material(int scene_body, const Material& material) {
   publish(world);
 }
 
-std::size_t World::memory() const {
+std::size_t World::memory(const World* beside) const {
   const WorldState& world = impl_->state;
-  const std::size_t nodes = world.mesh.rest_positions.size(), tets = world.mesh.tets.size();
-  std::size_t size = sizeof(WorldState) + world.nodes.memory() + world.elements.memory() + world.contact_world.memory();
-  size += nodes * (sizeof(Vec3) + sizeof(std::vector<TetId>)) + tets * 12 * sizeof(TetId);  // the mesh and its stars
-  for (const Body& body : world.bodies) {
+  const WorldState* other = beside ? &beside->impl_->state : nullptr;
+  std::size_t size = sizeof(WorldState) + world.nodes.memory() + world.contact_world.memory();
+  size += world.elements.memory(other ? &other->elements : nullptr);
+  if (!other || !world.mesh.shares_with(other->mesh)) size += mesh_memory(world.mesh);
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    const Body& body = world.bodies[i];
     size += sizeof(Body) + body.tets.size() * sizeof(TetId) + body.surface.size() * sizeof(SurfaceFace) +
             body.nodes.size() * (sizeof(NodeId) + sizeof(Vec3));
     for (const ConvexPart& part : body.collision_parts) size += part.size() * sizeof(Vec3);
-    if (body.system) size += body.system->memory();
+    const bool has_other = other && i < other->bodies.size() && other->bodies[i].system;
+    if (body.system) size += body.system->memory(has_other ? &*other->bodies[i].system : nullptr);
   }
   for (const CrackEvent& event : world.crack_events)
     size += sizeof(CrackEvent) + event.elements.size() * sizeof(CrackElement);
@@ -175,7 +184,7 @@ std::size_t World::memory() const {
 std::uint64_t World::state_hash() const {
   const WorldState& world = impl_->state;
   const std::uint64_t motion = hash_values(world.nodes.velocities, hash_values(world.nodes.positions));
-  return hash_values(world.elements.bodies, hash_values(world.mesh.tets, motion));
+  return hash_values(world.elements.bodies, hash_values(world.mesh->tets, motion));
 }
 
 StateHashes World::state_hashes() const { return hash_state(impl_->state); }

@@ -46,8 +46,8 @@ class World {
   /// which explicit integration would take too many substeps.
   void set_material(int scene_body, const Material& material);
 
-  /// What a copy takes, about [bytes].
-  std::size_t memory() const;
+  /// What it takes, but for what it shares with `beside`, a world with the same past, about [bytes].
+  std::size_t memory(const World* beside = nullptr) const;
 
   /// A hash of all positions, velocities and topology: the same bits, the same hash.
   std::uint64_t state_hash() const;

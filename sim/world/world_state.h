@@ -8,6 +8,7 @@
 
 #include "sim/contact/contact_world.h"
 #include "sim/core/boxed.h"
+#include "sim/core/copy_on_write.h"
 #include "sim/core/error.h"
 #include "sim/elasticity/element.h"
 #include "sim/fracture/star_sums.h"
@@ -139,7 +140,7 @@ struct WorldState {
   std::vector<PlacedSupport> supports;
   std::vector<PlacedLoad> loads;
   std::vector<PlacedProbe> probes;  ///< as Scene::probes
-  TetMesh mesh;
+  CopyOnWrite<TetMesh> mesh;
   NodeArrays nodes;
   ElementArrays elements;
   SplinterState splinter_state;

@@ -1,6 +1,5 @@
-// What a picture of 1280×720 costs the renderer, in natural colours, some time after the blow; one of a plate of
-// 100,000 triangles; and what the editor does in a frame beside it, for 54,080 tets. LP_NUM_THREADS=0 keeps software GL
-// on one thread.
+// What a picture of 1280×720 costs the renderer, in natural colours, some time after the blow; and one of a plate of
+// 100,000 triangles. LP_NUM_THREADS=0 keeps software GL on one thread.
 #include <benchmark/benchmark.h>
 
 #include "app/picture/draw_scene_from_frame.h"
@@ -57,22 +56,6 @@ void draw(benchmark::State& state, const Scene& scene, int steps, PictureQuality
   }
 }
 
-/// The copy of the world that the step in the background is given.
-void copy_world(benchmark::State& state) {
-  World world(swaying_wall(Vec3(0.0384, 0.0384, 0.0625)));
-  world.step();
-  for (auto _ : state) benchmark::DoNotOptimize(World(world));
-}
-
-/// The picture of a frame, by stress, before it is drawn.
-void make_picture(benchmark::State& state) {
-  const Scene scene = swaying_wall(Vec3(0.0384, 0.0384, 0.0625));
-  World world(scene);
-  const EmbeddedDisplay display = embedded_display(world.frame(), scene);
-  world.step();
-  for (auto _ : state) benchmark::DoNotOptimize(draw_scene_from_frame(world.frame(), display, scene, scene.view, {}));
-}
-
 void add(const std::string& name, const Scene& scene, int steps) {
   const std::pair<const char*, PictureQuality> qualities[] = {
       {"/draft", PictureQuality::draft}, {"/standard", PictureQuality::standard}, {"/high", PictureQuality::high}};
@@ -110,8 +93,5 @@ int main(int argc, char** argv) {
                                     {"wood_beam", 40}})
     griffith::app::add(name, griffith::app::scene_of(name), steps);
   griffith::app::add("triangles_100000", griffith::app::swaying_wall({2.0 / 158, 2.0 / 158, 0.25}), 0);
-  for (const auto& [name, work] : {std::pair{"editor/copy_world", &griffith::app::copy_world},
-                                   {"editor/make_picture", &griffith::app::make_picture}})
-    benchmark::RegisterBenchmark(name, work)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
   benchmark::RunSpecifiedBenchmarks();
 }

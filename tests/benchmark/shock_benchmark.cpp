@@ -29,7 +29,7 @@ Solid vibrating_block(int tets, ElementModel model) {
     Corners places;
     for (int i = 0; i < 4; ++i) places.col(i) = mesh.rest_positions[tet[i]];
     rest_elements.push_back(rest_element(places));
-    corners.push_back({tet[0], tet[1], tet[2], tet[3]});
+    corners.push_back({tet[0].index(), tet[1].index(), tet[2].index(), tet[3].index()});
   }
   const std::vector<Mat3> offsets(corners.size(), Mat3::Zero());
   solid.add_body(elastic_law(material), material.density, corners, rest_elements, offsets);

@@ -4,6 +4,8 @@
 
 #include <random>
 
+#include "sim/core/parallel.h"
+
 namespace griffith::contact {
 namespace {
 
@@ -135,21 +137,34 @@ TEST(ImpulseSolver, AddsNoEnergy) {
   }
 }
 
-TEST(ImpulseSolver, GroupsThatDoNotTouchDoNotKnowOfEachOther) {
-  Heap left(1, 0.6), right(2, 0.6), both(1, 0.6);
-  solve_impulses(left.rows, left.solver_bodies);
-  solve_impulses(right.rows, right.solver_bodies);
-  const Heap fresh(2, 0.6);
-  for (std::size_t i = 1; i < fresh.solver_bodies.size(); ++i) both.solver_bodies.push_back(fresh.solver_bodies[i]);
-  for (ContactConstraint row : fresh.rows) {
+/// Adds the objects and contacts of `heap` beside those there, on the same immovable one.
+void append(const Heap& heap, Heap& all) {
+  const int shift = static_cast<int>(all.solver_bodies.size()) - 1;
+  all.solver_bodies.insert(all.solver_bodies.end(), heap.solver_bodies.begin() + 1, heap.solver_bodies.end());
+  for (ContactConstraint row : heap.rows) {
     for (ContactEnd* end : {&row.a, &row.b})
-      if (end->solver_body > 0) end->solver_body += 12;
-    both.rows.push_back(row);
+      if (end->solver_body > 0) end->solver_body += shift;
+    all.rows.push_back(row);
   }
-  solve_impulses(both.rows, both.solver_bodies);
-  for (std::size_t i = 0; i < left.rows.size(); ++i) EXPECT_EQ(both.rows[i].impulse, left.rows[i].impulse);
-  for (std::size_t i = 0; i < right.rows.size(); ++i)
-    EXPECT_EQ(both.rows[left.rows.size() + i].impulse, right.rows[i].impulse);
+}
+
+TEST(ImpulseSolver, GroupsThatDoNotTouchDoNotKnowOfEachOtherForAnyNumberOfThreads) {
+  constexpr int kHeaps = 40;
+  std::vector<Vec3> alone;
+  int relaxations = 0;
+  for (int seed = 0; seed < kHeaps; ++seed) {
+    Heap heap(seed, 0.6);
+    relaxations += solve_impulses(heap.rows, heap.solver_bodies);
+    for (const ContactConstraint& row : heap.rows) alone.push_back(row.impulse);
+  }
+  for (const int threads : {1, 2, 4}) {
+    const ThreadLimit limit(threads);
+    Heap all(0, 0.6);
+    for (int seed = 1; seed < kHeaps; ++seed) append(Heap(seed, 0.6), all);
+    EXPECT_EQ(solve_impulses(all.rows, all.solver_bodies), relaxations);
+    ASSERT_EQ(all.rows.size(), alone.size());
+    for (std::size_t i = 0; i < alone.size(); ++i) EXPECT_EQ(all.rows[i].impulse, alone[i]) << i;
+  }
 }
 
 }  // namespace

@@ -158,5 +158,58 @@ TEST(Impacts, SidesOfACrackThatCloseStopEachOther) {
   EXPECT_LT((center_velocity(4) - Vec3(0, 0, -0.5)).norm(), 1e-9);
 }
 
+/// A ball that rises into the face of a tet from below.
+Obstacle ball_below(const Vec3& place) {
+  Obstacle ball;
+  ball.radius = 0.2;
+  ball.inverse_mass = 1e-3;
+  ball.inverse_inertia = 0.1 * Mat3::Identity();
+  ball.state.pose.translation = place + Vec3(0.3, 0.3, -0.19);
+  ball.state.velocity = Vec3(0, 0, 5);
+  return ball;
+}
+
+/// Velocities of the nodes after a microstep of tets with a ball under each, `offsets` away from where it strikes.
+std::vector<Vec3> struck(std::span<const Vec3> places, std::span<const Vec3> offsets) {
+  Tets tets;
+  std::vector<Obstacle> balls;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    Corners4 corners = kUpper;
+    for (Vec3& corner : corners) corner += places[i];
+    tets.add(corners, Vec3::Zero());
+    balls.push_back(ball_below(places[i] + offsets[i]));
+  }
+  tets.solid.finish();
+  tets.solid.set_step(1e-9);
+  std::vector<int> flagged;
+  tets.solid.compute_forces();
+  tets.solid.advance(0, flagged);
+  Impacts impacts(tets.solid, tets.surface, {}, std::move(balls), tets.laws, 1);
+  impacts.resolve(tets.solid, 1e-9, 0);
+  std::vector<Vec3> velocities;
+  for (int i = 0; i < tets.solid.node_count(); ++i) velocities.push_back(tets.solid.velocity(i));
+  return velocities;
+}
+
+/// What is near an obstacle is looked up by place: nothing near may be left out, however much else there is.
+TEST(Impacts, BallsAmongManyTetsStrikeAsThoseAlone) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> number(-1, 1);
+  std::vector<Vec3> places, offsets;
+  for (int i = 0; i < 64; ++i) {
+    places.push_back(4 * Vec3(i % 4, i / 4 % 4, i / 16) + 0.5 * Vec3(number(random), number(random), number(random)));
+    offsets.push_back(0.5 * Vec3(number(random), number(random), 0.1 * number(random)));
+  }
+  const std::vector<Vec3> together = struck(places, offsets);
+  int pushed = 0;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::vector<Vec3> alone = struck(std::span(places).subspan(i, 1), std::span(offsets).subspan(i, 1));
+    for (int node = 0; node < 4; ++node) EXPECT_EQ(alone[node], together[4 * i + node]) << i;
+    pushed += !alone[0].isZero(0) || !alone[1].isZero(0);
+  }
+  EXPECT_GT(pushed, 10);
+  EXPECT_LT(pushed, 64);
+}
+
 }  // namespace
 }  // namespace griffith::shock

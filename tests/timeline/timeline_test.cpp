@@ -181,6 +181,19 @@ TEST(Timeline, CopiesKeepToTheMemoryAllowed) {
   }
 }
 
+TEST(Timeline, WhatCopiesShareCountsOnce) {
+  World world(scene());
+  const World copy = world;
+  EXPECT_LT(copy.memory(&world), 2 * copy.memory() / 3) << "nothing of it has changed";
+  world.step();
+  EXPECT_GT(world.memory(&copy), copy.memory(&copy));
+  EXPECT_LT(world.memory(&copy), world.memory());
+  Timeline timeline(copy);
+  for (int i = 0; i < 16; ++i) timeline.advance();
+  EXPECT_GT(timeline.memory_used(), timeline.world().memory());
+  EXPECT_LT(timeline.memory_used(), 3 * timeline.world().memory()) << "of the start, steps 8 and 16";
+}
+
 TEST(Timeline, WhatIsRefusedIsNoPartOfThePast) {
   Scene explicitly = scene();
   explicitly.simulation.integrator = Integrator::symplectic_euler;

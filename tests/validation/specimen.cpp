@@ -37,16 +37,16 @@ void Specimen::equilibrate() {
 
 std::vector<Vec3> Specimen::elastic_forces() const {
   std::vector<Vec3> sum(node_count(), Vec3::Zero());
-  for (int tet = 0; tet < world_.mesh.tet_count(); ++tet) {
+  for (int tet = 0; tet < world_.mesh->tet_count(); ++tet) {
     const ElementState& state = world_.elements.states[tet];
     const Corners forces = nodal_forces(world_.elements.rest_elements[tet], state.frame, state.stress);
-    for (int i = 0; i < 4; ++i) sum[world_.mesh.tets[tet][i]] += forces.col(i);
+    for (int i = 0; i < 4; ++i) sum[world_.mesh->tets[tet][i]] += forces.col(i);
   }
   return sum;
 }
 
 Separation Specimen::separation(int node) const {
-  const SeparationInput input{world_.mesh.tets, world_.mesh.stars, world_.elements.rest_elements,
+  const SeparationInput input{world_.mesh->tets, world_.mesh->stars, world_.elements.rest_elements,
                               world_.elements.states, world_.nodes.constraints};
   const CandidatePlane plane = candidate_plane(input, NodeId(node), separation_tensor(input, NodeId(node)));
   return {plane.stress, plane.normal};

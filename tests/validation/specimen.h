@@ -31,10 +31,10 @@ class Specimen {
   /// Static equilibrium under gravity and the loads of the time 0. Throws std::runtime_error when it is not found.
   void equilibrate();
 
-  int node_count() const { return world_.mesh.node_count(); }
+  int node_count() const { return world_.mesh->node_count(); }
   const TetMesh& mesh() const { return world_.mesh; }
-  const Vec3& rest_position(int node) const { return world_.mesh.rest_positions[node]; }
-  Vec3 displacement(int node) const { return world_.nodes.positions[node] - world_.mesh.rest_positions[node]; }
+  const Vec3& rest_position(int node) const { return world_.mesh->rest_positions[node]; }
+  Vec3 displacement(int node) const { return world_.nodes.positions[node] - world_.mesh->rest_positions[node]; }
   std::span<const Mat3> stresses() const { return world_.elements.stresses; }
   /// Per node [N].
   std::vector<Vec3> elastic_forces() const;

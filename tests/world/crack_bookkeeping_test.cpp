@@ -42,8 +42,8 @@ void overload(WorldState& world, NodeId node, const Vec3& normal, double utiliza
 
 NodeId node_near(const WorldState& world, const Vec3& place) {
   NodeId nearest(0);
-  for (const NodeId node : IdRange<NodeId>(0, world.mesh.node_count()))
-    if ((world.mesh.rest_positions[node] - place).norm() < (world.mesh.rest_positions[nearest] - place).norm())
+  for (const NodeId node : IdRange<NodeId>(0, world.mesh->node_count()))
+    if ((world.mesh->rest_positions[node] - place).norm() < (world.mesh->rest_positions[nearest] - place).norm())
       nearest = node;
   return nearest;
 }
@@ -51,8 +51,8 @@ NodeId node_near(const WorldState& world, const Vec3& place) {
 /// Cuts the block through along the plane y = 0 without any stress.
 void cut_in_two(WorldState& world) {
   std::vector<NodeId> plane;
-  for (const NodeId node : IdRange<NodeId>(0, world.mesh.node_count()))
-    if (std::abs(world.mesh.rest_positions[node].y()) < 1e-9) plane.push_back(node);
+  for (const NodeId node : IdRange<NodeId>(0, world.mesh->node_count()))
+    if (std::abs(world.mesh->rest_positions[node].y()) < 1e-9) plane.push_back(node);
   for (NodeId node : plane) {
     overload(world, node, Vec3::UnitY());
     open_cracks(world, 0);

@@ -37,7 +37,7 @@ TEST_P(ElasticWorksTest, AreThoseOfTheNodalForcesOverTheWay) {
   for (TetId tet : world.bodies[0].tets) {
     const ElementState& state = world.elements.states[tet];
     const Corners forces = nodal_forces(world.elements.rest_elements[tet], state.frame, state.stress);
-    for (int i = 0; i < 4; ++i) work -= kStep * forces.col(i).dot(world.nodes.velocities[world.mesh.tets[tet][i]]);
+    for (int i = 0; i < 4; ++i) work -= kStep * forces.col(i).dot(world.nodes.velocities[world.mesh->tets[tet][i]]);
   }
   const ElasticWorks works = elastic_works(world, world.bodies[0], kStep);
   EXPECT_NEAR(works.first, work, 1e-10 * std::abs(work));

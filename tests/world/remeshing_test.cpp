@@ -154,11 +154,11 @@ struct HalvedAtItsFoot {
     while (world.time + world.model->scene.simulation.time_step < stop) advance(world);
     update_supports(world, world.time, world.model->scene.simulation.time_step);
     world.time += 0.5 * world.model->scene.simulation.time_step;
-    const auto& corners = world.mesh.tets[0];
+    const auto& corners = world.mesh->tets[0];
     std::vector<NodeId> held;
     std::ranges::copy_if(corners, std::back_inserter(held),
                          [&](NodeId node) { return world.nodes.has_support[node] != 0; });
-    bisect_edge(world.mesh, held.at(0), held.at(1), 0.4, cut);
+    bisect_edge(world.mesh.edit(), held.at(0), held.at(1), 0.4, cut);
     follow_subdivision(world, cut);
   }
   static Scene scene(double stop) {
@@ -186,7 +186,7 @@ TEST(Remeshing, SupportsGoOnAsTheStepBegan) {
   const Vec3 velocity = (stop - begin) / time_step * Vec3(0.1, 0, 0);
   ASSERT_LT(velocity.x(), 0.09);
   int held = 0;
-  for (const NodeId node : IdRange<NodeId>(0, halved.world.mesh.node_count())) {
+  for (const NodeId node : IdRange<NodeId>(0, halved.world.mesh->node_count())) {
     if (!halved.world.nodes.has_support[node]) continue;
     EXPECT_LT((halved.world.nodes.constraints[node].velocity - velocity).norm(), 1e-12) << "node " << node.index();
     ++held;

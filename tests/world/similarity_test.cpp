@@ -123,8 +123,8 @@ struct StretchedBar {
   WorldState world;
 
   explicit StretchedBar(bool supported) : world(build_world(scene(supported))) {
-    for (const NodeId node : IdRange<NodeId>(0, world.mesh.node_count())) {
-      const Vec3 rest = world.mesh.rest_positions[node];
+    for (const NodeId node : IdRange<NodeId>(0, world.mesh->node_count())) {
+      const Vec3 rest = world.mesh->rest_positions[node];
       world.nodes.positions[node] = rest + 1e-5 * Vec3(rest.x() + 0.5, 0.2 * (rest.x() + 0.5), 0);
       world.nodes.velocities[node] = Vec3(1, rest.x(), 0.3);
     }
@@ -149,7 +149,7 @@ TEST(Similarity, ScalingKeepsStressAndEnergy) {
       set_similarity(bar.world, bar.body(), factor);
       update_elements(bar.world, bar.body());
       EXPECT_NEAR(mechanical_energy(bar.world, bar.body()), energy, 1e-9 * energy);
-      for (const TetId tet : IdRange<TetId>(0, bar.world.mesh.tet_count()))
+      for (const TetId tet : IdRange<TetId>(0, bar.world.mesh->tet_count()))
         EXPECT_LT((bar.world.elements.states[tet].stress.full() - before[tet].stress.full()).norm(),
                   1e-6 * before[tet].stress.full().norm());
     }
@@ -162,18 +162,18 @@ TEST(Similarity, TheEndGivesTheShapeThatBelongsToTheStress) {
     StretchedBar bar(supported);
     WorldState& world = bar.world;
     set_similarity(world, bar.body(), 0.25);
-    for (const NodeId node : IdRange<NodeId>(0, world.mesh.node_count()))
-      world.nodes.positions[node].x() += 4e-5 * (world.mesh.rest_positions[node].x() + 0.5);
+    for (const NodeId node : IdRange<NodeId>(0, world.mesh->node_count()))
+      world.nodes.positions[node].x() += 4e-5 * (world.mesh->rest_positions[node].x() + 0.5);
     update_elements(world, bar.body());
     const std::vector<ElementState> scaled = world.elements.states;
     const RigidMotion motion = motion_of(world, bar.body());
     end_shock(world, bar.body());
-    for (const TetId tet : IdRange<TetId>(0, world.mesh.tet_count()))
+    for (const TetId tet : IdRange<TetId>(0, world.mesh->tet_count()))
       EXPECT_LT((world.elements.states[tet].stress.full() - scaled[tet].stress.full()).norm(),
                 1e-3 * scaled[tet].stress.full().norm());
     for (const NodeId node : bar.body().nodes) {
       if (world.nodes.has_support[node] == 0) continue;
-      EXPECT_LT((world.nodes.positions[node] - world.mesh.rest_positions[node]).norm(), 1e-12);
+      EXPECT_LT((world.nodes.positions[node] - world.mesh->rest_positions[node]).norm(), 1e-12);
     }
     if (supported) continue;
     const RigidMotion after = motion_of(world, bar.body());

@@ -43,8 +43,8 @@ double volume_of(const std::vector<ConvexPart>& parts) {
 /// Cuts all nodes of the plane y = 0 without any stress.
 void cut_in_two(WorldState& world) {
   std::vector<NodeId> plane;
-  for (const NodeId node : IdRange<NodeId>(0, world.mesh.node_count()))
-    if (std::abs(world.mesh.rest_positions[node].y()) < 1e-9) plane.push_back(node);
+  for (const NodeId node : IdRange<NodeId>(0, world.mesh->node_count()))
+    if (std::abs(world.mesh->rest_positions[node].y()) < 1e-9) plane.push_back(node);
   for (const NodeId node : plane) {
     world.nodes.separations[node].direction = Vec3::UnitY();
     world.nodes.separations[node].utilization = 2;

@@ -48,7 +48,7 @@ void reshape_proxy(WorldState& world, const Body& body) {
 /// Longest edge of the box round the body at rest [m].
 double extent_of(const WorldState& world, const Body& body) {
   Eigen::AlignedBox3d box;
-  for (NodeId node : body.nodes) box.extend(world.mesh.rest_positions[node]);
+  for (NodeId node : body.nodes) box.extend(world.mesh->rest_positions[node]);
   return box.sizes().maxCoeff();
 }
 
@@ -65,7 +65,7 @@ double weakest_fraction_of(const WorldState& world, const Body& body) {
 std::size_t surviving_piece(const WorldState& world, const std::vector<std::vector<TetId>>& components) {
   const auto rank = [&](const std::vector<TetId>& tets) {
     const bool held = std::any_of(tets.begin(), tets.end(), [&](TetId tet) {
-      const auto& corners = world.mesh.tets[tet];
+      const auto& corners = world.mesh->tets[tet];
       return std::any_of(corners.begin(), corners.end(),
                          [&](NodeId node) { return world.nodes.has_support[node] != 0; });
     });
@@ -96,9 +96,11 @@ double min_breaking_stress(const WorldState& world, const Body& body, bool at_cr
 }
 
 void clear_stress(WorldState& world, const Body& body) {
+  std::vector<ElementState>& states = world.elements.states.edit();
+  std::vector<Mat3>& stresses = world.elements.stresses.edit();
   for (TetId tet : body.tets) {
-    world.elements.states[tet] = {};
-    world.elements.stresses[tet].setZero();
+    states[tet] = {};
+    stresses[tet].setZero();
   }
   for (NodeId node : body.nodes) world.nodes.separations[node] = {};
 }
@@ -109,7 +111,7 @@ RigidMotion motion_of(const WorldState& world, const Body& body) {
 }
 
 Placement placement_of(const WorldState& world, std::span<const NodeId> nodes) {
-  return best_placement(world.mesh.rest_positions, world.nodes.positions, world.nodes.masses, nodes);
+  return best_placement(world.mesh->rest_positions, world.nodes.positions, world.nodes.masses, nodes);
 }
 
 void update_motion(WorldState& world, Body& body) {
@@ -128,7 +130,7 @@ double rebuild_shape(WorldState& world, Body& body) {
   body.surface.clear();
   for (TetId tet : body.tets)
     for (int face = 0; face < 4; ++face)
-      if (!world.mesh.neighbours[tet][face].valid()) body.surface.push_back({tet, face});
+      if (!world.mesh->neighbours[tet][face].valid()) body.surface.push_back({tet, face});
   if (body.system) {
     body.system->patch(world.mesh, body.nodes, world.nodes.constraints, world.nodes.rows);
   } else {

@@ -33,7 +33,7 @@ Vec3 carried_position(const WorldState& world, const HullCorner& corner) {
   const SplinterSet& set = world.model->splinters;
   const std::vector<std::uint8_t>& attached = world.splinter_state.attached;
   const TetId tet = carrier(set.splinters, set.parts, attached, corner.part);
-  return carried_position(set.corners[corner.corner], attached[corner.part], world.mesh.tets[tet],
+  return carried_position(set.corners[corner.corner], attached[corner.part], world.mesh->tets[tet],
                           world.nodes.positions);
 }
 

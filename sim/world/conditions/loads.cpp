@@ -81,13 +81,13 @@ Vec3 area_vector(std::span<const Vec3> positions, const std::array<NodeId, 3>& n
 
 void add_point_force(const WorldState& world, const PlacedLoad& placed, double factor, std::vector<Vec3>& forces) {
   const Vec3 force = factor / static_cast<double>(placed.corners.size()) * placed.load.force;
-  for (const TetCorner& corner : placed.corners) forces[node_at(world.mesh.tets, corner)] += force;
+  for (const TetCorner& corner : placed.corners) forces[node_at(world.mesh->tets, corner)] += force;
 }
 
 void add_traction(const WorldState& world, const PlacedLoad& placed, double factor, std::vector<Vec3>& forces) {
   for (const SurfaceFace& face : placed.faces) {
     const std::array<NodeId, 3> nodes = face_nodes(world.mesh, face.tet, face.face);
-    const Vec3 force = factor * area_vector(world.mesh.rest_positions, nodes).norm() / 3 * placed.load.traction;
+    const Vec3 force = factor * area_vector(world.mesh->rest_positions, nodes).norm() / 3 * placed.load.traction;
     for (NodeId node : nodes) forces[node] += force;
   }
 }
@@ -96,7 +96,7 @@ void add_body_force(const WorldState& world, const PlacedLoad& placed, double fa
   for (TetId tet : placed.tets) {
     const double density = world.material_of(world.bodies[world.elements.bodies[tet]]).density;
     const Vec3 force = factor * density * world.elements.rest_elements[tet].volume / 4 * placed.load.acceleration;
-    for (NodeId node : world.mesh.tets[tet]) forces[node] += force;
+    for (NodeId node : world.mesh->tets[tet]) forces[node] += force;
   }
 }
 

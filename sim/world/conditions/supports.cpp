@@ -20,7 +20,7 @@ bool release(WorldState& world, NodeId node) {
   for (PlacedSupport& placed : world.supports)
     if (placed.support.can_tear)
       released += std::erase_if(placed.corners,
-                                [&](const TetCorner& corner) { return node_at(world.mesh.tets, corner) == node; });
+                                [&](const TetCorner& corner) { return node_at(world.mesh->tets, corner) == node; });
   if (released == 0) return false;
   world.nodes.constraints[node] = {};
   world.nodes.has_support[node] = 0;
@@ -30,8 +30,8 @@ bool release(WorldState& world, NodeId node) {
 /// The most corners that supports hold of an element at the node.
 long firmness(const WorldState& world, NodeId node) {
   long maximum = 0;
-  for (TetId tet : world.mesh.stars[node]) {
-    const auto& corners = world.mesh.tets[tet];
+  for (TetId tet : world.mesh->stars[node]) {
+    const auto& corners = world.mesh->tets[tet];
     maximum = std::max(maximum, static_cast<long>(std::count_if(corners.begin(), corners.end(), [&](NodeId corner) {
                          return world.nodes.has_support[corner] != 0;
                        })));
@@ -82,11 +82,11 @@ bool reassign_supports(WorldState& world, std::span<const NodeCopy> copies) {
 
 void update_supports(WorldState& world, double time, double dt) {
   for (const PlacedSupport& placed : world.supports)
-    for (const TetCorner& corner : placed.corners) world.nodes.constraints[node_at(world.mesh.tets, corner)] = {};
+    for (const TetCorner& corner : placed.corners) world.nodes.constraints[node_at(world.mesh->tets, corner)] = {};
   for (const PlacedSupport& placed : world.supports) {
     const Vec3 velocity = velocity_of(placed.support, time, dt);
     for (const TetCorner& corner : placed.corners) {
-      const NodeId node = node_at(world.mesh.tets, corner);
+      const NodeId node = node_at(world.mesh->tets, corner);
       block(world.nodes.constraints[node], placed.support, velocity);
       world.nodes.has_support[node] = 1;
     }

@@ -54,7 +54,7 @@ FourStarts starts_of(const WorldState& world, const std::array<TetId, 4>& tets, 
   const auto state = [&](TetId tet) -> const ElementState& { return world.elements.states[tet]; };
   const auto rest = [&](TetId tet) -> const RestElement& { return world.elements.rest_elements[tet]; };
   const auto velocity = [&](TetId tet, int corner) -> const Vec3& {
-    return world.scratch.substep_start.solved_velocities[world.mesh.tets[tet][corner]];
+    return world.scratch.substep_start.solved_velocities[world.mesh->tets[tet][corner]];
   };
   DoubleLanes ways[3][4], slopes[3][4];
   for (int i = 0; i < 3; ++i)

@@ -86,7 +86,7 @@ void book_launch(WorldState& world, const Projectile& projectile, const RigidSta
 }
 
 void book_crack(WorldState& world, TetId tet, int face) {
-  const auto corner = [&](int i) { return world.mesh.rest_positions[world.mesh.tets[tet][kTetFaces[face][i]]]; };
+  const auto corner = [&](int i) { return world.mesh->rest_positions[world.mesh->tets[tet][kTetFaces[face][i]]]; };
   const double area = 0.25 * (corner(1) - corner(0)).cross(corner(2) - corner(0)).norm();  // the other side counts half
   world.energy.crack_area += area;
   world.energy.fracture_energy += area * fracture_energy(world.material_of(world.bodies[world.elements.bodies[tet]]));

@@ -32,7 +32,7 @@ void add_elastic_forces(const WorldState& world, const Body& body, std::span<sim
   parallel_parts(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
     const std::span<const NodeId> nodes = std::span(body.nodes).subspan(begin, end - begin);
     for (const NodeId node : nodes) sums[node] = simd::WideQuad{};
-    add_at_corners(world.mesh.tets, body.tets, nodes, sums, add);
+    add_at_corners<simd::WideQuad>(world.mesh->tets, body.tets, nodes, sums, add);
     for (const NodeId node : nodes) forces[node] += Vec3(sums[node][0], sums[node][1], sums[node][2]);
   });
 }
@@ -94,6 +94,8 @@ ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt)
 
 void update_elements(WorldState& world, const Body& body) {
   ElementArrays& elements = world.elements;
+  std::vector<ElementState>& states = elements.states.edit();
+  std::vector<Mat3>& stresses = elements.stresses.edit();
   const PlacedElements placed{law_in_shock(world, body), world.mesh, elements.rest_elements, world.nodes.positions};
   const std::optional<PlasticLaw> plastic = plastic_law(world.material_of(body));
   const double similarity = body.shock ? body.shock->similarity : 1;
@@ -101,10 +103,10 @@ void update_elements(WorldState& world, const Body& body) {
     if (plastic) elements.plastic_strains[tet] = flow(*plastic, deformations.of(lane), elements.plastic_strains[tet]);
     return elements.stress_free_strain(tet);
   };
-  const auto write = [&](TetId tet, const FourStates& states, int lane) {
-    elements.states[tet] = states.of(lane);
-    elements.states[tet].energy_density *= similarity;
-    elements.stresses[tet] = states.cauchy_stress.of(lane);
+  const auto write = [&](TetId tet, const FourStates& found, int lane) {
+    states[tet] = found.of(lane);
+    states[tet].energy_density *= similarity;
+    stresses[tet] = found.cauchy_stress.of(lane);
   };
   parallel_for(static_cast<int>(body.tets.size()), 1024, [&](int begin, int end) {
     find_states(placed, std::span(body.tets).subspan(begin, end - begin), strain_of, write);

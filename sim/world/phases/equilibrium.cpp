@@ -37,7 +37,7 @@ StaticProblem problem_of(const WorldState& world, const Body& body, std::span<co
 void settle(WorldState& world, Body& body, const StaticProblem& problem, const Monitor& monitor) {
   StaticSettings settings;
   settings.given_up = monitor.cancelled;
-  const StaticReport report = solve_static(problem, settings, world.nodes.positions, world.elements.states);
+  const StaticReport report = solve_static(problem, settings, world.nodes.positions, world.elements.states.edit());
   if (monitor.is_cancelled()) throw Cancelled();
   for (NodeId node : body.nodes) world.nodes.velocities[node] = world.nodes.reactions[node] = Vec3::Zero();
   for (std::size_t i = 0; i < report.supports.size(); ++i)

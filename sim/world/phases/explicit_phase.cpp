@@ -55,7 +55,7 @@ void add_damping_forces(const WorldState& world, const Body& body, std::vector<V
   const ElasticLaw law = elastic_law(material);
   parallel_for(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
     for (int i = begin; i < end; ++i)
-      for (TetId tet : world.mesh.stars[body.nodes[i]])
+      for (TetId tet : world.mesh->stars[body.nodes[i]])
         forces[body.nodes[i]] +=
             damping_force(world, law, material.stiffness_damping, tet, local_corner(world.mesh, tet, body.nodes[i]));
   });

@@ -21,7 +21,7 @@ namespace {
 /// Cracks that waited for the budget open as they would have then, unless the load has grown since.
 void restore_postponed(WorldState& world) {
   for (const PostponedCrack& crack : world.postponed) {
-    const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[crack.node].front()]];
+    const Body& body = world.bodies[world.elements.bodies[world.mesh->stars[crack.node].front()]];
     NodeSeparation& now = world.nodes.separations[crack.node];
     if (!body.rigid && now.utilization < crack.separation.utilization) now = crack.separation;
   }
@@ -64,7 +64,7 @@ std::vector<std::uint8_t> remesh(WorldState& world, const Body& body, NodeId nod
   record_motion(world, body, opened.motions);
   RemeshOptions options;
   options.limits.min_length = world.model->min_edges[body.scene_body];
-  StarCut cut = cut_star(world.mesh, world.nodes.positions, world.nodes.at_crack_front, node, normal, options);
+  StarCut cut = cut_star(world.mesh.edit(), world.nodes.positions, world.nodes.at_crack_front, node, normal, options);
   world.report.remeshing_refused += cut.refused_edges;
   follow_subdivision(world, cut.subdivision);
   if (!cut.subdivision.tets.empty()) {
@@ -76,7 +76,7 @@ std::vector<std::uint8_t> remesh(WorldState& world, const Body& body, NodeId nod
 
 /// `above`: per tet of the node's star.
 CrackEvent describe(const WorldState& world, NodeId node, const std::vector<std::uint8_t>& above) {
-  const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
+  const Body& body = world.bodies[world.elements.bodies[world.mesh->stars[node].front()]];
   const NodeSeparation& separation = world.nodes.separations[node];
   CrackEvent event;
   event.step = world.step;
@@ -84,14 +84,14 @@ CrackEvent describe(const WorldState& world, NodeId node, const std::vector<std:
   event.body = body.id;
   event.node = node;
   event.position = world.nodes.positions[node];
-  event.rest_position = world.mesh.rest_positions[node];
+  event.rest_position = world.mesh->rest_positions[node];
   event.normal = separation.direction;
   event.eigenvalue = separation.eigenvalue;
   event.load = separation.utilization * separation.resistance;
   event.resistance = separation.resistance;
   if (body.shock && body.shock->similarity < 1) event.scaled = body.scaled;
   const SeparationInput input = separation_input(world);
-  const std::vector<TetId>& star = world.mesh.stars[node];
+  const std::vector<TetId>& star = world.mesh->stars[node];
   for (std::size_t i = 0; i < star.size(); ++i)
     event.elements.push_back({star[i], above[i] != 0, split_force(input, star[i], node)});
   return event;
@@ -101,9 +101,9 @@ CrackEvent describe(const WorldState& world, NodeId node, const std::vector<std:
 void date_open_faces(WorldState& world, const std::vector<TetId>& parted) {
   for (TetId tet : parted)
     for (int face = 0; face < 4; ++face) {
-      const bool open = !world.mesh.neighbours[tet][face].valid() && !(world.elements.first_surface[tet] >> face & 1);
+      const bool open = !world.mesh->neighbours[tet][face].valid() && !(world.elements.first_surface[tet] >> face & 1);
       if (!open || !std::isnan(world.elements.opened[tet][face])) continue;
-      world.elements.opened[tet][face] = world.time;
+      world.elements.opened.edit()[tet][face] = world.time;
       book_crack(world, tet, face);
     }
 }
@@ -111,20 +111,21 @@ void date_open_faces(WorldState& world, const std::vector<TetId>& parted) {
 }  // namespace
 
 bool may_crack(const WorldState& world, NodeId node) {
-  const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
+  const Body& body = world.bodies[world.elements.bodies[world.mesh->stars[node].front()]];
   if (is_remeshed(world, body) || world.nodes.has_support[node] != 0) return true;
   const auto above = tets_above(world.mesh, world.nodes.positions, node, world.nodes.separations[node].direction);
   return std::ranges::adjacent_find(above, std::ranges::not_equal_to()) != above.end();
 }
 
 bool crack(WorldState& world, NodeId node, Opened& opened) {
-  const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
+  const Body& body = world.bodies[world.elements.bodies[world.mesh->stars[node].front()]];
   const Vec3 normal = world.nodes.separations[node].direction;
   const std::vector<std::uint8_t> above = is_remeshed(world, body)
                                               ? remesh(world, body, node, normal, opened)
                                               : tets_above(world.mesh, world.nodes.positions, node, normal);
   CrackEvent event = describe(world, node, above);
-  const SplitResult result = split_node(world.mesh, node, above, world.model->scene.simulation.min_fragment_tets);
+  const SplitResult result =
+      split_node(world.mesh.edit(), node, above, world.model->scene.simulation.min_fragment_tets);
   world.report.cracks_suppressed += result.too_small;
   if (result.too_small) return false;
   for (const NodeCopy& copy : result.copies) append_copy(world, copy);
@@ -147,7 +148,7 @@ namespace {
 /// runs already outruns such waves.
 bool is_relieved(const WorldState& world, NodeId node, std::size_t first_event, double substep) {
   if (world.nodes.at_crack_front[node]) return false;
-  const Body& body = world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
+  const Body& body = world.bodies[world.elements.bodies[world.mesh->stars[node].front()]];
   const double reach = bar_wave_speed(world.material_of(body)) * substep;
   return std::any_of(world.crack_events.begin() + static_cast<std::ptrdiff_t>(first_event), world.crack_events.end(),
                      [&](const CrackEvent& event) {
@@ -165,13 +166,13 @@ Opened crack_in_turn(WorldState& world, const std::vector<NodeId>& overloaded, d
       world.postponed.push_back({node, world.nodes.separations[node]});
       continue;
     }
-    const std::vector<TetId> star = world.mesh.stars[node];
+    const std::vector<TetId> star = world.mesh->stars[node];
     const BodyId body = world.elements.bodies[star.front()];
     if (!crack(world, node, opened)) continue;
     ++world.report.cracks;
     opened.bodies.insert(body);
     if (world.crack_events.back().torn_off) world.bodies[body].system.reset();
-    for (TetId tet : star) opened.waiting.insert(world.mesh.tets[tet].begin(), world.mesh.tets[tet].end());
+    for (TetId tet : star) opened.waiting.insert(world.mesh->tets[tet].begin(), world.mesh->tets[tet].end());
   }
   return opened;
 }
@@ -188,7 +189,7 @@ std::vector<BodyId> children_of(const WorldState& world, const CrackEvent& event
 
 void part_opened(WorldState& world, const Opened& opened) {
   restore_angular_momentum(world, opened.motions);
-  follow_cracks(world.model->splinters, world.mesh.neighbours, opened.parted, world.splinter_state);
+  follow_cracks(world.model->splinters, world.mesh->neighbours, opened.parted, world.splinter_state);
   split_bodies(world, std::vector<BodyId>(opened.bodies.begin(), opened.bodies.end()));
   for (std::size_t i = opened.first_event; i < world.crack_events.size(); ++i)
     world.crack_events[i].children = children_of(world, world.crack_events[i]);

@@ -10,7 +10,7 @@
 namespace griffith {
 
 double element_size_at(const WorldState& world, NodeId node) {
-  return mean_element_size(world.elements.rest_elements, world.mesh.stars[node]);
+  return mean_element_size(world.elements.rest_elements, world.mesh->stars[node]);
 }
 
 double resistance_at(const WorldState& world, const Material& material, NodeId node) {
@@ -22,7 +22,7 @@ double resistance_at(const WorldState& world, const Material& material, NodeId n
 namespace {
 
 const Body& body_at(const WorldState& world, NodeId node) {
-  return world.bodies[world.elements.bodies[world.mesh.stars[node].front()]];
+  return world.bodies[world.elements.bodies[world.mesh->stars[node].front()]];
 }
 
 DirectionalStrength directional_strength_at(const WorldState& world, const SeparationInput& input, NodeId node) {
@@ -100,7 +100,7 @@ void evaluate_nodes(WorldState& world, const SeparationInput& input, std::span<c
 }
 
 SeparationInput separation_input(const WorldState& world) {
-  return {world.mesh.tets, world.mesh.stars, world.elements.rest_elements, world.elements.states,
+  return {world.mesh->tets, world.mesh->stars, world.elements.rest_elements, world.elements.states,
           world.nodes.constraints};
 }
 

@@ -18,9 +18,11 @@ void append_element(WorldState& world, const TetBisection& halves) {
   ElementArrays& elements = world.elements;
   elements.append_copy(halves.tet);
   const int faces = elements.first_surface[halves.tet], outer = 1 << halves.kept, inner = 1 << halves.moved;
-  elements.first_surface[halves.child] = static_cast<std::uint8_t>(faces & ~inner);
-  elements.first_surface[halves.tet] = static_cast<std::uint8_t>(faces & ~outer);
-  elements.opened[halves.child][halves.moved] = elements.opened[halves.tet][halves.kept] = kNeverOpened;
+  std::vector<std::uint8_t>& first_surface = elements.first_surface.edit();
+  first_surface[halves.child] = static_cast<std::uint8_t>(faces & ~inner);
+  first_surface[halves.tet] = static_cast<std::uint8_t>(faces & ~outer);
+  std::vector<OpenedFaces>& opened = elements.opened.edit();
+  opened[halves.child][halves.moved] = opened[halves.tet][halves.kept] = kNeverOpened;
   world.bodies[elements.bodies[halves.tet]].tets.push_back(halves.child);
 }
 
@@ -116,9 +118,10 @@ void follow_subdivision(WorldState& world, const Subdivision& subdivision) {
   for (const EdgeNode& node : subdivision.nodes) relumped.insert({node.node, node.a, node.b});
   world.energy.hand_over += kinetic_energy_of(world, relumped);
   for (const TetBisection& halves : subdivision.tets) append_element(world, halves);
+  std::vector<RestElement>& rest_elements = world.elements.rest_elements.edit();
   for (const TetBisection& halves : subdivision.tets)
     for (TetId tet : {halves.tet, halves.child})
-      world.elements.rest_elements[tet] = rest_element(corners_of(world.mesh, tet, world.mesh.rest_positions));
+      rest_elements[tet] = rest_element(corners_of(world.mesh, tet, world.mesh->rest_positions));
   for (const EdgeNode& node : subdivision.nodes)
     for (NodeId changed : {node.node, node.a, node.b}) world.nodes.masses[changed] = node_mass(world, changed);
   world.energy.hand_over -= kinetic_energy_of(world, relumped);

@@ -28,18 +28,18 @@ namespace {
 void append_nodes(WorldState& world, const BodyDescription& body) {
   NodeArrays& nodes = world.nodes;
   const std::size_t first = nodes.positions.size();
-  nodes.resize(world.mesh.rest_positions.size());
+  nodes.resize(world.mesh->rest_positions.size());
   for (std::size_t i = first; i < nodes.positions.size(); ++i) {
-    nodes.positions[i] = world.mesh.rest_positions[i];
+    nodes.positions[i] = world.mesh->rest_positions[i];
     nodes.velocities[i] = body.velocity;
   }
 }
 
 /// Places a copy of the shape's mesh in the world's.
 RestBody append_mesh(Model& model, WorldState& world, int scene_body, const ShapeMesh& shape) {
-  const RestBody body{shape.soup, shape.point_of_node, shape.mesh, append(world.mesh, shape.mesh)};
+  const RestBody body{shape.soup, shape.point_of_node, shape.mesh, append(world.mesh.edit(), shape.mesh)};
   const Pose pose = pose_of(model.scene.bodies[scene_body]);
-  std::vector<Vec3>& points = world.mesh.rest_positions;
+  std::vector<Vec3>& points = world.mesh.edit().rest_positions;
   for (std::size_t i = body.range.first_node; i < points.size(); ++i) points[i] = pose.to_world(points[i]);
   model.points.insert(model.points.end(), shape.point_of_node.begin(), shape.point_of_node.end());
   model.filled_surfaces.push_back(shape.filled_surface);
@@ -58,9 +58,9 @@ std::optional<Weakness> place_weakness(const BodyDescription& body) {
 void draw_strengths(WorldState& world, const std::optional<StrengthScatter>& scatter, NodeId first) {
   if (!scatter) return;
   std::vector<double> volumes;
-  for (const NodeId node : IdRange<NodeId>(first.index(), world.mesh.node_count())) {
+  for (const NodeId node : IdRange<NodeId>(first.index(), world.mesh->node_count())) {
     volumes.push_back(0);
-    for (TetId tet : world.mesh.stars[node]) volumes.back() += world.elements.rest_elements[tet].volume / 4;
+    for (TetId tet : world.mesh->stars[node]) volumes.back() += world.elements.rest_elements[tet].volume / 4;
   }
   const std::vector<double> factors = strength_factors(*scatter, volumes);
   std::copy(factors.begin(), factors.end(), world.nodes.strength_factors.begin() + first.index());
@@ -68,12 +68,14 @@ void draw_strengths(WorldState& world, const std::optional<StrengthScatter>& sca
 
 void append_elements(WorldState& world, TetId first) {
   ElementArrays& elements = world.elements;
-  elements.resize(world.mesh.tets.size());
-  for (const TetId tet : IdRange<TetId>(first.index(), world.mesh.tet_count())) {
-    elements.rest_elements[tet] = rest_element(corners_of(world.mesh, tet, world.mesh.rest_positions));
+  elements.resize(world.mesh->tets.size());
+  std::vector<RestElement>& rest_elements = elements.rest_elements.edit();
+  std::vector<std::uint8_t>& first_surface = elements.first_surface.edit();
+  for (const TetId tet : IdRange<TetId>(first.index(), world.mesh->tet_count())) {
+    rest_elements[tet] = rest_element(corners_of(world.mesh, tet, world.mesh->rest_positions));
     int faces = 0;
-    for (int face = 0; face < 4; ++face) faces |= !world.mesh.neighbours[tet][face].valid() << face;
-    elements.first_surface[tet] = static_cast<std::uint8_t>(faces);
+    for (int face = 0; face < 4; ++face) faces |= !world.mesh->neighbours[tet][face].valid() << face;
+    first_surface[tet] = static_cast<std::uint8_t>(faces);
   }
 }
 
@@ -122,7 +124,7 @@ Pieces add_scene_body(Model& model, WorldState& world, int scene_body, const Sha
   for (NodeId tip : shape.slit_tips) world.nodes.at_crack_front[tip.shifted(first_node)] = 1;
   draw_strengths(world, description.strength_scatter, first_node);
   std::vector<TetId> tets;
-  for (const TetId tet : IdRange<TetId>(first_tet.index(), world.mesh.tet_count())) tets.push_back(tet);
+  for (const TetId tet : IdRange<TetId>(first_tet.index(), world.mesh->tet_count())) tets.push_back(tet);
   const double quarter = mean_element_size(world.elements.rest_elements, tets) / 4;
   model.min_edges.push_back(description.minimum_element_size > 0 ? description.minimum_element_size : quarter);
   return add_bodies(world, scene_body, first_tet, shape);
@@ -156,8 +158,8 @@ void complete(WorldState& world, const Pieces& pieces) {
   const std::span<Body> bodies = std::span(world.bodies).subspan(pieces.first, pieces.end - pieces.first);
   for (const Body& body : bodies)
     for (TetId tet : body.tets)
-      for (NodeId node : world.mesh.tets[tet])
-        if (world.mesh.stars[node].front() == tet) world.nodes.masses[node] = node_mass(world, node);
+      for (NodeId node : world.mesh->tets[tet])
+        if (world.mesh->stars[node].front() == tet) world.nodes.masses[node] = node_mass(world, node);
   for (Body& body : bodies) rebuild_shape(world, body);
   const Vec3 center = center_of_mass(bodies);
   for (Body& body : bodies) {
@@ -231,7 +233,7 @@ void add_scene_bodies(Model& model, WorldState& world, const GivenMeshes& given,
 
 double node_mass(const WorldState& world, NodeId node) {
   double mass = 0;
-  for (TetId tet : world.mesh.stars[node]) {
+  for (TetId tet : world.mesh->stars[node]) {
     const Body& body = world.bodies[world.elements.bodies[tet]];
     mass += world.material_of(body).density * world.elements.rest_elements[tet].volume / 4;
   }

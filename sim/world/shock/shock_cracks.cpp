@@ -45,12 +45,12 @@ void ShockRun::update_threshold(int index) {
   shock::SolidNode& target = solid_.node(index);
   target.threshold = std::numeric_limits<float>::infinity();
   if (!world_.model->scene.simulation.fracture) return;
-  if (world_.mesh.stars[node].size() == 1 && world_.nodes.has_support[node] == 0) return;  // a tip: nothing to part
+  if (world_.mesh->stars[node].size() == 1 && world_.nodes.has_support[node] == 0) return;  // a tip: nothing to part
   double minimum = resistance_at(world_, material, node);
   if (const auto& weakness = world_.model->weaknesses[body.scene_body]) minimum *= weakness->strength_ratio;
   if (material.criterion == FractureCriterion::separation_force) {
     double area = 0;  // v⁺ is at most half the sum of the tensile forces
-    for (const TetId tet : world_.mesh.stars[node])
+    for (const TetId tet : world_.mesh->stars[node])
       area += world_.elements.rest_elements[tet].volume *
               world_.elements.rest_elements[tet].shape_gradients.col(local_corner(world_.mesh, tet, node)).norm();
     minimum *= 2 / area;
@@ -64,7 +64,7 @@ double ShockRun::transit_time(NodeId node) const {
 }
 
 /// Finds the states of elements of a body as they are now, of which the separation tensors are made.
-void ShockRun::bring_up_to_date(std::span<const TetId> tets, const Body& body) {
+void ShockRun::bring_up_to_date(std::span<const TetId> tets, const Body& body, std::vector<ElementState>& states) {
   const PlacedElements placed{law_in_shock(world_, body), world_.mesh, world_.elements.rest_elements,
                               world_.nodes.positions};
   find_states(
@@ -73,14 +73,14 @@ void ShockRun::bring_up_to_date(std::span<const TetId> tets, const Body& body) {
         if (solid_.is_relieved(slot_of_tet_[tet])) let_sliver_yield(tet, deformations.strain.of(lane));
         return world_.elements.stress_free_strain(tet);
       },
-      [&](TetId tet, const FourStates& states, int lane) { world_.elements.states[tet] = states.of(lane); });
+      [&](TetId tet, const FourStates& found, int lane) { states[tet] = found.of(lane); });
 }
 
 /// Nodes that are judged need the states of all elements round them, and places to split their stars by.
 void ShockRun::bring_stars_up_to_date() {
   stale_.clear();
   for (const int index : flagged_)
-    for (const TetId tet : world_.mesh.stars[nodes_[index]]) {
+    for (const TetId tet : world_.mesh->stars[nodes_[index]]) {
       const int slot = slot_of_tet_[tet];
       if (seen_[slot] == microsteps_) continue;
       seen_[slot] = microsteps_;
@@ -92,12 +92,13 @@ void ShockRun::bring_stars_up_to_date() {
     }
   const auto body_of_tet = [&](TetId tet) { return world_.elements.bodies[tet]; };
   std::ranges::sort(stale_, {}, [&](TetId tet) { return std::pair(body_of_tet(tet), tet); });
+  std::vector<ElementState>& states = world_.elements.states.edit();
   parallel_for(static_cast<int>(stale_.size()), kGrain, [&](int begin, int end) {
     const std::span<const TetId> tets = std::span(stale_).subspan(begin, end - begin);
     for (auto first = tets.begin(); first != tets.end();) {
       const BodyId body = body_of_tet(*first);
       const auto last = std::find_if(first, tets.end(), [&](TetId tet) { return body_of_tet(tet) != body; });
-      bring_up_to_date({first, last}, world_.bodies[body]);
+      bring_up_to_date({first, last}, world_.bodies[body], states);
       first = last;
     }
   });
@@ -147,7 +148,7 @@ void ShockRun::judge(int index) {
 std::vector<NodeId> ShockRun::front_among(const std::vector<TetId>& tets) const {
   std::vector<NodeId> front;
   for (const TetId tet : tets)
-    for (const NodeId node : world_.mesh.tets[tet])
+    for (const NodeId node : world_.mesh->tets[tet])
       if (world_.nodes.at_crack_front[node]) front.push_back(node);
   return front;
 }
@@ -159,14 +160,14 @@ void ShockRun::open(const Overload& overload) {
   const double transit = transit_time(node);
   if (world_.model->scene.bodies[body.scene_body].remeshing) write_back();
   world_.time = time_;
-  const std::vector<TetId> star = world_.mesh.stars[node];
+  const std::vector<TetId> star = world_.mesh->stars[node];
   std::vector<std::array<TetId, 4>> neighbours;
-  for (const TetId tet : star) neighbours.push_back(world_.mesh.neighbours[tet]);
+  for (const TetId tet : star) neighbours.push_back(world_.mesh->neighbours[tet]);
   const std::vector<NodeId> front = front_among(star);
-  const std::size_t first_copy = opened_.copies.size(), tets = world_.mesh.tets.size();
+  const std::size_t first_copy = opened_.copies.size(), tets = world_.mesh->tets.size();
   looks_[local(node)].ready = time_ + transit;
   const bool cracked = crack(world_, node, opened_);
-  if (world_.mesh.tets.size() > tets) {
+  if (world_.mesh->tets.size() > tets) {
     restore_angular_momentum(world_, opened_.motions);
     opened_.motions.clear();
     rebuild_ = true;
@@ -184,7 +185,7 @@ void ShockRun::open(const Overload& overload) {
     for (const shock::SolidConstraint& held : solid_.constraints())
       solid_.constrain(held.node, world_.nodes.constraints[nodes_[held.node]]);
   for (const TetId tet : star)
-    for (const NodeId near : world_.mesh.tets[tet]) {
+    for (const NodeId near : world_.mesh->tets[tet]) {
       const bool new_front = world_.nodes.at_crack_front[near] && std::ranges::find(front, near) == front.end();
       looks_[local(near)] = {time_ + (new_front ? transit / kCrackSpeed : transit), -1, -2};
     }

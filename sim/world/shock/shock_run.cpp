@@ -38,7 +38,7 @@ void ShockRun::build(std::vector<shock::Obstacle> obstacles) {
   bodies_.clear(), turns_.clear(), nodes_.clear(), tets_.clear(), surfaces_.clear(), overloaded_.clear();
   starts_.clear();
   local_of_node_.assign(world_.nodes.positions.size(), -1);
-  slot_of_tet_.assign(world_.mesh.tets.size(), -1);
+  slot_of_tet_.assign(world_.mesh->tets.size(), -1);
   const std::vector<Vec3> external = external_forces(world_);
   double size = 0;
   min_speed_ = std::numeric_limits<double>::infinity();
@@ -77,7 +77,7 @@ void ShockRun::add_nodes(const std::vector<NodeId>& nodes, const Placement& plac
     common /= mass;
   }
   for (const NodeId node : nodes) {
-    const Vec3 reference = placement.to_world(world_.mesh.rest_positions[node]);
+    const Vec3 reference = placement.to_world(world_.mesh->rest_positions[node]);
     const double mass = world_.nodes.masses[node];
     const Vec3 acceleration = common + f * (external[node] / mass - common);
     local_of_node_[node] = solid_.add_node(
@@ -94,7 +94,7 @@ void ShockRun::add_elements(const Body& body, const Mat3& turn) {
   std::vector<Mat3> offsets;
   for (const TetId tet : body.tets) {
     std::array<int, 4>& corners = tets.emplace_back();
-    for (int i = 0; i < 4; ++i) corners[i] = local(world_.mesh.tets[tet][i]);
+    for (int i = 0; i < 4; ++i) corners[i] = local(world_.mesh->tets[tet][i]);
     rest_elements.push_back(
         {turn * world_.elements.rest_elements[tet].shape_gradients, world_.elements.rest_elements[tet].volume});
     offsets.push_back(turn * world_.elements.stress_free_strain(tet) * turn.transpose());
@@ -115,7 +115,7 @@ std::vector<shock::SurfaceSide> ShockRun::surface_of_bodies() const {
   for (int slot = 0; slot < static_cast<int>(tets_.size()); ++slot) {
     if (!tets_[slot].valid()) continue;
     for (int face = 0; face < 4; ++face)
-      if (!world_.mesh.neighbours[tets_[slot]][face].valid()) surface.push_back({slot, face});
+      if (!world_.mesh->neighbours[tets_[slot]][face].valid()) surface.push_back({slot, face});
   }
   return surface;
 }
@@ -142,7 +142,7 @@ std::vector<shock::CrackSides> ShockRun::cracks_of_bodies() const {
 }
 
 const Body& ShockRun::body_of(NodeId node) const {
-  return world_.bodies[world_.elements.bodies[world_.mesh.stars[node].front()]];
+  return world_.bodies[world_.elements.bodies[world_.mesh->stars[node].front()]];
 }
 
 void ShockRun::run(double duration) {

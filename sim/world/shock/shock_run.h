@@ -63,7 +63,7 @@ class ShockRun {
   void follow(std::span<const NodeCopy> copies, const std::vector<TetId>& star,
               const std::vector<std::array<TetId, 4>>& neighbours);
   void update_threshold(int index);
-  void bring_up_to_date(std::span<const TetId> tets, const Body& body);
+  void bring_up_to_date(std::span<const TetId> tets, const Body& body, std::vector<ElementState>& states);
   void bring_stars_up_to_date();
   void let_sliver_yield(TetId tet, const Mat3& strain);
   Mat3 elastic_strain(TetId tet, const Mat3& strain) const;

@@ -57,7 +57,7 @@ Placement frame_of(const WorldState& world, const Body& body) {
 }
 
 Vec3 displacement(const WorldState& world, const Placement& frame, NodeId node) {
-  return frame.turn.transpose() * (world.nodes.positions[node] - frame.to_world(world.mesh.rest_positions[node]));
+  return frame.turn.transpose() * (world.nodes.positions[node] - frame.to_world(world.mesh->rest_positions[node]));
 }
 
 /// That of the body as it would be under the full stiffness.
@@ -260,7 +260,7 @@ void take_true_shape(WorldState& world, Body& body) {
   const RigidMotion before = motion_of(world, body);
   const Placement frame = frame_of(world, body);
   for (const NodeId node : body.nodes) {
-    const Vec3 place = frame.center + frame.turn * (world.mesh.rest_positions[node] - frame.rest_center +
+    const Vec3 place = frame.center + frame.turn * (world.mesh->rest_positions[node] - frame.rest_center +
                                                     true_displacement(world, body, frame, node));
     world.nodes.positions[node] += world.nodes.constraints[node].allowed * (place - world.nodes.positions[node]);
   }

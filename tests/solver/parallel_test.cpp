@@ -1,0 +1,59 @@
+#include "sim/core/parallel.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace griffith {
+namespace {
+
+TEST(Parallel, CollectsInTheOrderOfIndicesForAnyNumberOfThreads) {
+  for (const int count : {0, 1, 1023, 1024, 1025, 10'000}) {
+    std::vector<int> expected = {-1};
+    for (int i = 0; i < count; ++i)
+      if (i % 3 != 1) expected.push_back(i);
+    for (const int threads : {1, 2, 4}) {
+      const ThreadLimit limit(threads);
+      std::vector<int> all = {-1};  // stays
+      parallel_collect(count, all, [](int begin, int end, std::vector<int>& found) {
+        for (int i = begin; i < end; ++i)
+          if (i % 3 != 1) found.push_back(i);
+      });
+      EXPECT_EQ(all, expected) << count << " on " << threads;
+    }
+  }
+}
+
+TEST(Parallel, VisitsEveryIndexOnce) {
+  for (const int count : {1, 63, 64, 65, 5000})
+    for (const int threads : {1, 2, 4}) {
+      const ThreadLimit limit(threads);
+      std::vector<int> visits(count, 0);
+      parallel_for(count, 64, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) ++visits[i];
+      });
+      EXPECT_EQ(visits, std::vector<int>(count, 1)) << count << " on " << threads;
+    }
+}
+
+TEST(Parallel, SumsToTheSameBitsForAnyNumberOfThreads) {
+  constexpr int kCount = 100'000;
+  const auto sum = [](int threads) {
+    const ThreadLimit limit(threads);
+    return parallel_sum(kCount, [](int begin, int end) {
+      double part = 0;
+      for (int i = begin; i < end; ++i) part += std::sin(i);
+      return part;
+    });
+  };
+  const double one = sum(1);
+  EXPECT_EQ(sum(2), one);
+  EXPECT_EQ(sum(4), one);
+  double plain = 0;
+  for (int i = 0; i < kCount; ++i) plain += std::sin(i);
+  EXPECT_NEAR(one, plain, 1e-10);
+}
+
+}  // namespace
+}  // namespace griffith
