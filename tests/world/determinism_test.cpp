@@ -31,9 +31,9 @@ TEST(Determinism, TheSameBitsForOneTwoAndFourThreads) {
 
 TEST(Determinism, TheSameBitsWhereThreadsShareTheNodesOfABody) {
   constexpr double kFine = 0.25;  // 3,125 nodes
-  const std::uint64_t one = hash_after(8, 1, kFine);
-  EXPECT_EQ(hash_after(8, 2, kFine), one);
-  EXPECT_EQ(hash_after(8, 4, kFine), one);
+  const std::uint64_t one = hash_after(16, 1, kFine);
+  EXPECT_EQ(hash_after(16, 2, kFine), one);
+  EXPECT_EQ(hash_after(16, 4, kFine), one);
 }
 
 TEST(ParallelParts, AreAsManyAsThreadsAndCoverAllOnce) {

@@ -32,7 +32,7 @@ void add_elastic_forces(const WorldState& world, const Body& body, std::span<sim
   parallel_parts(static_cast<int>(body.nodes.size()), 512, [&](int begin, int end) {
     const std::span<const NodeId> nodes = std::span(body.nodes).subspan(begin, end - begin);
     for (const NodeId node : nodes) sums[node] = simd::WideQuad{};
-    add_at_corners(world.mesh->tets, body.tets, nodes, sums, add);
+    add_at_corners<simd::WideQuad>(world.mesh->tets, body.tets, nodes, sums, add);
     for (const NodeId node : nodes) forces[node] += Vec3(sums[node][0], sums[node][1], sums[node][2]);
   });
 }
