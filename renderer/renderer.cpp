@@ -241,8 +241,8 @@ void Renderer::Passes::draw_occlusion_map(const DrawScene& scene, const Camera& 
 void Renderer::Passes::draw_surfaces(const DrawScene& scene, const RenderOptions& options, Output output,
                                      DrawnPart part) const {
   glEnable(GL_CLIP_DISTANCE0);
-  const Culling culling(output == Output::opaque && culls(scene, options));
   surface.draw(scene.surface, color_tables, options, scene.background, output, part);
+  const Culling culling(output == Output::opaque && culls(scene, options));
   embedded.draw(scene.embedded, scene.surface.scalar_style, color_tables, options, scene.background,
                 scene.surface.opacity, output, part);
   glDisable(GL_CLIP_DISTANCE0);
