@@ -126,16 +126,6 @@ std::array<CandidatePlane, N> find_planes(const std::array<StarLoad, N>& loads,
   return planes;
 }
 
-/// The loads of nodes with these separation tensors.
-template <std::size_t N>
-std::array<StarLoad, N> star_loads(const SeparationInput& input, const std::array<NodeId, N>& nodes,
-                                   const std::array<Mat3, N>& tensors) {
-  const std::array<LargestPrincipal, N> pulled = principals_of(tensors);
-  std::array<StarLoad, N> loads;
-  for (std::size_t i = 0; i < N; ++i) loads[i] = star_load(input, nodes[i], tensors[i], pulled[i]);
-  return loads;
-}
-
 }  // namespace
 
 bool is_constrained(const SeparationInput& input, NodeId node) {
@@ -181,13 +171,18 @@ Mat3 separation_tensor(const SeparationInput& input, NodeId node) {
 
 CandidatePlane candidate_plane(const SeparationInput& input, NodeId node, const Mat3& tensor,
                                const DirectionalStrength& strength) {
-  return find_planes<1>(star_loads<1>(input, {node}, {tensor}), {strength})[0];
+  return find_planes<1>({star_load(input, node, tensor, largest_principal(tensor))}, {strength})[0];
 }
 
-std::array<CandidatePlane, 4> candidate_planes(const SeparationInput& input, const std::array<NodeId, 4>& nodes,
-                                               const std::array<Mat3, 4>& tensors,
-                                               const std::array<DirectionalStrength, 4>& strengths) {
-  return find_planes<4>(star_loads<4>(input, nodes, tensors), strengths);
+std::array<StarLoad, 4> star_loads(const SeparationInput& input, std::span<const NodeId> nodes) {
+  std::array<Mat3, 4> tensors;
+  for (std::size_t i = 0; i < 4; ++i)
+    tensors[i] = i < nodes.size() ? separation_tensor(input, nodes[i]) : tensors[i - 1];
+  const std::array<LargestPrincipal, 4> pulled = largest_principals(tensors);
+  std::array<StarLoad, 4> loads;
+  for (std::size_t i = 0; i < 4; ++i)
+    loads[i] = i < nodes.size() ? star_load(input, nodes[i], tensors[i], pulled[i]) : loads[i - 1];
+  return loads;
 }
 
 std::array<CandidatePlane, 4> candidate_planes(const std::array<StarLoad, 4>& loads,

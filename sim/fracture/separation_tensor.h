@@ -68,11 +68,10 @@ struct StarLoad {
   double largest = 0;           ///< tensile stress of an element, Frobenius norm [Pa]
   Mat3 tension = Mat3::Zero();  ///< volume times tensile stress [J]
 };
+/// Those of up to four `nodes`, not none; places to spare repeat the last.
+std::array<StarLoad, 4> star_loads(const SeparationInput& input, std::span<const NodeId> nodes);
 /// The planes of four nodes side by side, to the bits of one at a time.
 std::array<CandidatePlane, 4> candidate_planes(const std::array<StarLoad, 4>& loads,
-                                               const std::array<DirectionalStrength, 4>& strengths);
-std::array<CandidatePlane, 4> candidate_planes(const SeparationInput& input, const std::array<NodeId, 4>& nodes,
-                                               const std::array<Mat3, 4>& tensors,
                                                const std::array<DirectionalStrength, 4>& strengths);
 
 /// What an element adds to the mean tensile stress across a plane of its node [Pa]: all together are its stress.

@@ -97,41 +97,41 @@ void Impacts::open(const Solid& solid, const CrackSides& sides) {
   listed_until_ = std::min(listed_until_, travelled_ + kReachOfCracks * margin_);
 }
 
-/// Boxes the surface, and sorts the boxes by their centres.
-void Impacts::box_surface(const Solid& solid) {
-  boxed_.clear();
-  for (const Side& side : surface_) boxed_.push_back({box_of(solid, side), side});
+Impacts::BoxedSurface Impacts::boxed_surface(const Solid& solid) const {
+  std::vector<BoxedSide> sides;
   std::vector<Vec3> centers;
   Vec3 largest = Vec3::Zero();
-  for (const BoxedSide& boxed : boxed_) {
-    centers.push_back(boxed.box.center());
-    largest = largest.cwiseMax(0.5 * boxed.box.sizes());
+  for (const Side& side : surface_) {
+    const Eigen::AlignedBox3d& box = sides.emplace_back(BoxedSide{box_of(solid, side), side}).box;
+    centers.push_back(box.center());
+    largest = largest.cwiseMax(0.5 * box.sizes());
   }
-  boxes_at_ = BoxesByCenter{PointGrid(centers, kGridEdge * element_size_), largest};
+  return {std::move(sides), PointGrid(centers, kGridEdge * element_size_), largest};
 }
 
 /// The sides that may be near an obstacle, in the order of the surface.
-std::vector<Impacts::BoxedSide> Impacts::sides_near(const Obstacle& obstacle) const {
+std::vector<Impacts::BoxedSide> Impacts::sides_near(const Obstacle& obstacle, const BoxedSurface& surface) const {
   std::vector<BoxedSide> near;
   const auto take = [&](int index) {
-    if (may_be_near(obstacle, boxed_[index].box, margin_)) near.push_back(boxed_[index]);
+    if (may_be_near(obstacle, surface.sides[index].box, margin_)) near.push_back(surface.sides[index]);
   };
-  const Vec3 reach = Vec3::Constant(obstacle.radius + margin_) + boxes_at_->largest;
+  const Vec3 reach = Vec3::Constant(obstacle.radius + margin_) + surface.largest;
   if (!reach.allFinite()) {
-    for (int index = 0; index < static_cast<int>(boxed_.size()); ++index) take(index);
+    for (int index = 0; index < static_cast<int>(surface.sides.size()); ++index) take(index);
     return near;
   }
   const Vec3& center = obstacle.state.pose.translation;
   std::vector<int> indices;
-  boxes_at_->grid.visit({center - reach, center + reach}, [&](int index) { indices.push_back(index); });
+  surface.grid.visit({center - reach, center + reach}, [&](int index) { indices.push_back(index); });
   std::ranges::sort(indices);
   std::ranges::for_each(indices, take);
   return near;
 }
 
-void Impacts::list_near_obstacle(const Solid& solid, const Obstacle& obstacle, Candidates& candidates) const {
+void Impacts::list_near_obstacle(const Solid& solid, const Obstacle& obstacle, const BoxedSurface& surface,
+                                 Candidates& candidates) const {
   candidates.sides.clear(), candidates.nodes.clear(), candidates.samples.clear();
-  const std::vector<BoxedSide> sides = sides_near(obstacle);
+  const std::vector<BoxedSide> sides = sides_near(obstacle, surface);
   if (obstacle.is_sphere()) {
     for (const BoxedSide& near : sides) candidates.sides.push_back({{}, near.side});
     return;
@@ -169,19 +169,20 @@ int Impacts::family_of(const Solid& solid, const SurfaceSide& side) const {
 }
 
 /// The listed sides that may be near bodies of other families.
-std::vector<Impacts::BoxedSide> Impacts::sides_near_others(const Solid& solid) const {
+std::vector<Impacts::BoxedSide> Impacts::sides_near_others(const Solid& solid,
+                                                           std::span<const BoxedSide> surface) const {
   std::vector<int> families;
-  for (const SurfaceLaw& surface : surfaces_) families.push_back(surface.family);
+  for (const SurfaceLaw& law : surfaces_) families.push_back(law.family);
   sort_unique(families);
   if (families.size() < 2) return {};
   const auto index_of = [&](const BoxedSide& boxed) {
     return std::ranges::lower_bound(families, family_of(solid, boxed.side)) - families.begin();
   };
   std::vector<Eigen::AlignedBox3d> boxes(families.size());
-  for (const BoxedSide& boxed : boxed_) boxes[index_of(boxed)].extend(boxed.box);
+  for (const BoxedSide& boxed : surface) boxes[index_of(boxed)].extend(boxed.box);
   const std::vector<Eigen::AlignedBox3d> others = boxes_of_others(boxes);
   std::vector<BoxedSide> near;
-  std::ranges::copy_if(boxed_, std::back_inserter(near), [&](const BoxedSide& boxed) {
+  std::ranges::copy_if(surface, std::back_inserter(near), [&](const BoxedSide& boxed) {
     const Eigen::AlignedBox3d& other = others[index_of(boxed)];
     return !other.isEmpty() && other.squaredExteriorDistance(boxed.box) < margin_ * margin_;
   });
@@ -189,8 +190,8 @@ std::vector<Impacts::BoxedSide> Impacts::sides_near_others(const Solid& solid) c
 }
 
 /// Nodes near sides of other bodies.
-void Impacts::list_pairs(const Solid& solid) {
-  const std::vector<BoxedSide> sides = sides_near_others(solid);
+void Impacts::list_pairs(const Solid& solid, std::span<const BoxedSide> surface) {
+  const std::vector<BoxedSide> sides = sides_near_others(solid, surface);
   std::vector<int> nodes;
   for (const BoxedSide& boxed : sides)
     for (const int node : solid.nodes_of_side(boxed.side.slot, boxed.side.face)) nodes.push_back(node);
@@ -228,11 +229,11 @@ void Impacts::list_candidates(const Solid& solid, double displacement) {
   for (const Obstacle& obstacle : obstacles_)
     if (obstacle.inverse_mass > 0 && std::isfinite(obstacle.radius)) margin_ = std::max(margin_, 0.1 * obstacle.radius);
   catch_up();
-  box_surface(solid);
+  const BoxedSurface surface = boxed_surface(solid);
   parallel_for(static_cast<int>(obstacles_.size()), 8, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) list_near_obstacle(solid, obstacles_[i], candidates_[i]);
+    for (int i = begin; i < end; ++i) list_near_obstacle(solid, obstacles_[i], surface, candidates_[i]);
   });
-  list_pairs(solid);
+  list_pairs(solid, surface.sides);
   listed_until_ = travelled_ + margin_;
 }
 

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <array>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -109,9 +108,11 @@ class Impacts {
     Eigen::AlignedBox3d box;
     Side side;
   };
-  struct BoxesByCenter {
-    PointGrid grid;
-    Vec3 largest;  ///< half the sizes of the largest box, along each axis [m]
+  /// The surface, and its boxes by their centres.
+  struct BoxedSurface {
+    std::vector<BoxedSide> sides;
+    PointGrid grid;  ///< of `sides`
+    Vec3 largest;    ///< half the sizes of the largest box, along each axis [m]
   };
   /// What of the surface may touch an obstacle: sides of it a sphere, nodes and samples anything else.
   struct Candidates {
@@ -143,13 +144,14 @@ class Impacts {
   void list_candidates(const Solid& solid, double displacement);
   /// How fast any two of all nodes and obstacles come nearer to each other, at most [m/s].
   double closing_speed(const Solid& solid) const;
-  void box_surface(const Solid& solid);
-  std::vector<BoxedSide> sides_near(const Obstacle& obstacle) const;
-  void list_near_obstacle(const Solid& solid, const Obstacle& obstacle, Candidates& candidates) const;
+  BoxedSurface boxed_surface(const Solid& solid) const;
+  std::vector<BoxedSide> sides_near(const Obstacle& obstacle, const BoxedSurface& surface) const;
+  void list_near_obstacle(const Solid& solid, const Obstacle& obstacle, const BoxedSurface& surface,
+                          Candidates& candidates) const;
   void list_near_part(const Solid& solid, const Obstacle& obstacle, int part, std::span<const BoxedSide> sides,
                       std::span<const int> nodes, Candidates& candidates) const;
-  std::vector<BoxedSide> sides_near_others(const Solid& solid) const;
-  void list_pairs(const Solid& solid);
+  std::vector<BoxedSide> sides_near_others(const Solid& solid, std::span<const BoxedSide> surface) const;
+  void list_pairs(const Solid& solid, std::span<const BoxedSide> surface);
   void find_touches(const Solid& solid);
   std::size_t candidate_count() const;
   void touch_sphere(const Solid& solid, int obstacle);
@@ -185,9 +187,7 @@ class Impacts {
   std::vector<Side> surface_;
   std::vector<WatchedCrack> cracks_;
   std::vector<Obstacle> obstacles_;
-  std::vector<SurfaceLaw> surfaces_;  ///< per body of the solid
-  std::vector<BoxedSide> boxed_;      ///< the surface, while candidates are listed
-  std::optional<BoxesByCenter> boxes_at_;
+  std::vector<SurfaceLaw> surfaces_;    ///< per body of the solid
   std::vector<Candidates> candidates_;  ///< per obstacle
   std::vector<NodeAndSide> pairs_;      ///< nodes near sides of other bodies, by node
   std::vector<Touch> touches_;

@@ -61,9 +61,8 @@ void restore_start(WorldState& world, int scene_body) {
 
 /// Under the material that is in force now; what was put off is forgotten, since another would have to open.
 void judge_anew(WorldState& world, int scene_body) {
-  std::erase_if(world.postponed, [&](const PostponedCrack& crack) {
-    return world.bodies[world.elements.bodies[world.mesh->stars[crack.node].front()]].scene_body == scene_body;
-  });
+  std::erase_if(world.postponed,
+                [&](const PostponedCrack& crack) { return body_at(world, crack.node).scene_body == scene_body; });
   for (const Body& body : world.bodies)
     if (body.scene_body == scene_body) evaluate_separation(world, body);
 }

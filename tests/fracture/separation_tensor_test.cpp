@@ -201,7 +201,7 @@ TEST(CandidatePlane, OfFourSideBySideHasTheBitsOfOneAtATime) {
           tensors[lane] = separation_tensor(box.input(), nodes[lane]);
           strengths[lane] = {random.direction(), 1, lane == 3 ? 1 : ratio};
         }
-        const std::array<CandidatePlane, 4> planes = candidate_planes(box.input(), nodes, tensors, strengths);
+        const std::array<CandidatePlane, 4> planes = candidate_planes(star_loads(box.input(), nodes), strengths);
         for (int lane = 0; lane < 4; ++lane)
           expect_same_plane(planes[lane], candidate_plane(box.input(), nodes[lane], tensors[lane], strengths[lane]));
       }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <vector>
 
@@ -34,6 +36,22 @@ TEST(Parallel, VisitsEveryIndexOnce) {
         for (int i = begin; i < end; ++i) ++visits[i];
       });
       EXPECT_EQ(visits, std::vector<int>(count, 1)) << count << " on " << threads;
+    }
+}
+
+TEST(Parallel, PartsAreAsManyAsThreadsAndCoverAllOnce) {
+  for (const int threads : {1, 2, 4})
+    for (const int count : {0, 1, 99, 100, 250, 1001}) {
+      const ThreadLimit limit(threads);
+      std::vector<int> visits(count, 0);
+      std::atomic<int> parts = 0;
+      parallel_parts(count, 100, [&](int begin, int end) {
+        EXPECT_GE(end - begin, std::min(count, 100));
+        for (int i = begin; i < end; ++i) ++visits[i];
+        ++parts;
+      });
+      EXPECT_EQ(parts, count == 0 ? 0 : std::clamp(count / 100, 1, threads)) << count;
+      EXPECT_EQ(std::ranges::count(visits, 1), count);
     }
 }
 

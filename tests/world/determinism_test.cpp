@@ -1,9 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <atomic>
-#include <vector>
-
 #include "sim/core/parallel.h"
 #include "sim/world/world.h"
 #include "tests/world/scenes.h"
@@ -34,22 +30,6 @@ TEST(Determinism, TheSameBitsWhereThreadsShareTheNodesOfABody) {
   const std::uint64_t one = hash_after(16, 1, kFine);
   EXPECT_EQ(hash_after(16, 2, kFine), one);
   EXPECT_EQ(hash_after(16, 4, kFine), one);
-}
-
-TEST(ParallelParts, AreAsManyAsThreadsAndCoverAllOnce) {
-  for (const int threads : {1, 2, 4})
-    for (const int count : {0, 1, 99, 100, 250, 1001}) {
-      const ThreadLimit limit(threads);
-      std::vector<int> visits(count, 0);
-      std::atomic<int> parts = 0;
-      parallel_parts(count, 100, [&](int begin, int end) {
-        EXPECT_GE(end - begin, std::min(count, 100));
-        for (int i = begin; i < end; ++i) ++visits[i];
-        ++parts;
-      });
-      EXPECT_EQ(parts, count == 0 ? 0 : std::clamp(count / 100, 1, threads)) << count;
-      EXPECT_EQ(std::ranges::count(visits, 1), count);
-    }
 }
 
 TEST(Determinism, TheHashSeesTheSmallestChange) {

@@ -8,6 +8,11 @@
 
 namespace griffith {
 
+/// The body that a node belongs to.
+inline const Body& body_at(const WorldState& world, NodeId node) {
+  return world.bodies[world.elements.bodies[world.mesh->stars[node].front()]];
+}
+
 /// Takes the stress out of a body that is rigid from now on.
 void clear_stress(WorldState& world, const Body& body);
 /// Gives the tets of bodies that may have come apart to one body for each connected piece.

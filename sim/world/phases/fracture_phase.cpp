@@ -21,7 +21,7 @@ namespace {
 /// Cracks that waited for the budget open as they would have then, unless the load has grown since.
 void restore_postponed(WorldState& world) {
   for (const PostponedCrack& crack : world.postponed) {
-    const Body& body = world.bodies[world.elements.bodies[world.mesh->stars[crack.node].front()]];
+    const Body& body = body_at(world, crack.node);
     NodeSeparation& now = world.nodes.separations[crack.node];
     if (!body.rigid && now.utilization < crack.separation.utilization) now = crack.separation;
   }
@@ -76,7 +76,7 @@ std::vector<std::uint8_t> remesh(WorldState& world, const Body& body, NodeId nod
 
 /// `above`: per tet of the node's star.
 CrackEvent describe(const WorldState& world, NodeId node, const std::vector<std::uint8_t>& above) {
-  const Body& body = world.bodies[world.elements.bodies[world.mesh->stars[node].front()]];
+  const Body& body = body_at(world, node);
   const NodeSeparation& separation = world.nodes.separations[node];
   CrackEvent event;
   event.step = world.step;
@@ -111,14 +111,14 @@ void date_open_faces(WorldState& world, const std::vector<TetId>& parted) {
 }  // namespace
 
 bool may_crack(const WorldState& world, NodeId node) {
-  const Body& body = world.bodies[world.elements.bodies[world.mesh->stars[node].front()]];
+  const Body& body = body_at(world, node);
   if (is_remeshed(world, body) || world.nodes.has_support[node] != 0) return true;
   const auto above = tets_above(world.mesh, world.nodes.positions, node, world.nodes.separations[node].direction);
   return std::ranges::adjacent_find(above, std::ranges::not_equal_to()) != above.end();
 }
 
 bool crack(WorldState& world, NodeId node, Opened& opened) {
-  const Body& body = world.bodies[world.elements.bodies[world.mesh->stars[node].front()]];
+  const Body& body = body_at(world, node);
   const Vec3 normal = world.nodes.separations[node].direction;
   const std::vector<std::uint8_t> above = is_remeshed(world, body)
                                               ? remesh(world, body, node, normal, opened)
@@ -148,7 +148,7 @@ namespace {
 /// runs already outruns such waves.
 bool is_relieved(const WorldState& world, NodeId node, std::size_t first_event, double substep) {
   if (world.nodes.at_crack_front[node]) return false;
-  const Body& body = world.bodies[world.elements.bodies[world.mesh->stars[node].front()]];
+  const Body& body = body_at(world, node);
   const double reach = bar_wave_speed(world.material_of(body)) * substep;
   return std::any_of(world.crack_events.begin() + static_cast<std::ptrdiff_t>(first_event), world.crack_events.end(),
                      [&](const CrackEvent& event) {

@@ -5,6 +5,7 @@
 
 #include "sim/core/parallel.h"
 #include "sim/fracture/resistance.h"
+#include "sim/world/bodies/bodies.h"
 #include "sim/world/world_state.h"
 
 namespace griffith {
@@ -20,10 +21,6 @@ double resistance_at(const WorldState& world, const Material& material, NodeId n
 }
 
 namespace {
-
-const Body& body_at(const WorldState& world, NodeId node) {
-  return world.bodies[world.elements.bodies[world.mesh->stars[node].front()]];
-}
 
 DirectionalStrength directional_strength_at(const WorldState& world, const SeparationInput& input, NodeId node) {
   const std::optional<Weakness>& weakness = world.model->weaknesses[body_at(world, node).scene_body];
@@ -41,39 +38,33 @@ void take_load(const WorldState& world, NodeId node, const CandidatePlane& plane
   separation.utilization = load / separation.resistance;
 }
 
-constexpr std::size_t kNodes = 4;  // side by side
-
-/// What four nodes are judged by.
-struct FourNodes {
-  std::array<NodeId, kNodes> nodes;
-  std::array<Mat3, kNodes> tensors;
-  std::array<DirectionalStrength, kNodes> strengths;
-};
-
-/// Takes the first `count` of them.
-void take_planes(WorldState& world, const FourNodes& four, const std::array<CandidatePlane, kNodes>& planes,
-                 std::size_t count, bool averaged) {
-  for (std::size_t i = 0; i < count; ++i) {
-    NodeSeparation& separation = world.nodes.separations[four.nodes[i]];
-    separation.tensor = four.tensors[i];
-    take_load(world, four.nodes[i], planes[i], four.strengths[i], averaged, separation);
+/// Judges nodes four side by side. loads_of(four): the loads of up to four of them, of which places to spare repeat the
+/// last.
+template <class LoadsOf>
+void evaluate_fours(WorldState& world, const SeparationInput& input, std::span<const NodeId> nodes, bool averaged,
+                    const LoadsOf& loads_of) {
+  for (std::size_t first = 0; first < nodes.size(); first += 4) {
+    const std::span<const NodeId> four = nodes.subspan(first, std::min<std::size_t>(4, nodes.size() - first));
+    const std::array<StarLoad, 4> loads = loads_of(four);
+    std::array<DirectionalStrength, 4> strengths;
+    for (std::size_t i = 0; i < 4; ++i)
+      strengths[i] = i < four.size() ? directional_strength_at(world, input, four[i]) : strengths[i - 1];
+    const std::array<CandidatePlane, 4> planes = candidate_planes(loads, strengths);
+    for (std::size_t i = 0; i < four.size(); ++i) {
+      NodeSeparation& separation = world.nodes.separations[four[i]];
+      separation.tensor = loads[i].tensor;
+      take_load(world, four[i], planes[i], strengths[i], averaged, separation);
+    }
   }
 }
 
 /// As evaluate_nodes() does, to the bit: nodes in a row of a body whose stars are added up.
 void take_sums(WorldState& world, const SeparationInput& input, std::span<const NodeId> nodes, bool averaged) {
-  for (std::size_t first = 0; first < nodes.size(); first += kNodes) {
-    const std::size_t count = std::min(kNodes, nodes.size() - first);
-    FourNodes four;
-    std::array<StarLoad, kNodes> loads;
-    for (std::size_t i = 0; i < kNodes; ++i) {
-      four.nodes[i] = nodes[first + std::min(i, count - 1)];  // lanes to spare repeat the last
-      loads[i] = world.scratch.stars[four.nodes[i]].load();
-      four.tensors[i] = loads[i].tensor;
-      four.strengths[i] = directional_strength_at(world, input, four.nodes[i]);
-    }
-    take_planes(world, four, candidate_planes(loads, four.strengths), count, averaged);
-  }
+  evaluate_fours(world, input, nodes, averaged, [&](std::span<const NodeId> four) {
+    std::array<StarLoad, 4> loads;
+    for (std::size_t i = 0; i < 4; ++i) loads[i] = i < four.size() ? world.scratch.stars[four[i]].load() : loads[i - 1];
+    return loads;
+  });
 }
 
 void evaluate_body(WorldState& world, const SeparationInput& input, const Body& body, bool averaged) {
@@ -87,16 +78,7 @@ void evaluate_body(WorldState& world, const SeparationInput& input, const Body& 
 }  // namespace
 
 void evaluate_nodes(WorldState& world, const SeparationInput& input, std::span<const NodeId> nodes, bool averaged) {
-  for (std::size_t first = 0; first < nodes.size(); first += kNodes) {
-    const std::size_t count = std::min(kNodes, nodes.size() - first);
-    FourNodes four;
-    for (std::size_t i = 0; i < kNodes; ++i) {
-      four.nodes[i] = nodes[first + std::min(i, count - 1)];  // lanes to spare repeat the last
-      four.tensors[i] = i < count ? separation_tensor(input, four.nodes[i]) : four.tensors[i - 1];
-      four.strengths[i] = directional_strength_at(world, input, four.nodes[i]);
-    }
-    take_planes(world, four, candidate_planes(input, four.nodes, four.tensors, four.strengths), count, averaged);
-  }
+  evaluate_fours(world, input, nodes, averaged, [&](std::span<const NodeId> four) { return star_loads(input, four); });
 }
 
 SeparationInput separation_input(const WorldState& world) {

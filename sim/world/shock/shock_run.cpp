@@ -141,9 +141,7 @@ std::vector<shock::CrackSides> ShockRun::cracks_of_bodies() const {
   return cracks;
 }
 
-const Body& ShockRun::body_of(NodeId node) const {
-  return world_.bodies[world_.elements.bodies[world_.mesh->stars[node].front()]];
-}
+const Body& ShockRun::body_of(NodeId node) const { return body_at(world_, node); }
 
 void ShockRun::run(double duration) {
   const double end = time_ + duration;
