@@ -11,6 +11,7 @@
 #include "renderer/glass_target.h"
 #include "renderer/glyph_pass.h"
 #include "renderer/ground_pass.h"
+#include "renderer/hidden_backs.h"
 #include "renderer/occlusion_map.h"
 #include "renderer/puff_pass.h"
 #include "renderer/shadow_map.h"
@@ -92,11 +93,6 @@ bool has_glass(const DrawScene& scene, const RenderOptions& options) {
          std::ranges::any_of(scene.surface.flags, [](std::uint8_t flags) { return flags & kClear; });
 }
 
-/// Whether faces that look away are left out in a draft: of closed opaque pieces they are hidden anyway.
-bool culls(const DrawScene& scene, const RenderOptions& options) {
-  return options.quality == Quality::draft && scene.surface.opacity == 1 && !scene.visible;
-}
-
 /// Leaves out faces that look away as long as it lives.
 class Culling {
  public:
@@ -117,7 +113,7 @@ DrawnPart opaque_part(const DrawScene& scene, bool glass) {
 /// Everything the passes rely on, whoever drew before.
 void set_state() {
   for (const GLenum off : {GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB,
-                           GL_SAMPLE_ALPHA_TO_COVERAGE, GL_PRIMITIVE_RESTART, GL_CLIP_DISTANCE0}) {
+                           GL_SAMPLE_ALPHA_TO_COVERAGE, GL_PRIMITIVE_RESTART, GL_CLIP_DISTANCE0, GL_DEPTH_CLAMP}) {
     glDisable(off);
   }
   glEnable(GL_DEPTH_TEST);
@@ -146,6 +142,7 @@ struct Renderer::Passes {
   std::unique_ptr<OcclusionMap> occlusion;  // none until something is occluded
   std::unique_ptr<BlendTarget> blend;       // of the target; none until something is transparent
   std::unique_ptr<GlassTarget> glass;       // of the target; none until something is clear
+  HiddenBacks hidden;                       // from the eye
   int requested_samples = 1;                // target.samples() may be fewer
 
   void resize(const RenderOptions& options);
@@ -154,8 +151,8 @@ struct Renderer::Passes {
   void add_up_glass(const DrawScene& scene, const RenderOptions& options);
   void draw_transparent(const DrawScene& scene, const RenderOptions& options);
   /// Depth alone, of what light does not come through.
-  void draw_depths(const DrawScene& scene, const RenderOptions& options) const;
-  void draw_depths_of_surfaces(DrawnPart part) const;
+  void draw_depths(const DrawScene& scene, const RenderOptions& options, const HiddenBacks& backs) const;
+  void draw_depths_of_surfaces(DrawnPart part, const HiddenBacks& backs) const;
   void draw_shadow_maps(const DrawScene& scene, const ViewBlock& view, const RenderOptions& options) const;
   void draw_occlusion_map(const DrawScene& scene, const Camera& camera, const Focus& focus, const Mat4& view_projection,
                           const RenderOptions& options);
@@ -184,18 +181,21 @@ void Renderer::Passes::upload(const DrawScene& scene, float pixel_scale) {
   strokes.upload(scene, pixel_scale);
 }
 
-void Renderer::Passes::draw_depths(const DrawScene& scene, const RenderOptions& options) const {
-  if (scene.surface.opacity == 1) {
-    const Culling culling(culls(scene, options));
-    draw_depths_of_surfaces(has_glass(scene, options) ? DrawnPart::not_clear : DrawnPart::all);
-  }
+void Renderer::Passes::draw_depths(const DrawScene& scene, const RenderOptions& options,
+                                   const HiddenBacks& backs) const {
+  if (scene.surface.opacity == 1)
+    draw_depths_of_surfaces(has_glass(scene, options) ? DrawnPart::not_clear : DrawnPart::all, backs);
   spheres.draw_shadow();
   crumbs.draw_shadow();
 }
 
-void Renderer::Passes::draw_depths_of_surfaces(DrawnPart part) const {
+void Renderer::Passes::draw_depths_of_surfaces(DrawnPart part, const HiddenBacks& backs) const {
   glEnable(GL_CLIP_DISTANCE0);
-  surface.draw_depth(part);
+  {
+    const Culling culling(backs.surface);
+    surface.draw_depth(part);
+  }
+  const Culling culling(backs.embedded);
   embedded.draw_depth(part);
   glDisable(GL_CLIP_DISTANCE0);
 }
@@ -203,16 +203,19 @@ void Renderer::Passes::draw_depths_of_surfaces(DrawnPart part) const {
 void Renderer::Passes::draw_shadow_maps(const DrawScene& scene, const ViewBlock& view,
                                         const RenderOptions& options) const {
   const bool clear = has_glass(scene, options);
+  const HiddenBacks backs = hidden_backs(scene, clear);
   shadow_map.begin();
   if (options.shadows) {
     shadow_view.bind(view);
     glEnable(GL_POLYGON_OFFSET_FILL);
+    glEnable(GL_DEPTH_CLAMP);  // what reaches out of the map towards the lamp casts its shadow all the same
     glPolygonOffset(1.5f, 2);  // against self-shadowing
-    draw_depths(scene, options);
+    draw_depths(scene, options, backs);
   }
   if (clear) clear_shadow_map.begin();
-  if (clear && options.shadows) draw_depths_of_surfaces(DrawnPart::clear);
+  if (clear && options.shadows) draw_depths_of_surfaces(DrawnPart::clear, backs);
   glDisable(GL_POLYGON_OFFSET_FILL);
+  glDisable(GL_DEPTH_CLAMP);
 }
 
 void Renderer::Passes::draw_ground(const DrawScene& scene, const Camera& camera, const Focus& focus,
@@ -233,7 +236,7 @@ void Renderer::Passes::draw_occlusion_map(const DrawScene& scene, const Camera& 
   if (!occlusion || occlusion->width() != width || occlusion->height() != height)
     occlusion = std::make_unique<OcclusionMap>(width, height);
   occlusion->begin();
-  draw_depths(scene, options);
+  draw_depths(scene, options, hidden);
   draw_ground(scene, camera, focus, Light::plain);
   occlusion->finish(view_projection, kReach * focus.radius, effects.occlusion_samples);
 }
@@ -241,8 +244,11 @@ void Renderer::Passes::draw_occlusion_map(const DrawScene& scene, const Camera& 
 void Renderer::Passes::draw_surfaces(const DrawScene& scene, const RenderOptions& options, Output output,
                                      DrawnPart part) const {
   glEnable(GL_CLIP_DISTANCE0);
-  surface.draw(scene.surface, color_tables, options, scene.background, output, part);
-  const Culling culling(output == Output::opaque && culls(scene, options));
+  {
+    const Culling culling(output == Output::opaque && hidden.surface);
+    surface.draw(scene.surface, color_tables, options, scene.background, output, part);
+  }
+  const Culling culling(output == Output::opaque && hidden.embedded);
   embedded.draw(scene.embedded, scene.surface.scalar_style, color_tables, options, scene.background,
                 scene.surface.opacity, output, part);
   glDisable(GL_CLIP_DISTANCE0);
@@ -311,6 +317,7 @@ void Renderer::render(const DrawScene& scene, const Camera& camera, const Render
   set_state();
   passes_->resize(options);
   passes_->upload(scene, options.pixel_scale);
+  passes_->hidden = hidden_backs_from(scene, has_glass(scene, options), camera.position);
   passes_->draw_shadow_maps(scene, shadow_view, options);
   ViewBlock view =
       picture_view(camera, visible_box(scene, focus, box), passes_->target, shadow_view, effects_of(options.quality));
