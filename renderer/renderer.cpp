@@ -1,6 +1,7 @@
 #include "renderer/renderer.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <optional>
@@ -63,6 +64,14 @@ Effects effects_of(Quality quality) {
   if (quality == Quality::standard) return {0.07f, 16, 12, 2};
   if (quality == Quality::high) return {0.07f, 48, 32, 1};
   return {};
+}
+
+/// Of a side of the shadow map. In a draft none needs to be smaller than a pixel at the camera's target.
+int shadow_texels(const Focus& focus, const Camera& camera, const RenderOptions& options) {
+  if (options.quality != Quality::draft) return ShadowMap::kMostTexels;
+  const float pixel = height_at_target(camera) / static_cast<float>(options.height);  // [m]
+  const float wanted = std::min(2 * focus.radius / pixel, static_cast<float>(ShadowMap::kMostTexels));
+  return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(wanted))));
 }
 
 ViewBlock picture_view(const Camera& camera, const Eigen::AlignedBox3f& box, const Target& target,
@@ -153,7 +162,7 @@ struct Renderer::Passes {
   /// Depth alone, of what light does not come through.
   void draw_depths(const DrawScene& scene, const RenderOptions& options, const HiddenBacks& backs) const;
   void draw_depths_of_surfaces(DrawnPart part, const HiddenBacks& backs) const;
-  void draw_shadow_maps(const DrawScene& scene, const ViewBlock& view, const RenderOptions& options) const;
+  void draw_shadow_maps(const DrawScene& scene, const ViewBlock& view, const RenderOptions& options, int texels);
   void draw_occlusion_map(const DrawScene& scene, const Camera& camera, const Focus& focus, const Mat4& view_projection,
                           const RenderOptions& options);
   void draw_ground(const DrawScene& scene, const Camera& camera, const Focus& focus, Light light) const;
@@ -200,11 +209,11 @@ void Renderer::Passes::draw_depths_of_surfaces(DrawnPart part, const HiddenBacks
   glDisable(GL_CLIP_DISTANCE0);
 }
 
-void Renderer::Passes::draw_shadow_maps(const DrawScene& scene, const ViewBlock& view,
-                                        const RenderOptions& options) const {
+void Renderer::Passes::draw_shadow_maps(const DrawScene& scene, const ViewBlock& view, const RenderOptions& options,
+                                        int texels) {
   const bool clear = has_glass(scene, options);
   const HiddenBacks backs = hidden_backs(scene, clear);
-  shadow_map.begin();
+  shadow_map.begin(texels);
   if (options.shadows) {
     shadow_view.bind(view);
     glEnable(GL_POLYGON_OFFSET_FILL);
@@ -212,7 +221,7 @@ void Renderer::Passes::draw_shadow_maps(const DrawScene& scene, const ViewBlock&
     glPolygonOffset(1.5f, 2);  // against self-shadowing
     draw_depths(scene, options, backs);
   }
-  if (clear) clear_shadow_map.begin();
+  if (clear) clear_shadow_map.begin(texels);
   if (clear && options.shadows) draw_depths_of_surfaces(DrawnPart::clear, backs);
   glDisable(GL_POLYGON_OFFSET_FILL);
   glDisable(GL_DEPTH_CLAMP);
@@ -312,13 +321,14 @@ void Renderer::render(const DrawScene& scene, const Camera& camera, const Render
   const BoundFramebuffer previous;
   const Eigen::AlignedBox3f box = bounds(scene);
   const Focus focus = focus_of(box, camera);
-  ViewBlock shadow_view = ShadowMap::view(focus);
+  const int texels = shadow_texels(focus, camera, options);
+  ViewBlock shadow_view = ShadowMap::view(focus, texels);
   shadow_view.visible = visible_plane(scene, focus.radius);
   set_state();
   passes_->resize(options);
   passes_->upload(scene, options.pixel_scale);
   passes_->hidden = hidden_backs_from(scene, has_glass(scene, options), camera.position);
-  passes_->draw_shadow_maps(scene, shadow_view, options);
+  passes_->draw_shadow_maps(scene, shadow_view, options, texels);
   ViewBlock view =
       picture_view(camera, visible_box(scene, focus, box), passes_->target, shadow_view, effects_of(options.quality));
   view.effects.z() = has_glass(scene, options) ? 1.0f : 0.0f;
