@@ -1,5 +1,8 @@
 #include "renderer/hidden_backs.h"
 
+#include <algorithm>
+#include <array>
+
 #include "tests/renderer/renderer_fixture.h"
 #include "tests/renderer/wall_scene.h"
 
