@@ -54,7 +54,7 @@ bool stays(const Body& body) {
 /// Whether no wave in a body could hurt it, and nothing moves that could be seen. What supports alone hold may swing, and
 /// what swings stands nearly still twice a period.
 bool is_still(const WorldState& world, const Body& body) {
-  constexpr double kHarmlessSpeed = 0.25, kVisible = 0.02, kSwinging = 1e-4;  // the last two of its extent [1/s]
+  constexpr double kHarmlessSpeed = 0.25, kVisible = 0.02, kSwinging = 1e-6;  // the last two of its extent [1/s]
   const bool touched = !body.harmless.empty();
   const RigidMotion whole = touched ? motion_of(world, body) : RigidMotion();
   return fastest_beside(world, body, whole) <
