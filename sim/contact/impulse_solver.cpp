@@ -15,12 +15,13 @@ namespace {
 /// After so many sweeps over the rows that push, all are looked at again.
 constexpr int kSweepsBetweenLooks = 5;
 
-/// What a sweep needs of a row again and again.
+/// What a sweep needs of a row again and again. A row waits for the one before: inverses spare it divisions.
 struct PreparedRow {
   bool ready = false;                  ///< most rows of a heap never push and need nothing of this
   Mat3 compliance;                     ///< of both ends along the axes [1/kg]
+  double inverse_normal;               ///< of its first element [kg], 0 where nothing moves
   Eigen::Matrix2d inverse_tangential;  ///< of its tangential block
-  double largest_tangential;           ///< eigenvalue of that block
+  double inverse_largest;              ///< of that block's largest eigenvalue
 };
 
 Vec3 velocity_at(const SolverBody& solver_body, const ContactEnd& end) {
@@ -51,7 +52,8 @@ PreparedRow prepare(const ContactConstraint& row, std::span<const SolverBody> so
   prepared.compliance = row.axes.transpose() * compliance * row.axes;
   const Eigen::Matrix2d tangential = prepared.compliance.bottomRightCorner<2, 2>();
   const double mean = tangential.trace() / 2;
-  prepared.largest_tangential = mean + std::sqrt(std::max(0.0, mean * mean - tangential.determinant()));
+  prepared.inverse_largest = 1 / (mean + std::sqrt(std::max(0.0, mean * mean - tangential.determinant())));
+  prepared.inverse_normal = prepared.compliance(0, 0) > 0 ? 1 / prepared.compliance(0, 0) : 0;
   prepared.inverse_tangential.setZero();
   if (tangential.determinant() > 0) prepared.inverse_tangential = tangential.inverse();
   return prepared;
@@ -67,7 +69,7 @@ void apply(const ContactConstraint& row, const Vec3& impulse, std::span<SolverBo
 Vec2 friction_impulse(const Vec2& impulse, const Vec2& sliding, double limit, const PreparedRow& prepared) {
   const Vec2 stopping = impulse - prepared.inverse_tangential * sliding;
   if (stopping.squaredNorm() <= limit * limit) return stopping;
-  const Vec2 opposing = impulse - sliding / prepared.largest_tangential;
+  const Vec2 opposing = impulse - prepared.inverse_largest * sliding;
   const double length = opposing.norm();
   return length > limit ? Vec2(limit / length * opposing) : opposing;
 }
@@ -77,14 +79,13 @@ Vec3 relative_velocity(const ContactConstraint& row, std::span<const SolverBody>
 }
 
 /// Solves one row among the others' present impulses, with which its ends have this relative `velocity` (world axes);
-/// returns the change of velocity that this made.
+/// returns the square of the change of velocity that this made.
 double relax(ContactConstraint& row, const Vec3& velocity, const PreparedRow& prepared,
              std::span<SolverBody> solver_bodies) {
-  const double stiffness = prepared.compliance(0, 0);
-  if (!(stiffness > 0)) return 0;
+  if (prepared.inverse_normal == 0) return 0;
   const Vec3 along_axes = row.axes.transpose() * velocity;
   Vec3 next = row.impulse;
-  next[0] = std::max(0.0, row.impulse[0] - (along_axes[0] - row.target_velocity) / stiffness);
+  next[0] = std::max(0.0, row.impulse[0] - prepared.inverse_normal * (along_axes[0] - row.target_velocity));
   if (row.friction > 0) {
     const Vec2 sliding = along_axes.tail<2>() + (next[0] - row.impulse[0]) * prepared.compliance.block<2, 1>(1, 0);
     next.tail<2>() = friction_impulse(row.impulse.tail<2>(), sliding, row.friction * next[0], prepared);
@@ -93,7 +94,7 @@ double relax(ContactConstraint& row, const Vec3& velocity, const PreparedRow& pr
   if (change.isZero(0)) return 0;
   row.impulse = next;
   apply(row, change, solver_bodies);
-  return (prepared.compliance * change).norm();
+  return (prepared.compliance * change).squaredNorm();
 }
 
 /// The rows of objects that hang together by contacts, in their order.
@@ -151,7 +152,7 @@ class GroupSolver {
   }
 
  private:
-  /// Returns the change of velocity.
+  /// Returns the square of the change of velocity.
   double relax_row(int i, const Vec3& velocity) {
     if (!prepared_[i].ready) prepared_[i] = prepare(*rows_[i], solver_bodies_);
     before_[i] = rows_[i]->impulse;
@@ -163,7 +164,7 @@ class GroupSolver {
   double sweep_busy() {
     double change = 0;
     for (int i : busy_) change = std::max(change, relax_row(i, relative_velocity(*rows_[i], solver_bodies_)));
-    return change;
+    return std::sqrt(change);
   }
 
   double sweep_all() {
@@ -179,7 +180,7 @@ class GroupSolver {
       busy_.push_back(i);
       change = std::max(change, relax_row(i, velocity));
     }
-    return change;
+    return std::sqrt(change);
   }
 
   /// Goes on from a sweep along the conjugate direction, unless the sweeps do not converge.

@@ -71,25 +71,53 @@ PointCompliance node_compliance(std::span<const WeightedRows> points, std::span<
 }
 
 PointMotion::PointMotion(const PointCompliance& compliance, Eigen::Matrix3Xd velocities)
-    : compliance_(&compliance),
+    : groups_((compliance.modes.rows() + 3) / 4),
+      columns_(compliance.modes.cols() * groups_, simd::WideQuad{}),
+      signs_(groups_, simd::WideQuad{}),
+      shares_(compliance.points.size()),
       velocities_(std::move(velocities)),
-      modes_(Eigen::VectorXd::Zero(compliance.modes.rows())),
-      nodes_(Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(compliance.nodes.size()))) {}
+      modes_(groups_, simd::WideQuad{}),
+      nodes_(compliance.nodes.size(), simd::WideQuad{}) {
+  const Eigen::Index modes = compliance.modes.rows();
+  for (Eigen::Index mode = 0; mode < modes; ++mode) {
+    signs_[mode / 4][mode % 4] = mode < modes - compliance.removed_modes ? 1 : -1;
+    for (Eigen::Index column = 0; column < compliance.modes.cols(); ++column)
+      columns_[column * groups_ + mode / 4][mode % 4] = compliance.modes(mode, column);
+  }
+  for (std::size_t point = 0; point < shares_.size(); ++point)
+    for (int k = 0; k < 3; ++k)
+      if (const int node = compliance.points[point].rows[k]; node >= 0) {
+        const Mat3& weight = compliance.points[point].weights[k];
+        shares_[point][k] = {node, weight, compliance.nodes[node] * weight.transpose()};
+      }
+}
 
 void PointMotion::push(int point, const Vec3& impulse) {
-  const auto columns = compliance_->modes.middleCols<3>(3 * point);
-  modes_ += impulse[0] * columns.col(0) + impulse[1] * columns.col(1) + impulse[2] * columns.col(2);
-  push_nodes(*compliance_, point, impulse, nodes_);
+  const simd::WideQuad* columns = columns_.data() + 3 * groups_ * point;
+  for (std::size_t i = 0; i < groups_; ++i)
+    modes_[i] += signs_[i] * (columns[i] * impulse[0] + columns[groups_ + i] * impulse[1] +
+                              columns[2 * groups_ + i] * impulse[2]);
+  for (const Share& share : shares_[point])
+    if (share.node >= 0)
+      nodes_[share.node] += simd::product(share.answer.data(), impulse[0], impulse[1], impulse[2]);
 }
 
 Vec3 PointMotion::velocity(int point) const {
-  Vec3 velocity = velocities_.col(point) + velocity_of_nodes(*compliance_, point, nodes_);
-  const Eigen::Index removed = compliance_->removed_modes;
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto column = compliance_->modes.col(3 * point + axis);
-    velocity[axis] += column.dot(modes_) - 2 * column.tail(removed).dot(modes_.tail(removed));
+  const simd::WideQuad* columns = columns_.data() + 3 * groups_ * point;
+  simd::WideQuad x = {}, y = {}, z = {}, none = {};
+  for (std::size_t i = 0; i < groups_; ++i) {
+    x += columns[i] * modes_[i];
+    y += columns[groups_ + i] * modes_[i];
+    z += columns[2 * groups_ + i] * modes_[i];
   }
-  return velocity;
+  simd::transpose(x, y, z, none);
+  simd::WideQuad sum = (x + y) + (z + none);
+  for (const Share& share : shares_[point])
+    if (share.node >= 0) {
+      const simd::WideQuad& node = nodes_[share.node];
+      sum += simd::product(share.weight.data(), node[0], node[1], node[2]);
+    }
+  return velocities_.col(point) + Vec3(sum[0], sum[1], sum[2]);
 }
 
 Eigen::Matrix3Xd respond(const PointCompliance& compliance, const Eigen::Matrix3Xd& impulses) {

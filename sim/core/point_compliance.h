@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/core/lanes.h"
 #include "sim/core/linear_algebra.h"
 
 namespace griffith {
@@ -36,20 +37,28 @@ struct PointCompliance {
 /// kept.
 PointCompliance node_compliance(std::span<const WeightedRows> points, std::span<const Mat3> nodes);
 
-/// The motion of such points under impulses that come one after the other.
+/// The motion of such points under impulses that come one after the other, laid out for vector registers.
 class PointMotion {
  public:
-  /// `compliance` is kept by reference. `velocities`: of the points without the impulses to come [m/s].
+  /// `velocities`: of the points without the impulses to come [m/s].
   PointMotion(const PointCompliance& compliance, Eigen::Matrix3Xd velocities);
 
   void push(int point, const Vec3& impulse);
   Vec3 velocity(int point) const;
 
  private:
-  const PointCompliance* compliance_;
-  Eigen::Matrix3Xd velocities_;  // without the impulses
-  Eigen::VectorXd modes_;        // M p
-  Eigen::Matrix3Xd nodes_;       // D Wᵀ p
+  /// What a point has to do with a node: W, and D Wᵀ.
+  struct Share {
+    int node = -1;
+    Mat3 weight, answer;
+  };
+  std::size_t groups_;                        // of four modes, the last filled up with zeros
+  std::vector<simd::WideQuad> columns_;       // M: by point, axis and group
+  std::vector<simd::WideQuad> signs_;         // S: by group
+  std::vector<std::array<Share, 3>> shares_;  // by point
+  Eigen::Matrix3Xd velocities_;               // without the impulses
+  std::vector<simd::WideQuad> modes_;         // S M p, by group
+  std::vector<simd::WideQuad> nodes_;         // D Wᵀ p, in three lanes
 };
 
 /// C p for impulses on all points, one column each.
