@@ -11,8 +11,9 @@ Eigen::AlignedBox3f bounds(const DrawScene& scene) {
     box.extend(place - Eigen::Vector3f::Constant(radius));
     box.extend(place + Eigen::Vector3f::Constant(radius));
   };
-  for (const Eigen::Vector3f& position : scene.surface.positions) add(position, 0);
-  for (const Eigen::Vector3f& point : scene.embedded.points) add(point, 0);
+  for (const auto* places : {&scene.surface.positions, &scene.embedded.points})
+    for (const Eigen::Vector3f& place : *places)
+      if (place.allFinite()) box.extend(place);
   for (const Sphere& sphere : scene.spheres) add(sphere.center, sphere.radius);
   for (const Line& line : scene.lines) {
     add(line.start, 0);

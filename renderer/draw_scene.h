@@ -38,7 +38,7 @@ struct ScalarStyle {
 };
 
 /// Triangles with data per corner or per triangle. Everything but `positions` may be empty. Front faces are
-/// counterclockwise; both sides are drawn.
+/// counterclockwise; both sides are drawn, unless the triangles are `closed`.
 struct Surface {
   std::vector<Eigen::Vector3f> positions;  ///< 3 per triangle, world frame [m]
   std::vector<float> scalars;              ///< 1 per triangle or 3 per triangle (interpolated); shown by scalar_style
@@ -48,7 +48,9 @@ struct Surface {
   ScalarStyle scalar_style;
   Rgb color = {0.74f, 0.77f, 0.80f};
   float clear_depth = 0.1f;  ///< of kClear triangles: how far light comes before it has their colour [m], > 0
-  float opacity = 1;         ///< of this and of the embedded surface, 0..1; what is selected stays opaque
+  /// Whether the triangles bound bodies, with their fronts outside: from there no back is seen, and none is drawn.
+  bool closed = false;
+  float opacity = 1;  ///< of this and of the embedded surface, 0..1; what is selected stays opaque
 };
 
 /// Part of the space: the points x with normal · x <= offset.

@@ -102,6 +102,7 @@ struct EmbeddedSurface {
   bool scalars_per_point = false;                 ///< of `scalars`: one a point, else one a tet
   std::vector<Rgb> piece_colors;                  ///< per piece, where there are no scalars; else materials are shown
   std::vector<EmbeddedMaterial> materials;
+  bool closed = false;             ///< the polygons bound bodies, as the triangles of a closed Surface do
   bool checker = false;            ///< textured polygons show squares of a sixteenth of their texture
   std::int32_t selected_tet = -1;  ///< highlighted
 };

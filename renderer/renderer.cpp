@@ -1,6 +1,7 @@
 #include "renderer/renderer.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "renderer/glass_target.h"
 #include "renderer/glyph_pass.h"
 #include "renderer/ground_pass.h"
+#include "renderer/hidden_backs.h"
 #include "renderer/occlusion_map.h"
 #include "renderer/puff_pass.h"
 #include "renderer/shadow_map.h"
@@ -64,6 +66,14 @@ Effects effects_of(Quality quality) {
   return {};
 }
 
+/// Of a side of the shadow map. In a draft none needs to be smaller than a pixel at the camera's target.
+int shadow_texels(const Focus& focus, const Camera& camera, const RenderOptions& options) {
+  if (options.quality != Quality::draft) return ShadowMap::kMostTexels;
+  const float pixel = height_at_target(camera) / static_cast<float>(options.height);  // [m]
+  const float wanted = std::min(2 * focus.radius / pixel, static_cast<float>(ShadowMap::kMostTexels));
+  return static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::ceil(wanted))));
+}
+
 ViewBlock picture_view(const Camera& camera, const Eigen::AlignedBox3f& box, const Target& target,
                        const ViewBlock& shadow_view, const Effects& effects) {
   const float width = static_cast<float>(target.width()), height = static_cast<float>(target.height());
@@ -92,11 +102,6 @@ bool has_glass(const DrawScene& scene, const RenderOptions& options) {
          std::ranges::any_of(scene.surface.flags, [](std::uint8_t flags) { return flags & kClear; });
 }
 
-/// Whether faces that look away are left out in a draft: of closed opaque pieces they are hidden anyway.
-bool culls(const DrawScene& scene, const RenderOptions& options) {
-  return options.quality == Quality::draft && scene.surface.opacity == 1 && !scene.visible;
-}
-
 /// Leaves out faces that look away as long as it lives.
 class Culling {
  public:
@@ -117,7 +122,7 @@ DrawnPart opaque_part(const DrawScene& scene, bool glass) {
 /// Everything the passes rely on, whoever drew before.
 void set_state() {
   for (const GLenum off : {GL_BLEND, GL_CULL_FACE, GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB,
-                           GL_SAMPLE_ALPHA_TO_COVERAGE, GL_PRIMITIVE_RESTART, GL_CLIP_DISTANCE0}) {
+                           GL_SAMPLE_ALPHA_TO_COVERAGE, GL_PRIMITIVE_RESTART, GL_CLIP_DISTANCE0, GL_DEPTH_CLAMP}) {
     glDisable(off);
   }
   glEnable(GL_DEPTH_TEST);
@@ -146,6 +151,7 @@ struct Renderer::Passes {
   std::unique_ptr<OcclusionMap> occlusion;  // none until something is occluded
   std::unique_ptr<BlendTarget> blend;       // of the target; none until something is transparent
   std::unique_ptr<GlassTarget> glass;       // of the target; none until something is clear
+  HiddenBacks hidden;                       // from the eye
   int requested_samples = 1;                // target.samples() may be fewer
 
   void resize(const RenderOptions& options);
@@ -154,9 +160,9 @@ struct Renderer::Passes {
   void add_up_glass(const DrawScene& scene, const RenderOptions& options);
   void draw_transparent(const DrawScene& scene, const RenderOptions& options);
   /// Depth alone, of what light does not come through.
-  void draw_depths(const DrawScene& scene, const RenderOptions& options) const;
-  void draw_depths_of_surfaces(DrawnPart part) const;
-  void draw_shadow_maps(const DrawScene& scene, const ViewBlock& view, const RenderOptions& options) const;
+  void draw_depths(const DrawScene& scene, const RenderOptions& options, const HiddenBacks& backs) const;
+  void draw_depths_of_surfaces(DrawnPart part, const HiddenBacks& backs) const;
+  void draw_shadow_maps(const DrawScene& scene, const ViewBlock& view, const RenderOptions& options, int texels);
   void draw_occlusion_map(const DrawScene& scene, const Camera& camera, const Focus& focus, const Mat4& view_projection,
                           const RenderOptions& options);
   void draw_ground(const DrawScene& scene, const Camera& camera, const Focus& focus, Light light) const;
@@ -184,35 +190,41 @@ void Renderer::Passes::upload(const DrawScene& scene, float pixel_scale) {
   strokes.upload(scene, pixel_scale);
 }
 
-void Renderer::Passes::draw_depths(const DrawScene& scene, const RenderOptions& options) const {
-  if (scene.surface.opacity == 1) {
-    const Culling culling(culls(scene, options));
-    draw_depths_of_surfaces(has_glass(scene, options) ? DrawnPart::not_clear : DrawnPart::all);
-  }
+void Renderer::Passes::draw_depths(const DrawScene& scene, const RenderOptions& options,
+                                   const HiddenBacks& backs) const {
+  if (scene.surface.opacity == 1)
+    draw_depths_of_surfaces(has_glass(scene, options) ? DrawnPart::not_clear : DrawnPart::all, backs);
   spheres.draw_shadow();
   crumbs.draw_shadow();
 }
 
-void Renderer::Passes::draw_depths_of_surfaces(DrawnPart part) const {
+void Renderer::Passes::draw_depths_of_surfaces(DrawnPart part, const HiddenBacks& backs) const {
   glEnable(GL_CLIP_DISTANCE0);
-  surface.draw_depth(part);
+  {
+    const Culling culling(backs.surface);
+    surface.draw_depth(part);
+  }
+  const Culling culling(backs.embedded);
   embedded.draw_depth(part);
   glDisable(GL_CLIP_DISTANCE0);
 }
 
-void Renderer::Passes::draw_shadow_maps(const DrawScene& scene, const ViewBlock& view,
-                                        const RenderOptions& options) const {
+void Renderer::Passes::draw_shadow_maps(const DrawScene& scene, const ViewBlock& view, const RenderOptions& options,
+                                        int texels) {
   const bool clear = has_glass(scene, options);
-  shadow_map.begin();
+  const HiddenBacks backs = hidden_backs(scene, clear);
+  shadow_map.begin(texels);
   if (options.shadows) {
     shadow_view.bind(view);
     glEnable(GL_POLYGON_OFFSET_FILL);
+    glEnable(GL_DEPTH_CLAMP);  // what reaches out of the map towards the lamp casts its shadow all the same
     glPolygonOffset(1.5f, 2);  // against self-shadowing
-    draw_depths(scene, options);
+    draw_depths(scene, options, backs);
   }
-  if (clear) clear_shadow_map.begin();
-  if (clear && options.shadows) draw_depths_of_surfaces(DrawnPart::clear);
+  if (clear) clear_shadow_map.begin(texels);
+  if (clear && options.shadows) draw_depths_of_surfaces(DrawnPart::clear, backs);
   glDisable(GL_POLYGON_OFFSET_FILL);
+  glDisable(GL_DEPTH_CLAMP);
 }
 
 void Renderer::Passes::draw_ground(const DrawScene& scene, const Camera& camera, const Focus& focus,
@@ -233,7 +245,7 @@ void Renderer::Passes::draw_occlusion_map(const DrawScene& scene, const Camera& 
   if (!occlusion || occlusion->width() != width || occlusion->height() != height)
     occlusion = std::make_unique<OcclusionMap>(width, height);
   occlusion->begin();
-  draw_depths(scene, options);
+  draw_depths(scene, options, hidden);
   draw_ground(scene, camera, focus, Light::plain);
   occlusion->finish(view_projection, kReach * focus.radius, effects.occlusion_samples);
 }
@@ -241,8 +253,11 @@ void Renderer::Passes::draw_occlusion_map(const DrawScene& scene, const Camera& 
 void Renderer::Passes::draw_surfaces(const DrawScene& scene, const RenderOptions& options, Output output,
                                      DrawnPart part) const {
   glEnable(GL_CLIP_DISTANCE0);
-  surface.draw(scene.surface, color_tables, options, scene.background, output, part);
-  const Culling culling(output == Output::opaque && culls(scene, options));
+  {
+    const Culling culling(output == Output::opaque && hidden.surface);
+    surface.draw(scene.surface, color_tables, options, scene.background, output, part);
+  }
+  const Culling culling(output == Output::opaque && hidden.embedded);
   embedded.draw(scene.embedded, scene.surface.scalar_style, color_tables, options, scene.background,
                 scene.surface.opacity, output, part);
   glDisable(GL_CLIP_DISTANCE0);
@@ -306,12 +321,14 @@ void Renderer::render(const DrawScene& scene, const Camera& camera, const Render
   const BoundFramebuffer previous;
   const Eigen::AlignedBox3f box = bounds(scene);
   const Focus focus = focus_of(box, camera);
-  ViewBlock shadow_view = ShadowMap::view(focus);
+  const int texels = shadow_texels(focus, camera, options);
+  ViewBlock shadow_view = ShadowMap::view(focus, texels);
   shadow_view.visible = visible_plane(scene, focus.radius);
   set_state();
   passes_->resize(options);
   passes_->upload(scene, options.pixel_scale);
-  passes_->draw_shadow_maps(scene, shadow_view, options);
+  passes_->hidden = hidden_backs_from(scene, has_glass(scene, options), camera.position);
+  passes_->draw_shadow_maps(scene, shadow_view, options, texels);
   ViewBlock view =
       picture_view(camera, visible_box(scene, focus, box), passes_->target, shadow_view, effects_of(options.quality));
   view.effects.z() = has_glass(scene, options) ? 1.0f : 0.0f;

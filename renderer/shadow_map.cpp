@@ -5,13 +5,6 @@
 #include "renderer/shader_program.h"
 
 namespace griffith::render {
-namespace {
-
-using Eigen::Vector3f;
-
-constexpr int kSize = 2048;  // [texels]
-
-}  // namespace
 
 ShadowMap::ShadowMap() {
   glSamplerParameteri(depth_values_.id(), GL_TEXTURE_COMPARE_MODE, GL_NONE);
@@ -19,9 +12,7 @@ ShadowMap::ShadowMap() {
   glSamplerParameteri(depth_values_.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glSamplerParameteri(depth_values_.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glSamplerParameteri(depth_values_.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-  glActiveTexture(GL_TEXTURE0 + kShadowUnit);
-  glBindTexture(GL_TEXTURE_2D, depth_.id());
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kSize, kSize, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
+  resize(kMostTexels);
   const GLfloat lit[] = {1, 1, 1, 1};  // outside of the map
   glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, lit);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
@@ -36,10 +27,18 @@ ShadowMap::ShadowMap() {
   glReadBuffer(GL_NONE);
 }
 
-void ShadowMap::begin() const {
+void ShadowMap::resize(int texels) {
+  texels_ = texels;
+  glActiveTexture(GL_TEXTURE0 + kShadowUnit);
+  glBindTexture(GL_TEXTURE_2D, depth_.id());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, texels, texels, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, nullptr);
+}
+
+void ShadowMap::begin(int texels) {
   const GLfloat depth = 1;
+  if (texels != texels_) resize(texels);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-  glViewport(0, 0, kSize, kSize);
+  glViewport(0, 0, texels, texels);
   glClearBufferfv(GL_DEPTH, 0, &depth);
 }
 
@@ -56,9 +55,9 @@ void ShadowMap::bind_clear() const {
   glBindTexture(GL_TEXTURE_2D, depth_.id());
 }
 
-ViewBlock ShadowMap::view(const Focus& focus) {
-  const Vector3f light = Vector3f(0.45f, 0.85f, 0.55f).normalized();
-  const Vector3f right = Vector3f::UnitY().cross(light).normalized();
+ViewBlock ShadowMap::view(const Focus& focus, int texels) {
+  const Eigen::Vector3f light = Eigen::Vector3f(0.45f, 0.85f, 0.55f).normalized();
+  const Eigen::Vector3f right = Eigen::Vector3f::UnitY().cross(light).normalized();
   Eigen::Matrix3f axes;
   axes << right.transpose(), light.cross(right).transpose(), -light.transpose();
   ViewBlock block;
@@ -68,8 +67,9 @@ ViewBlock ShadowMap::view(const Focus& focus) {
   to_unit_cube.topRightCorner<3, 1>().setConstant(0.5f);
   block.shadow_matrix = to_unit_cube * block.view_projection;
   block.eye << light, 0;
-  block.light << light, 2 * focus.radius / kSize;
-  block.viewport = Vec4(kSize, kSize, 1, 0);
+  const auto side = static_cast<float>(texels);
+  block.light << light, 2 * focus.radius / side;
+  block.viewport = Vec4(side, side, 1, 0);
   return block;
 }
 

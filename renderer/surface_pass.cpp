@@ -27,11 +27,18 @@ std::string fragment_source(Output output) {
   return with_output(std::string(shaders::shading_glsl) + shaders::surface_frag, output);
 }
 
+/// Whether a draft shows colours and nothing else.
+bool is_plain(const Surface& surface, const RenderOptions& options) {
+  return options.quality == Quality::draft && surface.scalars.empty() && !options.edges;
+}
+
 }  // namespace
 
 SurfacePass::SurfacePass()
     : program_("surface", shaders::surface_vert, fragment_source(Output::opaque)),
       transparent_program_("transparent surface", shaders::surface_vert, fragment_source(Output::transparent)),
+      plain_program_("plain surface", shaders::surface_vert,
+                     ("#define NATURAL\n" + fragment_source(Output::opaque)).c_str(), Light::plain),
       glass_program_("clear surface", shaders::surface_vert, fragment_source(Output::glass).c_str()),
       depth_program_("surface depth", shaders::surface_vert, shaders::depth_frag),
       part_depth_program_("depth of part of a surface", shaders::surface_vert, shaders::surface_depth_frag) {
@@ -64,7 +71,7 @@ void SurfacePass::draw_depth(DrawnPart part) const {
 void SurfacePass::draw(const Surface& surface, const ColorTables& color_tables, const RenderOptions& options,
                        const Background& sky, Output output, DrawnPart part) const {
   const ScalarStyle& style = surface.scalar_style;
-  const ShaderProgram& program = program_for(output, options.quality);
+  const ShaderProgram& program = program_for(surface, options, output, part);
   program.use();
   program.set("scalars_per_triangle", scalars_per_triangle(surface));
   program.set("scalar_range", style.minimum, style.maximum);
@@ -85,9 +92,12 @@ void SurfacePass::draw(const Surface& surface, const ColorTables& color_tables, 
   draw_triangles();
 }
 
-const ShaderProgram& SurfacePass::program_for(Output output, Quality quality) const {
+const ShaderProgram& SurfacePass::program_for(const Surface& surface, const RenderOptions& options, Output output,
+                                              DrawnPart part) const {
   if (output == Output::glass) return glass_program_;
-  return (output == Output::opaque ? program_ : transparent_program_).in(light_of(quality));
+  if (output == Output::transparent) return transparent_program_.in(light_of(options.quality));
+  const bool plain = part == DrawnPart::all && is_plain(surface, options);
+  return plain ? plain_program_ : program_.in(light_of(options.quality));
 }
 
 void SurfacePass::draw_triangles() const {

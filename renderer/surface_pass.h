@@ -19,11 +19,12 @@ class SurfacePass {
             const Background& sky, Output output, DrawnPart part) const;
 
  private:
-  const ShaderProgram& program_for(Output output, Quality quality) const;
+  const ShaderProgram& program_for(const Surface& surface, const RenderOptions& options, Output output,
+                                   DrawnPart part) const;
   void draw_triangles() const;
 
   LitProgram program_, transparent_program_;
-  ShaderProgram glass_program_, depth_program_, part_depth_program_;
+  ShaderProgram plain_program_, glass_program_, depth_program_, part_depth_program_;
   VertexArray vertices_;
   StreamBuffer positions_;
   StreamTexture scalars_{GL_R32F}, colors_{GL_R32F}, ids_{GL_R32I}, flags_{GL_R8UI};

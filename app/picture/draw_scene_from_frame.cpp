@@ -47,6 +47,8 @@ class TetFilter {
     const bool is_crack = !(frame.elements.first_surface[tet] >> face & 1);
     return !pieces_.splintered[scene_body] && (is_crack || !pieces_.skinned[scene_body]);
   }
+  /// Whether the shown faces bound whole pieces: of those with a skin a part is shown.
+  bool shows_whole_pieces() const { return !embedded_ || pieces_.closed; }
 
  private:
   const ShownMesh& shown_;
@@ -136,6 +138,7 @@ void add_elements(const ShownMesh& shown, const TetFilter& filter, const Quantit
     triangles.insert(triangles.end(), caps.begin(), caps.end());
   }
   picture.surface = surface_of(triangles, shown, shrunken ? kShrink : 1, selected);
+  picture.surface.closed = shrunken || filter.shows_whole_pieces();
   picture.surface.scalar_style = style;
   picture.surface.opacity = static_cast<float>(view.opacity);
   if (values) add_scalars(triangles, shown.frame, *values, picture.surface);
@@ -159,6 +162,7 @@ render::EmbeddedSurface embedded_surface(const ShownMesh& shown, const EmbeddedP
   const Frame& frame = shown.frame;
   render::EmbeddedSurface surface;
   surface.mesh = pieces.mesh;
+  surface.closed = pieces.closed;
   surface.points.reserve(shown.positions.size());
   // What hidden bodies carry shrinks to a point.
   for (const Vec3& position : shown.positions)
@@ -237,6 +241,7 @@ EmbeddedPieces embedded_pieces(const Frame& frame, std::span<const std::array<in
   pieces.skinned.resize(scene_bodies, 0);
   for (const Splinter& splinter : frame.splinters.splinters) pieces.splintered[splinter.scene_body] = 1;
   for (const Skin& skin : skins) pieces.skinned[skin.scene_body] = 1;
+  pieces.closed = skins.empty();
   auto mesh = std::make_shared<render::EmbeddedMesh>();
   add_splinters(frame, orders, pieces.skinned, *mesh);
   for (const Skin& skin : skins) {

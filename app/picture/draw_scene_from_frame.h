@@ -24,6 +24,7 @@ struct EmbeddedPieces {
   std::vector<std::uint8_t> splintered;              ///< per scene body: 1 when it has splinters
   std::vector<std::uint8_t> skinned;  ///< per scene body: 1 when it has the surface that it was made from
   std::vector<SkinPart> skin_parts;   ///< numbered after the parts of splinters
+  bool closed = false;  ///< what stands for a piece bounds it: a skin may have holes, and overhangs cracks
 };
 
 /// What a world's pictures show in place of tets, found in its first frame.

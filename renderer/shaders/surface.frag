@@ -3,19 +3,26 @@ const int kCrackFace = 8, kSelected = 16, kPlain = 32, kClear = 64;  // Triangle
 uniform samplerBuffer scalars, colors;
 uniform isamplerBuffer ids;
 uniform usamplerBuffer flags;
+#ifdef NATURAL  // colours in plain light and nothing else
+const int scalars_per_triangle = 0;
+const bool draw_edges = false, unlit = false;
+#else
 uniform int scalars_per_triangle;
-uniform bool has_colors, has_ids, has_flags, draw_edges, unlit;
+uniform bool draw_edges, unlit;
+#endif
+uniform bool has_colors, has_ids, has_flags;
 uniform vec3 plain_color;
 uniform float opacity, clear_depth;
 in vec3 position;
 centroid in vec3 covered;  // a place in the part of the pixel that the triangle covers
 in vec3 barycentric;
 in float scalar;
+flat in int triangle;
 
 vec3 triangle_color(int triangle_flags, bool is_scalar) {
   if (is_scalar && scalars_per_triangle == 3) return scalar_color(scalar);
-  if (is_scalar) return scalar_color(texelFetch(scalars, gl_PrimitiveID).r);
-  int first = 3 * gl_PrimitiveID;
+  if (is_scalar) return scalar_color(texelFetch(scalars, triangle).r);
+  int first = 3 * triangle;
   vec3 color = has_colors ? vec3(texelFetch(colors, first).r, texelFetch(colors, first + 1).r,
                                  texelFetch(colors, first + 2).r) : plain_color;
   return (triangle_flags & kCrackFace) != 0 ? color * kCrackTint : color;
@@ -23,13 +30,13 @@ vec3 triangle_color(int triangle_flags, bool is_scalar) {
 
 #ifdef GLASS
 void main() {
-  int triangle_flags = has_flags ? int(texelFetch(flags, gl_PrimitiveID).r) : 0;
+  int triangle_flags = has_flags ? int(texelFetch(flags, triangle).r) : 0;
   if ((triangle_flags & kClear) == 0 || (triangle_flags & kSelected) != 0) discard;
   emit_glass(triangle_color(0, false), clear_depth, covered, position, flat_normal(position), (triangle_flags & kCrackFace) != 0);
 }
 #else
 void main() {
-  int triangle_flags = has_flags ? int(texelFetch(flags, gl_PrimitiveID).r) : 0;
+  int triangle_flags = has_flags ? int(texelFetch(flags, triangle).r) : 0;
   bool selected = (triangle_flags & kSelected) != 0;
   bool clear = !selected && (triangle_flags & kClear) != 0;
   bool is_scalar = scalars_per_triangle != 0 && (triangle_flags & kPlain) == 0;
@@ -42,6 +49,6 @@ void main() {
   }
   color = mix(color, selected ? kSelectionColor : kEdgeColor, (selected ? 1.0 : 0.6) * edge);
   if (!is_drawn(selected, clear)) discard;
-  emit(color, opacity, has_ids ? texelFetch(ids, gl_PrimitiveID).r : -1);
+  emit(color, opacity, has_ids ? texelFetch(ids, triangle).r : -1);
 }
 #endif

@@ -5,9 +5,11 @@ out vec3 position;
 centroid out vec3 covered;
 out vec3 barycentric;
 out float scalar;
+flat out int triangle;  // its number: gl_PrimitiveID would have software GL copy all vertices
 out float gl_ClipDistance[1];
 
 void main() {
+  triangle = gl_VertexID / 3;
   int k = gl_VertexID % 3;
   position = covered = corner;
   barycentric = vec3(k == 0, k == 1, k == 2);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -186,10 +187,15 @@ class ContactWorld {
   /// How far overlaps pushed a projectile in the last advance() [m]; its state holds it already.
   Vec3 pushed_out(ProxyId projectile) const;
 
-  /// Rigid objects that, like all that they touch, have hardly moved for half a second fall asleep; once a step of `dt`
-  /// [s]. Sleepers stand still and cost nothing until something touches one that is not quiet, or a neighbour is
-  /// reshaped or removed.
+  /// For how long something has to lie still before it falls asleep [s].
+  static constexpr double kTimeToSleep = 0.5;
+  /// Objects that, like all that they touch, have hardly moved for that long fall asleep; once a step of `dt` [s].
+  /// Sleepers stand still and cost nothing until something touches one that is not quiet, or a neighbour is reshaped
+  /// or removed.
   void fall_asleep(double dt);
+  /// Tells whether an elastic object has come to rest, for as long as fall_asleep() asks for; nothing where it is rigid
+  /// and its motion tells.
+  void set_settled(ProxyId object, std::optional<bool> settled);
   bool asleep(ProxyId object) const;
   /// Wakes an object.
   void wake_up(ProxyId object);

@@ -8,7 +8,6 @@ namespace griffith {
 namespace {
 
 BodyView view_of(const Body& body) {
-  const bool supported = !body.asleep && body.supported();  // what sleeps is free
   return {body.id,
           body.parent,
           body.scene_body,
@@ -19,7 +18,7 @@ BodyView view_of(const Body& body) {
           body.motion.angular_velocity,
           body.orientation,
           body.collision_parts,
-          supported,
+          body.supported(),
           body.rigid,
           body.asleep,
           body.scaled};

@@ -15,6 +15,7 @@
 #include "sim/world/phases/explicit_phase.h"
 #include "sim/world/phases/fracture_phase.h"
 #include "sim/world/phases/motion_phase.h"
+#include "sim/world/phases/rest_phase.h"
 #include "sim/world/phases/separation_phase.h"
 #include "sim/world/publish.h"
 #include "sim/world/shock/shock_phase.h"
@@ -183,6 +184,7 @@ void step_by_settings(WorldState& world, double time_step) {
 void World::step() { advance(impl_->state); }
 
 void advance(WorldState& world) {
+  const double last_peak = world.report.peak_utilization;
   world.report = {};
   world.contact_views.clear();
   world.energy_before = world.energy;
@@ -198,6 +200,7 @@ void advance(WorldState& world) {
     make_first_struck_elastic(world, time_step);
     asleep = all_lie_asleep(world);
     if (asleep) {
+      world.report.peak_utilization = last_peak;
       world.report.sleeping_bodies = static_cast<int>(world.bodies.size());
     } else {
       world.elements.states.edit(), world.elements.stresses.edit();  // bodies will write theirs side by side

@@ -12,6 +12,7 @@
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/equilibrium.h"
 #include "sim/world/phases/explicit_phase.h"
+#include "sim/world/phases/motion_phase.h"
 #include "sim/world/phases/separation_phase.h"
 #include "sim/world/publish.h"
 #include "sim/world/setup/build_world.h"
@@ -149,6 +150,8 @@ void World::set_material(int scene_body, const Material& material) {
   world.materials[scene_body] = material;
   if (material.yield_strength) world.elements.allow_strains();
   if (world.step == 0) restore_start(world, scene_body);
+  for (Body& body : world.bodies)
+    if (body.scene_body == scene_body && body.asleep && !body.rigid) make_elastic(world, body);
   stays ? change_resistance(world, scene_body) : change_bodies(world, scene_body);
   if (world.step == 0) {
     find_static_start(world, scene_body);

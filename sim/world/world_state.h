@@ -42,6 +42,13 @@ struct ContactLoad {
   Vec3 force = Vec3::Zero();  ///< [N]
 };
 
+/// For how long a swaying body has been at rest, and how it was when that began.
+struct Rest {
+  double time = 0;                   ///< [s]
+  Pose place;                        ///< of its centre of mass
+  double peak_utilization = 0;       ///< of its nodes
+};
+
 /// How a rigid body began a substep, and what acted on it.
 struct RigidStart {
   Vec3 velocity = Vec3::Zero(), angular_velocity = Vec3::Zero();
@@ -59,7 +66,7 @@ struct alignas(64) Body {
   int quiet_steps = 0;     ///< steps in a row with next to no stress
   bool rigid = false;      ///< moves as a whole: nothing about it is elastic until it is hit
   bool untouched = false;  ///< rigid for less than 20 steps in free flight: elastic once touched
-  bool asleep = false;     ///< rigid, and lies still until something strikes it
+  bool asleep = false;     ///< lies still, under whatever stress there is, until something disturbs it
 
   RigidMotion motion;                   ///< mass, momentum and inertia of the nodes now
   Quat orientation = Quat::Identity();  ///< from the reference shape to now
@@ -80,11 +87,12 @@ struct alignas(64) Body {
   RigidStart start;                         ///< of the present substep
   std::vector<ContactLoad> harmless;        ///< of a rigid body: what it carried when it was calm, by object
   double compliance_factor = 1;             ///< true compliance at contacts over the estimated one, as seen last
+  Rest rest;                                ///< of one that sways
   double shock_ended = -std::numeric_limits<double>::infinity();  ///< when it left its last shock [s]
 
   bool supported() const { return !system->is_free(); }
   /// Whether the implicit step moves it.
-  bool sways() const { return !rigid && !shock; }
+  bool sways() const { return !rigid && !shock && !asleep; }
 };
 
 struct Projectile {

@@ -2,11 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+
 #include "app/picture/natural_materials.h"
 #include "enclosed_volume.h"
 #include "program.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/world/world.h"
+#include "tests/world/scenes.h"
 
 namespace griffith::app {
 namespace {
@@ -39,6 +43,35 @@ TEST(DrawSceneFromFrame, SurfaceEnclosesTheBody) {
   const Frame frame = world.frame();
   const auto picture = draw_scene_from_frame(frame, embedded_display(frame, small_wall()), small_wall(), {}, {});
   EXPECT_NEAR(enclosed_volume(picture.surface), 2 * 2 * 0.5, 1e-4);
+}
+
+/// Each edge is run along as often one way as the other.
+bool is_closed(const render::Surface& surface) {
+  using Place = std::array<float, 3>;
+  std::map<std::pair<Place, Place>, int> runs;
+  const auto place = [&](std::size_t i) {
+    return Place{surface.positions[i].x(), surface.positions[i].y(), surface.positions[i].z()};
+  };
+  for (std::size_t i = 0; i < surface.positions.size(); ++i) {
+    const Place a = place(i), b = place(i % 3 == 2 ? i - 2 : i + 1);
+    runs[std::minmax(a, b)] += a < b ? 1 : -1;
+  }
+  return std::ranges::all_of(runs, [](const auto& edge) { return edge.second == 0; });
+}
+
+TEST(DrawSceneFromFrame, WhatIsCalledClosedIs) {
+  const Scene scene = testing::shot_wall(Vec3(2, 2, 0.5), 0.5, testing::brick(0.01));
+  World world(scene);
+  const EmbeddedDisplay display = embedded_display(world.frame(), scene);
+  for (int i = 0; i < 30; ++i) world.step();
+  ASSERT_GT(world.frame().fragments, 10);
+  for (const ElementStyle elements : {ElementStyle::surface, ElementStyle::shrunken}) {
+    ViewSettings view;
+    view.elements = elements;
+    const render::DrawScene drawn = draw_scene_from_frame(world.frame(), display, scene, view, {});
+    EXPECT_TRUE(drawn.surface.closed);
+    EXPECT_TRUE(is_closed(drawn.surface));
+  }
 }
 
 TEST(DrawSceneFromFrame, ArraysFitTogether) {

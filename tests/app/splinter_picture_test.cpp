@@ -137,6 +137,8 @@ TEST(SkinPicture, TheSurfaceStandsWhereItsTetsAreAndNoTriangleSpansTwoBodies) {
   for (const SkinPart& part : display.authored.skin_parts)
     EXPECT_EQ(frame.elements.bodies[skin_carrier(frame, part)], frame.elements.bodies[part.owner]);
   EXPECT_FALSE(drawn().surface.ids.empty());  // cracks are laid bare
+  EXPECT_FALSE(drawn().surface.closed);
+  EXPECT_FALSE(drawn().embedded.closed);
 }
 
 /// Of a surface that is smooth, neighbours have a common normal; an edge of a cube is none.

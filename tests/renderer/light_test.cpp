@@ -96,6 +96,27 @@ TEST_F(LightTest, AShadowIsSofterTheFartherAwayItsCasterIs) {
   for (const Quality quality : kWithEffects) EXPECT_GT(penumbra(quality, 2.5f), 1.5 * penumbra(quality, 0.9f));
 }
 
+/// The shadow map of a small picture has fewer texels.
+TEST_F(LightTest, AShadowInADraftIsAsLargeInAPictureOfAnySize) {
+  const auto shaded_share = [](int scale) {
+    DrawScene scene;
+    scene.ground = Ground{0};
+    scene.spheres = {{{0, 0.6f, 0}, 0.4f}};
+    RenderOptions how = options_of(Quality::draft);
+    how.width *= scale;
+    how.height *= scale;
+    const Image shaded = picture(scene, how);
+    how.shadows = false;
+    const Image lit = picture(scene, how);
+    int count = 0;
+    for (int y = 0; y < how.height; ++y)
+      for (int x = 0; x < how.width; ++x) count += brightness(lit, x, y) - brightness(shaded, x, y) > 60;
+    return count / static_cast<double>(how.width * how.height);
+  };
+  EXPECT_GT(shaded_share(1), 0.005);
+  EXPECT_NEAR(shaded_share(1) / shaded_share(4), 1, 0.03);
+}
+
 TEST_F(LightTest, UnlitScalarsAreTheSameBytesInEveryQuality) {
   DrawScene scene = scalar_wall_scene();
   scene.ground.reset();

@@ -63,6 +63,7 @@ DrawScene wall_scene() {
   DrawScene scene;
   add_wall(scene.surface);
   add_debris(scene.surface);
+  scene.surface.closed = true;
   scene.surface.flags[5] |= kSelected;
   scene.surface.flags[4] |= kSelected;
   scene.spheres = {{{0.2f, 1.7f, 0.9f}, 0.22f, {0.25f, 0.27f, 0.31f}, kBallId},

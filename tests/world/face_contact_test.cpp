@@ -8,6 +8,7 @@
 #include "sim/contact/contact_world.h"
 #include "sim/world/world.h"
 #include "tests/contact/bounces.h"
+#include "tests/world/measures.h"
 
 namespace griffith {
 namespace {
@@ -37,16 +38,6 @@ Scene laid(const LaidSlab& slab, double time_step) {
   return scene;
 }
 
-/// The largest size of a principal stress [Pa].
-double largest_stress(const Frame& frame) {
-  double largest = 0;
-  for (const Mat3& stress : frame.elements.stresses)
-    largest = std::max(
-        largest,
-        Eigen::SelfAdjointEigenSolver<Mat3>(stress, Eigen::EigenvaluesOnly).eigenvalues().cwiseAbs().maxCoeff());
-  return largest;
-}
-
 // Carried by four corners, the largest would bend to 17 MPa.
 TEST_P(Slab, LaidOnTheGroundCarriesItsWeightAloneAndSleeps) {
   for (double time_step : {1.0 / 30, 1.0 / 60, 1.0 / 250}) {
@@ -56,7 +47,7 @@ TEST_P(Slab, LaidOnTheGroundCarriesItsWeightAloneAndSleeps) {
     while (world.frame().time < 3 && world.frame().report.sleeping_bodies == 0) {
       world.step();
       for (const Vec3& position : world.frame().nodes.positions) deepest = std::max(deepest, -position.y());
-      if (!world.frame().bodies[0].rigid) stress = std::max(stress, largest_stress(world.frame()));
+      if (!world.frame().bodies[0].rigid) stress = std::max(stress, testing::largest_stress(world.frame()));
     }
     const auto where = [&] { return ::testing::Message() << "time step " << time_step; };
     EXPECT_EQ(world.frame().report.sleeping_bodies, 1) << where();

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/world/world.h"
+#include "tests/world/measures.h"
 #include "tests/world/scenes.h"
 
 namespace griffith::testing {
@@ -81,12 +82,6 @@ std::vector<SimulationSettings> all_integrators() {
   return {implicit, explicitly};
 }
 
-Vec3 sum_of_reactions(const Frame& frame) {
-  Vec3 sum = Vec3::Zero();
-  for (const Vec3& reaction : frame.nodes.reactions) sum += reaction;
-  return sum;
-}
-
 TEST(Supports, ABodyHeldWhollyStandsAndItsSupportsCarryIt) {
   for (const SimulationSettings& settings : all_integrators())
     for (const Analysis analysis : {Analysis::dynamic, Analysis::equilibrium}) {
@@ -100,7 +95,7 @@ TEST(Supports, ABodyHeldWhollyStandsAndItsSupportsCarryIt) {
       World world(scene);
       const double weight = 9.81 * world.frame().totals.mass;
       world.step();
-      EXPECT_LT((sum_of_reactions(world.frame()) - Vec3(0, weight, 0)).norm(), 1e-9 * weight);
+      EXPECT_LT((testing::sum_of_reactions(world.frame()) - Vec3(0, weight, 0)).norm(), 1e-9 * weight);
       world.fire(shot);
       for (int i = 0; i < 30; ++i) world.step();
       const Frame frame = world.frame();

@@ -9,8 +9,6 @@ using namespace contact;
 
 namespace {
 
-/// Objects sleep after lying still for this long [s].
-constexpr double kTimeToSleep = 0.5;
 /// No point of a still object leaves its place by more than this share of the radius.
 constexpr double kStillFraction = 0.01;
 /// A share of the speed of a fall from the object's own height does not disturb sleepers.
@@ -31,7 +29,7 @@ Mat3 spin_mobility(const Object& object) {
 
 void set_asleep(Object& object, bool asleep) {
   object.asleep = asleep;
-  object.still_time = asleep ? 0 : kTimeToSleep / 2;  // it may soon fall asleep again
+  object.still_time = asleep ? 0 : ContactWorld::kTimeToSleep / 2;  // it may soon fall asleep again
   object.resting_place = object.state.pose;
   object.body->forceActivationState(asleep ? ISLAND_SLEEPING : ACTIVE_TAG);
 }
@@ -91,23 +89,25 @@ void ContactWorld::Impl::quieten(double dt) {
 void ContactWorld::Impl::fall_asleep(double dt) {
   if (gravity.isZero(0)) return;  // nothing rests where nothing falls: what drifts slowly goes on
   for (Object& object : objects) {
-    if (!object.moves()) continue;
-    if (object.elastic ||
-        has_left(object.resting_place, object.state.pose, kStillFraction * object.shape.radius, object.shape.radius)) {
+    if (!object.may_sleep()) continue;
+    if (object.settled) {
+      object.still_time = *object.settled ? kTimeToSleep : 0;
+    } else if (object.elastic || has_left(object.resting_place, object.state.pose,
+                                          kStillFraction * object.shape.radius, object.shape.radius)) {
       object.resting_place = object.state.pose;
       object.still_time = 0;
     } else {
       object.still_time += dt;
     }
   }
-  const auto is_restless = [](const Object& object) { return object.moves() && object.still_time < kTimeToSleep; };
+  const auto is_restless = [](const Object& object) { return object.may_sleep() && object.still_time < kTimeToSleep; };
   std::vector<bool> stays_awake(objects.size(), false);
   for (const Contact& contact : contacts) {
     if (is_restless(objects[contact.b])) stays_awake[contact.a] = true;
     if (is_restless(objects[contact.a])) stays_awake[contact.b] = true;
   }
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (stays_awake[i] || !objects[i].moves() || is_restless(objects[i])) continue;
+    if (stays_awake[i] || !objects[i].may_sleep() || is_restless(objects[i])) continue;
     objects[i].state.velocity = objects[i].state.angular_velocity = Vec3::Zero();
     set_asleep(objects[i], true);
   }
@@ -133,13 +133,16 @@ void ContactWorld::Impl::wake_disturbed() {
     for (const auto& [sleeper, other] : {std::pair(a, b), std::pair(b, a)}) {
       const Object& disturber = objects[other];
       if (!objects[sleeper].asleep || !disturber.body->isActive()) continue;
-      if (!disturber.is_free() || disturber.still_time == 0 || disturber.speed() > quiet_speed(objects[sleeper]))
+      if (disturber.still_time == 0 || disturber.speed() > quiet_speed(objects[sleeper]))
         wake_up(sleeper);
     }
   }
 }
 
 void ContactWorld::fall_asleep(double dt) { impl_->fall_asleep(dt); }
+void ContactWorld::set_settled(ProxyId object, std::optional<bool> settled) {
+  impl_->objects[object].settled = settled;
+}
 bool ContactWorld::asleep(ProxyId object) const { return impl_->objects[object].asleep; }
 void ContactWorld::wake_up(ProxyId object) { impl_->wake_up(object); }
 

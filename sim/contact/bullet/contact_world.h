@@ -54,6 +54,7 @@ struct alignas(64) Object {
   double inverse_mass = 0;  ///< 0 when held
   double impact_speed = std::numeric_limits<double>::infinity();  ///< from which it could be hurt [m/s]
   double still_time = 0;                                          ///< that it has hardly left its resting place [s]
+  std::optional<bool> settled = {};  ///< whether it has come to rest, where its owner tells
 
   Shape shape;
   RigidState state = {};  ///< as its owner set it or, after advance(), with the solved velocities
@@ -69,6 +70,8 @@ struct alignas(64) Object {
   bool is_sphere() const {
     return kind != Kind::ground && shape.parts.front()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
   }
+  /// Whether it is awake and might fall asleep.
+  bool may_sleep() const { return moves() || (settled && !asleep); }
   /// Of its convex parts; the ground counts as one.
   std::size_t part_count() const { return kind == Kind::ground ? 1 : shape.parts.size(); }
   /// Speed of its fastest point [m/s].

@@ -14,6 +14,7 @@
 #include "sim/world/phases/expected_impacts.h"
 #include "sim/world/phases/face_contacts.h"
 #include "sim/world/phases/motion_phase.h"
+#include "sim/world/phases/rest_phase.h"
 #include "sim/world/phases/settle_contacts.h"
 #include "sim/world/phases/touched_body.h"
 #include "sim/world/world_state.h"
@@ -73,7 +74,7 @@ void record_loads(WorldState& world, double dt) {
   }
 }
 
-/// Whether a rigid body has to be elastic under a contact: one that could hurt it, or the first that it meets.
+/// Whether a rigid or sleeping body has to sway under a contact: one that could hurt it, or the first that it meets.
 bool must_give_way(const WorldState& world, const Body& body, const Contact& contact, double dt) {
   if (body.untouched) return !contact.impulse.isZero(0);
   if (is_left_to_shock(world, contact)) return false;
@@ -81,18 +82,20 @@ bool must_give_way(const WorldState& world, const Body& body, const Contact& con
          !is_harmless(world, body, contact.a == body.proxy ? contact.b : contact.a, dt);
 }
 
-/// Makes rigid bodies elastic that must be under the impulses found; whether there were any.
+/// Whether a body is as yet immovable or rigid under its contacts and need not be.
+bool may_give_way(const Body& body) { return body.rigid ? !body.supported() : body.asleep; }
+
+/// Makes rigid and sleeping bodies sway that must under the impulses found; whether there were any.
 bool make_struck_bodies_elastic(WorldState& world, double dt) {
   bool any = false;
   for (const Contact& contact : world.contact_world.contacts())
     for (ProxyId side : {contact.a, contact.b}) {
       const BodyId id = world.body_of(side);
-      if (!id.valid() || !world.bodies[id].rigid || world.bodies[id].supported()) continue;
-      if (!must_give_way(world, world.bodies[id], contact, dt)) continue;
-      place_rigid_nodes(world, world.bodies[id]);
+      if (!id.valid() || !may_give_way(world.bodies[id]) || !must_give_way(world, world.bodies[id], contact, dt))
+        continue;
+      if (world.bodies[id].rigid) place_rigid_nodes(world, world.bodies[id]);
       make_elastic(world, world.bodies[id]);
-      world.bodies[id].energy = mechanical_energy(world, world.bodies[id]);
-      assemble_system(world, world.bodies[id], dt);
+      join_substep(world, world.bodies[id], dt);
       any = true;
     }
   return any;
@@ -265,11 +268,6 @@ void apply_corrections(WorldState& world) {
   }
 }
 
-/// What the contact world woke is awake.
-void take_sleep(WorldState& world) {
-  for (Body& body : world.bodies) body.asleep = body.rigid && world.contact_world.asleep(body.proxy);
-}
-
 void solve_impulses(WorldState& world, const TouchedBodies& touched, double dt, bool again) {
   world.contact_world.solve(dt, touched.responses, again);
 }
@@ -313,22 +311,6 @@ void place_proxies(WorldState& world) {
   }
 }
 
-void update_sleep(WorldState& world, double time_step) {
-  const double moving = kinetic_energy_of_projectiles(world);
-  world.contact_world.fall_asleep(time_step);
-  world.energy.hand_over += moving - kinetic_energy_of_projectiles(world);
-  for (const Body& body : world.bodies)
-    if (!body.rigid) world.contact_world.wake_up(body.proxy);
-  for (Body& body : world.bodies) {
-    body.asleep = body.rigid && world.contact_world.asleep(body.proxy);
-    world.report.sleeping_bodies += body.asleep;
-    if (!body.asleep || body.motion.is_still()) continue;
-    world.energy.hand_over += kinetic_energy(body.motion);
-    body.motion.velocity = body.motion.angular_velocity = Vec3::Zero();
-    for (NodeId node : body.nodes) world.nodes.velocities[node].setZero();
-  }
-}
-
 std::vector<Vec3> external_forces(const WorldState& world) {
   std::vector<Vec3> forces(world.nodes.positions.size());
   for (std::size_t i = 0; i < forces.size(); ++i) forces[i] = world.nodes.masses[i] * world.model->scene.gravity;
@@ -359,7 +341,7 @@ void make_first_struck_elastic(WorldState& world, double duration) {
 void resolve_contacts(WorldState& world, double dt) {
   world.contact_world.detect();  // before the prediction, by which all that rests is about to fall
   drop_contacts_of_shocks(world);
-  take_sleep(world);
+  wake_disturbed_bodies(world, dt);
   spread_contacts(world);
   push_rigid_velocities(world);
   TouchedBodies touched = solve_contacts(world, dt);

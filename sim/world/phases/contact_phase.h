@@ -14,7 +14,5 @@ std::vector<Vec3> external_forces(const WorldState& world);
 void make_first_struck_elastic(WorldState& world, double duration);
 /// Finds all contacts and changes the velocities so that nothing penetrates; moves the projectiles.
 void resolve_contacts(WorldState& world, double dt);
-/// Rigid bodies that lie still fall asleep; after a step of this length [s].
-void update_sleep(WorldState& world, double time_step);
 
 }  // namespace griffith

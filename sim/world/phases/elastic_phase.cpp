@@ -144,13 +144,14 @@ void count_solve(WorldState& world, const SolveReport& solve) {
 }
 
 void predict_velocities(WorldState& world, std::vector<Vec3> forces, double dt) {
-  std::ranges::fill(world.nodes.reactions, Vec3::Zero());
   world.scratch.elastic_forces.resize(world.nodes.positions.size());
   std::vector<SolveReport> reports(world.bodies.size());
   parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       Body& body = world.bodies[i];
-      if (body.asleep || body.shock) continue;
+      if (body.asleep) continue;
+      for (const NodeId node : body.nodes) world.nodes.reactions[node].setZero();
+      if (body.shock) continue;
       if (body.rigid) {
         predict_rigid(world, body, forces, dt);
       } else {

@@ -231,35 +231,6 @@ bool is_sound(const WorldState& world, const Body& body) {
          body.motion.angular_velocity.allFinite();
 }
 
-/// Whether neither stress nor waves come near what could hurt a free body. A wave of stress σ moves nodes by σ/(ρc), in
-/// compression as in tension, while it has not yet come to where it could part the body.
-bool is_calm(const WorldState& world, const Body& body) {
-  constexpr double kQuietUtilization = 0.05, kQuietSpeed = 0.1;
-  const RigidMotion motion = motion_of(world, body);
-  const double fastest = kQuietSpeed * damage_speed(world, body);
-  return std::ranges::all_of(body.nodes, [&](NodeId node) {
-    const Vec3 deforming = world.nodes.velocities[node] - motion.velocity_at(world.nodes.positions[node]);
-    return world.nodes.separations[node].utilization < kQuietUtilization && deforming.norm() < fastest;
-  });
-}
-
-/// Whether nothing touched a free body in the last substep and no stress or wave is in it: a rigid one would move
-/// alike.
-bool flies_unstressed(const WorldState& world, const Body& body) {
-  constexpr double kUnstressed = 1e-3;  // of the strain that breaks
-  if (!body.harmless.empty()) return false;
-  const double strain = kUnstressed * min_breaking_stress(world, body, true) / world.material_of(body).young_modulus;
-  return mechanical_energy(world, body) - kinetic_energy(motion_of(world, body)) <
-         energy_of_strain(world, body, strain);
-}
-
-/// Whatever strikes an untouched body is to be foretold.
-void set_untouched(WorldState& world, Body& body, bool untouched) {
-  if (body.untouched == untouched) return;
-  body.untouched = untouched;
-  world.contact_world.set_impact_speed(body.proxy, untouched ? 0 : damage_speed(world, body));
-}
-
 }  // namespace
 
 Wrench wrench_of(const WorldState& world, const Body& body, const std::vector<Vec3>& forces) {
@@ -363,29 +334,21 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
   place_proxies(world);
 }
 
+void set_untouched(WorldState& world, Body& body, bool untouched) {
+  if (body.untouched == untouched) return;
+  body.untouched = untouched;
+  world.contact_world.set_impact_speed(body.proxy, untouched ? 0 : damage_speed(world, body));
+}
+
 void make_elastic(WorldState& world, Body& body) {
   world.contact_world.wake_up(body.proxy);
   const double before = elastic_energy(world, body);
   set_untouched(world, body, false);
   body.rigid = body.asleep = false;
   body.quiet_steps = 0;
+  body.rest.time = 0;
   update_elements(world, body);  // it has turned since
   world.energy.hand_over += before - elastic_energy(world, body);
-}
-
-void rigidify_quiet_bodies(WorldState& world) {
-  constexpr int kQuietSteps = 20;
-  for (Body& body : world.bodies) {
-    if (body.untouched && ++body.quiet_steps == kQuietSteps) set_untouched(world, body, false);
-    if (!body.sways() || body.supported()) continue;
-    body.quiet_steps = is_calm(world, body) ? body.quiet_steps + 1 : 0;
-    const bool flies = body.quiet_steps > 0 && flies_unstressed(world, body);
-    if (body.tets.size() > 1 && body.quiet_steps < kQuietSteps && !flies) continue;
-    set_untouched(world, body, body.tets.size() > 1 && body.quiet_steps < kQuietSteps);
-    const double before = energy_of(world, body);
-    make_rigid(world, body);
-    world.energy.hand_over += before - energy_of(world, body);
-  }
 }
 
 }  // namespace griffith

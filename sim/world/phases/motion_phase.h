@@ -6,8 +6,10 @@
 
 namespace griffith {
 
-/// Makes a rigid body elastic again.
+/// Lets a rigid or sleeping body sway again.
 void make_elastic(WorldState& world, Body& body);
+/// Sets whether a body is untouched: then whatever strikes it is to be foretold.
+void set_untouched(WorldState& world, Body& body, bool untouched);
 void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>& forces, double dt);
 /// Moves every body by its velocities and takes the elastic state after; `external` as in predict_velocities().
 void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt);
@@ -28,8 +30,5 @@ struct Wrench {
 Wrench wrench_of(const WorldState& world, const Body& body, const std::vector<Vec3>& forces);
 /// Kinetic and elastic energy of a body [J].
 double mechanical_energy(const WorldState& world, const Body& body);
-/// Free bodies whose stress has died turn rigid: at once where nothing touched them and there is none, and single tets,
-/// which cannot break.
-void rigidify_quiet_bodies(WorldState& world);
 
 }  // namespace griffith

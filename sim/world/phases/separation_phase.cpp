@@ -100,7 +100,7 @@ void evaluate_separation(WorldState& world, bool averaged) {
       if (body.sways()) evaluate_body(world, input, body, averaged);
   });
   for (const Body& body : world.bodies) {
-    if (!body.sways()) continue;
+    if (body.rigid || body.shock) continue;
     for (NodeId node : body.nodes)
       world.report.peak_utilization =
           std::max(world.report.peak_utilization, world.nodes.separations[node].utilization);

@@ -80,7 +80,7 @@ PointCompliance implicit_compliance(const WorldState& world, const Body& body, s
 
 bool is_elastic(const WorldState& world, ProxyId object) {
   const BodyId id = world.body_of(object);
-  return id.valid() && !world.bodies[id].rigid;
+  return id.valid() && !world.bodies[id].rigid && !world.bodies[id].asleep;
 }
 
 /// How fast the sides of each contact come together as if it did not push [m/s].

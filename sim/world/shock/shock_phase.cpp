@@ -172,10 +172,8 @@ bool in_shock(const WorldState& world) {
 
 void enter_shock(WorldState& world, Body& body, double impact_speed) {
   if (body.shock || body.tets.size() == 1) return;
-  if (body.rigid) {
-    place_rigid_nodes(world, body);
-    make_elastic(world, body);
-  }
+  if (body.rigid) place_rigid_nodes(world, body);
+  if (body.rigid || body.asleep) make_elastic(world, body);
   world.elements.allow_strains();
   if (impact_speed > 0) ++world.report.impacts;
   body.shock = Shock{world.time, impact_speed, highest_frequency(world, body)};

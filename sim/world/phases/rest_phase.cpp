@@ -1,0 +1,162 @@
+#include "sim/world/phases/rest_phase.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/world/bodies/bodies.h"
+#include "sim/world/energy/energy_phase.h"
+#include "sim/world/phases/elastic_phase.h"
+#include "sim/world/phases/motion_phase.h"
+
+namespace griffith {
+namespace {
+
+/// The fastest that a node moves beside a motion of the whole [m/s].
+double fastest_beside(const WorldState& world, const Body& body, const RigidMotion& whole) {
+  double square = 0;
+  for (const NodeId node : body.nodes)
+    square = std::max(square,
+                      (world.nodes.velocities[node] - whole.velocity_at(world.nodes.positions[node])).squaredNorm());
+  return std::sqrt(square);
+}
+
+double peak_utilization(const WorldState& world, const Body& body) {
+  double peak = 0;
+  for (const NodeId node : body.nodes) peak = std::max(peak, world.nodes.separations[node].utilization);
+  return peak;
+}
+
+/// Whether neither stress nor waves come near what could hurt a free body. A wave of stress σ moves nodes by σ/(ρc), in
+/// compression as in tension, while it has not yet come to where it could part the body.
+bool is_calm(const WorldState& world, const Body& body) {
+  constexpr double kQuietUtilization = 0.05, kQuietSpeed = 0.1;
+  return peak_utilization(world, body) < kQuietUtilization &&
+         fastest_beside(world, body, motion_of(world, body)) < kQuietSpeed * damage_speed(world, body);
+}
+
+/// Whether nothing touched a free body in the last substep and no stress or wave is in it: a rigid one would move
+/// alike.
+bool flies_unstressed(const WorldState& world, const Body& body) {
+  constexpr double kUnstressed = 1e-3;  // of the strain that breaks
+  if (!body.harmless.empty()) return false;
+  const double strain = kUnstressed * min_breaking_stress(world, body, true) / world.material_of(body).young_modulus;
+  return mechanical_energy(world, body) - kinetic_energy(motion_of(world, body)) <
+         energy_of_strain(world, body, strain);
+}
+
+/// Whether a body has hardly left its place [m].
+bool stays(const Body& body) {
+  constexpr double kStillFraction = 0.005;  // of its extent
+  const double turned = 2 * (body.rest.place.rotation.conjugate() * body.orientation).vec().norm() * body.extent / 2;
+  return (body.motion.center - body.rest.place.translation).norm() + turned <= kStillFraction * body.extent;
+}
+
+/// Whether no wave in a body could hurt it, and nothing moves that could be seen. What supports alone hold may swing, and
+/// what swings stands nearly still twice a period.
+bool is_still(const WorldState& world, const Body& body) {
+  constexpr double kHarmlessSpeed = 0.25, kVisible = 0.02, kSwinging = 1e-6;  // the last two of its extent [1/s]
+  const bool touched = !body.harmless.empty();
+  const RigidMotion whole = touched ? motion_of(world, body) : RigidMotion();
+  return fastest_beside(world, body, whole) <
+         std::min(kHarmlessSpeed * damage_speed(world, body), (touched ? kVisible : kSwinging) * body.extent);
+}
+
+/// Whether a swaying body, after a step, is as it was when its rest began, and far from breaking. Friction lets loads of
+/// what is wedged in go up and down for good.
+bool goes_on_resting(const WorldState& world, const Body& body, double peak) {
+  constexpr double kSameUtilization = 0.2, kFarFromBreaking = 0.75;
+  return peak < kFarFromBreaking && std::abs(peak - body.rest.peak_utilization) < kSameUtilization && stays(body) &&
+         is_still(world, body);
+}
+
+void update_rest(const WorldState& world, Body& body, double time_step) {
+  const double peak = peak_utilization(world, body);
+  if (goes_on_resting(world, body, peak)) return void(body.rest.time += time_step);
+  body.rest = {0, {body.motion.center, body.orientation}, peak};
+}
+
+/// Bodies that never settle: those that loads or moving supports act on, now or later, and all whose motion is followed
+/// explicitly.
+std::vector<bool> driven_bodies(const WorldState& world) {
+  std::vector<bool> driven(world.bodies.size(), world.integrates_explicitly());
+  const auto mark = [&](TetId tet) { driven[world.elements.bodies[tet]] = true; };
+  for (const PlacedLoad& placed : world.loads) {
+    for (const TetCorner& corner : placed.corners) mark(corner.tet);
+    for (const SurfaceFace& face : placed.faces) mark(face.tet);
+    for (const TetId tet : placed.tets) mark(tet);
+  }
+  for (const PlacedSupport& placed : world.supports)
+    if (!placed.support.velocity.isZero(0))
+      for (const TetCorner& corner : placed.corners) mark(corner.tet);
+  return driven;
+}
+
+/// Tells the contact world which of the bodies that sway have settled.
+void tell_settled_bodies(WorldState& world, double time_step) {
+  const std::vector<bool> driven = driven_bodies(world);
+  for (Body& body : world.bodies) {
+    if (body.asleep) continue;
+    std::optional<bool> settled;
+    if (!body.rigid) settled = false;
+    if (body.sways() && !driven[body.id]) {
+      update_rest(world, body, time_step);
+      settled = body.rest.time >= ContactWorld::kTimeToSleep;
+    }
+    world.contact_world.set_settled(body.proxy, settled);
+  }
+}
+
+/// Takes what is left of a body's motion.
+void fall_asleep(WorldState& world, Body& body) {
+  const double before = energy_of(world, body);
+  body.motion.velocity = body.motion.angular_velocity = Vec3::Zero();
+  for (const NodeId node : body.nodes) world.nodes.velocities[node].setZero();
+  world.energy.hand_over += before - energy_of(world, body);
+}
+
+}  // namespace
+
+void rigidify_quiet_bodies(WorldState& world) {
+  constexpr int kQuietSteps = 20;
+  for (Body& body : world.bodies) {
+    if (body.untouched && ++body.quiet_steps == kQuietSteps) set_untouched(world, body, false);
+    if (!body.sways() || body.supported()) continue;
+    body.quiet_steps = is_calm(world, body) ? body.quiet_steps + 1 : 0;
+    const bool flies = body.quiet_steps > 0 && flies_unstressed(world, body);
+    if (body.tets.size() > 1 && body.quiet_steps < kQuietSteps && !flies) continue;
+    set_untouched(world, body, body.tets.size() > 1 && body.quiet_steps < kQuietSteps);
+    const double before = energy_of(world, body);
+    make_rigid(world, body);
+    world.energy.hand_over += before - energy_of(world, body);
+  }
+}
+
+void update_sleep(WorldState& world, double time_step) {
+  const double moving = kinetic_energy_of_projectiles(world);
+  tell_settled_bodies(world, time_step);
+  world.contact_world.fall_asleep(time_step);
+  world.energy.hand_over += moving - kinetic_energy_of_projectiles(world);
+  for (Body& body : world.bodies) {
+    const bool slept = body.asleep;
+    body.asleep = world.contact_world.asleep(body.proxy);
+    world.report.sleeping_bodies += body.asleep;
+    if (body.asleep && !slept) fall_asleep(world, body);
+  }
+}
+
+void join_substep(WorldState& world, Body& body, double dt) {
+  body.start.rigid = true;
+  body.contact_work = 0;
+  body.energy = mechanical_energy(world, body);
+  assemble_system(world, body, dt);
+}
+
+void wake_disturbed_bodies(WorldState& world, double dt) {
+  for (Body& body : world.bodies) {
+    const bool slept = body.asleep;
+    body.asleep = world.contact_world.asleep(body.proxy);
+    if (slept && body.sways()) join_substep(world, body, dt);
+  }
+}
+
+}  // namespace griffith

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "sim/world/world_state.h"
+
+namespace griffith {
+
+/// Free bodies whose stress has died turn rigid: at once where nothing touched them and there is none, and single tets,
+/// which cannot break.
+void rigidify_quiet_bodies(WorldState& world);
+/// What lies still among others that do so too falls asleep, after a step of this length [s]: rigid bodies, and those
+/// that have settled under a stress that stays. Sleepers keep their stress and reactions of supports, and cost nothing.
+void update_sleep(WorldState& world, double time_step);
+/// Lets bodies awake that the contact world found disturbed, in a substep of `dt` [s].
+void wake_disturbed_bodies(WorldState& world, double dt);
+/// Lets a body that sways from now on take part in the contacts of a substep of `dt` [s] that began without it.
+void join_substep(WorldState& world, Body& body, double dt);
+
+}  // namespace griffith

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+
+#include "sim/world/frame.h"
+
+namespace griffith::testing {
+
+/// The largest principal stress anywhere, by its size [Pa].
+inline double largest_stress(const Frame& frame) {
+  double largest = 0;
+  for (const Mat3& stress : frame.elements.stresses)
+    largest = std::max(
+        largest,
+        Eigen::SelfAdjointEigenSolver<Mat3>(stress, Eigen::EigenvaluesOnly).eigenvalues().cwiseAbs().maxCoeff());
+  return largest;
+}
+
+/// What all supports do [N].
+inline Vec3 sum_of_reactions(const Frame& frame) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& reaction : frame.nodes.reactions) sum += reaction;
+  return sum;
+}
+
+}  // namespace griffith::testing
