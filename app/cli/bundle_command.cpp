@@ -34,7 +34,7 @@ struct BundleOptions {
 std::string add_picture(const World& first, const World& world, const Scene& scene, ReportParts& parts) try {
   constexpr int kWidth = 1280, kHeight = 720;
   const render::EglContext context(std::nullopt);
-  EmbeddedDisplay display = embedded_display(first.frame(), scene);
+  CopyOnWrite display(embedded_display(first.frame(), scene));
   SteadyRange range;
   const render::DrawScene drawn = draw_next_step(world.frame(), display, range, scene, scene.view);
   render::Renderer renderer;

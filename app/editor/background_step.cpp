@@ -4,16 +4,21 @@
 #include <utility>
 
 namespace griffith::app {
+namespace {
 
-void BackgroundStep::begin(World world, const Start& start) {
+BackgroundStep::Made make(NextStep next, std::optional<StepPicture> picture) {
+  BackgroundStep::Made made{make_step(std::move(next)), std::move(picture)};
+  if (made.picture) made.picture->draw(made.step.world.frame());
+  return made;
+}
+
+}  // namespace
+
+void BackgroundStep::begin(NextStep next, std::optional<StepPicture> picture, const Start& start) {
   assert(!pending() && "one step at a time");
   start_ = start;
   begun_ = Clock::now();
-  const auto step = [](World next) {
-    next.step();
-    return next;
-  };
-  result_ = std::async(std::launch::async, step, std::move(world));
+  result_ = std::async(std::launch::async, make, std::move(next), std::move(picture));
 }
 
 bool BackgroundStep::wait_until(Clock::time_point deadline) const {

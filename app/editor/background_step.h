@@ -3,14 +3,16 @@
 #include <chrono>
 #include <cstdint>
 #include <future>
+#include <optional>
 
-#include "sim/world/world.h"
+#include "app/editor/step_picture.h"
+#include "sim/timeline/timeline.h"
 
 namespace griffith::app {
 
-/// Makes a time step of a copy of the world on a thread of its own, so that the window goes on living meanwhile. What
-/// else happens to the world while the step is being made makes it stale: it is thrown away then, and so the result
-/// depends on no clock.
+/// Makes a time step of a copy of the world on a thread of its own, so that the window goes on living meanwhile, and
+/// what follows from the step: what the timeline keeps of it, its picture. What else happens to the world while the
+/// step is being made makes it stale: it is thrown away then, and so the result depends on no clock.
 class BackgroundStep {
  public:
   using Clock = std::chrono::steady_clock;
@@ -21,8 +23,13 @@ class BackgroundStep {
     bool operator==(const Start&) const = default;
   };
 
+  struct Made {
+    MadeStep step;
+    std::optional<StepPicture> picture;  ///< where one was asked for
+  };
+
   /// Begins a step. None may be on its way.
-  void begin(World world, const Start& start);
+  void begin(NextStep next, std::optional<StepPicture> picture, const Start& start);
   /// Whether a step is on its way or lies there to be taken.
   bool pending() const { return result_.valid(); }
   /// Whether that step is the next one of what is there now.
@@ -31,11 +38,11 @@ class BackgroundStep {
   bool wait_until(Clock::time_point deadline) const;
   /// How long the step has been under way [s]; 0 when none is.
   double age() const;
-  /// The world after the step, once it is made: waits for it. A step must be pending. Throws what the step threw.
-  World take() { return result_.get(); }
+  /// The step, once it is made: waits for it. One must be pending. Throws what the step threw.
+  Made take() { return result_.get(); }
 
  private:
-  std::future<World> result_;
+  std::future<Made> result_;
   Start start_;
   Clock::time_point begun_;
 };

@@ -98,8 +98,22 @@ void Editor::restart() {
   update_picture();
 }
 
+PictureSettings Editor::picture_settings() const { return {built_, state_.view, state_.selection, hidden_bodies()}; }
+
+bool Editor::take_picture(StepPicture picture) {
+  if (picture.settings != picture_settings()) return false;
+  display_ = std::move(picture.display);
+  range_ = std::move(picture.range);
+  picture_ = std::move(picture.drawn);
+  made_of_ = content_key();
+  return true;
+}
+
 void Editor::update_picture() {
+  ContentKey key = content_key();
+  if (key == made_of_) return;
   picture_ = draw_next_step(world().frame(), display_, range_, built_, state_.view, state_.selection, hidden_bodies());
+  made_of_ = std::move(key);
 }
 
 HiddenBodies Editor::hidden_bodies() const {
@@ -137,20 +151,17 @@ void Editor::use_view(const std::string& names) {
   use_named_view(state_.view, names, world().frame(), (camera_.position - camera_.target).cast<double>());
 }
 
+Editor::ContentKey Editor::content_key() const {
+  return {world_count_, timeline_.revision(), history_.revision(), arrivals_,
+          state_.view,  state_.selection,     state_.hidden_bodies};
+}
+
 Editor::PictureKey Editor::picture_key() const {
-  const Frame frame = world().frame();
   const bool laid_out = state_.viewport_size.x > 0;
-  return {world_count_,
-          frame.step,
-          history_.revision(),
-          arrivals_,
-          frame.projectiles.size(),
+  return {content_key(),
           laid_out ? static_cast<int>(std::lround(state_.viewport_size.x)) : kFirstWidth,
           laid_out ? static_cast<int>(std::lround(state_.viewport_size.y)) : kFirstHeight,
           state_.comparison.branch.value_or(-1),
-          state_.view,
-          state_.selection,
-          state_.hidden_bodies,
           camera_.position,
           camera_.target};
 }
@@ -209,9 +220,9 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
 void Editor::place_legend(ui::Legend& legend, const ui::Fonts& fonts) {
   legend.corner = legend_corner_;
   PictureKey key = picture_key();
-  key.step = key.revision = key.arrivals = 0;
-  key.projectiles = 0;
-  key.selected = {};
+  ContentKey& content = key.content;
+  content.world_revision = content.scene_revision = content.arrivals = 0;
+  content.selected = {};
   if (key != legend_placed_) {
     const ImVec2 size(static_cast<float>(key.width), static_cast<float>(key.height));
     const float scale = fonts.small->FontSize / ui::kSmallText;

@@ -103,6 +103,8 @@ class Editor {
   const ui::WidgetTags& tags() const { return tags_; }
   Frame frame() const { return world().frame(); }
   const Timeline& timeline() const { return timeline_; }
+  /// The picture that was drawn last, before the graphics device had it.
+  const render::DrawScene& picture() const { return picture_; }
   std::string title() const;
   bool wants_to_quit() const { return wants_to_quit_; }
   /// True once after a screenshot was asked for.
@@ -269,13 +271,17 @@ class Editor {
   /// What a step in the background would begin with now.
   BackgroundStep::Start step_start() const { return {world_count_, timeline_.revision()}; }
   bool watches() const { return state_.breakpoints.any() && !passes_stop_; }
-  void begin_background_step();
+  /// `is_last`: before the next picture, which is made with it.
+  void begin_background_step(bool is_last);
   /// Ends the step in the background; whether it is made by then. It is forgotten if something else was done meanwhile.
   bool end_background_step(BackgroundStep::Clock::time_point deadline);
-  void take_step(World stepped);
-  /// After a step. `before`: the world before it, where breakpoints are watched.
-  void follow_step(std::optional<World> before);
-  /// Makes the picture of the world as it is.
+  void take_step(BackgroundStep::Made made);
+  /// After a step. `before`: the world before it, where breakpoints are watched. `picture`: of the world, if any.
+  void follow_step(std::optional<World> before, std::optional<StepPicture> picture);
+  PictureSettings picture_settings() const;
+  /// Takes over a picture of the world as it is; whether that shows what is wanted now.
+  bool take_picture(StepPicture picture);
+  /// Makes the picture of the world as it is, unless it is there.
   void update_picture();
   void move_slice(const ui::CameraMotion& motion);
   void move_camera();
@@ -285,15 +291,20 @@ class Editor {
   /// The camera, opened so far that a narrow view shows as much across as a wide one.
   render::Camera picture_camera() const;
 
-  /// What the picture depends on: an equal one need not be drawn again.
-  struct PictureKey {
-    std::int64_t world = -1, step = -1, revision = -1, arrivals = 0;
-    std::size_t projectiles = 0;
-    int width = 0, height = 0;
-    int compared = -1;  ///< branch; -1: none
+  /// What the picture is made from: an equal one need not be made again.
+  struct ContentKey {
+    std::int64_t world = -1, world_revision = -1, scene_revision = -1, arrivals = 0;
     ViewSettings view;
     ui::Selection selected;
     std::set<std::string> hidden;
+    bool operator==(const ContentKey&) const = default;
+  };
+  ContentKey content_key() const;
+  /// And how it is drawn: an equal one need not be drawn again.
+  struct PictureKey {
+    ContentKey content;
+    int width = 0, height = 0;
+    int compared = -1;  ///< branch; -1: none
     Eigen::Vector3f position = Eigen::Vector3f::Zero(), target = Eigen::Vector3f::Zero();
     bool operator==(const PictureKey&) const = default;
   };
@@ -310,9 +321,9 @@ class Editor {
   std::vector<std::filesystem::path> scene_files_;
   std::filesystem::file_time_type built_at_ = std::filesystem::file_time_type::clock::now();  ///< when that began
   Timeline timeline_;
-  EmbeddedDisplay display_;           ///< of the world
-  std::vector<InputError> warnings_;  ///< of the world, as scene_warnings() has them
-  std::vector<InputError> outdated_;  ///< names in the scene's file
+  CopyOnWrite<EmbeddedDisplay> display_;  ///< of the world
+  std::vector<InputError> warnings_;      ///< of the world, as scene_warnings() has them
+  std::vector<InputError> outdated_;      ///< names in the scene's file
   std::vector<ui::SceneProblem> problems_;
   WorldLoader loader_;
   std::optional<Autosave> autosave_;
@@ -327,6 +338,7 @@ class Editor {
   render::Camera camera_;
   render::Renderer renderer_;
   render::DrawScene picture_;
+  ContentKey made_of_;  ///< the picture
   SteadyRange range_;
   ui::LegendCorner legend_corner_ = {};
   PictureKey legend_placed_;  ///< for which picture it was

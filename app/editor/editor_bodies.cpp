@@ -15,7 +15,7 @@ void Editor::new_scene() {
   Scene scene;
   if (autosave_) autosave_->remove();
   timeline_ = Timeline(make_world(scene, ""));
-  display_ = embedded_display(world().frame(), scene);
+  display_ = CopyOnWrite(embedded_display(world().frame(), scene));
   file_time_ = {};
   show_scene(std::move(scene), "");
 }

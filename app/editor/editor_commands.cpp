@@ -111,7 +111,7 @@ void Editor::take_world(WorldLoader::Loaded loaded) {
   timeline_ = Timeline(std::move(loaded.world));
   built_at_ = loaded.started;
   warnings_ = std::move(loaded.warnings);
-  display_ = std::move(loaded.display);
+  display_ = CopyOnWrite(std::move(loaded.display));
   if (loaded.reason == LoadReason::recover) return show_recovered(std::move(loaded.scene), loaded.path);
   if (loaded.reason == LoadReason::open) {
     if (autosave_) autosave_->remove();

@@ -37,7 +37,7 @@ void Editor::take_followed(WorldLoader::Loaded loaded) {
   timeline_ = Timeline(std::move(loaded.world));
   built_at_ = loaded.started;
   warnings_ = std::move(loaded.warnings);
-  display_ = std::move(loaded.display);
+  display_ = CopyOnWrite(std::move(loaded.display));
   restart();
   if (edited) log_findings();
   if (was_empty) frame_all();

@@ -30,24 +30,28 @@ void Editor::advance(double elapsed) {
   for (int i = 0; i < steps && state_.running && (!counted || i == 0 || Clock::now() < deadline); ++i) {
     if (waits_for_steps_) {
       step();
-    } else if (begin_background_step(); !end_background_step(deadline)) {
-      return;
+      continue;
     }
+    const bool is_last = i + 1 == steps || Clock::now() + std::chrono::duration<double>(step_seconds_) >= deadline;
+    begin_background_step(is_last);
+    if (!end_background_step(deadline)) return;
   }
 }
 
-void Editor::begin_background_step() {
+void Editor::begin_background_step(bool is_last) {
   if (history_.editing()) follow_materials();  // a slider that is held acts from step to step
-  World next = timeline_.before_step();
+  NextStep next = timeline_.before_step();
   adopt_materials();  // of a past that is gone through again
-  background_.begin(std::move(next), step_start());
+  std::optional<StepPicture> picture;
+  if (is_last) picture = StepPicture{picture_settings(), display_, range_};
+  background_.begin(std::move(next), std::move(picture), step_start());
 }
 
 bool Editor::end_background_step(BackgroundStep::Clock::time_point deadline) {
   if (!background_.wait_until(deadline)) return false;
   const bool fits = background_.fits(step_start());
-  World stepped = background_.take();
-  if (fits) take_step(std::move(stepped));
+  BackgroundStep::Made made = background_.take();
+  if (fits) take_step(std::move(made));
   return true;
 }
 
@@ -55,22 +59,24 @@ void Editor::step() {
   if (background_.fits(step_start())) return take_step(background_.take());
   std::optional<World> before;
   timeline_.advance(watches() ? &before : nullptr);
-  follow_step(std::move(before));
+  follow_step(std::move(before), std::nullopt);
 }
 
-void Editor::take_step(World stepped) {
-  World before = timeline_.take_step(std::move(stepped));
-  follow_step(watches() ? std::optional(std::move(before)) : std::nullopt);
+void Editor::take_step(BackgroundStep::Made made) {
+  const std::int64_t step_alone = timeline_.revision() + 1;
+  World before = timeline_.take_step(std::move(made.step));
+  if (timeline_.revision() != step_alone) made.picture.reset();  // in the past more was done after it
+  follow_step(watches() ? std::optional(std::move(before)) : std::nullopt, std::move(made.picture));
 }
 
-void Editor::follow_step(std::optional<World> before) {
+void Editor::follow_step(std::optional<World> before, std::optional<StepPicture> picture) {
   if (before && stop_before_step(std::move(*before))) return;
   if (state_.steps_left > 0 && --state_.steps_left == 0) state_.running = false;
   forget_stop();
   adopt_materials();
   remember();
   const Frame frame = world().frame();
-  range_.follow(frame, state_.view.quantity);
+  if (!picture || !take_picture(std::move(*picture))) range_.follow(frame, state_.view.quantity);
   const double seconds = frame.report.milliseconds.step / 1000;
   step_seconds_ = step_seconds_ == 0 ? seconds : step_seconds_ + kNewest * (seconds - step_seconds_);
   if (frame.report.non_finite_values > 0) {

@@ -134,7 +134,7 @@ class PictureExport : public RunExport {
 
   fs::path path_;
   Timeline timeline_;
-  EmbeddedDisplay display_;
+  CopyOnWrite<EmbeddedDisplay> display_;
   ExportedView view_;
   Scene scene_;
   render::Renderer renderer_;

@@ -185,10 +185,11 @@ void mark_node(const ShownMesh& shown, NodeId node, render::DrawScene& picture) 
 /// Says above the bodies how much more than in truth they are drawn deformed.
 void tell_deformation(const ShownMesh& shown, render::DrawScene& picture) {
   const double scale = shown.view.deformation_scale;
+  if (scale == 1) return;
   Eigen::AlignedBox3d box;
   for (const Vec3& place : shown.positions)
     if (shown.visible(place)) box.extend(place);
-  if (scale == 1 || box.isEmpty()) return;
+  if (box.isEmpty()) return;
   const Vec3 top(box.center().x(), box.max().y(), box.center().z());
   picture.labels.push_back({top.cast<float>(), "deformation × " + ui::format_quantity(scale, "-"), 1.4f});
 }
@@ -271,20 +272,29 @@ void add_dust(const Frame& frame, const Scene& scene, const HiddenBodies& hidden
   picture.crumbs = std::move(dust.crumbs);
 }
 
-/// As draw_scene_from_frame(), with the pieces of that frame.
+/// What of a frame is to be drawn.
+struct Wanted {
+  const Scene& scene;
+  const ViewSettings& view;
+  const ui::Selection& selection;
+  const HiddenBodies& hidden;
+  std::optional<Vec2> range;
+};
+
+std::optional<QuantityValues> values_of(const Frame& frame, const ViewSettings& view) {
+  return is_scalar(view.quantity) ? std::optional(quantity_values(frame, view.quantity)) : std::nullopt;
+}
+
+/// `values`: values_of() the frame.
 render::DrawScene drawn(const Frame& frame, const EmbeddedPieces& pieces, std::span<const std::array<int, 4>> orders,
-                        const Scene& scene, const ViewSettings& view, const ui::Selection& selection,
-                        const std::optional<Vec2>& range, const HiddenBodies& hidden) {
+                        const Wanted& wanted, std::optional<QuantityValues> values) {
+  const auto& [scene, view, selection, hidden, range] = wanted;
   render::DrawScene result;
   const ShownMesh shown = shown_mesh(frame, view, selection, hidden);
   const TetFilter filter(shown, pieces);
-  std::optional<QuantityValues> values;
-  if (is_scalar(view.quantity)) {
-    values = quantity_values(frame, view.quantity);
-    if (!frame.elements.tets.empty())
-      result.surface.scalar_style =
-          scalar_style(view, *values, range ? *range : automatic_range(frame, view.quantity, *values));
-  }
+  if (values && !frame.elements.tets.empty())
+    result.surface.scalar_style =
+        scalar_style(view, *values, range ? *range : automatic_range(frame, view.quantity, *values));
   add_elements(shown, filter, values ? &*values : nullptr, selection.tet, result);
   if (filter.shows_embedded()) result.embedded = embedded_surface(shown, pieces, orders);
   result.embedded.materials = natural_materials(scene);
@@ -300,6 +310,14 @@ render::DrawScene drawn(const Frame& frame, const EmbeddedPieces& pieces, std::s
   add_surroundings(frame, scene, result);
   if (shows_dust(view)) add_dust(frame, scene, hidden, result);
   return result;
+}
+
+render::DrawScene drawn(const Frame& frame, const EmbeddedDisplay& display, const Wanted& wanted,
+                        std::optional<QuantityValues> values) {
+  if (display.shards.empty() || !shows_shards(wanted.view))
+    return drawn(frame, display.authored, display.orders, wanted, std::move(values));
+  const FrameWithShards sharded(frame, display.shards);
+  return drawn(sharded.frame(), display.natural, display.orders, wanted, std::move(values));
 }
 
 }  // namespace
@@ -321,17 +339,16 @@ void follow_first_cracks(EmbeddedDisplay& display, const Frame& frame, const Sce
 render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDisplay& display, const Scene& scene,
                                         const ViewSettings& view, const ui::Selection& selection,
                                         const std::optional<Vec2>& range, const HiddenBodies& hidden) {
-  if (display.shards.empty() || !shows_shards(view))
-    return drawn(frame, display.authored, display.orders, scene, view, selection, range, hidden);
-  const FrameWithShards sharded(frame, display.shards);
-  return drawn(sharded.frame(), display.natural, display.orders, scene, view, selection, range, hidden);
+  return drawn(frame, display, {scene, view, selection, hidden, range}, values_of(frame, view));
 }
 
-render::DrawScene draw_next_step(const Frame& frame, EmbeddedDisplay& display, SteadyRange& range, const Scene& scene,
-                                 const ViewSettings& view, const ui::Selection& selection, const HiddenBodies& hidden) {
-  range.follow(frame, view.quantity);
-  follow_first_cracks(display, frame, scene);
-  return draw_scene_from_frame(frame, display, scene, view, selection, range.range(), hidden);
+render::DrawScene draw_next_step(const Frame& frame, CopyOnWrite<EmbeddedDisplay>& display, SteadyRange& range,
+                                 const Scene& scene, const ViewSettings& view, const ui::Selection& selection,
+                                 const HiddenBodies& hidden) {
+  std::optional<QuantityValues> values = values_of(frame, view);
+  range.follow(frame, view.quantity, values ? &*values : nullptr);
+  if (display->shards.are_behind(frame, scene)) follow_first_cracks(display.edit(), frame, scene);
+  return drawn(frame, *display, {scene, view, selection, hidden, range.range()}, std::move(values));
 }
 
 }  // namespace griffith::app

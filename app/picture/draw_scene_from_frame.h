@@ -11,6 +11,7 @@
 #include "app/picture/skin.h"
 #include "app/picture/steady_range.h"
 #include "renderer/draw_scene.h"
+#include "sim/core/copy_on_write.h"
 #include "sim/scene/scene.h"
 #include "sim/world/frame.h"
 #include "ui/model/selection.h"
@@ -50,8 +51,8 @@ render::DrawScene draw_scene_from_frame(const Frame& frame, const EmbeddedDispla
                                         const HiddenBodies& hidden = {});
 
 /// The picture of a step that comes after those that `display` and `range` have followed: they follow it first.
-render::DrawScene draw_next_step(const Frame& frame, EmbeddedDisplay& display, SteadyRange& range, const Scene& scene,
-                                 const ViewSettings& view, const ui::Selection& selection = {},
+render::DrawScene draw_next_step(const Frame& frame, CopyOnWrite<EmbeddedDisplay>& display, SteadyRange& range,
+                                 const Scene& scene, const ViewSettings& view, const ui::Selection& selection = {},
                                  const HiddenBodies& hidden = {});
 
 }  // namespace griffith::app

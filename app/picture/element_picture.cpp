@@ -145,6 +145,8 @@ render::Surface surface_of(const std::vector<PictureTriangle>& triangles, const 
                            TetId selected) {
   render::Surface surface;
   surface.positions.reserve(3 * triangles.size());
+  surface.ids.reserve(triangles.size());
+  surface.flags.reserve(triangles.size());
   for (const PictureTriangle& triangle : triangles) {
     const std::array<Vec3, 4> corners = shown_corners(shown, triangle.tet, shrink);
     for (const EdgePlace& place : triangle.corners)

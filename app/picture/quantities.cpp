@@ -39,10 +39,10 @@ void fill_extreme_stresses(const Frame& frame, std::size_t first, std::span<floa
     std::array<Mat3, kLanes> stresses;
     for (std::size_t lane = 0; lane < kLanes; ++lane)  // lanes to spare repeat the last
       stresses[lane] = sign * frame.elements.stresses[first + i + std::min(lane, count - 1)];
-    const std::array<LargestPrincipal, kLanes> found = largest_principals(stresses);
+    const std::array<double, kLanes> found = largest_principal_values(stresses);
     for (std::size_t lane = 0; lane < count; ++lane)
-      values[i + lane] = stresses[lane].allFinite() ? static_cast<float>(sign * found[lane].value)
-                                                    : std::numeric_limits<float>::quiet_NaN();
+      values[i + lane] =
+          stresses[lane].allFinite() ? static_cast<float>(sign * found[lane]) : std::numeric_limits<float>::quiet_NaN();
   }
 }
 
@@ -134,8 +134,8 @@ Vec2 symmetric_range(const Vec2& range) {
 
 Vec2 automatic_range(const Frame& frame, std::string_view key, const QuantityValues& values) {
   if (key == "utilization" || key == "element_quality") return {0, 1};
-  const std::vector<float> numbers = finite(values.values);
-  Vec2 range(std::min(0.0f, quantile(numbers, 0.02)), std::max(0.0f, quantile(numbers, 0.98)));
+  std::vector<float> numbers = finite(values.values);
+  Vec2 range(std::min(0.0f, quantile_of(numbers, 0.02)), std::max(0.0f, quantile_of(numbers, 0.98)));
   const double missing = min_width(frame, key) - (range[1] - range[0]);
   if (missing > 0)
     (range[1] > 0 || range[0] == 0 ? range[1] : range[0]) += range[1] > 0 || range[0] == 0 ? missing : -missing;

@@ -44,17 +44,24 @@ void Shards::make(const Frame& frame, const Scene& scene, const Monitor& monitor
   radial_ = std::move(radial);
 }
 
-bool Shards::follow(const Frame& frame, const Scene& scene) {
-  if (radial_.empty()) return false;
+/// Round which cracks they lie in that frame; where nothing has cracked, as before.
+FirstCracks Shards::centers_in(const Frame& frame, const Scene& scene) const {
+  FirstCracks centers = centers_;
   const FirstCracks cracks = first_cracks(frame, scene.bodies.size());
-  bool moved = false;
-  for (const int body : radial_) {
-    if (!cracks[body] || centers_[body] == cracks[body]) continue;
-    centers_[body] = cracks[body];
-    moved = true;
-  }
-  if (moved) make(frame, scene, {});
-  return moved;
+  for (const int body : radial_)
+    if (cracks[body]) centers[body] = cracks[body];
+  return centers;
+}
+
+bool Shards::are_behind(const Frame& frame, const Scene& scene) const {
+  return !radial_.empty() && centers_in(frame, scene) != centers_;
+}
+
+bool Shards::follow(const Frame& frame, const Scene& scene) {
+  if (!are_behind(frame, scene)) return false;
+  centers_ = centers_in(frame, scene);
+  make(frame, scene, {});
+  return true;
 }
 
 SplinterState Shards::state(const Frame& frame) const {

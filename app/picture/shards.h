@@ -32,11 +32,13 @@ class Shards {
   const std::vector<Skin>& skins() const { return skins_; }
   /// What cracks have done to them. `frame`: any of the world's.
   SplinterState state(const Frame& frame) const;
-  /// Makes those anew that lie round another crack than the frame's first one; whether there were any. `frame`: any of
-  /// the world's.
+  /// Whether some lie round another crack than the frame's first one. `frame`: any of the world's.
+  bool are_behind(const Frame& frame, const Scene& scene) const;
+  /// Makes those anew; whether there were any.
   bool follow(const Frame& frame, const Scene& scene);
 
  private:
+  FirstCracks centers_in(const Frame& frame, const Scene& scene) const;
   void make(const Frame& frame, const Scene& scene, const Monitor& monitor);
 
   std::vector<std::array<TetId, 4>> neighbours_;  ///< of the first frame's tets

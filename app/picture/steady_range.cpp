@@ -6,14 +6,15 @@
 
 namespace griffith::app {
 
-void SteadyRange::follow(const Frame& frame, const std::string& quantity) {
+void SteadyRange::follow(const Frame& frame, const std::string& quantity, const QuantityValues* values) {
   constexpr double kReturn = 0.08;  // of the way inwards a step: half of it in 8 steps
   const bool goes_on = quantity == quantity_ && frame.step >= step_;
   if (goes_on && frame.step == step_) return;
   quantity_ = quantity;
   step_ = frame.step;
   if (!is_scalar(quantity)) return range_.reset();
-  const Vec2 now = automatic_range(frame, quantity, quantity_values(frame, quantity));
+  const Vec2 now = values ? automatic_range(frame, quantity, *values)
+                          : automatic_range(frame, quantity, quantity_values(frame, quantity));
   if (!goes_on) {
     range_ = now;
     return;

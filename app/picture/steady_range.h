@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/picture/quantities.h"
 #include "sim/core/linear_algebra.h"
 #include "sim/world/frame.h"
 
@@ -15,8 +16,8 @@ namespace griffith::app {
 class SteadyRange {
  public:
   /// Takes in the frame of a step, none left out; again the same step changes nothing. Another quantity than before, or
-  /// an earlier step, starts anew.
-  void follow(const Frame& frame, const std::string& quantity);
+  /// an earlier step, starts anew. `values`: of the quantity in that frame, for whoever has them.
+  void follow(const Frame& frame, const std::string& quantity, const QuantityValues* values = nullptr);
   /// The next frame is of another world.
   void restart() { quantity_.clear(); }
 

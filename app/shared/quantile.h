@@ -7,11 +7,10 @@
 
 namespace griffith::app {
 
-/// What lies at `fraction` (0..1) of the sorted values, between neighbours in proportion. What is not a number does not
-/// count; 0 without any.
+/// What lies at `fraction` (0..1) of the sorted values, which are numbers, between neighbours in proportion; 0 without
+/// any. Leaves them in another order.
 template <class Number>
-Number quantile(std::vector<Number> values, double fraction) {
-  std::erase_if(values, [](Number value) { return std::isnan(value); });
+Number quantile_of(std::vector<Number>& values, double fraction) {
   if (values.empty()) return 0;
   const double place = fraction * static_cast<double>(values.size() - 1);
   const auto below = values.begin() + static_cast<std::ptrdiff_t>(place);
@@ -20,6 +19,13 @@ Number quantile(std::vector<Number> values, double fraction) {
   if (weight == 0) return *below;
   const Number above = *std::min_element(below + 1, values.end());
   return *below == above ? above : (1 - weight) * *below + weight * above;
+}
+
+/// The same; what is not a number does not count.
+template <class Number>
+Number quantile(std::vector<Number> values, double fraction) {
+  std::erase_if(values, [](Number value) { return std::isnan(value); });
+  return quantile_of(values, fraction);
 }
 
 /// Leaves the finite values.

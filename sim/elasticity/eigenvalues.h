@@ -53,6 +53,17 @@ Real isolated_eigenvalue(const Symmetric3<Real>& m) {
   return mean + (determinant < 0.0 ? -distance : distance);
 }
 
+/// The largest eigenvalue within 2e-8 of the norm: the other two lie evenly about their mean, as far from it as the
+/// deviator's norm leaves, of whose square half of the digits may go.
+template <class Real>
+Real largest_eigenvalue(const Symmetric3<Real>& m) {
+  const Real zero = {};
+  const Real isolated = isolated_eigenvalue(m), mean = m.trace() / 3.0, apart = isolated - mean;
+  const Real square = 0.5 * add_to_diagonal(m, -mean).squared_norm() - 0.75 * apart * apart;
+  const Real half_gap = root(square > 0.0 ? square : zero);
+  return apart >= 0.0 ? isolated : mean - 0.5 * apart + half_gap;
+}
+
 /// A unit eigenvector of an isolated eigenvalue: the longest row of the adjugate of (m − value·I).
 template <class Real>
 Vector3<Real> eigenvector(const Symmetric3<Real>& m, Real value) {

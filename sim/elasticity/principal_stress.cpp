@@ -26,6 +26,13 @@ std::array<LargestPrincipal, 4> largest_principals(const std::array<Mat3, 4>& sy
   return found;
 }
 
+std::array<double, 4> largest_principal_values(const std::array<Mat3, 4>& symmetric) {
+  const simd::Matrix3<simd::DoubleLanes> m = simd::side_by_side(symmetric);
+  const simd::DoubleLanes values = simd::largest_eigenvalue(
+      simd::Symmetric3<simd::DoubleLanes>{m.at[0][0], m.at[1][1], m.at[2][2], m.at[0][1], m.at[0][2], m.at[1][2]});
+  return {values[0], values[1], values[2], values[3]};
+}
+
 Vec3 principal_stresses(const Mat3& stress) {
   if (!stress.allFinite()) return Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
   return Eigen::SelfAdjointEigenSolver<Mat3>(stress, Eigen::EigenvaluesOnly).eigenvalues().reverse();

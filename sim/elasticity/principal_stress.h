@@ -22,6 +22,9 @@ LargestPrincipal largest_principal(const Mat3& symmetric);
 /// Those of four matrices side by side, to the bits of one at a time.
 std::array<LargestPrincipal, 4> largest_principals(const std::array<Mat3, 4>& symmetric);
 
+/// Their largest principal values alone, within 2e-8 of their norms.
+std::array<double, 4> largest_principal_values(const std::array<Mat3, 4>& symmetric);
+
 /// The principal stresses, largest first [Pa]: more exact than principal_values(), and not a number for a stress that
 /// is not finite.
 Vec3 principal_stresses(const Mat3& stress);

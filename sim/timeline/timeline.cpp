@@ -4,6 +4,22 @@
 #include <utility>
 
 namespace griffith {
+namespace {
+
+StepRecord step_and_record(World& world, const StepNeeds& needs) {
+  world.step();
+  StepRecord record;
+  if (needs.hashes) record.hashes = world.state_hashes();
+  if (needs.copy) record.copy = std::make_shared<const World>(world);
+  return record;
+}
+
+}  // namespace
+
+MadeStep make_step(NextStep next) {
+  StepRecord record = step_and_record(next.world, next.needs);
+  return {std::move(next.world), std::move(record)};
+}
 
 void apply(World& world, WorldInput& input) {
   if (auto* burst = std::get_if<ProjectileBurst>(&input.action)) {
@@ -19,7 +35,7 @@ Timeline::Timeline(World world, std::size_t memory)
   step_ = world_.frame().step;
   branches_.push_back({-1, step_, step_, {}, {}, {}});
   copies_.emplace_back();
-  keep_copy();
+  keep_copy(std::make_shared<const World>(world_));
 }
 
 std::vector<StepMark> Timeline::marks() const {
@@ -67,20 +83,19 @@ void Timeline::advance(std::optional<World>* before) {
   redo_inputs();
   if (before) before->emplace(world_);
   const std::size_t cracks_before = world_.frame().crack_events.size();
-  world_.step();
-  finish_step(cracks_before);
+  finish_step(step_and_record(world_, needs_of_step()), cracks_before);
 }
 
-World Timeline::before_step() {
+NextStep Timeline::before_step() {
   redo_inputs();
-  return world_;
+  return {world_, needs_of_step()};
 }
 
-World Timeline::take_step(World stepped) {
+World Timeline::take_step(MadeStep made) {
   const std::size_t cracks_before = world_.frame().crack_events.size();
-  std::swap(world_, stepped);
-  finish_step(cracks_before);
-  return stepped;
+  std::swap(world_, made.world);
+  finish_step(std::move(made.record), cracks_before);
+  return std::move(made.world);
 }
 
 void Timeline::take_back(World before) {
@@ -131,12 +146,20 @@ void Timeline::enter_line() {
 void Timeline::redo_inputs() {
   enter_line();
   std::vector<WorldInput>& inputs = branches_[line_].inputs;
-  for (; inputs_done_ < inputs.size() && inputs[inputs_done_].step <= step_; ++inputs_done_)
+  for (; inputs_done_ < inputs.size() && inputs[inputs_done_].step <= step_; ++inputs_done_) {
     apply(world_, inputs[inputs_done_]);
+    ++revision_;
+  }
+}
+
+/// Of the step after this one.
+StepNeeds Timeline::needs_of_step() const {
+  const bool is_new = step_ >= last_step();
+  return {is_new, is_new && (step_ + 1 - first_step()) % interval_ == 0};
 }
 
 /// Goes on to the step that the world has just made.
-void Timeline::finish_step(std::size_t cracks_before) {
+void Timeline::finish_step(StepRecord record, std::size_t cracks_before) {
   inputs_before_ = inputs_done_;
   line_before_ = line_;
   const bool repeats = step_ < last_step();
@@ -147,9 +170,10 @@ void Timeline::finish_step(std::size_t cracks_before) {
     return;
   }
   branches_[branch_].last_step = step_;
-  branches_[branch_].hashes.push_back(world_.state_hashes());
+  branches_[branch_].hashes.push_back(record.hashes);
   mark_step(cracks_before);
-  if ((step_ - first_step()) % interval_ == 0) keep_copy();
+  const bool is_due = (step_ - first_step()) % interval_ == 0;  // copies may have been thinned out meanwhile
+  if (record.copy && is_due) keep_copy(std::move(record.copy));
 }
 
 void Timeline::mark_step(std::size_t cracks_before) {
@@ -160,8 +184,8 @@ void Timeline::mark_step(std::size_t cracks_before) {
   if (mark.cracks > 0 || mark.impacts > 0 || mark.alarm) branches_[branch_].marks.push_back(mark);
 }
 
-void Timeline::keep_copy() {
-  copies_[branch_][step_] = std::make_shared<const World>(world_);
+void Timeline::keep_copy(std::shared_ptr<const World> copy) {
+  copies_[branch_][step_] = std::move(copy);
   used_ += size_of_copy(branch_, step_);
   while (used_ > memory_ && interval_ < kMaxInterval) thin_out();
 }

@@ -25,6 +25,27 @@ struct StepMark {
   bool alarm = false;  ///< a solve without convergence, or values that broke down
 };
 
+/// What of a step a timeline does not have yet.
+struct StepNeeds {
+  bool hashes = false, copy = false;
+};
+/// That, where it was needed.
+struct StepRecord {
+  StateHashes hashes = {};
+  std::shared_ptr<const World> copy;  ///< of the world after the step
+};
+
+/// A world before a step, with all that was to be done, and after it. Which thread makes the step is all the same.
+struct NextStep {
+  World world;
+  StepNeeds needs;
+};
+struct MadeStep {
+  World world;
+  StepRecord record;
+};
+MadeStep make_step(NextStep next);
+
 /// A line of steps. All but the first begin at a step of another, where something else was done.
 struct Branch {
   int parent = -1;
@@ -60,12 +81,11 @@ class Timeline {
   /// Makes a step: the one that was made before, where there is one. `before`, if any, becomes a copy of the world as
   /// it was before the step, with all that was done to it.
   void advance(std::optional<World>* before = nullptr);
-  /// The same in two parts, between which the step may be made elsewhere: a copy of the world with all that was to be
-  /// done before its next step,
-  World before_step();
-  /// and what a step has made of such a copy, to which the timeline goes on. Nothing else may have been done since.
-  /// Returns the world as it was before the step.
-  World take_step(World stepped);
+  /// The same in two parts, between which make_step() may be called elsewhere: on a copy of the world,
+  NextStep before_step();
+  /// and to what that made the timeline goes on. Nothing else may have been done since. Returns the world as it was
+  /// before the step.
+  World take_step(MadeStep made);
   /// Takes the step back that advance() has just made, which gave `before`. It stays known.
   void take_back(World before);
   /// As World has them; a branch begins where steps or inputs after this one are known.
@@ -96,9 +116,10 @@ class Timeline {
   void begin_branch();
   void enter_line();
   void redo_inputs();
-  void finish_step(std::size_t cracks_before);
+  StepNeeds needs_of_step() const;
+  void finish_step(StepRecord record, std::size_t cracks_before);
   void mark_step(std::size_t cracks_before);
-  void keep_copy();
+  void keep_copy(std::shared_ptr<const World> copy);
   void thin_out();
   std::size_t size_of_copy(int branch, std::int64_t step) const;
   std::pair<std::int64_t, int> nearest_copy(int branch, std::int64_t step) const;

@@ -17,6 +17,18 @@ Scene slow_wall() {
   return scene;
 }
 
+/// Of pictures without shards.
+void expect_same(const render::DrawScene& picture, const render::DrawScene& expected) {
+  EXPECT_EQ(picture.surface.positions, expected.surface.positions);
+  EXPECT_EQ(picture.surface.scalars, expected.surface.scalars);
+  EXPECT_EQ(picture.surface.ids, expected.surface.ids);
+  EXPECT_EQ(picture.surface.flags, expected.surface.flags);
+  EXPECT_EQ(picture.surface.scalar_style.quantity, expected.surface.scalar_style.quantity);
+  EXPECT_EQ(picture.spheres.size(), expected.spheres.size());
+  EXPECT_EQ(picture.labels.size(), expected.labels.size());
+  EXPECT_EQ(picture.glyphs.arrows.size(), expected.glyphs.arrows.size());
+}
+
 /// The editor as its window has it: steps that take long go on while it draws.
 class PaceTest : public EditorTest {
  protected:
@@ -37,6 +49,15 @@ class PaceTest : public EditorTest {
     }
     editor_.state().running = false;
     draw();
+  }
+  /// Whether the picture shows the state and the view that there are, once the world has followed what was done.
+  void expect_picture_of_what_is_shown() {
+    draw(2);
+    const ui::EditorState& state = editor_.state();
+    const render::DrawScene expected =
+        draw_scene_from_frame(editor_.frame(), {}, editor_.scene(), state.view, state.selection, std::nullopt,
+                              state.hidden_bodies.empty() ? HiddenBodies{} : HiddenBodies{0});
+    expect_same(editor_.picture(), expected);
   }
   std::uint64_t hash() const { return editor_.timeline().world().state_hash(); }
   void fire() {
@@ -117,14 +138,112 @@ TEST(BackgroundStep, MakesTheStepOfACopyForItsStartAlone) {
   BackgroundStep background;
   EXPECT_FALSE(background.pending());
   EXPECT_EQ(background.age(), 0);
-  background.begin(world, {1, 7});
+  background.begin({world, {}}, std::nullopt, {1, 7});
   EXPECT_TRUE(background.fits({1, 7}));
   EXPECT_FALSE(background.fits({1, 8}));
   EXPECT_FALSE(background.fits({2, 7}));
   EXPECT_TRUE(background.wait_until(Clock::time_point::max()));
   EXPECT_EQ(background.age(), 0);
-  EXPECT_EQ(background.take().state_hash(), stepped.state_hash());
+  const BackgroundStep::Made made = background.take();
+  EXPECT_EQ(made.step.world.state_hash(), stepped.state_hash());
+  EXPECT_FALSE(made.picture) << "none was asked for";
   EXPECT_FALSE(background.pending());
+}
+
+TEST(BackgroundStep, DrawsThePictureThatStepsInTurnHave) {
+  const Scene scene = slow_wall();
+  World world(scene);
+  const Frame start = world.frame();
+  const ui::Selection selection = ui::select(start, TetId(7), start.elements.tets[7][2]);
+  CopyOnWrite display(embedded_display(start, scene));
+  SteadyRange range;
+  StepPicture picture{{scene, scene.view, selection, {}}, display, range};
+  BackgroundStep background;
+  for (int step = 1; step < 4; ++step) {
+    background.begin({world, {}}, std::move(picture), {0, step});
+    world.step();
+    const render::DrawScene expected =
+        draw_next_step(world.frame(), display, range, scene, scene.view, ui::follow(selection, world.frame()));
+    picture = std::move(*background.take().picture);
+    expect_same(picture.drawn, expected);
+    EXPECT_TRUE(*picture.range.range() == *range.range());
+    EXPECT_TRUE(picture.display.shares_with(display)) << "nothing has cracked";
+  }
+}
+
+TEST_F(PaceTest, EachPictureIsOfTheStateShown) {
+  editor_.select_node(NodeId(40));
+  for (std::int64_t wanted = 1; wanted < 8; ++wanted) {
+    run_to(wanted);
+    expect_picture_of_what_is_shown();
+    begin_step();
+    expect_picture_of_what_is_shown();  // the last one, while the next is on its way
+  }
+}
+
+TEST_F(PaceTest, AViewChangedMeanwhileIsThatOfThePicture) {
+  const auto change_during_a_step = [this](auto change) {
+    begin_step();
+    change();
+    expect_picture_of_what_is_shown();
+    run_to(step() + 1);
+    expect_picture_of_what_is_shown();
+  };
+  run_to(2);
+  change_during_a_step([this] { editor_.state().view.quantity = "speed"; });
+  change_during_a_step([this] { editor_.state().view.layers = {ViewLayer::velocities}; });
+  change_during_a_step([this] { editor_.select_node(NodeId(25)); });
+  change_during_a_step([this] { editor_.state().selection = {}; });
+  change_during_a_step([this] { editor_.state().hidden_bodies.insert(editor_.scene().bodies[0].name); });
+  EXPECT_TRUE(editor_.picture().surface.positions.empty());
+}
+
+TEST_F(PaceTest, AChangedMaterialMeanwhileIsInThePicture) {
+  run_to(3);
+  begin_step();
+  choose_material("concrete");
+  expect_picture_of_what_is_shown();
+  run_to(step() + 2);
+  expect_picture_of_what_is_shown();
+  begin_step();
+  editor_.execute({.id = CommandId::undo});
+  expect_picture_of_what_is_shown();
+  run_to(step() + 2);
+  expect_picture_of_what_is_shown();
+}
+
+TEST_F(PaceTest, GoingBackOrToAnotherSceneMeanwhileShowsThat) {
+  run_to(6);
+  begin_step();
+  editor_.execute({.id = CommandId::go_to_step, .step = 2});
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  expect_picture_of_what_is_shown();
+  run_to(4);
+  expect_picture_of_what_is_shown();
+  begin_step();
+  editor_.open(small_wall_file());
+  wait_for_work();
+  expect_picture_of_what_is_shown();
+  run_to(3);
+  expect_picture_of_what_is_shown();
+}
+
+TEST_F(PaceTest, WhatWasDoneAfterTheLastStepIsInItsPictureWhenItComesAgain) {
+  run_to(4);
+  const std::int64_t last = step();
+  choose_material("concrete");
+  const Material material = editor_.frame().materials[0];
+  editor_.execute({.id = CommandId::go_to_step, .step = 1});
+  ASSERT_NE(editor_.frame().materials[0], material);
+  begin_step();
+  for (int i = 0; i < 60'000 && step() < last; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    editor_.advance(1e-3);
+  }
+  editor_.state().running = false;
+  ASSERT_EQ(step(), last);
+  EXPECT_EQ(editor_.frame().materials[0], material);
+  expect_picture_of_what_is_shown();
 }
 
 TEST_F(PaceTest, ASceneGoesOnWhileASliderIsHeld) {

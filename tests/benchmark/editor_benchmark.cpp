@@ -1,18 +1,20 @@
-// What the editor itself does in a frame while 54,080 tets sway: copies of the world for steps in the background, the
-// picture and its way to the graphics device, panels. Drawing is apart: on software GL it takes more than all of this.
+// What the editor itself does for a step while 54,080 tets sway. The window's thread: follow_step, upload, panels; a
+// thread in the background after the step: hashes, make_picture. Drawing is apart: on software GL it takes more than
+// all of this.
 #include <benchmark/benchmark.h>
 #include <imgui.h>
 
+#include <chrono>
 #include <optional>
+#include <thread>
 
 #include "app/editor/editor.h"
 #include "app/editor/imgui_context_owner.h"
-#include "app/picture/draw_scene_from_frame.h"
+#include "app/editor/step_picture.h"
 #include "renderer/egl_context.h"
 #include "renderer/surface_pass.h"
 #include "renderer/target.h"
 #include "sim/scene/scene_reader.h"
-#include "sim/timeline/timeline.h"
 
 namespace griffith::app {
 namespace {
@@ -37,19 +39,29 @@ void copy_world(benchmark::State& state) {
 }
 BENCHMARK(copy_world)->Unit(benchmark::kMillisecond);
 
-/// What the window's thread does for a step in the background, but for its panels: a copy before, and hashes, marks
-/// and now and then a copy for the way back after it.
+/// What the window's thread does for a step in the background, but for drawing and panels: all that follows the last
+/// one, and a copy of the world for the next. Sleep takes no processor time.
 void follow_step(benchmark::State& state) {
-  Timeline timeline(swinging_world());
+  const render::EglContext context(std::nullopt);
+  Editor editor(swaying_wall(), "");
+  editor.step_in_background();
+  editor.state().running = true;
   for (auto _ : state) {
-    World next = timeline.before_step();
-    state.PauseTiming();
-    next.step();
-    state.ResumeTiming();
-    timeline.take_step(std::move(next));
+    const std::int64_t step = editor.frame().step;
+    while (editor.frame().step == step) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      editor.advance(1.0 / 60);
+    }
   }
 }
 BENCHMARK(follow_step)->Unit(benchmark::kMillisecond);
+
+/// What is hashed of a step for the timeline.
+void hashes(benchmark::State& state) {
+  const World world = swinging_world();
+  for (auto _ : state) benchmark::DoNotOptimize(world.state_hashes());
+}
+BENCHMARK(hashes)->Unit(benchmark::kMillisecond);
 
 /// A step, of the world itself or of a copy of it: what they share is copied as it changes.
 void step(benchmark::State& state, bool of_copy) {
@@ -62,24 +74,31 @@ void step(benchmark::State& state, bool of_copy) {
 BENCHMARK_CAPTURE(step, of_world, false)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 BENCHMARK_CAPTURE(step, of_copy, true)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
-/// The picture of a frame, by stress, before it is drawn.
-void make_picture(benchmark::State& state) {
+StepPicture picture_of(const World& world) {
   const Scene scene = swaying_wall();
+  return {{scene, scene.view, {}, {}}, CopyOnWrite(embedded_display(world.frame(), scene)), {}};
+}
+
+/// The picture of a step, by stress, before it is drawn.
+void make_picture(benchmark::State& state) {
   const World world = swinging_world();
-  const EmbeddedDisplay display = embedded_display(world.frame(), scene);
-  for (auto _ : state) benchmark::DoNotOptimize(draw_scene_from_frame(world.frame(), display, scene, scene.view, {}));
+  const StepPicture before = picture_of(world);
+  for (auto _ : state) {
+    StepPicture picture = before;
+    picture.draw(world.frame());
+    benchmark::DoNotOptimize(picture);
+  }
 }
 BENCHMARK(make_picture)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
 /// That picture's way to the graphics device.
 void upload(benchmark::State& state) {
-  const Scene scene = swaying_wall();
   const World world = swinging_world();
-  const EmbeddedDisplay display = embedded_display(world.frame(), scene);
-  const render::DrawScene drawn = draw_scene_from_frame(world.frame(), display, scene, scene.view, {});
+  StepPicture picture = picture_of(world);
+  picture.draw(world.frame());
   const render::EglContext context(std::nullopt);
   render::SurfacePass pass;
-  for (auto _ : state) pass.upload(drawn.surface);
+  for (auto _ : state) pass.upload(picture.drawn.surface);
 }
 BENCHMARK(upload)->Unit(benchmark::kMillisecond);
 

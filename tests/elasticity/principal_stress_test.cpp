@@ -138,6 +138,21 @@ Mat3 some_matrix(RandomValues& random, int kind) {
   }
 }
 
+TEST(LargestPrincipal, ByItsValueAloneIsTheLargestOfTheEigenvalues) {
+  RandomValues random(22);
+  for (const Vec3& values :
+       {Vec3(3, 1, -2), Vec3(2, -1, -3), Vec3(1, 1, -1), Vec3(1, -1, -1), Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(1, 1, 0),
+        Vec3(-1, -1, 0), Vec3(1, 1, 1), Vec3(-1, -1, -1), Vec3(0, 0, 0), Vec3(1, -1, 0)})
+    for (const double change : {0.0, 1e-12, 1e-8, 1e-4, 1.0})
+      for (int i = 0; i < 50; ++i) {
+        std::array<Mat3, 4> four;
+        for (Mat3& m : four) m = 1e7 * symmetric(random.rotation(), values + random.vector(change));
+        const std::array<double, 4> found = largest_principal_values(four);
+        for (std::size_t lane = 0; lane < 4; ++lane)
+          EXPECT_NEAR(found[lane], principal_stresses(four[lane])[0], 2e-8 * four[lane].norm()) << four[lane];
+      }
+}
+
 TEST(LargestPrincipal, OfFourSideBySideHasTheBitsOfOneAtATime) {
   RandomValues random(21);
   for (int trial = 0; trial < 2000; ++trial) {

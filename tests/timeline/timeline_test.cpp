@@ -162,6 +162,59 @@ TEST(Timeline, MarksSayWhereItCracked) {
   EXPECT_GT(marked, 0);
 }
 
+TEST(Timeline, StepsMadeElsewhereLeaveWhatAdvanceLeaves) {
+  Timeline whole{World(scene())}, parted = whole;
+  const auto advance_both = [&] {
+    whole.advance();
+    parted.take_step(make_step(parted.before_step()));
+    EXPECT_EQ(parted.step(), whole.step());
+    EXPECT_EQ(parted.world().state_hash(), whole.world().state_hash()) << whole.step();
+  };
+  for (Timeline* timeline : {&whole, &parted}) timeline->fire(shot(1));
+  for (int i = 0; i < 20; ++i) advance_both();
+  for (Timeline* timeline : {&whole, &parted}) timeline->go_to(5);
+  for (int i = 0; i < 19; ++i) advance_both();
+  EXPECT_EQ(parted.hashes(), whole.hashes());
+  EXPECT_EQ(parted.hashes().back(), parted.world().state_hashes());
+  EXPECT_EQ(parted.marks().size(), whole.marks().size());
+  for (const std::int64_t step : {8, 16, 24}) {
+    parted.approach(0, step);
+    EXPECT_EQ(parted.step(), step) << "there is a copy";
+  }
+}
+
+TEST(Timeline, OnlyWhatIsNotKnownOfAStepIsFoundOut) {
+  Timeline timeline{World(scene())};
+  for (int i = 0; i < 7; ++i) {
+    EXPECT_TRUE(timeline.before_step().needs.hashes);
+    EXPECT_FALSE(timeline.before_step().needs.copy);
+    timeline.advance();
+  }
+  EXPECT_TRUE(timeline.before_step().needs.copy) << "every eighth step";
+  MadeStep made = make_step(timeline.before_step());
+  EXPECT_TRUE(made.record.copy);
+  const std::size_t used = timeline.memory_used();
+  timeline.limit_memory(0);
+  timeline.take_step(std::move(made));
+  EXPECT_EQ(timeline.memory_used(), used) << "no copy is due any more";
+  timeline.go_to(3);
+  EXPECT_FALSE(timeline.before_step().needs.hashes);
+  timeline.go_to(7);
+  EXPECT_FALSE(timeline.before_step().needs.copy);
+}
+
+TEST(Timeline, RevisionsTellWhetherMoreThanAStepWasDone) {
+  Timeline timeline{World(scene())};
+  for (int i = 0; i < 4; ++i) timeline.advance();
+  timeline.fire(shot(1));
+  timeline.go_to(1);
+  for (int step = 2; step <= 4; ++step) {
+    const std::int64_t before = timeline.revision();
+    timeline.advance();
+    EXPECT_EQ(timeline.revision() == before + 1, step < 4) << "the shot comes after step 4";
+  }
+}
+
 TEST(Timeline, CopiesKeepToTheMemoryAllowed) {
   const World world(scene());
   const std::size_t one = world.memory();
