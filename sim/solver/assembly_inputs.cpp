@@ -1,7 +1,9 @@
 #include "sim/solver/assembly_inputs.h"
 
 #include <algorithm>
+#include <cstring>
 
+#include "sim/core/lanes.h"
 #include "sim/core/parallel.h"
 
 namespace griffith {
@@ -34,11 +36,14 @@ bool AssemblyInputs::still_hold(const MatrixFactors& factors, const ElasticLaw& 
   for (std::size_t i = 0; i < nodes_.size(); ++i)
     if (masses[nodes_[i]] != masses_[i]) return false;
   const auto has_turned = [](const Mat3& frame, const Frame& then) {
-    double square = 0;
-    for (int i = 0; i < 9; ++i) {
-      const double change = frame.data()[i] - static_cast<double>(then.data()[i]);
-      square += change * change;
-    }
+    const auto change_from = [&](int first) {
+      simd::Quad four;
+      std::memcpy(&four, then.data() + first, sizeof four);
+      return simd::load(frame.data() + first) - __builtin_convertvector(four, simd::WideQuad);
+    };
+    const simd::WideQuad low = change_from(0), high = change_from(4), squares = low * low + high * high;
+    const double last = frame.data()[8] - static_cast<double>(then.data()[8]);
+    const double square = (squares[0] + squares[1]) + (squares[2] + squares[3]) + last * last;
     return !(square <= kSameFrame * kSameFrame);
   };
   const double turned = parallel_sum(static_cast<int>(tets_.size()), [&](int begin, int end) {

@@ -146,6 +146,7 @@ double rebuild_shape(WorldState& world, Body& body) {
   // A single tet cannot break any further: it is debris from the start.
   body.rigid = body.tets.size() == 1 && !body.supported();
   body.quiet_steps = 0;
+  body.rest.time = 0;
   body.highest_frequency = 0;
   if (!body.rigid) return 0;
   update_elements(world, body);
