@@ -95,11 +95,10 @@ PointMotion::PointMotion(const PointCompliance& compliance, Eigen::Matrix3Xd vel
 void PointMotion::push(int point, const Vec3& impulse) {
   const simd::WideQuad* columns = columns_.data() + 3 * groups_ * point;
   for (std::size_t i = 0; i < groups_; ++i)
-    modes_[i] += signs_[i] * (columns[i] * impulse[0] + columns[groups_ + i] * impulse[1] +
-                              columns[2 * groups_ + i] * impulse[2]);
+    modes_[i] += signs_[i] *
+                 (columns[i] * impulse[0] + columns[groups_ + i] * impulse[1] + columns[2 * groups_ + i] * impulse[2]);
   for (const Share& share : shares_[point])
-    if (share.node >= 0)
-      nodes_[share.node] += simd::product(share.answer.data(), impulse[0], impulse[1], impulse[2]);
+    if (share.node >= 0) nodes_[share.node] += simd::product(share.answer.data(), impulse[0], impulse[1], impulse[2]);
 }
 
 Vec3 PointMotion::velocity(int point) const {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/core/parallel.h"
+#include "sim/solver/single_precision.h"
 
 namespace griffith {
 namespace {
@@ -29,6 +30,36 @@ double go_along(double step, const NodeVectors& p, const NodeVectors& a_p, NodeV
   });
 }
 
+/// Whether a matrix moves through memory in each product, and the tolerance is one that single precision mostly
+/// reaches.
+bool suits_single_precision(const BlockSparseMatrix& a, double tolerance) {
+  constexpr int kBeyondCache = 4096;  // rows
+  return a.rows() >= kBeyondCache && tolerance >= 1e-5;
+}
+
+/// Refines x in single precision (Wilkinson 1963), residuals in double, until |r| <= target or that brings no more.
+/// Returns the iterations made.
+int refine_in_single_precision(const BlockSparseMatrix& a, const RigidModePreconditioner& preconditioner,
+                               const NodeVectors& b, double target, int max_iterations,
+                               const std::function<bool()>& given_up, NodeVectors& x, NodeVectors& r) {
+  constexpr double kWorthwhile = 0.25;  // of the residual before
+  int iterations = 0;
+  for (double left = std::sqrt(dot(r, r)), before = INFINITY; left > target && left < kWorthwhile * before;) {
+    before = left;
+    NodeVectors refined, a_x;
+    iterations +=
+        solve_in_single_precision(a, preconditioner, r, 0.9 * target, max_iterations - iterations, given_up, refined);
+    refined += x;
+    multiply(a, refined, a_x);
+    a_x = b - a_x;
+    left = std::sqrt(dot(a_x, a_x));
+    if (!(left < before)) break;
+    x = std::move(refined);
+    r = std::move(a_x);
+  }
+  return iterations;
+}
+
 }  // namespace
 
 SolveReport conjugate_gradient(const BlockSparseMatrix& a, const RigidModePreconditioner& preconditioner,
@@ -44,12 +75,16 @@ SolveReport conjugate_gradient(const BlockSparseMatrix& a, const RigidModePrecon
   const double target = tolerance * scale;
 
   SolveReport report;
+  if (suits_single_precision(a, tolerance)) {
+    report.iterations = refine_in_single_precision(a, preconditioner, b, target, max_iterations, given_up, x, r);
+    residual = std::sqrt(dot(r, r));
+  }
   NodeVectors p;
   double rho = 0;
   while (residual > target && report.iterations < max_iterations && !(given_up && given_up())) {
     const double previous_rho = rho;
     rho = preconditioner.apply(r, z);
-    report.iterations == 0 ? void(p = z) : turn_direction(z, rho / previous_rho, p);
+    p.size() == 0 ? void(p = z) : turn_direction(z, rho / previous_rho, p);
     multiply(a, p, a_p);
     const double step = rho / dot(p, a_p);
     if (!std::isfinite(step)) break;

@@ -36,6 +36,24 @@ std::vector<std::vector<int>> renumbered(const std::vector<std::vector<int>>& ne
   return result;
 }
 
+Vec3 vector_of(const NodeVectors& vectors, int node) { return vectors.col(node); }
+Vec3 vector_of(const SingleVectors& vectors, int node) {
+  const simd::Quad& v = vectors[node];
+  return Eigen::Vector3f(v[0], v[1], v[2]).cast<double>();
+}
+
+simd::Quad single(const Vec3& v) {
+  return simd::Quad{static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), 0};
+}
+
+/// turn × arm, of the first three lanes.
+simd::Quad cross(simd::Quad turn, simd::Quad arm) {
+  const simd::Quad turned = __builtin_shufflevector(turn, turn, 1, 2, 0, 3);
+  const simd::Quad moved = __builtin_shufflevector(arm, arm, 1, 2, 0, 3);
+  const simd::Quad product = turn * moved - turned * arm;
+  return __builtin_shufflevector(product, product, 1, 2, 0, 3);
+}
+
 /// L⁻¹ b.
 Eigen::VectorXf half_solved(const BlockTriangle& triangle, const Eigen::VectorXd& b) {
   constexpr int kSize = BlockTriangle::kSize;
@@ -237,14 +255,16 @@ void RigidModePreconditioner::factor_coarse_matrix() {
 }
 
 /// (Rᵀ A R)⁻¹ Rᵀ r: the six modes of each aggregate.
-std::vector<simd::Lanes> RigidModePreconditioner::solve_coarse(const NodeVectors& r) const {
+template <class Vectors>
+std::vector<simd::Lanes> RigidModePreconditioner::solve_coarse(const Vectors& r) const {
   std::vector<simd::Lanes> modes(members_.size(), simd::Lanes{});
   if (!has_coarse_space()) return modes;
   for (int a = 0; a < aggregate_count(); ++a) {
     Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
     for (int node : members_[a]) {
-      force += r.col(node);
-      torque += known_.arms.col(node).cross(r.col(node));
+      const Vec3 at_node = vector_of(r, node);
+      force += at_node;
+      torque += known_.arms.col(node).cross(at_node);
     }
     for (int i = 0; i < 3; ++i) {
       modes[a][i] = static_cast<float>(force[i]);
@@ -267,6 +287,32 @@ double RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) cons
       const Vec3 change = known_.inverse_diagonal[node] * r.col(node) + shift + turn.cross(known_.arms.col(node));
       for (int i = 0; i < 3; ++i) sum += r(i, node) * change[i];
       z.col(node) = change;
+    }
+    return sum;
+  });
+}
+
+SinglePrecisionPreconditioner::SinglePrecisionPreconditioner(const RigidModePreconditioner& of)
+    : of_(&of), nodes_(of.aggregates_.size()) {
+  parallel_for(static_cast<int>(nodes_.size()), 4096, [&](int begin, int end) {
+    for (int node = begin; node < end; ++node) {
+      for (int i = 0; i < 3; ++i) nodes_[node].inverse_diagonal[i] = single(of.known_.inverse_diagonal[node].col(i));
+      nodes_[node].arm = single(of.known_.arms.col(node));
+    }
+  });
+}
+
+double SinglePrecisionPreconditioner::apply(const SingleVectors& r, SingleVectors& z) const {
+  const std::vector<simd::Lanes> coarse = of_->solve_coarse(r);
+  return parallel_sum(static_cast<int>(r.size()), [&](int begin, int end) {
+    double sum = -0.0;
+    for (int node = begin; node < end; ++node) {
+      const simd::Lanes modes = coarse[of_->aggregates_[node]];
+      const auto& [diagonal, arm] = nodes_[node];
+      const simd::Quad here = r[node], shift = {modes[0], modes[1], modes[2], 0},
+                       turn = {modes[3], modes[4], modes[5], 0};
+      z[node] = diagonal[0] * here[0] + diagonal[1] * here[1] + diagonal[2] * here[2] + shift + cross(turn, arm);
+      sum += vector_of(r, node).dot(vector_of(z, node));
     }
     return sum;
   });

@@ -33,6 +33,9 @@ class CopyableCholesky {
   std::unique_ptr<Solver> solver_;
 };
 
+/// Three components a node and a zero, in single precision.
+using SingleVectors = std::vector<simd::Quad>;
+
 /// z = D⁻¹ r + R (Rᵀ A R)⁻¹ Rᵀ r: block Jacobi and a coarse space of the six rigid-body modes of each aggregate of
 /// nodes (additive Schwarz). With it the iteration count depends neither on stiffness nor on cracks. Where the coarse
 /// matrix cannot be factored, because A has broken down, z = D⁻¹ r alone.
@@ -66,6 +69,8 @@ class RigidModePreconditioner {
   int aggregate_count() const { return static_cast<int>(members_.size()); }
 
  private:
+  friend class SinglePrecisionPreconditioner;
+
   /// What of a matrix and the places of its nodes tells whether the coarse matrix is another.
   struct Fingerprint {
     NodeVectors arms;                    ///< per node: (x − c)/l
@@ -82,7 +87,8 @@ class RigidModePreconditioner {
   void factor_coarse_matrix();
   void renumber_aggregates(const std::vector<int>& numbers);
   std::vector<std::vector<int>> coarse_neighbours(const BlockSparseMatrix& matrix) const;
-  std::vector<simd::Lanes> solve_coarse(const NodeVectors& r) const;
+  template <class Vectors>
+  std::vector<simd::Lanes> solve_coarse(const Vectors& r) const;
   Eigen::MatrixXd coarse_loads(std::span<const WeightedRows> points) const;
   PointCompliance compliance(std::span<const WeightedRows> points, const Eigen::MatrixXd& loads) const;
   bool has_coarse_space() const { return triangle_.rows() > 0; }
@@ -98,6 +104,22 @@ class RigidModePreconditioner {
   BlockTriangle triangle_;   // of the factors, for apply(), which need not be more exact; empty without any
   Eigen::ArrayXd factored_;  // values of the coarse matrix when it was factored
   int assemblies_ = 0, factorizations_ = 0;
+};
+
+/// The same in single precision. Refers to the other, which must stay as it is.
+class SinglePrecisionPreconditioner {
+ public:
+  explicit SinglePrecisionPreconditioner(const RigidModePreconditioner& of);
+  /// Returns r·z. Sizes match.
+  double apply(const SingleVectors& r, SingleVectors& z) const;
+
+ private:
+  struct Node {
+    simd::Quad inverse_diagonal[3];  ///< columns
+    simd::Quad arm;
+  };
+  const RigidModePreconditioner* of_;
+  std::vector<Node> nodes_;
 };
 
 }  // namespace griffith

@@ -8,20 +8,10 @@ namespace griffith {
 namespace {
 
 BodyView view_of(const Body& body) {
-  return {body.id,
-          body.parent,
-          body.scene_body,
-          static_cast<int>(body.tets.size()),
-          body.motion.mass,
-          body.motion.center,
-          body.motion.velocity,
-          body.motion.angular_velocity,
-          body.orientation,
-          body.collision_parts,
-          body.supported(),
-          body.rigid,
-          body.asleep,
-          body.scaled};
+  return {body.id,          body.parent,          body.scene_body,      static_cast<int>(body.tets.size()),
+          body.motion.mass, body.motion.center,   body.motion.velocity, body.motion.angular_velocity,
+          body.orientation, body.collision_parts, body.supported(),     body.rigid,
+          body.asleep,      body.scaled};
 }
 
 /// Whether a sleeper lies where its view of the last step has it.

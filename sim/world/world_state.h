@@ -44,9 +44,9 @@ struct ContactLoad {
 
 /// For how long a swaying body has been at rest, and how it was when that began.
 struct Rest {
-  double time = 0;                   ///< [s]
-  Pose place;                        ///< of its centre of mass
-  double peak_utilization = 0;       ///< of its nodes
+  double time = 0;              ///< [s]
+  Pose place;                   ///< of its centre of mass
+  double peak_utilization = 0;  ///< of its nodes
 };
 
 /// How a rigid body began a substep, and what acted on it.

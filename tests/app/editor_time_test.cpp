@@ -243,6 +243,10 @@ class FarTravelTest : public EditorTest {
     Scene scene = small_wall();
     std::get<BoxShape>(scene.bodies[0].shape).element_size = Vec3::Constant(1.0 / 8);
     scene.projectiles.clear();
+    Load later;  // keeps it awake: a sleeper would be back at once
+    later.region = HalfSpaceRegion{Vec3::Zero(), Vec3::UnitY()};
+    later.start = 1e6;
+    scene.bodies[0].loads = {later};
     return scene;
   }
   FarTravelTest() : EditorTest(slow_wall()) {

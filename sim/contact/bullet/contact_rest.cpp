@@ -92,8 +92,8 @@ void ContactWorld::Impl::fall_asleep(double dt) {
     if (!object.may_sleep()) continue;
     if (object.settled) {
       object.still_time = *object.settled ? kTimeToSleep : 0;
-    } else if (object.elastic || has_left(object.resting_place, object.state.pose,
-                                          kStillFraction * object.shape.radius, object.shape.radius)) {
+    } else if (object.elastic || has_left(object.resting_place, object.state.pose, kStillFraction * object.shape.radius,
+                                          object.shape.radius)) {
       object.resting_place = object.state.pose;
       object.still_time = 0;
     } else {
@@ -133,8 +133,7 @@ void ContactWorld::Impl::wake_disturbed() {
     for (const auto& [sleeper, other] : {std::pair(a, b), std::pair(b, a)}) {
       const Object& disturber = objects[other];
       if (!objects[sleeper].asleep || !disturber.body->isActive()) continue;
-      if (disturber.still_time == 0 || disturber.speed() > quiet_speed(objects[sleeper]))
-        wake_up(sleeper);
+      if (disturber.still_time == 0 || disturber.speed() > quiet_speed(objects[sleeper])) wake_up(sleeper);
     }
   }
 }

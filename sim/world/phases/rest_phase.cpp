@@ -15,8 +15,8 @@ namespace {
 double fastest_beside(const WorldState& world, const Body& body, const RigidMotion& whole) {
   double square = 0;
   for (const NodeId node : body.nodes)
-    square = std::max(square,
-                      (world.nodes.velocities[node] - whole.velocity_at(world.nodes.positions[node])).squaredNorm());
+    square =
+        std::max(square, (world.nodes.velocities[node] - whole.velocity_at(world.nodes.positions[node])).squaredNorm());
   return std::sqrt(square);
 }
 
@@ -51,8 +51,8 @@ bool stays(const Body& body) {
   return (body.motion.center - body.rest.place.translation).norm() + turned <= kStillFraction * body.extent;
 }
 
-/// Whether no wave in a body could hurt it, and nothing moves that could be seen. What supports alone hold may swing, and
-/// what swings stands nearly still twice a period.
+/// Whether no wave in a body could hurt it, and nothing moves that could be seen. What supports alone hold may swing,
+/// and what swings stands nearly still twice a period.
 bool is_still(const WorldState& world, const Body& body) {
   constexpr double kHarmlessSpeed = 0.25, kVisible = 0.02, kSwinging = 1e-6;  // the last two of its extent [1/s]
   const bool touched = !body.harmless.empty();
@@ -61,8 +61,8 @@ bool is_still(const WorldState& world, const Body& body) {
          std::min(kHarmlessSpeed * damage_speed(world, body), (touched ? kVisible : kSwinging) * body.extent);
 }
 
-/// Whether a swaying body, after a step, is as it was when its rest began, and far from breaking. Friction lets loads of
-/// what is wedged in go up and down for good.
+/// Whether a swaying body, after a step, is as it was when its rest began, and far from breaking. Friction lets loads
+/// of what is wedged in go up and down for good.
 bool goes_on_resting(const WorldState& world, const Body& body, double peak) {
   constexpr double kSameUtilization = 0.2, kFarFromBreaking = 0.75;
   return peak < kFarFromBreaking && std::abs(peak - body.rest.peak_utilization) < kSameUtilization && stays(body) &&

@@ -1,0 +1,111 @@
+#include "sim/solver/single_precision.h"
+
+#include <cmath>
+#include <cstring>
+
+#include "sim/core/parallel.h"
+
+namespace griffith {
+namespace {
+
+simd::Quad load(const float* numbers) {
+  simd::Quad loaded;
+  std::memcpy(&loaded, numbers, sizeof loaded);
+  return loaded;
+}
+
+/// The dot product of the first three lanes.
+double dot(simd::Quad a, simd::Quad b) {
+  return static_cast<double>(a[0]) * static_cast<double>(b[0]) + static_cast<double>(a[1]) * static_cast<double>(b[1]) +
+         static_cast<double>(a[2]) * static_cast<double>(b[2]);
+}
+
+SingleVectors single(const NodeVectors& vectors, double factor) {
+  SingleVectors converted(vectors.cols());
+  parallel_for(static_cast<int>(vectors.cols()), 4096, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const Eigen::Vector3f values = (factor * vectors.col(i)).cast<float>();
+      converted[i] = simd::Quad{values[0], values[1], values[2], 0};
+    }
+  });
+  return converted;
+}
+
+/// The blocks of a matrix one after the other, by columns, with room to read four numbers anywhere.
+std::vector<float> single(const std::vector<Mat3>& blocks) {
+  std::vector<float> numbers(9 * blocks.size() + 1);
+  parallel_for(static_cast<int>(blocks.size()), 16384, [&](int begin, int end) {
+    for (std::size_t i = 9 * static_cast<std::size_t>(begin); i < 9 * static_cast<std::size_t>(end); ++i)
+      numbers[i] = static_cast<float>(blocks[i / 9].data()[i % 9]);
+  });
+  return numbers;
+}
+
+/// The product of a block and the first three lanes of `x`; the fourth of the result counts for nothing.
+simd::Quad times(const float* block, simd::Quad x) {
+  return load(block) * x[0] + load(block + 3) * x[1] + load(block + 6) * x[2];
+}
+
+/// y = A x. Returns x·y.
+double multiply(const BlockSparseMatrix& a, const std::vector<float>& blocks, const SingleVectors& x,
+                SingleVectors& y) {
+  return parallel_sum(a.rows(), [&](int begin, int end) {
+    double sum = -0.0;
+    for (int row = begin; row < end; ++row) {
+      simd::Quad of_row = {};
+      for (int k = a.row_starts[row]; k < a.row_starts[row + 1]; ++k)
+        of_row += times(blocks.data() + 9 * static_cast<std::size_t>(k), x[a.columns[k]]);
+      of_row[3] = 0;
+      y[row] = of_row;
+      sum += dot(x[row], of_row);
+    }
+    return sum;
+  });
+}
+
+/// p becomes z + factor · p.
+void turn_direction(const SingleVectors& z, double factor, SingleVectors& p) {
+  parallel_for(static_cast<int>(p.size()), 4096, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) p[i] = z[i] + static_cast<float>(factor) * p[i];
+  });
+}
+
+/// Goes a step along p. Returns the square of the new residual.
+double go_along(double step, const SingleVectors& p, const SingleVectors& a_p, SingleVectors& x, SingleVectors& r) {
+  return parallel_sum(static_cast<int>(x.size()), [&](int begin, int end) {
+    double sum = -0.0;
+    for (int i = begin; i < end; ++i) {
+      x[i] += static_cast<float>(step) * p[i];
+      r[i] -= static_cast<float>(step) * a_p[i];
+      sum += dot(r[i], r[i]);
+    }
+    return sum;
+  });
+}
+
+}  // namespace
+
+int solve_in_single_precision(const BlockSparseMatrix& a, const RigidModePreconditioner& preconditioner,
+                              const NodeVectors& r, double target, int max_iterations,
+                              const std::function<bool()>& given_up, NodeVectors& d) {
+  const double size = std::sqrt(griffith::dot(r, r));  // numbers near one neither overflow nor vanish
+  const SinglePrecisionPreconditioner single_preconditioner(preconditioner);
+  const std::vector<float> blocks = single(a.blocks);
+  SingleVectors residual = single(r, 1 / size), x(residual.size()), a_p(residual.size()), p, z(residual.size());
+  double left = 1, rho = 0;
+  int iterations = 0;
+  for (; left * size > target && iterations < max_iterations && !(given_up && given_up()); ++iterations) {
+    const double previous_rho = rho;
+    rho = single_preconditioner.apply(residual, z);
+    iterations == 0 ? void(p = z) : turn_direction(z, rho / previous_rho, p);
+    const double step = rho / multiply(a, blocks, p, a_p);
+    if (!std::isfinite(step)) break;
+    left = std::sqrt(go_along(step, p, a_p, x, residual));
+  }
+  d.resize(3, r.cols());
+  for (Eigen::Index i = 0; i < d.cols(); ++i)
+    for (int axis = 0; axis < 3; ++axis) d(axis, i) = size * static_cast<double>(x[i][axis]);
+  return iterations;
+}
+
+}  // namespace griffith
