@@ -195,6 +195,7 @@ Scene large_blocks() {
     block.name = "block " + std::to_string(i + 1);
     block.shape = BoxShape{Vec3::Constant(1), Vec3::Constant(1.0 / 28)};
     block.position = Vec3(1.5 * i, 0.5, 0);
+    block.supports = {{HalfSpaceRegion{Vec3(0, -0.5, 0), -Vec3::UnitY()}}};  // whose static start is to be found
     scene.bodies.push_back(block);
   }
   return scene;
