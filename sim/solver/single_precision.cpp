@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "sim/core/parallel.h"
+#include "sim/solver/conjugate_gradient_loop.h"
 
 namespace griffith {
 namespace {
@@ -46,42 +47,47 @@ simd::Quad times(const float* block, simd::Quad x) {
   return load(block) * x[0] + load(block + 3) * x[1] + load(block + 6) * x[2];
 }
 
-/// y = A x. Returns x·y.
-double multiply(const BlockSparseMatrix& a, const std::vector<float>& blocks, const SingleVectors& x,
-                SingleVectors& y) {
-  return parallel_sum(a.rows(), [&](int begin, int end) {
-    double sum = -0.0;
-    for (int row = begin; row < end; ++row) {
-      simd::Quad of_row = {};
-      for (int k = a.row_starts[row]; k < a.row_starts[row + 1]; ++k)
-        of_row += times(blocks.data() + 9 * static_cast<std::size_t>(k), x[a.columns[k]]);
-      of_row[3] = 0;
-      y[row] = of_row;
-      sum += dot(x[row], of_row);
-    }
-    return sum;
-  });
-}
+/// What the iterations work on: see iterate_conjugate_gradients().
+struct SinglePrecisionSystem {
+  const BlockSparseMatrix& a;
+  const std::vector<float> blocks;
+  const SinglePrecisionPreconditioner preconditioner;
+  SingleVectors r;
+  SingleVectors x = SingleVectors(r.size()), p = x, a_p = x, z = x;
 
-/// p becomes z + factor · p.
-void turn_direction(const SingleVectors& z, double factor, SingleVectors& p) {
-  parallel_for(static_cast<int>(p.size()), 4096, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) p[i] = z[i] + static_cast<float>(factor) * p[i];
-  });
-}
-
-/// Goes a step along p. Returns the square of the new residual.
-double go_along(double step, const SingleVectors& p, const SingleVectors& a_p, SingleVectors& x, SingleVectors& r) {
-  return parallel_sum(static_cast<int>(x.size()), [&](int begin, int end) {
-    double sum = -0.0;
-    for (int i = begin; i < end; ++i) {
-      x[i] += static_cast<float>(step) * p[i];
-      r[i] -= static_cast<float>(step) * a_p[i];
-      sum += dot(r[i], r[i]);
-    }
-    return sum;
-  });
-}
+  double precondition() { return preconditioner.apply(r, z); }
+  void begin() { p = z; }
+  void turn(double factor) {
+    parallel_for(static_cast<int>(p.size()), 4096, [&](int begin, int end) {
+      for (int i = begin; i < end; ++i) p[i] = z[i] + static_cast<float>(factor) * p[i];
+    });
+  }
+  double multiply() {
+    return parallel_sum(a.rows(), [&](int begin, int end) {
+      double sum = -0.0;
+      for (int row = begin; row < end; ++row) {
+        simd::Quad of_row = {};
+        for (int k = a.row_starts[row]; k < a.row_starts[row + 1]; ++k)
+          of_row += times(blocks.data() + 9 * static_cast<std::size_t>(k), p[a.columns[k]]);
+        of_row[3] = 0;
+        a_p[row] = of_row;
+        sum += dot(p[row], of_row);
+      }
+      return sum;
+    });
+  }
+  double go_along(double step) {
+    return parallel_sum(static_cast<int>(x.size()), [&](int begin, int end) {
+      double sum = -0.0;
+      for (int i = begin; i < end; ++i) {
+        x[i] += static_cast<float>(step) * p[i];
+        r[i] -= static_cast<float>(step) * a_p[i];
+        sum += dot(r[i], r[i]);
+      }
+      return sum;
+    });
+  }
+};
 
 }  // namespace
 
@@ -89,22 +95,12 @@ int solve_in_single_precision(const BlockSparseMatrix& a, const RigidModePrecond
                               const NodeVectors& r, double target, int max_iterations,
                               const std::function<bool()>& given_up, NodeVectors& d) {
   const double size = std::sqrt(griffith::dot(r, r));  // numbers near one neither overflow nor vanish
-  const SinglePrecisionPreconditioner single_preconditioner(preconditioner);
-  const std::vector<float> blocks = single(a.blocks);
-  SingleVectors residual = single(r, 1 / size), x(residual.size()), a_p(residual.size()), p, z(residual.size());
-  double left = 1, rho = 0;
+  SinglePrecisionSystem system{a, single(a.blocks), SinglePrecisionPreconditioner(preconditioner), single(r, 1 / size)};
   int iterations = 0;
-  for (; left * size > target && iterations < max_iterations && !(given_up && given_up()); ++iterations) {
-    const double previous_rho = rho;
-    rho = single_preconditioner.apply(residual, z);
-    iterations == 0 ? void(p = z) : turn_direction(z, rho / previous_rho, p);
-    const double step = rho / multiply(a, blocks, p, a_p);
-    if (!std::isfinite(step)) break;
-    left = std::sqrt(go_along(step, p, a_p, x, residual));
-  }
+  iterate_conjugate_gradients(system, 1, target / size, max_iterations, given_up, iterations);
   d.resize(3, r.cols());
   for (Eigen::Index i = 0; i < d.cols(); ++i)
-    for (int axis = 0; axis < 3; ++axis) d(axis, i) = size * static_cast<double>(x[i][axis]);
+    for (int axis = 0; axis < 3; ++axis) d(axis, i) = size * static_cast<double>(system.x[i][axis]);
   return iterations;
 }
 

@@ -7,31 +7,25 @@
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/motion_phase.h"
+#include "sim/world/phases/separation_phase.h"
 
 namespace griffith {
 namespace {
 
-/// The fastest that a node moves beside a motion of the whole [m/s].
-double fastest_beside(const WorldState& world, const Body& body, const RigidMotion& whole) {
-  double square = 0;
-  for (const NodeId node : body.nodes)
-    square =
-        std::max(square, (world.nodes.velocities[node] - whole.velocity_at(world.nodes.positions[node])).squaredNorm());
-  return std::sqrt(square);
-}
-
-double peak_utilization(const WorldState& world, const Body& body) {
-  double peak = 0;
-  for (const NodeId node : body.nodes) peak = std::max(peak, world.nodes.separations[node].utilization);
-  return peak;
+/// Whether all nodes move slower than `speed` [m/s] beside a motion of the whole.
+bool all_slower(const WorldState& world, const Body& body, const RigidMotion& whole, double speed) {
+  return std::ranges::all_of(body.nodes, [&](NodeId node) {
+    return (world.nodes.velocities[node] - whole.velocity_at(world.nodes.positions[node])).norm() < speed;
+  });
 }
 
 /// Whether neither stress nor waves come near what could hurt a free body. A wave of stress σ moves nodes by σ/(ρc), in
 /// compression as in tension, while it has not yet come to where it could part the body.
 bool is_calm(const WorldState& world, const Body& body) {
   constexpr double kQuietUtilization = 0.05, kQuietSpeed = 0.1;
-  return peak_utilization(world, body) < kQuietUtilization &&
-         fastest_beside(world, body, motion_of(world, body)) < kQuietSpeed * damage_speed(world, body);
+  const auto is_quiet = [&](NodeId node) { return world.nodes.separations[node].utilization < kQuietUtilization; };
+  return std::ranges::all_of(body.nodes, is_quiet) &&
+         all_slower(world, body, motion_of(world, body), kQuietSpeed * damage_speed(world, body));
 }
 
 /// Whether nothing touched a free body in the last substep and no stress or wave is in it: a rigid one would move
@@ -57,8 +51,9 @@ bool is_still(const WorldState& world, const Body& body) {
   constexpr double kHarmlessSpeed = 0.25, kVisible = 0.02, kSwinging = 1e-6;  // the last two of its extent [1/s]
   const bool touched = !body.harmless.empty();
   const RigidMotion whole = touched ? motion_of(world, body) : RigidMotion();
-  return fastest_beside(world, body, whole) <
-         std::min(kHarmlessSpeed * damage_speed(world, body), (touched ? kVisible : kSwinging) * body.extent);
+  return all_slower(
+      world, body, whole,
+      std::min(kHarmlessSpeed * damage_speed(world, body), (touched ? kVisible : kSwinging) * body.extent));
 }
 
 /// Whether a swaying body, after a step, is as it was when its rest began, and far from breaking. Friction lets loads

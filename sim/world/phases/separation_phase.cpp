@@ -101,10 +101,14 @@ void evaluate_separation(WorldState& world, bool averaged) {
   });
   for (const Body& body : world.bodies) {
     if (body.rigid || body.shock) continue;
-    for (NodeId node : body.nodes)
-      world.report.peak_utilization =
-          std::max(world.report.peak_utilization, world.nodes.separations[node].utilization);
+    world.report.peak_utilization = std::max(world.report.peak_utilization, peak_utilization(world, body));
   }
+}
+
+double peak_utilization(const WorldState& world, const Body& body) {
+  double peak = 0;
+  for (NodeId node : body.nodes) peak = std::max(peak, world.nodes.separations[node].utilization);
+  return peak;
 }
 
 }  // namespace griffith

@@ -10,6 +10,8 @@ namespace griffith {
 void evaluate_separation(WorldState& world, bool averaged);
 /// Evaluates one body, under its stress as it is now.
 void evaluate_separation(WorldState& world, const Body& body);
+/// The highest utilization of a body's nodes, as evaluated last.
+double peak_utilization(const WorldState& world, const Body& body);
 /// Edge length of the cells round a node: that of a cube of six of its tets [m].
 double element_size_at(const WorldState& world, NodeId node);
 /// What a node of that material withstands, across the planes of uniform strength [Pa], or [N] with the force
