@@ -21,6 +21,10 @@ function(griffith_library name)
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
                                               $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${target} PUBLIC Eigen3::Eigen PRIVATE $<BUILD_INTERFACE:griffith_compiler>)
+  # For shared libraries, this one's among them. No function of it is replaced by one of another library, so calls stay
+  # direct and may be inlined.
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
   griffith_precompile(${target})
   griffith_join_sources(${target} 12)
   griffith_keep_own_copies(${target})

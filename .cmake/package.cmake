@@ -1,6 +1,7 @@
 # What `cmake --install` puts where: the libraries as a CMake package and for pkg-config, and the programs.
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/griffith)
+file(RELATIVE_PATH prefix_from_pc /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 
 # One export a component of find_package(), so that the simulation asks for no graphics.
 function(griffith_install_library name)
@@ -14,6 +15,11 @@ griffith_install_library(sim griffith_surface_reader)
 if(GRIFFITH_BUILD_RENDERER)
   griffith_install_library(renderer)
 endif()
+if(GRIFFITH_BUILD_BINDINGS)
+  griffith_install_library(c)
+  configure_file(.cmake/griffith-c.pc.in griffith-c.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/griffith-c.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endif()
 if(GRIFFITH_BUILD_EDITOR)
   install(TARGETS griffith)
 endif()
@@ -26,6 +32,5 @@ install(FILES ${PROJECT_BINARY_DIR}/griffith-config.cmake ${PROJECT_BINARY_DIR}/
 install(FILES ${PROJECT_BINARY_DIR}/include/griffith/version.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/griffith)
 
 list(JOIN griffith_bullet_LDFLAGS " " bullet_libraries)
-file(RELATIVE_PATH prefix_from_pc /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 configure_file(.cmake/griffith.pc.in griffith.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/griffith.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

@@ -1,3 +1,5 @@
+#include <dlfcn.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -46,11 +48,17 @@ fs::path folder_of_this_program() {
   return fs::read_symlink("/proc/self/exe", error).parent_path();
 }
 
-/// Beside this program, else where it was built, else by name alone, which looks it up in PATH.
+/// Folder of the shared library that holds this code; that of the program where it is linked into that.
+fs::path folder_of_this_code() {
+  Dl_info info{};
+  return dladdr(&kReader, &info) && info.dli_fname ? fs::path(info.dli_fname).parent_path() : fs::path();
+}
+
+/// Beside this program or library, else where it was built, else by name alone, which looks it up in PATH.
 fs::path reader_program() {
   std::error_code error;
-  const fs::path beside = folder_of_this_program() / kReader;
-  if (fs::exists(beside, error)) return beside;
+  for (const fs::path& folder : {folder_of_this_program(), folder_of_this_code()})
+    if (fs::exists(folder / kReader, error)) return folder / kReader;
   if (fs::exists(GRIFFITH_SURFACE_READER, error)) return GRIFFITH_SURFACE_READER;
   return kReader;
 }

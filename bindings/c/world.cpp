@@ -1,0 +1,198 @@
+#include "sim/world/world.h"
+
+#include <griffith/version.h>
+
+#include <cmath>
+
+#include "bindings/c/guarded.h"
+#include "bindings/c/handles.h"
+#include "sim/scene/edit_scene.h"
+#include "sim/scene/scene_reader.h"
+
+using namespace griffith;
+using namespace griffith::c;
+
+namespace {
+
+constexpr char kWorld[] = "world";
+
+Monitor monitor_of(const griffith_monitor* monitor) {
+  Monitor result;
+  if (!monitor) return result;
+  if (monitor->stage)
+    result.stage = [monitor](std::string_view name) { monitor->stage(std::string(name).c_str(), monitor->context); };
+  if (monitor->cancelled) result.cancelled = [monitor] { return monitor->cancelled(monitor->context) != 0; };
+  return result;
+}
+
+Vec3 vector_of(const double (&values)[3]) { return {values[0], values[1], values[2]}; }
+
+ProjectileBurst burst_of(const griffith_shot& shot) {
+  ProjectileBurst burst;
+  burst.position = vector_of(shot.position);
+  burst.direction = vector_of(shot.direction);
+  burst.speed = shot.speed;
+  burst.mass = shot.mass;
+  burst.radius = shot.radius;
+  require(burst.position.allFinite(), "shot.position", "is not finite");
+  require(burst.direction.allFinite() && !burst.direction.isZero(0), "shot.direction", "has no direction",
+          "any length but 0");
+  require(std::isfinite(shot.speed) && shot.speed >= 0, "shot.speed", "is no speed", "0 m/s or more");
+  require(std::isfinite(shot.mass) && shot.mass > 0, "shot.mass", "is no mass", "above 0 kg");
+  require(std::isfinite(shot.radius) && shot.radius > 0, "shot.radius", "is no radius", "above 0 m");
+  return burst;
+}
+
+/// The burst that one entry of a scene's projectiles describes.
+ProjectileBurst burst_of(const World& world, const std::string& json) {
+  Scene scene;
+  scene.folder = world.scene().folder;
+  const SceneSetting setting{"/projectiles", "[" + json + "]"};
+  const Scene with_shot = edited(scene, {&setting, 1}, "shot");
+  if (with_shot.projectiles.size() != 1) throw InputError("shot", "is not one JSON object", "{\"speed\": 20}");
+  return with_shot.projectiles[0];
+}
+
+/// The material that a body has now, with one field changed.
+Material changed_material(const World& world, int body, const std::string& field, const std::string& json) {
+  Scene scene;
+  scene.bodies = {world.scene().bodies[body]};
+  scene.bodies[0].material = world.frame().materials[body];
+  const SceneSetting setting{scene_pointer("/bodies/0/material/" + field, "field"), json};
+  return edited(scene, {&setting, 1}, "material").bodies[0].material;
+}
+
+void record(griffith_world& world, WorldInput input) {
+  world.edited = true;
+  if (world.recording) world.recording->inputs.push_back(std::move(input));
+}
+
+void fire(griffith_world& world, const ProjectileBurst& burst) {
+  record(world, {world.world.frame().step, world.world.fire(burst)});
+}
+
+}  // namespace
+
+std::uint32_t griffith_abi_version(void) { return GRIFFITH_ABI_VERSION; }
+
+const char* griffith_version(void) { return GRIFFITH_VERSION; }
+
+const char* griffith_status_name(std::int32_t status) {
+  switch (status) {
+    case GRIFFITH_OK:
+      return "ok";
+    case GRIFFITH_INVALID_ARGUMENT:
+      return "invalid argument";
+    case GRIFFITH_INPUT_ERROR:
+      return "input error";
+    case GRIFFITH_CANCELLED:
+      return "cancelled";
+    case GRIFFITH_OUT_OF_MEMORY:
+      return "out of memory";
+    case GRIFFITH_INTERNAL_ERROR:
+      return "internal error";
+    default:
+      return "unknown status";
+  }
+}
+
+griffith_status griffith_world_create(const griffith_scene* scene, const griffith_monitor* monitor,
+                                      griffith_world** world, griffith_error* error) {
+  return guarded(error, [&] {
+    const griffith_scene& from = object_of(scene, "scene");
+    griffith_world*& made = object_of(world, kWorld);
+    made = new griffith_world{World(from.scene, from.meshes, monitor_of(monitor))};
+  });
+}
+
+griffith_status griffith_world_copy(const griffith_world* world, griffith_world** copy, griffith_error* error) {
+  return guarded(error, [&] {
+    const griffith_world& from = object_of(world, kWorld);
+    object_of(copy, "copy") = new griffith_world{World(from.world), from.edited};
+  });
+}
+
+griffith_status griffith_world_restore(griffith_world* world, const griffith_world* copy, griffith_error* error) {
+  return guarded(error, [&] {
+    griffith_world& changed = object_of(world, kWorld);
+    const griffith_world& from = object_of(copy, "copy");
+    changed.world = World(from.world);
+    changed.edited = from.edited;
+    changed.recording.reset();
+    changed.surfaces = {};
+  });
+}
+
+void griffith_world_destroy(griffith_world* world) { delete world; }
+
+griffith_status griffith_world_step(griffith_world* world, std::int32_t count, griffith_error* error) {
+  return guarded(error, [&] {
+    constexpr std::int32_t kMax = 1'000'000;
+    griffith_world& stepped = object_of(world, kWorld);
+    require(count >= 0 && count <= kMax, "count", "is out of range", "0 to 1,000,000 steps");
+    for (std::int32_t step = 0; step < count; ++step) {
+      stepped.world.step();
+      if (stepped.recording) stepped.recording->hashes.push_back(stepped.world.state_hashes());
+    }
+  });
+}
+
+griffith_status griffith_world_fire(griffith_world* world, const griffith_shot* shot, griffith_error* error) {
+  return guarded(error, [&] { fire(object_of(world, kWorld), burst_of(object_of(shot, "shot"))); });
+}
+
+griffith_status griffith_world_fire_json(griffith_world* world, const char* json, griffith_error* error) {
+  return guarded(error, [&] {
+    griffith_world& target = object_of(world, kWorld);
+    fire(target, burst_of(target.world, text_of(json, "json")));
+  });
+}
+
+griffith_status griffith_world_set_material(griffith_world* world, std::int32_t scene_body, const char* field,
+                                            const char* json, griffith_error* error) {
+  return guarded(error, [&] {
+    griffith_world& changed = object_of(world, kWorld);
+    const auto bodies = static_cast<std::int32_t>(changed.world.scene().bodies.size());
+    require(scene_body >= 0 && scene_body < bodies, "scene_body", "is no body of the scene", "count from 0");
+    const Material material =
+        changed_material(changed.world, scene_body, text_of(field, "field"), text_of(json, "json"));
+    changed.world.set_material(scene_body, material);
+    record(changed, {changed.world.frame().step, MaterialChange{scene_body, material}});
+  });
+}
+
+std::uint64_t griffith_world_state_hash(const griffith_world* world) { return world ? world->world.state_hash() : 0; }
+
+griffith_status griffith_world_start_recording(griffith_world* world, griffith_error* error) {
+  return guarded(error, [&] {
+    griffith_world& recorded = object_of(world, kWorld);
+    require(recorded.world.frame().step == 0 && !recorded.edited, kWorld, "has made steps, shots or edits already",
+            "record before the first of them");
+    recorded.recording = begin_recording(recorded.world);
+  });
+}
+
+griffith_status griffith_world_save_recording(const griffith_world* world, const char* path, griffith_error* error) {
+  return guarded(error, [&] {
+    const griffith_world& recorded = object_of(world, kWorld);
+    require(recorded.recording.has_value(), kWorld, "was not recorded", "start the recording before the first step");
+    write_recording(*recorded.recording, text_of(path, "path"));
+  });
+}
+
+griffith_status griffith_world_update_surfaces(griffith_world* world, griffith_error* error) {
+  return guarded(error, [&] {
+    griffith_world& drawn = object_of(world, kWorld);
+    drawn.surfaces.update(drawn.world.frame());
+  });
+}
+
+griffith_status griffith_thread_limit_create(std::int32_t threads, griffith_thread_limit** limit,
+                                             griffith_error* error) {
+  return guarded(error, [&] {
+    require(threads >= 1 && threads <= 1024, "threads", "is out of range", "1 to 1024");
+    object_of(limit, "limit") = new griffith_thread_limit{ThreadLimit(threads)};
+  });
+}
+
+void griffith_thread_limit_destroy(griffith_thread_limit* limit) { delete limit; }

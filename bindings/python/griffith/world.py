@@ -1,0 +1,127 @@
+"""Scenes in motion."""
+import contextlib
+import ctypes
+import json
+import os
+
+from . import _library
+from .frame import Frame
+from .scene import Scene, _plain
+
+
+def _monitor(progress, problems):
+    """Returns a C monitor that calls progress(stage); an exception in it cancels the work and is kept in `problems`."""
+
+    def enter(name, _):
+        try:
+            progress(name.decode())
+        except BaseException as problem:  # it cannot pass through C: World raises it
+            problems.append(problem)
+
+    return _library.CMonitor(_library.StageFunction(enter), _library.CancelledFunction(lambda _: bool(problems)), None)
+
+
+class World:
+    """A scene in motion. Results depend on the scene, the shots and edits and the number of steps alone.
+
+    Args:
+        scene: a Scene, a dictionary or the path of a scene file.
+        progress: called with the name of each stage while the world is built; an exception in it gives up.
+        record: keep shots, edits and hashes for save_recording().
+    """
+
+    def __init__(self, scene, *, progress=None, record=False):
+        scene = scene if isinstance(scene, Scene) else Scene(scene)
+        problems = []
+        monitor = _monitor(progress, problems) if progress else None
+        try:
+            self._handle = _library.create("world_create", scene._handle, ctypes.byref(monitor) if monitor else None)
+        except _library.Cancelled:
+            if problems:
+                raise problems[0] from None
+            raise
+        if record:
+            _library.call("world_start_recording", self._handle)
+
+    def __del__(self):
+        if "_handle" in self.__dict__:
+            _library.destroy("world_destroy", self._handle)
+
+    @property
+    def frame(self):
+        """The present state, as arrays and numbers."""
+        return Frame(self)
+
+    @property
+    def state_hash(self):
+        """Hash of all positions, velocities and topology, as `griffith simulate` writes it."""
+        return _library.state_hash(self._handle)
+
+    def step(self, count=1):
+        """Advances by time steps of the scene. Arrays of frames taken before are void then."""
+        _library.call("world_step", self._handle, count)
+
+    def run(self, steps, progress=None):
+        """Advances step by step, so that Ctrl+C ends it between two; returns the world.
+
+        Args:
+            steps: how many.
+            progress: called with (steps made, steps) after each.
+        """
+        for made in range(1, steps + 1):
+            self.step()
+            if progress:
+                progress(made, steps)
+        return self
+
+    def steps(self, count):
+        """Yields the frame after each of `count` steps."""
+        for _ in range(count):
+            self.step()
+            yield self.frame
+
+    def fire(self, **shot):
+        """Fires a projectile now. Arguments are the fields of a scene's projectiles: position [m], direction, speed
+        [m/s], mass [kg], radius [m], shape, count, interval [s]."""
+        _library.call("world_fire_json", self._handle, json.dumps(_plain(shot)).encode())
+
+    def set_material(self, body=0, **fields):
+        """Changes fields of the material of the scene's body number `body`, such as young_modulus=3e10 [Pa]. All of
+        them or, where one is refused, none."""
+        trial = self.copy()
+        for world in (trial, self):  # what the copy refuses never reaches this world
+            for name, value in fields.items():
+                text = json.dumps(_plain(value)).encode()
+                _library.call("world_set_material", world._handle, body, name.encode(), text)
+
+    def copy(self):
+        """Returns a world that goes on from here as this one does: a snapshot or a branch. It is not recorded."""
+        other = object.__new__(World)
+        other._handle = _library.create("world_copy", self._handle)
+        return other
+
+    __copy__ = copy
+
+    def __deepcopy__(self, memo):
+        return self.copy()
+
+    def restore(self, snapshot):
+        """Takes the world back to a copy. A recording of it ends."""
+        _library.call("world_restore", self._handle, snapshot._handle)
+
+    def save_recording(self, path):
+        """Writes the run for `griffith replay` and bug reports; the world was made with record=True."""
+        _library.call("world_save_recording", self._handle, os.fsencode(path))
+
+    def __repr__(self):
+        return f"<griffith.World at step {int(self.frame.step)}>"
+
+
+@contextlib.contextmanager
+def thread_limit(threads):
+    """Limits the threads that all worlds use inside a `with` block. Results do not depend on it."""
+    limit = _library.create("thread_limit_create", threads)
+    try:
+        yield
+    finally:
+        _library.destroy("thread_limit_destroy", limit)

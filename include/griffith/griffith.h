@@ -1,0 +1,294 @@
+/* Griffith from C: brittle fracture in real time.
+ *
+ * A scene is a value that describes bodies, materials, supports, loads and shots. A world is a scene in motion. Each
+ * step of a world gives a frame: arrays of nodes, tetrahedra, bodies, cracks and contacts that this interface shows
+ * without a copy.
+ *
+ *     griffith_error error;
+ *     griffith_scene* scene;
+ *     griffith_world* world;
+ *     if (griffith_scene_read("wall.json", &scene, &error) != GRIFFITH_OK ||
+ *         griffith_world_create(scene, NULL, &world, &error) != GRIFFITH_OK ||
+ *         griffith_world_step(world, 60, &error) != GRIFFITH_OK)
+ *       fprintf(stderr, "%s: %s (%s)\n", error.where, error.problem, error.remedy);
+ *
+ * Units     SI throughout: m, kg, s, N, Pa, J. Angles are in radians.
+ * Text      UTF-8, ended by a zero.
+ * Errors    A function that can fail returns a status and, where `error` is not null, fills it. It then changes nothing
+ *           that it was given. No C++ exception leaves the library.
+ * Ownership What a function hands out through a `**` belongs to the caller, who gives it to the matching `_destroy`
+ *           or `_free`, which accept null. Everything else belongs to the object that it came from.
+ * Threads   Any number of scenes and worlds may exist. Each is used by one thread at a time; different ones by
+ *           different threads at once. Results do not depend on the number of threads.
+ */
+#ifndef GRIFFITH_GRIFFITH_H
+#define GRIFFITH_GRIFFITH_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(__GNUC__)
+#define GRIFFITH_API __attribute__((visibility("default")))
+#else
+#define GRIFFITH_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* --- Version ------------------------------------------------------------------------------------------------------ */
+
+/* Version of the binary interface that this header describes. Structs grow and enumerations gain members only with it. */
+#define GRIFFITH_ABI_VERSION 1
+
+/* Returns GRIFFITH_ABI_VERSION of the library, to compare with that of the header. */
+GRIFFITH_API uint32_t griffith_abi_version(void);
+/* Returns the version of the program, such as "0.1.0". */
+GRIFFITH_API const char* griffith_version(void);
+
+/* --- Errors ------------------------------------------------------------------------------------------------------- */
+
+typedef enum griffith_status {
+  GRIFFITH_OK = 0,
+  GRIFFITH_INVALID_ARGUMENT = 1, /* a null, an index out of range, an unknown name */
+  GRIFFITH_INPUT_ERROR = 2,      /* a scene, file or value that cannot be used; the error says where */
+  GRIFFITH_CANCELLED = 3,        /* the monitor asked for it */
+  GRIFFITH_OUT_OF_MEMORY = 4,
+  GRIFFITH_INTERNAL_ERROR = 5 /* a fault of the library: please report it */
+} griffith_status;
+
+/* Where and why a call failed. Longer texts are cut and end with "…". */
+typedef struct griffith_error {
+  int32_t status;     /* a griffith_status */
+  char where[512];    /* the place: a file, file:line, file#/json/pointer, or the argument */
+  char problem[1024]; /* what is wrong there */
+  char remedy[512];   /* what would be right; may be empty */
+} griffith_error;
+
+/* Returns the name of a status: "input error". Never null. */
+GRIFFITH_API const char* griffith_status_name(int32_t status);
+
+/* --- Scenes ------------------------------------------------------------------------------------------------------- */
+
+/* A description of bodies, materials, supports, loads, shots and settings; scenes/README.md describes its format. */
+typedef struct griffith_scene griffith_scene;
+
+/* Reads a scene file. */
+GRIFFITH_API griffith_status griffith_scene_read(const char* path, griffith_scene** scene, griffith_error* error);
+/* Reads a scene from JSON text. Relative paths in it start at `folder`; null: the current one. */
+GRIFFITH_API griffith_status griffith_scene_parse(const char* json, const char* folder, griffith_scene** scene,
+                                                  griffith_error* error);
+/* Copies a scene with its meshes. */
+GRIFFITH_API griffith_status griffith_scene_copy(const griffith_scene* scene, griffith_scene** copy,
+                                                 griffith_error* error);
+GRIFFITH_API void griffith_scene_destroy(griffith_scene* scene);
+
+/* Gives the field at a JSON pointer (RFC 6901), "/bodies/0/material/young_modulus", another value, given as JSON text:
+ * "3e10", "\"granite\"", "[0, 1, 0]". The scene stays as it was where the result would not be valid. */
+GRIFFITH_API griffith_status griffith_scene_set(griffith_scene* scene, const char* pointer, const char* json,
+                                                griffith_error* error);
+/* Returns the value at a JSON pointer as JSON text, defaults included; "" is the whole scene. To be given to
+ * griffith_string_free(). */
+GRIFFITH_API griffith_status griffith_scene_get(const griffith_scene* scene, const char* pointer, char** json,
+                                                griffith_error* error);
+/* Adds a mesh in place of a file: a body whose shape is {"mesh": {"path": name}} has these tetrahedra.
+ *   points  3 coordinates a point [m]
+ *   tets    4 indices of points a tetrahedron, in either orientation
+ * Both are copied. A mesh of the same name is replaced. */
+GRIFFITH_API griffith_status griffith_scene_set_mesh(griffith_scene* scene, const char* name, const double* points,
+                                                     int64_t point_count, const int32_t* tets, int64_t tet_count,
+                                                     griffith_error* error);
+GRIFFITH_API void griffith_string_free(char* text);
+
+/* --- Worlds ------------------------------------------------------------------------------------------------------- */
+
+/* A scene in motion. */
+typedef struct griffith_world griffith_world;
+
+/* Follows long work. Either function may be null. */
+typedef struct griffith_monitor {
+  void (*stage)(const char* name, void* context); /* called as each stage of the work begins: "Refining mesh" */
+  int32_t (*cancelled)(void* context);            /* not 0: give up. Called from any thread */
+  void* context;
+} griffith_monitor;
+
+/* Builds meshes and bodies. `monitor` may be null. The world keeps nothing of the scene. */
+GRIFFITH_API griffith_status griffith_world_create(const griffith_scene* scene, const griffith_monitor* monitor,
+                                                   griffith_world** world, griffith_error* error);
+/* Copies a world as it is between two steps: a snapshot to come back to, or a branch. Both go on alike, to the bit. A
+ * copy is not recorded. */
+GRIFFITH_API griffith_status griffith_world_copy(const griffith_world* world, griffith_world** copy,
+                                                 griffith_error* error);
+/* Takes a world back to a copy, which stays as it is. A recording of it ends. */
+GRIFFITH_API griffith_status griffith_world_restore(griffith_world* world, const griffith_world* copy,
+                                                    griffith_error* error);
+GRIFFITH_API void griffith_world_destroy(griffith_world* world);
+
+/* Advances by `count` (0 to 1,000,000) time steps of the scene. Arrays handed out before are void then. */
+GRIFFITH_API griffith_status griffith_world_step(griffith_world* world, int32_t count, griffith_error* error);
+
+/* A sphere to be launched at once. */
+typedef struct griffith_shot {
+  double position[3];  /* of its center [m] */
+  double direction[3]; /* of flight, any length but 0 */
+  double speed;        /* [m/s], >= 0 */
+  double mass;         /* [kg], > 0 */
+  double radius;       /* [m], > 0 */
+} griffith_shot;
+
+GRIFFITH_API griffith_status griffith_world_fire(griffith_world* world, const griffith_shot* shot,
+                                                 griffith_error* error);
+/* Fires what an entry of a scene's "projectiles" describes, such as {"speed": 20, "count": 3}; its start counts from
+ * now. */
+GRIFFITH_API griffith_status griffith_world_fire_json(griffith_world* world, const char* json, griffith_error* error);
+/* Changes a field of the material of a scene's body in the running world: "young_modulus", "3e10". The pieces of the
+ * body keep their velocities. */
+GRIFFITH_API griffith_status griffith_world_set_material(griffith_world* world, int32_t scene_body, const char* field,
+                                                         const char* json, griffith_error* error);
+
+/* Returns the hash of all positions, velocities and topology; 0 for null. Equal states have equal hashes: that of
+ * `griffith simulate --stats`. */
+GRIFFITH_API uint64_t griffith_world_state_hash(const griffith_world* world);
+
+/* Records shots, changes of material and hashes from here on; before the first step. */
+GRIFFITH_API griffith_status griffith_world_start_recording(griffith_world* world, griffith_error* error);
+/* Writes what was recorded, for `griffith replay`, `griffith render` and bug reports. */
+GRIFFITH_API griffith_status griffith_world_save_recording(const griffith_world* world, const char* path,
+                                                           griffith_error* error);
+
+/* Limits the threads that all worlds use, while it lives. Results do not depend on it. */
+typedef struct griffith_thread_limit griffith_thread_limit;
+GRIFFITH_API griffith_status griffith_thread_limit_create(int32_t threads, griffith_thread_limit** limit,
+                                                          griffith_error* error);
+GRIFFITH_API void griffith_thread_limit_destroy(griffith_thread_limit* limit);
+
+/* --- Numbers of a frame ------------------------------------------------------------------------------------------- */
+
+/* Describes a number of a frame. */
+typedef struct griffith_value_info {
+  const char* name;    /* "kinetic_energy" */
+  const char* unit;    /* "J"; "" for counts and ratios */
+  const char* meaning; /* a sentence */
+} griffith_value_info;
+
+/* Returns how many numbers a frame has: time, sums, the energy account and the counters of the last step. */
+GRIFFITH_API int32_t griffith_value_count(void);
+/* Describes number `index`; null outside 0..griffith_value_count() - 1. */
+GRIFFITH_API const griffith_value_info* griffith_value_describe(int32_t index);
+/* Reads a number by its name. */
+GRIFFITH_API griffith_status griffith_world_value(const griffith_world* world, const char* name, double* value,
+                                                  griffith_error* error);
+
+/* --- Arrays of a frame -------------------------------------------------------------------------------------------- */
+
+typedef enum griffith_type {
+  GRIFFITH_FLOAT64 = 0,
+  GRIFFITH_FLOAT32 = 1,
+  GRIFFITH_INT64 = 2,
+  GRIFFITH_INT32 = 3,
+  GRIFFITH_UINT8 = 4 /* 1: true, 0: false, or bits */
+} griffith_type;
+
+/* Arrays by what they have one entry of. griffith_array_describe() gives their units and meanings. Indices of nodes,
+ * tets and bodies are stable: nodes and bodies are only ever appended. -1 is none. */
+typedef enum griffith_array_id {
+  /* Per node. */
+  GRIFFITH_NODE_POSITIONS = 0,      /* float64[3], m */
+  GRIFFITH_NODE_REST_POSITIONS,     /* float64[3], m */
+  GRIFFITH_NODE_VELOCITIES,         /* float64[3], m/s */
+  GRIFFITH_NODE_MASSES,             /* float64, kg */
+  GRIFFITH_NODE_UTILIZATION,        /* float64, load over resistance; the node separates above 1 */
+  GRIFFITH_NODE_SEPARATION_TENSORS, /* float64[3][3], N, symmetric */
+  GRIFFITH_NODE_SEPARATION_NORMALS, /* float64[3], unit normal of the plane across which the node would part */
+  GRIFFITH_NODE_SEPARATION_STRESS,  /* float64, Pa */
+  GRIFFITH_NODE_RESISTANCE,         /* float64, Pa, or N with the force criterion */
+  GRIFFITH_NODE_REACTIONS,          /* float64[3], N, of supports */
+  GRIFFITH_NODE_HAS_SUPPORT,        /* uint8 */
+  GRIFFITH_NODE_AT_CRACK_FRONT,     /* uint8 */
+  /* Per tetrahedron. */
+  GRIFFITH_TET_NODES,      /* int32[4] */
+  GRIFFITH_TET_NEIGHBORS,  /* int32[4], the tetrahedron behind the face opposite each node; -1 on the surface */
+  GRIFFITH_TET_BODIES,     /* int32 */
+  GRIFFITH_TET_STRESS,     /* float64[3][3], Pa, Cauchy stress, symmetric */
+  /* Per body: a connected piece. */
+  GRIFFITH_BODY_POSITIONS,          /* float64[3], m, of the center of mass */
+  GRIFFITH_BODY_ORIENTATIONS,       /* float64[4], unit quaternion x, y, z, w, from the shape that it began with */
+  GRIFFITH_BODY_VELOCITIES,         /* float64[3], m/s */
+  GRIFFITH_BODY_ANGULAR_VELOCITIES, /* float64[3], rad/s */
+  GRIFFITH_BODY_MASSES,             /* float64, kg */
+  GRIFFITH_BODY_PARENTS,            /* int32, the body that it broke off; -1 for an original */
+  GRIFFITH_BODY_SCENE_BODIES,       /* int32, index into the scene's bodies */
+  GRIFFITH_BODY_IS_RIGID,           /* uint8 */
+  GRIFFITH_BODY_IS_ASLEEP,          /* uint8 */
+  GRIFFITH_BODY_IS_SUPPORTED,       /* uint8 */
+  /* Per crack event: a node that separated, oldest first. */
+  GRIFFITH_CRACK_STEPS,      /* int64 */
+  GRIFFITH_CRACK_TIMES,      /* float64, s */
+  GRIFFITH_CRACK_NODES,      /* int32 */
+  GRIFFITH_CRACK_BODIES,     /* int32 */
+  GRIFFITH_CRACK_POSITIONS,  /* float64[3], m */
+  GRIFFITH_CRACK_NORMALS,    /* float64[3], unit normal of the plane */
+  GRIFFITH_CRACK_LOADS,      /* float64, Pa or N */
+  GRIFFITH_CRACK_RESISTANCE, /* float64, Pa or N */
+  /* Per contact of the last step that carried an impulse. */
+  GRIFFITH_CONTACT_BODIES_A,  /* int32; -1: a projectile or the ground */
+  GRIFFITH_CONTACT_BODIES_B,  /* int32 */
+  GRIFFITH_CONTACT_POSITIONS, /* float64[3], m */
+  GRIFFITH_CONTACT_NORMALS,   /* float64[3], unit, from b to a */
+  GRIFFITH_CONTACT_IMPULSES,  /* float64[3], N s, on a */
+  /* Per projectile. */
+  GRIFFITH_PROJECTILE_POSITIONS,  /* float64[3], m */
+  GRIFFITH_PROJECTILE_VELOCITIES, /* float64[3], m/s */
+  GRIFFITH_PROJECTILE_ROTATIONS,  /* float64[4], unit quaternion x, y, z, w */
+  GRIFFITH_PROJECTILE_RADII,      /* float64, m */
+  GRIFFITH_PROJECTILE_MASSES,     /* float64, kg */
+  /* Surfaces to draw, after griffith_world_update_surfaces(). */
+  GRIFFITH_SURFACE_POSITIONS,       /* float32[3], m, per vertex in the frame of its piece */
+  GRIFFITH_SURFACE_NORMALS,         /* float32[3], unit, per vertex in the frame of its piece */
+  GRIFFITH_SURFACE_TRIANGLES,       /* int32[3], counted from the piece's first vertex, counterclockwise from outside */
+  GRIFFITH_SURFACE_IS_CRACK,        /* uint8, 1 where the triangle is a crack face, per triangle */
+  GRIFFITH_SURFACE_FIRST_VERTICES,  /* int32, per body */
+  GRIFFITH_SURFACE_VERTEX_COUNTS,   /* int32, per body */
+  GRIFFITH_SURFACE_FIRST_TRIANGLES, /* int32, per body */
+  GRIFFITH_SURFACE_TRIANGLE_COUNTS, /* int32, per body */
+  GRIFFITH_SURFACE_VERSIONS,        /* int32, per body: another number after each change of its vertices */
+  GRIFFITH_ARRAY_COUNT
+} griffith_array_id;
+
+/* Describes an array of a frame. */
+typedef struct griffith_array_info {
+  const char* name;    /* "node_positions" */
+  const char* unit;    /* "m"; "" for indices and ratios */
+  const char* meaning; /* a sentence */
+} griffith_array_info;
+
+/* Describes an array; null outside 0..GRIFFITH_ARRAY_COUNT - 1. */
+GRIFFITH_API const griffith_array_info* griffith_array_describe(int32_t array);
+
+/* A view of the library's own memory, valid until the next call that changes the world. Entry i begins at
+ * (const char*)data + i * stride. */
+typedef struct griffith_array {
+  const void* data;    /* may be null where count is 0 */
+  int64_t count;       /* entries */
+  int64_t stride;      /* bytes from one entry to the next */
+  int32_t type;        /* a griffith_type */
+  int32_t dimensions;  /* of an entry: 0 a number, 1 a vector, 2 a matrix */
+  int32_t shape[2];    /* lengths of these dimensions, else 1 */
+} griffith_array;
+
+/* Gives a view of an array. */
+GRIFFITH_API griffith_status griffith_world_array(const griffith_world* world, int32_t array, griffith_array* view,
+                                                  griffith_error* error);
+
+/* Brings the surfaces to draw up to date: of each body its outside and its crack faces, or its splinters where it has
+ * them, in the body's own frame. To draw a vertex, turn it by the body's orientation and add its position. Vertices of
+ * a piece change when it cracks and while it deforms; its version tells. Views of surfaces handed out before are void
+ * then. */
+GRIFFITH_API griffith_status griffith_world_update_surfaces(griffith_world* world, griffith_error* error);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
