@@ -252,7 +252,7 @@ typedef enum griffith_array_id {
   GRIFFITH_SURFACE_VERTEX_COUNTS,   /* int32, per body */
   GRIFFITH_SURFACE_FIRST_TRIANGLES, /* int32, per body */
   GRIFFITH_SURFACE_TRIANGLE_COUNTS, /* int32, per body */
-  GRIFFITH_SURFACE_VERSIONS,        /* int32, per body: another number after each change of its vertices */
+  GRIFFITH_SURFACE_VERSIONS,        /* int32, per body: grows with each change of its vertices; 0: nothing to draw */
   GRIFFITH_ARRAY_COUNT
 } griffith_array_id;
 

@@ -44,9 +44,14 @@ public sealed class Material : Object {}
 public sealed class Mesh : Object {
   public Vector3[] vertices { get; set; }
   public Vector3[] normals { get; set; }
+  public Rendering.IndexFormat indexFormat { get; set; }
   public int subMeshCount { get; set; }
   public void Clear() {}
   public void SetTriangles(List<int> triangles, int submesh) {}
+}
+
+namespace Rendering {
+public enum IndexFormat { UInt16, UInt32 }
 }
 
 public struct Vector3 {

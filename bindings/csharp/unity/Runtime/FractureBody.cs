@@ -99,6 +99,7 @@ public sealed class FractureBody : MonoBehaviour {
       (isCrack.Flag(i) ? inside : outside).AddRange(new[] { triangle.A, triangle.C, triangle.B });
     }
     piece.Mesh.Clear();
+    piece.Mesh.indexFormat = UnityEngine.Rendering.IndexFormat.UInt32;
     piece.Mesh.vertices = meshCorners;
     piece.Mesh.normals = meshNormals;
     piece.Mesh.subMeshCount = 2;

@@ -1,0 +1,99 @@
+"""Simulates a scene inside Blender: a mesh object a piece, with key frames of its motion.
+
+    blender --background --python examples/blender/simulate.py -- scenes/brick_wall.json 60 wall.blend
+
+The Python package is found as docs/python.md says. Blender has z upwards, Griffith y.
+"""
+import sys
+
+import bpy
+import griffith
+import numpy
+from mathutils import Matrix, Quaternion, Vector
+
+Z_UP = Matrix(((1, 0, 0), (0, 0, -1), (0, 1, 0))).to_4x4()
+
+
+def pose_of(frame, body):
+    """Returns where a piece is, as Blender's matrix."""
+    x, y, z, w = frame.body_orientations[body]
+    return Z_UP @ Matrix.Translation(Vector(frame.body_positions[body])) @ Quaternion((w, x, y, z)).to_matrix().to_4x4()
+
+
+def mesh_of(frame, body):
+    """Returns a mesh of what is seen of a piece in the piece's own frame; crack faces have the second material."""
+    first, count = frame.surface_first_vertices[body], frame.surface_vertex_counts[body]
+    start, triangles = frame.surface_first_triangles[body], frame.surface_triangle_counts[body]
+    mesh = bpy.data.meshes.new(f"piece {body}")
+    mesh.from_pydata(
+        frame.surface_positions[first : first + count].tolist(),
+        [],
+        frame.surface_triangles[start : start + triangles].tolist(),
+    )
+    mesh.materials.append(material("outside", (0.55, 0.2, 0.12, 1)))
+    mesh.materials.append(material("inside", (0.75, 0.5, 0.35, 1)))
+    mesh.polygons.foreach_set("material_index", frame.surface_is_crack[start : start + triangles].astype(numpy.int32))
+    return mesh
+
+
+def material(name, color):
+    """Returns the material of that name, made the first time."""
+    found = bpy.data.materials.get(name) or bpy.data.materials.new(name)
+    found.diffuse_color = color
+    return found
+
+
+def key(thing, frame_number):
+    """Keeps where an object is at a frame."""
+    thing.keyframe_insert("location", frame=frame_number)
+    thing.keyframe_insert("rotation_quaternion", frame=frame_number)
+
+
+def show_from(thing, frame_number):
+    """Shows an object from a frame on alone."""
+    for hidden, at in ((True, 0), (False, frame_number)):
+        thing.hide_viewport = thing.hide_render = hidden
+        thing.keyframe_insert("hide_viewport", frame=at)
+        thing.keyframe_insert("hide_render", frame=at)
+
+
+def simulate(scene, steps):
+    """Adds the pieces of a run to the open file. A piece that cracks is followed by new objects."""
+    world = griffith.World(scene)
+    shown, versions = {}, {}
+    for step in range(steps + 1):
+        if step:
+            world.step()
+        frame = world.frame
+        new_versions = frame.surface_versions
+        for body in range(len(new_versions)):
+            if new_versions[body] == 0:
+                continue
+            if versions.get(body) != new_versions[body]:
+                if body in shown:
+                    last = shown[body]
+                    last.hide_viewport = last.hide_render = True
+                    last.keyframe_insert("hide_viewport", frame=step)
+                    last.keyframe_insert("hide_render", frame=step)
+                made = bpy.data.objects.new(f"piece {body}", mesh_of(frame, body))
+                made.rotation_mode = "QUATERNION"
+                bpy.context.collection.objects.link(made)
+                show_from(made, step)
+                shown[body], versions[body] = made, int(new_versions[body])
+            shown[body].matrix_world = pose_of(frame, body)
+            key(shown[body], step)
+    bpy.context.scene.frame_end = steps
+    return len(frame.body_masses)
+
+
+def main():
+    scene, steps, output = sys.argv[sys.argv.index("--") + 1 :]
+    for thing in list(bpy.data.objects):
+        bpy.data.objects.remove(thing)
+    pieces = simulate(scene, int(steps))
+    bpy.ops.wm.save_as_mainfile(filepath=output)
+    print(f"{pieces} pieces, {len(bpy.data.objects)} objects")
+
+
+if __name__ == "__main__":
+    main()
