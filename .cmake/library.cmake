@@ -6,6 +6,13 @@ foreach(folder sim renderer)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${PROJECT_BINARY_DIR}/include/griffith/${folder} SYMBOLIC)
 endforeach()
 
+# A static library that shared ones link, libgriffith among them. No function of it is replaced by one of another library,
+# so calls stay direct and may be inlined.
+function(griffith_for_shared_libraries target)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
+endfunction()
+
 # A static library that other programs may link as griffith::<name>. HEADERS, relative to the project's folder, are
 # those that they may include; they need no library but Eigen.
 function(griffith_library name)
@@ -21,10 +28,7 @@ function(griffith_library name)
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
                                               $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(${target} PUBLIC Eigen3::Eigen PRIVATE $<BUILD_INTERFACE:griffith_compiler>)
-  # For shared libraries, this one's among them. No function of it is replaced by one of another library, so calls stay
-  # direct and may be inlined.
-  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
-  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
+  griffith_for_shared_libraries(${target})
   griffith_precompile(${target})
   griffith_join_sources(${target} 12)
   griffith_keep_own_copies(${target})

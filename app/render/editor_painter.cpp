@@ -4,6 +4,7 @@
 #include "app/editor/editor.h"
 #include "app/editor/imgui_context_owner.h"
 #include "app/render/painter.h"
+#include "app/render/picture_maker.h"
 #include "app/render/picture_text.h"
 #include "renderer/target.h"
 

@@ -4,7 +4,6 @@
 
 #include "app/render/render_job.h"
 #include "sim/world/world.h"
-#include "ui/model/selection.h"
 
 namespace griffith::app {
 
@@ -23,11 +22,5 @@ class Painter {
 std::unique_ptr<Painter> make_plain_painter(const RenderJob& job, const Scene& scene);
 /// Draws the editor, with its panels. As above.
 std::unique_ptr<Painter> make_editor_painter(const RenderJob& job, const Scene& scene);
-
-/// The job's node, while there is one of that number. Throws InputError where the last frame has none.
-ui::Selection selected_node(const RenderJob& job, const Frame& frame);
-
-/// Numbers of a world that pictures are recorded with.
-PictureRecord world_record(const World& world);
 
 }  // namespace griffith::app

@@ -71,29 +71,4 @@ std::string render_job(const RenderJob& job, const Scene& scene, bool always_num
   return explanation(painter->world().frame(), NodeId(*job.node), scene.simulation.fracture);
 }
 
-ui::Selection selected_node(const RenderJob& job, const Frame& frame) {
-  if (!job.node) return {};
-  const auto nodes = static_cast<int>(frame.nodes.positions.size());
-  if (*job.node >= nodes && frame.step >= job.frames.back())
-    throw InputError("--node", "there is no node " + std::to_string(*job.node),
-                     "take one below " + std::to_string(nodes) + "; cracks make more");
-  if (*job.node >= nodes) return {};
-  const NodeId node(*job.node);
-  return ui::select(frame, frame.nodes.stars[node].front(), node);
-}
-
-PictureRecord world_record(const World& world) {
-  const Frame frame = world.frame();
-  PictureRecord record;
-  record.frame = static_cast<int>(frame.step);
-  record.state_hash = world.state_hash();
-  record.statistics = {{"pieces", static_cast<double>(frame.bodies.size())},
-                       {"crack_events", static_cast<double>(frame.crack_events.size())},
-                       {"nodes", static_cast<double>(frame.nodes.positions.size())},
-                       {"kinetic_energy", frame.totals.kinetic_energy},
-                       {"elastic_energy", frame.totals.elastic_energy},
-                       {"crack_area", frame.energy.crack_area}};
-  return record;
-}
-
 }  // namespace griffith::app

@@ -60,16 +60,16 @@ def show_from(thing, frame_number):
 def simulate(scene, steps):
     """Adds the pieces of a run to the open file. A piece that cracks is followed by new objects."""
     world = griffith.World(scene)
-    shown, versions = {}, {}
+    shown, known = {}, {}
     for step in range(steps + 1):
         if step:
             world.step()
         frame = world.frame
-        new_versions = frame.surface_versions
-        for body in range(len(new_versions)):
-            if new_versions[body] == 0:
+        counts = frame.surface_vertex_counts
+        for body in range(len(counts)):
+            if counts[body] == 0:
                 continue
-            if versions.get(body) != new_versions[body]:
+            if known.get(body) != counts[body]:  # cracks lay faces bare; the small deformations before are left out
                 if body in shown:
                     last = shown[body]
                     last.hide_viewport = last.hide_render = True
@@ -79,7 +79,7 @@ def simulate(scene, steps):
                 made.rotation_mode = "QUATERNION"
                 bpy.context.collection.objects.link(made)
                 show_from(made, step)
-                shown[body], versions[body] = made, int(new_versions[body])
+                shown[body], known[body] = made, int(counts[body])
             shown[body].matrix_world = pose_of(frame, body)
             key(shown[body], step)
     bpy.context.scene.frame_end = steps

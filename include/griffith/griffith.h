@@ -287,6 +287,25 @@ GRIFFITH_API griffith_status griffith_world_array(const griffith_world* world, i
  * then. */
 GRIFFITH_API griffith_status griffith_world_update_surfaces(griffith_world* world, griffith_error* error);
 
+/* --- Pictures ----------------------------------------------------------------------------------------------------- */
+
+/* Draws pictures of a world through EGL, without a window: what `griffith render` draws. Used by the thread that made
+ * it. */
+typedef struct griffith_painter griffith_painter;
+
+/* Prepares pictures of `width` by `height` pixels (16 to 8192) of a world in which nothing has broken yet.
+ *   camera  a camera of the scene; null or "": the first
+ *   view    a view as of `griffith render --view`, "utilization+fracture_planes"; null or "": the scene's
+ * Fails where the library was built without the renderer, and where there is no graphics driver. */
+GRIFFITH_API griffith_status griffith_painter_create(const griffith_world* world, int32_t width, int32_t height,
+                                                     const char* camera, const char* view, griffith_painter** painter,
+                                                     griffith_error* error);
+/* Draws the world as it is now: the one that the painter was made for, or a copy of it. Gives the pixels: one entry a
+ * row, from the top, uint8[width][4], red, green, blue and opacity; valid until the painter's next call. */
+GRIFFITH_API griffith_status griffith_painter_paint(griffith_painter* painter, const griffith_world* world,
+                                                    griffith_array* pixels, griffith_error* error);
+GRIFFITH_API void griffith_painter_destroy(griffith_painter* painter);
+
 #ifdef __cplusplus
 }
 #endif

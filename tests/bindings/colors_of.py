@@ -49,4 +49,5 @@ def main():
         sys.exit(f"{arguments.picture} has {len(colors)} colors, wanted are {arguments.min_colors}")
 
 
-main()
+if __name__ == "__main__":
+    main()

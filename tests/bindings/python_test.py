@@ -12,6 +12,7 @@ import unittest
 
 import numpy
 
+import colors_of
 import griffith
 
 SOURCE = pathlib.Path(os.environ["GRIFFITH_SOURCE"])
@@ -183,6 +184,34 @@ class Worlds(unittest.TestCase):
             world.set_material(7, density=1000)
         with self.assertRaises(griffith.ArgumentError):
             world.save_recording("run.tar.zst")
+
+
+@unittest.skipUnless(PROGRAM, "the library is built without pictures")
+class Pictures(unittest.TestCase):
+    def test_pictures_are_those_of_the_command_line(self):
+        path = SOURCE / "scenes" / "wall_small.json"
+        world = griffith.World(path)
+        painter = griffith.Painter(world, (320, 180), view="utilization")
+        for _ in world.steps(30):
+            pixels = painter.paint(world)
+        self.assertEqual(pixels.shape, (180, 320, 4))
+        with tempfile.TemporaryDirectory() as folder:
+            png = pathlib.Path(folder) / "wall.png"
+            arguments = [path, "--frame", "30", "--view", "utilization", "--size", "320x180", "-o", png]
+            subprocess.run([PROGRAM, "render", *arguments], check=True, capture_output=True)
+            rows, size = colors_of.rows_of(png.read_bytes())
+        drawn = numpy.array([list(row) for row in rows], numpy.uint8).reshape(180, 320, size)
+        numpy.testing.assert_array_equal(pixels[:, :, :3], drawn[:, :, :3])
+
+    def test_what_a_scene_lacks_is_refused(self):
+        world = griffith.World(SHOT_WALL)
+        with self.assertRaises(griffith.InputError):
+            griffith.Painter(world, view="no_such_view")
+        with self.assertRaises(griffith.ArgumentError):
+            griffith.Painter(world, (0, 180))
+        world.run(60)
+        with self.assertRaisesRegex(griffith.ArgumentError, "before the first step"):
+            griffith.Painter(world)
 
 
 class Studies(unittest.TestCase):

@@ -12,6 +12,7 @@ simulation's own memory as NumPy arrays, without a copy. Units are SI throughout
 from ._library import version
 from .errors import ArgumentError, Cancelled, Error, InputError, LibraryNotFound
 from .frame import ARRAYS, VALUES, Frame
+from .painter import Painter
 from .scene import Scene
 from .sweep import outcomes, sweep
 from .world import World, thread_limit
@@ -26,6 +27,7 @@ __all__ = [
     "Frame",
     "InputError",
     "LibraryNotFound",
+    "Painter",
     "Scene",
     "World",
     "outcomes",

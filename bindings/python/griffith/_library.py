@@ -100,6 +100,8 @@ _FUNCTIONS = {
     "world_array": [_handle, ctypes.c_int32, ctypes.POINTER(CArray)],
     "world_update_surfaces": [_handle],
     "thread_limit_create": [ctypes.c_int32, _out],
+    "painter_create": [_handle, ctypes.c_int32, ctypes.c_int32, _text, _text, _out],
+    "painter_paint": [_handle, _handle, ctypes.POINTER(CArray)],
 }
 
 _library = _load()
@@ -107,7 +109,7 @@ for _name, _arguments in _FUNCTIONS.items():
     _function = getattr(_library, "griffith_" + _name)
     _function.argtypes = [*_arguments, ctypes.POINTER(CError)]
     _function.restype = ctypes.c_int32
-for _name in ("scene_destroy", "world_destroy", "thread_limit_destroy", "string_free"):
+for _name in ("scene_destroy", "world_destroy", "thread_limit_destroy", "painter_destroy", "string_free"):
     getattr(_library, "griffith_" + _name).argtypes = [_handle]
     getattr(_library, "griffith_" + _name).restype = None
 _library.griffith_version.restype = _text

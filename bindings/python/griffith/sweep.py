@@ -1,7 +1,5 @@
 """Many runs of a scene in processes of their own."""
-import concurrent.futures
 import itertools
-import multiprocessing
 import os
 
 import numpy
@@ -53,6 +51,10 @@ def sweep(scene, steps, vary, measure=outcomes, processes=None, progress=None):
 
     An error in a run is raised here; Ctrl+C ends all.
     """
+    # Not before it is needed: it gives the main module a second name, which programs that embed Python do not expect.
+    import concurrent.futures
+    import multiprocessing
+
     source = scene.get() if isinstance(scene, Scene) else scene
     grid = [dict(zip(vary, values)) for values in itertools.product(*vary.values())]
     context = multiprocessing.get_context("spawn")  # threads of the library do not survive a fork

@@ -1,0 +1,190 @@
+#include "app/render/picture_maker.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+
+#include "app/editor/imgui_context_owner.h"
+#include "app/picture/draw_scene_from_frame.h"
+#include "app/picture/named_view.h"
+#include "app/picture/picture_options.h"
+#include "app/picture/scene_camera.h"
+#include "app/picture/scene_legend.h"
+#include "app/picture/steady_range.h"
+#include "app/render/picture_text.h"
+#include "renderer/target.h"
+
+namespace griffith::app {
+namespace {
+
+/// The largest scale that letters are made for; beyond it they are stretched.
+constexpr float kLargestFont = 6;
+
+/// Direction from what is looked at to the eye, before there is a picture.
+Vec3 towards_eye(const Scene& scene, const std::string& camera) {
+  for (const Camera& known : scene.cameras)
+    if (camera.empty() || known.name == camera) return known.position - known.target;
+  return Vec3::UnitZ();
+}
+
+/// The picture without its background, from pictures before black and before white (A. R. Smith and J. F. Blinn 1996,
+/// "Blue Screen Matting", theorem 4): what of white does not come through is the opacity.
+render::Image matted(const render::Image& on_black, const render::Image& on_white) {
+  render::Image result = on_black;
+  for (std::size_t pixel = 0; pixel < result.rgba.size(); pixel += 4) {
+    int transparency = 0;
+    for (std::size_t c = pixel; c < pixel + 3; ++c)
+      transparency = std::max(transparency, on_white.rgba[c] - on_black.rgba[c]);
+    const int alpha = 255 - transparency;
+    for (std::size_t c = pixel; c < pixel + 3; ++c)
+      result.rgba[c] =
+          static_cast<std::uint8_t>(alpha > 0 ? std::min(255, (on_black.rgba[c] * 255 + alpha / 2) / alpha) : 0);
+    result.rgba[pixel + 3] = static_cast<std::uint8_t>(alpha);
+  }
+  return result;
+}
+
+}  // namespace
+
+struct PictureMaker::Impl {
+  /// A camera and a view, with what stays the same from picture to picture.
+  struct Viewpoint {
+    ViewSettings view;
+    SteadyRange range;
+    render::Camera camera;
+    ui::LegendCorner corner = {};  ///< where the first picture leaves room, so that it does not hop about
+  };
+
+  /// What is written over a picture.
+  struct Writing {
+    std::optional<ui::Legend> legend;
+    std::vector<ui::PictureLabel> labels;
+  };
+
+  Impl(const RenderJob& wanted, const Scene& of_scene, const World& start)
+      : job(wanted),
+        scene(of_scene),
+        display(embedded_display(start.frame(), scene)),
+        scale(writing_scale(job.width, job.height)),
+        imgui(std::min(scale, kLargestFont)),
+        target(job.width, job.height) {
+    for (const std::string& camera : job.cameras)
+      for (const std::string& view : job.views)
+        viewpoints.emplace(std::pair(camera, view), viewpoint(start.frame(), camera, view));
+  }
+
+  ImVec2 size() const { return {static_cast<float>(job.width), static_cast<float>(job.height)}; }
+  float aspect() const { return size().x / size().y; }
+
+  Viewpoint viewpoint(const Frame& frame, const std::string& camera, const std::string& view) const {
+    Viewpoint result;
+    result.view = scene.view;
+    use_named_view(result.view, view, frame, towards_eye(scene, camera));
+    result.range.follow(frame, result.view.quantity);
+    const render::DrawScene first = draw_scene(frame, result);
+    result.camera = scene_camera(scene, camera, first, aspect());
+    if (const auto legend = scene_legend(first, false))
+      result.corner = legend_corner(first, result.camera, *legend, imgui.fonts(), size(), scale);
+    return result;
+  }
+
+  render::DrawScene draw_scene(const Frame& frame, const Viewpoint& viewpoint) const {
+    return draw_scene_from_frame(frame, display, scene, viewpoint.view, selected_node(job, frame),
+                                 viewpoint.range.range());
+  }
+
+  Writing writing_of(const render::DrawScene& drawn, const Viewpoint& viewpoint) const {
+    if (!job.legend) return {};
+    Writing writing{scene_legend(drawn, viewpoint.view.range.has_value()),
+                    scene_labels(drawn, viewpoint.camera, aspect())};
+    if (!ui::legend_fits({{0, 0}, size()}, scale)) writing.legend.reset();
+    if (writing.legend) writing.legend->corner = viewpoint.corner;
+    return writing;
+  }
+
+  render::Image image(const render::DrawScene& drawn, const Viewpoint& viewpoint, const Writing& writing) {
+    renderer.render(drawn, viewpoint.camera, picture_options(job.width, job.height, job.samples, viewpoint.view));
+    return writing.legend || !writing.labels.empty() ? written_over(writing) : renderer.image();
+  }
+
+  render::Image without_background(render::DrawScene drawn, const Viewpoint& viewpoint, const Writing& writing) {
+    drawn.ground.reset();
+    drawn.background = {{0, 0, 0}, {0, 0, 0}};
+    const render::Image on_black = image(drawn, viewpoint, writing);
+    drawn.background = {{1, 1, 1}, {1, 1, 1}};
+    return matted(on_black, image(drawn, viewpoint, writing));
+  }
+
+  /// The last picture with the writing over it.
+  render::Image written_over(const Writing& writing) {
+    imgui.begin_frame(job.width, job.height);
+    ImDrawList* list = ImGui::GetBackgroundDrawList();
+    const auto texture = static_cast<std::uintptr_t>(renderer.color_texture());
+    list->AddImage(reinterpret_cast<ImTextureID>(texture), {0, 0}, size(), {0, 1}, {1, 0});
+    ui::draw_labels(list, writing.labels, imgui.fonts(), {0, 0}, size(), scale);
+    if (writing.legend) ui::draw_legend(list, *writing.legend, imgui.fonts(), {{0, 0}, size()}, scale);
+    target.bind();
+    imgui.end_frame();
+    return target.image();
+  }
+
+  RenderJob job;
+  Scene scene;
+  EmbeddedDisplay display;
+  float scale;  ///< of what is written
+  render::Renderer renderer;
+  ImGuiContextOwner imgui;
+  render::Target target;
+  std::map<std::pair<std::string, std::string>, Viewpoint> viewpoints;  ///< by camera and view
+};
+
+PictureMaker::PictureMaker(const RenderJob& job, const Scene& scene, const World& start)
+    : impl_(std::make_unique<Impl>(job, scene, start)) {}
+PictureMaker::~PictureMaker() = default;
+
+void PictureMaker::follow(const World& world) {
+  follow_first_cracks(impl_->display, world.frame(), impl_->scene);
+  for (auto& [names, viewpoint] : impl_->viewpoints) viewpoint.range.follow(world.frame(), viewpoint.view.quantity);
+}
+
+RenderedPicture PictureMaker::paint(const World& world, const std::string& camera, const std::string& view) {
+  const Impl::Viewpoint& viewpoint = impl_->viewpoints.at({camera, view});
+  const render::DrawScene drawn = impl_->draw_scene(world.frame(), viewpoint);
+  const Impl::Writing writing = impl_->writing_of(drawn, viewpoint);
+  RenderedPicture picture;
+  picture.record = world_record(world);
+  picture.record.text = writing_text(writing.legend, writing.labels);
+  picture.image = impl_->job.transparent ? impl_->without_background(drawn, viewpoint, writing)
+                                         : impl_->image(drawn, viewpoint, writing);
+  picture.ids = impl_->renderer.ids();
+  return picture;
+}
+
+ui::Selection selected_node(const RenderJob& job, const Frame& frame) {
+  if (!job.node) return {};
+  const auto nodes = static_cast<int>(frame.nodes.positions.size());
+  if (*job.node >= nodes && frame.step >= job.frames.back())
+    throw InputError("--node", "there is no node " + std::to_string(*job.node),
+                     "take one below " + std::to_string(nodes) + "; cracks make more");
+  if (*job.node >= nodes) return {};
+  const NodeId node(*job.node);
+  return ui::select(frame, frame.nodes.stars[node].front(), node);
+}
+
+PictureRecord world_record(const World& world) {
+  const Frame frame = world.frame();
+  PictureRecord record;
+  record.frame = static_cast<int>(frame.step);
+  record.state_hash = world.state_hash();
+  record.statistics = {{"pieces", static_cast<double>(frame.bodies.size())},
+                       {"crack_events", static_cast<double>(frame.crack_events.size())},
+                       {"nodes", static_cast<double>(frame.nodes.positions.size())},
+                       {"kinetic_energy", frame.totals.kinetic_energy},
+                       {"elastic_energy", frame.totals.elastic_energy},
+                       {"crack_area", frame.energy.crack_area}};
+  return record;
+}
+
+}  // namespace griffith::app
