@@ -34,6 +34,8 @@ class UiDriver {
   /// Types text into what has the focus, then Enter.
   void type(const std::string& text);
   void press_key(int key, bool ctrl = false, bool shift = false);
+  /// Draws frames until all events of `queue` are played.
+  void play();
   /// What was asked for so far.
   std::vector<CommandId> issued() const;
 
@@ -46,7 +48,6 @@ class UiDriver {
 
  private:
   /// Draws the frames that what was done takes.
-  void play();
 
   std::vector<Material> materials_;
 };
