@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "sim/core/error.h"
-#include "sim/core/read_file.h"
+#include "sim/core/file_content.h"
 #include "sim/core/replace_file.h"
 #include "sim/recording/assets.h"
 #include "sim/recording/hash_table.h"
@@ -96,7 +96,7 @@ void write_recording(const Recording& recording, const std::filesystem::path& pa
 }
 
 Recording read_recording(const std::filesystem::path& path) {
-  FileTree files = unpack_files(read_file(path), path.string());
+  FileTree files = unpack_files(read_expected_file(path), path.string());
   constexpr std::size_t kMegabyte = 1 << 20;
   const std::string scene = take_member(files, kScene, 16 * kMegabyte, path),
                     inputs = take_member(files, kInputs, 128 * kMegabyte, path),
