@@ -65,7 +65,7 @@ class PlainPainter : public Painter {
   PlainPainter(const RenderJob& job, const Scene& scene)
       : job_(job),
         scene_(scene),
-        world_(make_world(scene, job.scene)),
+        world_(open_world(scene, job.scene)),
         display_(embedded_display(world_.frame(), scene)),
         scale_(writing_scale(job.width, job.height)),
         imgui_(std::min(scale_, kLargestFont)),
