@@ -128,7 +128,7 @@ TEST(CommandLine, WhatIsSplitAndSkippedOfAMeshIsToldByEveryCommand) {
   scene.ground.reset();
   write_scene(scene, test_folder() / "house.json");
   const std::string file = (test_folder() / "house.json").string(), out = (test_folder() / "out").string();
-  for (const std::string command : {"check " + file, "simulate " + file + " --frames 0 --stats " + out + ".json",
+  for (const std::string& command : {"check " + file, "simulate " + file + " --frames 0 --stats " + out + ".json",
                                     "render " + file + " --size 64x48 -o " + out + ".png",
                                     "render " + file + " --ui --size 640x400 -o " + out + ".png",
                                     "export " + file + " --frames 0:1 -o " + out + ".glb"}) {

@@ -86,7 +86,8 @@ TEST(MeshCommand, AFileOfAnotherContentIsRefusedByName) {
   };
   EXPECT_THAT(refusal("a.obj", "version https://git-lfs.github.com/spec/v1\noid sha256:1\nsize 1\n"),
               HasSubstr("a.obj: is a pointer of Git LFS"));
-  EXPECT_THAT(refusal("a.msh", "$NOD\n0\n$ENDNOD\n"), HasSubstr("version 1 of MSH (convert it to version 4.1: gmsh"));
+  EXPECT_THAT(refusal("a.msh", "$NOD\n0\n$ENDNOD\n"),
+              HasSubstr("version 1 of MSH\n  convert it to version 4.1: gmsh OLD.msh"));
   EXPECT_THAT(refusal("a.vtk", "<?xml version=\"1.0\"?>\n<VTKFile/>\n"), HasSubstr("end its name in .vtu"));
 }
 
