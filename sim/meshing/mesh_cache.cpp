@@ -41,7 +41,10 @@ bool is_possible(const FilledSurface& filled) {
     return std::ranges::all_of(tet, [points](int corner) { return 0 <= corner && corner < points; });
   };
   const bool method = filled.method == MeshingMethod::tetgen || filled.method == MeshingMethod::volumetric;
-  return method && !filled.soup.tets.empty() && std::ranges::all_of(filled.soup.tets, known) &&
+  const LatticeParting& parting = filled.parting;
+  const bool counted = parting.pieces > 0 && parting.joined > 0 && parting.shells > 0 && parting.tried >= 0;
+  const bool sized = parting.element_size >= 0 && parting.least_size >= 0;
+  return method && counted && sized && !filled.soup.tets.empty() && std::ranges::all_of(filled.soup.tets, known) &&
          std::ranges::all_of(filled.soup.points, [](const Vec3& point) { return point.allFinite(); });
 }
 
