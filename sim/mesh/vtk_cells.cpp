@@ -13,20 +13,26 @@ struct VtkType {
 
 constexpr std::int64_t kEmptyCell = 0, kVoxel = 11;
 
+constexpr VtkType kVtkTypes[] = {
+    {1, CellShape::point},          {2, CellShape::point},          {3, CellShape::line},
+    {4, CellShape::line},           {5, CellShape::triangle},       {6, CellShape::polygon},
+    {7, CellShape::polygon},        {8, CellShape::quadrilateral},  {9, CellShape::quadrilateral},
+    {10, CellShape::tetrahedron},   {11, CellShape::hexahedron},    {12, CellShape::hexahedron},
+    {13, CellShape::prism},         {14, CellShape::pyramid},       {21, CellShape::line},
+    {22, CellShape::triangle},      {23, CellShape::quadrilateral}, {24, CellShape::tetrahedron},
+    {25, CellShape::hexahedron},    {26, CellShape::prism},         {27, CellShape::pyramid},
+    {28, CellShape::quadrilateral}, {29, CellShape::hexahedron},    {30, CellShape::quadrilateral},
+    {31, CellShape::prism},         {32, CellShape::prism},         {33, CellShape::hexahedron},
+    {34, CellShape::triangle},      {35, CellShape::line},          {36, CellShape::polygon},
+    {37, CellShape::pyramid},       {68, CellShape::line},          {69, CellShape::triangle},
+    {70, CellShape::quadrilateral}, {71, CellShape::tetrahedron},   {72, CellShape::hexahedron},
+    {73, CellShape::prism},         {74, CellShape::pyramid},       {75, CellShape::line},
+    {76, CellShape::triangle},      {77, CellShape::quadrilateral}, {78, CellShape::tetrahedron},
+    {79, CellShape::hexahedron},    {80, CellShape::prism},         {81, CellShape::pyramid}};
+
 const VtkType* vtk_type(std::int64_t type) {
-  using enum CellShape;
-  static constexpr VtkType kTypes[] = {
-      {1, point},          {2, point},          {3, line},          {4, line},           {5, triangle},
-      {6, polygon},        {7, polygon},        {8, quadrilateral}, {9, quadrilateral},  {10, tetrahedron},
-      {11, hexahedron},    {12, hexahedron},    {13, prism},        {14, pyramid},       {21, line},
-      {22, triangle},      {23, quadrilateral}, {24, tetrahedron},  {25, hexahedron},    {26, prism},
-      {27, pyramid},       {28, quadrilateral}, {29, hexahedron},   {30, quadrilateral}, {31, prism},
-      {32, prism},         {33, hexahedron},    {34, triangle},     {35, line},          {36, polygon},
-      {37, pyramid},       {68, line},          {69, triangle},     {70, quadrilateral}, {71, tetrahedron},
-      {72, hexahedron},    {73, prism},         {74, pyramid},      {75, line},          {76, triangle},
-      {77, quadrilateral}, {78, tetrahedron},   {79, hexahedron},   {80, prism},         {81, pyramid}};
-  const auto* found = std::ranges::find(kTypes, type, &VtkType::type);
-  return found == std::end(kTypes) ? nullptr : found;
+  const auto* found = std::ranges::find(kVtkTypes, type, &VtkType::type);
+  return found == std::end(kVtkTypes) ? nullptr : found;
 }
 
 /// A voxel's corners are numbered along its axes, not around its faces.

@@ -129,9 +129,9 @@ TEST(CommandLine, WhatIsSplitAndSkippedOfAMeshIsToldByEveryCommand) {
   write_scene(scene, test_folder() / "house.json");
   const std::string file = (test_folder() / "house.json").string(), out = (test_folder() / "out").string();
   for (const std::string& command : {"check " + file, "simulate " + file + " --frames 0 --stats " + out + ".json",
-                                    "render " + file + " --size 64x48 -o " + out + ".png",
-                                    "render " + file + " --ui --size 640x400 -o " + out + ".png",
-                                    "export " + file + " --frames 0:1 -o " + out + ".glb"}) {
+                                     "render " + file + " --size 64x48 -o " + out + ".png",
+                                     "render " + file + " --ui --size 640x400 -o " + out + ".png",
+                                     "export " + file + " --frames 0:1 -o " + out + ".glb"}) {
     const Outcome outcome = run_program(command);
     EXPECT_EQ(outcome.code, 0) << outcome.output;
     EXPECT_NE(outcome.output.find("1 hexahedron split into 6 tetrahedra; no volume is skipped"), std::string::npos)
