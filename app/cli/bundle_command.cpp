@@ -50,7 +50,7 @@ std::string add_picture(const World& first, const World& world, const Scene& sce
 /// Runs the scene, to its end or to what ended it.
 Recording recorded_run(const BundleOptions& options, ReportParts& parts) {
   const Scene scene = read_scene(options.input);
-  const World first = make_world(scene, options.input);
+  const World first = open_world(scene, options.input);
   World world = first;
   Recording recording = begin_recording(world);
   for (const InputError& finding : world.findings()) parts.log += std::string("warning: ") + finding.what() + "\n";

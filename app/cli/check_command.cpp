@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -12,18 +11,6 @@
 namespace griffith::app {
 namespace {
 
-void warn_of(const std::vector<InputError>& findings) {
-  constexpr std::size_t kMaximum = 20;
-  for (std::size_t i = 0; i < std::min(findings.size(), kMaximum); ++i)
-    std::fprintf(stderr, "warning: %s\n", findings[i].what());
-  if (findings.size() > kMaximum) std::fprintf(stderr, "warning: and %zu more\n", findings.size() - kMaximum);
-}
-
-std::vector<InputError> all_in_file(const std::filesystem::path& path, std::vector<InputError> findings) {
-  for (InputError& finding : findings) finding = in_file(path, finding);
-  return findings;
-}
-
 /// All problems of the file, while its warnings are printed; where it reads well, the first one of its meshes.
 std::vector<InputError> problems_of(const std::filesystem::path& path, std::span<const SceneSetting> settings) {
   std::vector<InputError> problems = check_scene(path, settings);
@@ -31,8 +18,8 @@ std::vector<InputError> problems_of(const std::filesystem::path& path, std::span
   try {
     const Scene scene = read_scene(path, settings);
     const World world = make_world(scene, path);
-    warn_of(outdated_names(path));
-    warn_of(all_in_file(path, scene_warnings(scene, world)));
+    print_warnings(path, outdated_names(path));
+    print_warnings(path, scene_warnings(scene, world));
   } catch (const InputError& error) {
     problems.push_back(error);
   }

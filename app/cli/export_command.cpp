@@ -59,7 +59,7 @@ Bake baked_run(const World& world, const Scene& scene, const ExportOptions& opti
 
 Bake baked_scene(const ExportOptions& options) {
   const Scene scene = read_scene(options.input, settings(options.set));
-  World world = make_world(scene, options.input);
+  World world = open_world(scene, options.input);
   return baked_run(world, scene, options, [&] { world.step(); });
 }
 

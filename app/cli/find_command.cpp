@@ -46,7 +46,8 @@ void add_search(CLI::App& command, FindDefinition& find) {
   command
       .add_option("--outcome,--condition", find.conditions,
                   "What is to hold, as \"pieces > 1\" or \"projectiles/0/speed=3: pieces in 15:25\"; of several, all. "
-                  "griffith sweep --help lists the outcomes")
+                  "griffith sweep --help lists the outcomes: cracks, pieces, crack_area and every quantity of "
+                  "simulate --stats")
       ->required()
       ->allow_extra_args(false)
       ->type_name("EXPRESSION");

@@ -9,15 +9,17 @@
 #include "app/shared/progress.h"
 #include "sim/core/error.h"
 #include "sim/core/replace_file.h"
+#include "sim/mesh/mesh_report.h"
+#include "sim/mesh/read_mesh.h"
 #include "sim/mesh/write_mesh.h"
 #include "sim/meshing/mesh_cache.h"
 
 namespace griffith::app {
 namespace {
 
-/// A surface to be filled with tets.
+/// A surface to be filled with tets, or tets to be looked at.
 struct MeshOptions {
-  std::filesystem::path surface, output;
+  std::filesystem::path input, output;  ///< no output: the table of quality alone
   MeshingOptions meshing;
   double scale = 1;                  ///< metres per unit of the file
   double time_limit = 300;           ///< of TetGen [s]
@@ -45,25 +47,52 @@ SurfaceMesh fill(const MeshOptions& options) {
   constexpr std::int64_t kMegabyte = 1 << 20;
   StageProgress progress;
   MeshingSetup setup;
-  setup.name = options.surface.string();
+  setup.name = options.input.string();
   setup.limits = {options.time_limit, options.memory_limit * kMegabyte};
   if (options.cache) setup.cache = default_mesh_cache();
   setup.monitor.stage = [&](std::string_view stage) { progress.enter(stage); };
   setup.monitor.enter("Reading the surface");
-  return mesh_surface(read_surface(options.surface, options.scale, setup.monitor), options.meshing, setup);
+  return mesh_surface(read_surface(options.input, options.scale, setup.monitor), options.meshing, setup);
+}
+
+void warn_of(const std::vector<std::string>& findings, const MeshOptions& options) {
+  for (const std::string& finding : findings)
+    std::fprintf(stderr, "warning: %s: %s\n", options.input.c_str(), finding.c_str());
+}
+
+/// Writes the mesh and the report that are asked for.
+void write_outputs(const MeshOptions& options, const TetSoup& soup, const std::string& report, Outputs& outputs) {
+  if (!options.output.empty()) outputs.write([&] { write_mesh(options.output, soup); });
+  if (!options.report.empty()) outputs.write([&] { replace_file(options.report, report); });
+}
+
+/// Prints the quality of tets, which need no filling, and writes them in another format where that is asked for.
+void describe_tets(const MeshOptions& options) {
+  CellReport cells;
+  TetSoup soup = read_mesh(options.input, &cells);
+  for (Vec3& point : soup.points) point *= options.scale;
+  std::vector<std::string> found = findings(cells);
+  const std::vector<std::string> repairs = findings(prepare(soup, options.input.string()));
+  found.insert(found.end(), repairs.begin(), repairs.end());
+  warn_of(found, options);
+  const MeshQuality quality = mesh_quality(soup);
+  Outputs outputs;
+  write_outputs(options, soup, mesh_statistics_json(found, quality), outputs);
+  std::printf(
+      "tetrahedra       nothing to fill; a scene takes the file as the shape {\"mesh\": {\"path\": \"%s\"}}\n%s",
+      options.input.filename().c_str(), quality_text(quality).c_str());
+  outputs.finish();
 }
 
 void make_mesh(const MeshOptions& options) {
-  check_output_path(options.output);
+  if (!options.output.empty()) check_output_path(options.output);
   if (!options.report.empty()) check_replaceable(options.report);
+  if (is_mesh_path(options.input)) return describe_tets(options);
   const SurfaceMesh mesh = fill(options);
-  for (const std::string& finding : mesh.findings)
-    std::fprintf(stderr, "warning: %s: %s\n", options.surface.c_str(), finding.c_str());
+  warn_of(mesh.findings, options);
   const MeshQuality quality = mesh_quality(mesh.soup);
   Outputs outputs;
-  outputs.write([&] { write_mesh(options.output, mesh.soup); });
-  if (!options.report.empty())
-    outputs.write([&] { replace_file(options.report, mesh_statistics_json(mesh, quality)); });
+  write_outputs(options, mesh.soup, mesh_statistics_json(mesh, quality), outputs);
   std::printf("surface          %d triangles, %d shell%s, %.6g m3\nmethod           %s%s\n%s",
               mesh.surface_report.triangles, mesh.surface_report.shells, mesh.surface_report.shells == 1 ? "" : "s",
               mesh.surface_report.volume, method_name(mesh.method), mesh.from_cache ? ", made before" : "",
@@ -105,11 +134,14 @@ void add_meshing(CLI::App& command, MeshingOptions& meshing) {
 Command add_mesh(CLI::App& program) {
   CLI::App* command = program.add_subcommand("mesh", "Fill a surface with tetrahedra");
   const auto options = std::make_shared<MeshOptions>();
-  command->add_option("SURFACE", options->surface, "Surface: .obj, .stl, .ply, .off, .gltf or .glb")
+  command
+      ->add_option("SURFACE", options->input,
+                   "Surface: .obj, .stl, .ply, .off, .gltf or .glb; or tetrahedra, whose quality is told")
       ->required()
       ->type_name("FILE");
-  command->add_option("-o,--output", options->output, "Mesh to write: .msh, .vtu or .node")
-      ->required()
+  command
+      ->add_option("-o,--output", options->output,
+                   "Mesh to write: .msh, .vtu or .node; the table of quality alone if not given")
       ->type_name("FILE");
   add_meshing(*command, options->meshing);
   command->add_option("--scale", options->scale, "Metres per unit of the file; 1 if not given")
@@ -127,6 +159,7 @@ Command add_mesh(CLI::App& program) {
   command->footer(
       "Examples:\n"
       "  griffith mesh vase.obj -o vase.msh\n"
+      "  griffith mesh vase.msh\n"
       "  griffith mesh bunny.stl --scale 0.001 --element-size 0.005 --method volumetric -o bunny.vtu --report "
       "bunny.json");
   return {command, [options] {

@@ -222,7 +222,7 @@ Command add_regress(CLI::App& program) {
       "Examples:\n"
       "  griffith regress pictures --init scenes/wall_small.json scenes/arch.json\n"
       "  griffith regress pictures\n"
-      "  griffith regress pictures --accept arch_utilization_0040\n"
+      "  griffith regress pictures --accept arch_body_0040\n"
       "  griffith regress pictures --shard 2/5 --junit results.xml --report report.html\n"
       "Exit code: 0 all pictures are as accepted, 1 some are not, or could not be drawn, 2 bad usage or bad input.");
   return {command, [options, accepted, accept] {

@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <set>
 
@@ -13,6 +14,7 @@
 #include "sim/core/error.h"
 #include "sim/core/replace_file.h"
 #include "sim/scene/scene_reader.h"
+#include "sim/scene/view_quantity.h"
 
 namespace griffith::app {
 namespace {
@@ -181,6 +183,15 @@ void add_how(CLI::App& command, RenderOptions& options) {
                   "Samples per pixel; if not given 4, or 1 in draft quality, without smoothed edges")
       ->check(CLI::Range(1, 16))
       ->type_name("S");
+  std::map<std::string, PictureQuality> qualities;
+  for (const std::string_view name : picture_quality_names())
+    qualities.emplace(name, static_cast<PictureQuality>(qualities.size()));
+  command
+      .add_option("--quality", options.job.quality,
+                  "draft (the fastest), standard or high (soft shadows, see-through glass); the scene's view if not "
+                  "given")
+      ->transform(CLI::CheckedTransformer(qualities).description(""))
+      ->type_name("NAME");
   command.add_flag("--ui", options.job.interface, "Draw the editor's panels into the picture");
   command.add_flag("--legend,!--no-legend", options.job.legend, "Draw the legend of the colours; on if not given");
   command.add_flag("--transparent", options.job.transparent,
@@ -225,8 +236,8 @@ Command add_render(CLI::App& program) {
   add_threads(*command);
   CLI::Option* job_file = command->get_option("--job-file");
   for (const char* name :
-       {"SCENE", "--frame", "--every", "--frames", "--view", "--camera", "--node", "--size", "--samples", "--ui",
-        "--legend", "--transparent", "--contact-sheet", "--video", "--fps", "--set"})
+       {"SCENE", "--frame", "--every", "--frames", "--view", "--camera", "--node", "--size", "--samples", "--quality",
+        "--ui", "--legend", "--transparent", "--contact-sheet", "--video", "--fps", "--set"})
     job_file->excludes(command->get_option(name));
   command->get_option("--only")->needs(job_file);
   command->footer(

@@ -7,6 +7,7 @@
 #include "app/output/output.h"
 #include "app/output/replay_report.h"
 #include "app/shared/progress.h"
+#include "app/shared/scene_world.h"
 #include "sim/core/error.h"
 #include "sim/recording/replay.h"
 
@@ -35,6 +36,7 @@ ExitCode extract(const ReplayOptions& options) {
 ExitCode replay(const ReplayOptions& options) {
   const Recording recording = read_recording(options.recording);
   Replay replay(recording);
+  print_warnings(options.recording, replay.world().findings());
   {
     Progress progress("Replaying", static_cast<int>(std::max<std::int64_t>(recording.steps(), 1)));
     while (!replay.at_end() && !replay.difference()) {

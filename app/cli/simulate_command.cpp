@@ -50,7 +50,7 @@ void check_outputs(const SimulateOptions& options) {
 void simulate(const SimulateOptions& options) {
   check_outputs(options);
   const Scene scene = read_scene(options.scene, settings(options.set));
-  World world = make_world(scene, options.scene);
+  World world = open_world(scene, options.scene);
   std::optional<ProbeTable> probes;
   if (!options.probes.empty()) probes.emplace(world, options.scene);
   std::optional<EnergyTable> energy;
@@ -59,14 +59,12 @@ void simulate(const SimulateOptions& options) {
   if (!options.record.empty()) recording = begin_recording(world);
   Shards shards;
   if (!options.export_pieces.empty()) shards = Shards(world.frame(), scene);
-  RunTally tally;
   RunStatistics statistics(world.frame(), scene.simulation.time_step, options.threads);
   {
     Progress progress("Simulating", options.frames);
     for (int step = 1; step <= options.frames; ++step) {
       world.step();
       statistics.add(world.frame());
-      tally.add(world.frame());
       if (probes) probes->add(world);
       if (energy) energy->add(world.frame());
       if (recording) recording->hashes.push_back(world.state_hashes());
@@ -83,7 +81,7 @@ void simulate(const SimulateOptions& options) {
   shards.follow(frame, scene);
   if (!options.export_pieces.empty()) outputs.write([&] { export_pieces(options.export_pieces, frame, shards); });
   if (!options.outcomes.empty())
-    outputs.write([&] { replace_file(options.outcomes, record_json({outcomes_of(frame, tally), {}})); });
+    outputs.write([&] { replace_file(options.outcomes, record_json({outcomes_of(frame, statistics.tally()), {}})); });
   if (options.stats.empty()) {
     std::printf("%s", statistics.summary(frame, world.state_hash()).c_str());
   } else {

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "sim/core/error.h"
-#include "sim/core/read_file.h"
+#include "sim/core/file_content.h"
 
 namespace griffith::app {
 namespace {
@@ -244,7 +244,7 @@ Script parse_script(std::string_view text, const std::string& name) {
   return script;
 }
 
-Script read_script(const std::filesystem::path& file) { return parse_script(read_file(file), file.string()); }
+Script read_script(const std::filesystem::path& file) { return parse_script(read_expected_file(file), file.string()); }
 
 Script tour() { return parse_script(tour_script, "tour"); }
 

@@ -59,4 +59,8 @@ std::string mesh_statistics_json(const SurfaceMesh& mesh, const MeshQuality& qua
   return json.dump(2) + "\n";
 }
 
+std::string mesh_statistics_json(const std::vector<std::string>& findings, const MeshQuality& quality) {
+  return Json{{"findings", findings}, {"mesh", quality_json(quality)}}.dump(2) + "\n";
+}
+
 }  // namespace griffith::app

@@ -3,15 +3,15 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <string_view>
 
-#include "app/shared/components.h"
 #include "app/shared/hash_text.h"
 #include "app/shared/quantile.h"
-#include "sim/world/step_counters.h"
 
 namespace griffith::app {
 namespace {
@@ -39,44 +39,33 @@ std::int64_t peak_memory_bytes() {
   return static_cast<std::int64_t>(usage.ru_maxrss) * 1024;
 }
 
-void add_counters(Json& json, const StepReport& total) {
-  for (const StepCounter& counter : step_counters())
-    std::visit([&](auto value) { json[counter.key] = total.*value; }, counter.value);
+/// The place that a key names: "energy.gravity" a member of a member, "momentum.0" an item of a list.
+Json& place_of(Json& json, std::string_view key) {
+  const std::size_t dot = std::min(key.find('.'), key.size());
+  const std::string_view name = key.substr(0, dot);
+  const bool is_number = name.find_first_not_of("0123456789") == std::string_view::npos;
+  Json& place = is_number ? json[std::stoul(std::string(name))] : json[std::string(name)];
+  return dot == key.size() ? place : place_of(place, key.substr(dot + 1));
 }
 
-/// Mass without the projectiles, so that it stays what it was [kg].
-double mass_of_bodies(const Frame& frame) {
-  return std::accumulate(frame.nodes.masses.begin(), frame.nodes.masses.end(), 0.0);
+/// Counts as whole numbers; null for what never came.
+Json number_of(const OutcomeKind& kind, double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return kind.unit.empty() ? Json(static_cast<std::int64_t>(value)) : Json(value);
 }
 
-void add_totals(Json& json, const Totals& totals) {
-  json["momentum"] = components(totals.momentum);
-  json["angular_momentum"] = components(totals.angular_momentum);
-  json["kinetic_energy"] = totals.kinetic_energy;
-  json["elastic_energy"] = totals.elastic_energy;
-}
-
-/// Where the energy came from and went, as EnergyAccount says.
-void add_energy(Json& json, const EnergyAccount& energy) {
-  Json& account = json["energy"];
-  for (const EnergyEntry& entry : energy_entries()) account[entry.key] = energy.*entry.value;
-  account["unaccounted"] = energy.unaccounted();
-  account["turned_over"] = energy.turned_over();
-  account["crack_area"] = energy.crack_area;
+void add_outcomes(Json& json, const Outcomes& outcomes) {
+  for (std::size_t i = 0; i < outcomes.size(); ++i)
+    place_of(json, outcome_kinds()[i].key) = number_of(outcome_kinds()[i], outcomes[i]);
 }
 
 }  // namespace
 
 RunStatistics::RunStatistics(const Frame& start, double time_step, int threads)
-    : time_step_(time_step),
-      threads_(threads),
-      initial_mass_(mass_of_bodies(start)),
-      processor_(processor_milliseconds()) {
-  total_.substeps = 0;
-}
+    : time_step_(time_step), threads_(threads), tally_(start), processor_(processor_milliseconds()) {}
 
 void RunStatistics::add(const Frame& frame) {
-  add_step(frame.report, total_);
+  tally_.add(frame);
   for (const BodyView& body : frame.bodies) {
     if (!body.scaled) continue;
     ScaledBody& scaled = scaled_[body.scene_body];
@@ -95,16 +84,7 @@ std::string RunStatistics::json(const Frame& frame, std::uint64_t state_hash) co
   Json json;
   json["frames"] = frame.step;
   json["dt"] = time_step_;
-  json["tets"] = frame.elements.tets.size();
-  json["nodes"] = frame.nodes.positions.size();
-  json["bodies"] = frame.bodies.size();
-  json["fragments"] = frame.fragments;
-  json["crack_events"] = frame.crack_events.size();
-  json["mass"] = mass_of_bodies(frame);
-  json["initial_mass"] = initial_mass_;
-  add_totals(json, frame.totals);
-  add_energy(json, frame.energy);
-  add_counters(json, total_);
+  add_outcomes(json, outcomes_of(frame, tally_));
   json["scaled_impacts"] = Json::array();
   for (const auto& [scene_body, scaled] : scaled_)
     json["scaled_impacts"].push_back({{"scene_body", scene_body},
@@ -126,7 +106,7 @@ std::string RunStatistics::json(const Frame& frame, std::uint64_t state_hash) co
 
 std::string RunStatistics::summary(const Frame& frame, std::uint64_t state_hash) const {
   const TimeSummary times = summarize(milliseconds_[0]);
-  const StepReport& t = total_;
+  const StepReport& t = tally_.total;
   char text[1024];
   std::snprintf(text, sizeof text,
                 "%lld steps of %.4g ms: %zu tetrahedra, %zu nodes, %zu pieces (%d fragments), %zu crack events\n"

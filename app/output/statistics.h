@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/output/outcome.h"
 #include "sim/world/frame.h"
 
 namespace griffith::app {
@@ -20,13 +21,15 @@ class RunStatistics {
   /// Takes in the step that led to `frame`.
   void add(const Frame& frame);
 
-  /// One JSON object. `energy` is the account since the start: energy_entries() by their keys, `unaccounted`,
-  /// `turned_over` (the sum of all sources) and `crack_area`. SI units. `ms` has the times in milliseconds of steps, of
-  /// their phases, and `processor` time of all threads from the end of one step to that of the next. Totals describe
-  /// `frame`, the last one; step_counters() by their keys are sums over all steps, or the largest of any, as they say.
+  /// One JSON object in SI units: outcome_kinds() by their keys, whose dots lead into objects and lists, null where
+  /// infinite. `ms` has the times in milliseconds of steps, of their phases, and `processor` time of all threads from
+  /// the end of one step to that of the next. `frame`: the last one.
   /// `scaled_impacts` lists for each scene body whose impacts were scaled (ScaledImpact) the slowest, with the
   /// effective material and the reason.
   std::string json(const Frame& frame, std::uint64_t state_hash) const;
+
+  /// What outcomes_of() needs of the steps so far.
+  const RunTally& tally() const { return tally_; }
 
   /// Says it for a person, in a few lines.
   std::string summary(const Frame& frame, std::uint64_t state_hash) const;
@@ -34,8 +37,7 @@ class RunStatistics {
  private:
   double time_step_;
   int threads_;
-  double initial_mass_;
-  StepReport total_;  ///< of all steps, by add_step()
+  RunTally tally_;
   struct ScaledBody {
     std::int64_t step = 0;  ///< of the slowest
     int impacts = 0;        ///< steps in which it or a piece of it was scaled

@@ -6,6 +6,7 @@
 
 #include "app/output/id_picture.h"
 #include "app/shared/hash_text.h"
+#include "sim/scene/scene_difference.h"
 
 namespace griffith::app {
 namespace {
@@ -96,12 +97,38 @@ PictureResult described(const std::string& name, const RegressionPicture& golden
   return result;
 }
 
+/// The fields in which the scenes differ, long values cut short.
+std::optional<std::vector<Row>> scene_rows(const RegressionPicture& golden, const RegressionPicture& actual) {
+  if (golden.scene.empty() || actual.scene.empty()) return std::nullopt;
+  const auto shortened = [](std::optional<std::string> value) {
+    constexpr std::size_t kLength = 200;
+    if (value && value->size() > kLength) value = value->substr(0, kLength) + " …";
+    return value;
+  };
+  std::vector<Row> rows;
+  for (const FieldChange& change : field_changes(golden.scene, actual.scene))
+    rows.push_back({change.pointer.substr(std::min<std::size_t>(1, change.pointer.size())), shortened(change.before),
+                    shortened(change.after)});
+  return rows;
+}
+
+/// "1 field of the scene changed, projectiles/0/speed: 10, now 12"; with many, the first.
+std::string scene_sentence(const std::vector<Row>& scene) {
+  if (scene.empty()) return "No field of the scene changed: the program did, or a file that the scene names";
+  const Row& first = scene.front();
+  const auto text = [](const std::optional<std::string>& value) { return value.value_or("none"); };
+  return std::to_string(scene.size()) + (scene.size() == 1 ? " field" : " fields") + " of the scene changed, " +
+         (scene.size() == 1 ? "" : "first ") + first.name + ": " + text(first.golden) + ", now " + text(first.actual);
+}
+
 std::string reason_of(const PictureResult& result) {
   std::string reason;
   const auto add = [&](const std::string& sentence) { reason += (reason.empty() ? "" : " ") + sentence + "."; };
   if (result.simulation_changed.value_or(false)) add("The simulation changed: its state has another hash");
   if (!result.image.passed && result.simulation_changed == std::optional(false))
     add("The simulation is the same to the bit, the drawing changed");
+  if (result.scene && (!result.scene->empty() || result.simulation_changed.value_or(false)))
+    add(scene_sentence(*result.scene));
   add("Picture: " + result.image.reason);
   if (!result.ids.passed) add("Ids: " + result.ids.reason);
   const auto changed = std::ranges::count_if(result.text, [](const DiffLine& line) {
@@ -126,6 +153,7 @@ PictureResult compare_pictures(const std::string& name, const RegressionPicture&
   const bool ids_known = !golden.ids.ids.empty() && !actual.ids.ids.empty();
   result.ids = ids_known ? compare_ids(golden.ids, actual.ids, tolerance.off) : IdComparison{true, "", {}, {}};
   result.text = compare_text(golden.text, actual.text);
+  result.scene = scene_rows(golden, actual);
   if (golden.state_hash && actual.state_hash) result.simulation_changed = *golden.state_hash != *actual.state_hash;
   const bool complete = golden.ids.ids.empty() == actual.ids.ids.empty() &&
                         golden.state_hash.has_value() == actual.state_hash.has_value();

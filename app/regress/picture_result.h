@@ -18,6 +18,7 @@ struct RegressionPicture {
   render::IdImage ids;                      ///< what is drawn at each pixel; empty: not known
   std::string text;                         ///< what is written in it: labels, widgets and their values
   std::optional<std::uint64_t> state_hash;  ///< of the world that it shows
+  std::string scene;                        ///< as full_scene_text() has it; empty: not kept
   std::vector<std::pair<std::string, std::string>> metadata;  ///< renderer, scene, frame, view, camera, version, ...
   std::vector<std::pair<std::string, double>> statistics;     ///< pieces, cracks, energies, ...
 };
@@ -45,8 +46,9 @@ struct PictureResult {
     std::optional<std::string> golden, actual;
   };
   std::vector<Row> metadata, statistics;
-  std::string accept_command;  ///< makes the actual picture the golden one
-  double seconds = 0;          ///< that the picture took
+  std::optional<std::vector<Row>> scene;  ///< fields that differ, by their pointers; absent where a scene is not kept
+  std::string accept_command;             ///< makes the actual picture the golden one
+  double seconds = 0;                     ///< that the picture took
 };
 
 /// Compares all that there is of a picture. It passes when the image and the ids are within the tolerance, the text is

@@ -121,7 +121,8 @@ std::string value_table(const std::string& title, const std::vector<PictureResul
 
 std::string value_tables(const PictureResult& result) {
   const bool has_golden = result.status == PictureStatus::failed;
-  const std::string tables = value_table("Made of", result.metadata, has_golden, false) +
+  const std::string scene = result.scene ? value_table("Scene", *result.scene, has_golden, false) : std::string();
+  const std::string tables = scene + value_table("Made of", result.metadata, has_golden, false) +
                              value_table("Statistics", result.statistics, has_golden, true);
   return tables.empty() ? "" : "<div class=\"tables\">\n" + tables + "</div>\n";
 }

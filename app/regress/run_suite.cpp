@@ -10,6 +10,7 @@
 #include "app/shared/hash_text.h"
 #include "app/shared/processes.h"
 #include "sim/core/error.h"
+#include "sim/core/file_content.h"
 #include "sim/core/read_file.h"
 
 namespace griffith::app {
@@ -53,6 +54,8 @@ void read_record(const fs::path& path, RegressionPicture& picture) {
     } else if (name == "statistics" && value.is_object()) {
       for (const auto& [statistic, number] : value.items())
         if (number.is_number()) picture.statistics.emplace_back(statistic, number.get<double>());
+    } else if (name == "scene" && value.is_object()) {
+      picture.scene = value.dump();
     } else {
       picture.metadata.emplace_back(name, value.is_string() ? value.get<std::string>() : value.dump());
     }
@@ -95,6 +98,7 @@ std::vector<JobOutcome> draw_suite(const SuiteRun& run, const std::vector<Render
 
 RegressionPicture read_picture(const fs::path& stem) {
   RegressionPicture picture;
+  require_expected_content(stem.string() + ".png");
   picture.image = render::load_png(stem.string() + ".png");
   std::error_code error;
   if (fs::exists(stem.string() + ".ids.png", error))

@@ -129,9 +129,9 @@ void make_suite(const fs::path& suite, const std::vector<fs::path>& scenes) {
     job.name = job_name(scene, names);
     job.scene = fs::absolute(scene).lexically_normal();
     job.frames = {0, 20, 40};
-    job.views = {"material", "utilization"};
-    job.width = 320;
-    job.height = 180;
+    job.views = {"material", "body"};
+    job.width = 640;
+    job.height = 360;
     job.samples = 1;
     jobs.push_back(job);
   }

@@ -49,8 +49,8 @@ void accept_picture(const std::filesystem::path& suite, const std::string& rende
 std::vector<std::string> unused_goldens(const std::filesystem::path& suite, const std::string& renderer,
                                         const std::vector<RenderJob>& jobs);
 
-/// Makes a suite of some pictures of each scene: its material and the utilization at three time steps. Throws
-/// InputError where there is a suite already, and for scenes that cannot be read.
+/// Makes a suite of some pictures of each scene: its materials and its pieces, each in a color of its own, at three
+/// time steps. Throws InputError where there is a suite already, and for scenes that cannot be read.
 void make_suite(const std::filesystem::path& suite, const std::vector<std::filesystem::path>& scenes);
 
 }  // namespace griffith::app

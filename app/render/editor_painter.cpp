@@ -6,6 +6,7 @@
 #include "app/render/painter.h"
 #include "app/render/picture_maker.h"
 #include "app/render/picture_text.h"
+#include "app/shared/scene_world.h"
 #include "renderer/target.h"
 
 namespace griffith::app {
@@ -17,6 +18,7 @@ class EditorPainter : public Painter {
  public:
   EditorPainter(const RenderJob& job, const Scene& scene)
       : job_(job), editor_(scene, job.scene), imgui_(1), target_(job.width, job.height) {
+    print_warnings(job.scene, world().findings());
     editor_.state().show_times = false;
     editor_.state().open_sections = job.open_sections;
     const ViewSettings own = editor_.state().view;

@@ -9,6 +9,7 @@
 #include "app/output/output.h"
 #include "app/shared/hash_text.h"
 #include "sim/core/replace_file.h"
+#include "sim/scene/json_document.h"
 
 namespace griffith::app {
 namespace {
@@ -80,11 +81,11 @@ double frames_per_second(const RenderJob& job, double time_step) {
 }
 
 std::string record_json(const PictureRecord& record, const std::string& renderer) {
-  nlohmann::ordered_json json = {{"renderer", renderer},    {"version", GRIFFITH_VERSION},
-                                 {"frame", record.frame},   {"view", record.view},
-                                 {"camera", record.camera}, {"state_hash", hash_text(record.state_hash)}};
+  Json json = {{"renderer", renderer}, {"version", GRIFFITH_VERSION}, {"frame", record.frame},
+               {"view", record.view},  {"camera", record.camera},     {"state_hash", hash_text(record.state_hash)}};
   for (const auto& [name, value] : record.statistics) json["statistics"][name] = value;
-  return json.dump(2) + "\n";
+  json["scene"] = Json::parse(record.scene);
+  return pretty_text(json);
 }
 
 }  // namespace griffith::app

@@ -8,7 +8,7 @@ namespace {
 class PlainPainter : public Painter {
  public:
   PlainPainter(const RenderJob& job, const Scene& scene)
-      : world_(make_world(scene, job.scene)), pictures_(job, scene, world_) {}
+      : world_(open_world(scene, job.scene)), pictures_(job, scene, world_) {}
 
   void step() override {
     world_.step();

@@ -6,17 +6,18 @@
 #include <set>
 
 #include "app/render/frame_list.h"
-#include "sim/core/read_file.h"
+#include "sim/core/file_content.h"
 #include "sim/scene/read_value.h"
+#include "sim/scene/view_quantity.h"
 #include "ui/model/commands.h"
 
 namespace griffith::app {
 namespace {
 
 constexpr std::int64_t kMaxFileSize = 16 << 20;
-constexpr std::array<std::string_view, 13> kFields = {"name",     "scene",   "frames",     "views", "cameras",
-                                                      "size",     "samples", "node",       "ui",    "open_sections",
-                                                      "commands", "legend",  "transparent"};
+constexpr std::array<std::string_view, 14> kFields = {"quality",       "name",     "scene",   "frames",     "views",
+                                                      "cameras",       "size",     "samples", "node",       "ui",
+                                                      "open_sections", "commands", "legend",  "transparent"};
 
 void read_names(const Place& place, std::vector<std::string>& names) {
   if (!place.json.is_array() || place.json.empty()) return place.reject("a list of names, [\"...\"]");
@@ -70,6 +71,13 @@ void read_size(const Place& place, RenderJob& job) {
   read(place.child("1", place.json[1]), job.height, between(kMin, kMax));
 }
 
+void read_quality(const Place& place, std::optional<PictureQuality>& quality) {
+  const auto names = picture_quality_names();
+  PictureQuality read_one = PictureQuality::standard;
+  read(place, read_one, OneOf{{names.begin(), names.end()}});
+  quality = read_one;
+}
+
 void read_field(const Place& place, std::string_view name, RenderJob& job) {
   constexpr double kMaxNode = 1 << 30;
   if (name == "name") return read(place, job.name, Text{.minimum_length = 1});
@@ -78,6 +86,7 @@ void read_field(const Place& place, std::string_view name, RenderJob& job) {
   if (name == "cameras") return read_names(place, job.cameras);
   if (name == "size") return read_size(place, job);
   if (name == "samples") return read(place, job.samples.emplace(), between(1, 16));
+  if (name == "quality") return read_quality(place, job.quality);
   if (name == "node") return read(place, job.node.emplace(), between(0, kMaxNode));
   if (name == "ui") return read(place, job.interface, Flag{});
   if (name == "open_sections") return read(place, job.open_sections, Flag{});
@@ -157,7 +166,7 @@ std::vector<RenderJob> read_render_jobs(const std::filesystem::path& file) {
   Document document;
   document.file = file.string();
   document.folder = file.parent_path();
-  const Json json = parse_json(read_file(file, kMaxFileSize), document.file, document.problems);
+  const Json json = parse_json(read_expected_file(file, kMaxFileSize), document.file, document.problems);
   std::vector<RenderJob> jobs;
   if (document.problems.empty()) jobs = jobs_of({document, json, ""});
   if (!document.problems.empty()) throw document.problems.front();
@@ -174,6 +183,7 @@ std::string render_jobs_json(const std::vector<RenderJob>& jobs, const std::file
     if (job.cameras != RenderJob{}.cameras) json["cameras"] = job.cameras;
     json["size"] = {job.width, job.height};
     if (job.samples && job.samples != 1) json["samples"] = *job.samples;
+    if (job.quality) json["quality"] = picture_quality_names()[static_cast<std::size_t>(*job.quality)];
     if (job.node) json["node"] = *job.node;
     if (job.interface) json["ui"] = true;
     if (job.open_sections) json["open_sections"] = true;

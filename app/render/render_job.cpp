@@ -8,6 +8,7 @@
 #include "app/shared/explanation.h"
 #include "app/shared/progress.h"
 #include "sim/core/error.h"
+#include "sim/scene/scene_difference.h"
 
 namespace griffith::app {
 namespace {
@@ -48,8 +49,11 @@ std::vector<std::string> picture_names(const RenderJob& job) {
   return names;
 }
 
-std::string render_job(const RenderJob& job, const Scene& scene, bool always_numbered,
+std::string render_job(const RenderJob& job, const Scene& authored, bool always_numbered,
                        const std::function<void(RenderedPicture)>& take) {
+  Scene scene = authored;
+  scene.view.quality = job.quality.value_or(scene.view.quality);
+  const std::string scene_text = full_scene_text(scene);
   const std::unique_ptr<Painter> painter =
       job.interface ? make_editor_painter(job, scene) : make_plain_painter(job, scene);
   {
@@ -60,6 +64,7 @@ std::string render_job(const RenderJob& job, const Scene& scene, bool always_num
         for (const std::string& view : job.views) {
           RenderedPicture picture = painter->paint(camera, view);
           picture.name = picture_name(job, camera, view, frame, always_numbered);
+          picture.record.scene = scene_text;
           picture.record.view = view;
           picture.record.camera = camera;
           take(std::move(picture));

@@ -20,12 +20,13 @@ struct RenderJob {
   std::vector<int> frames = {0};  ///< time steps before the pictures, ascending
   // What stands for "as the scene says" is empty.
   std::vector<std::string> views = {""}, cameras = {""};
-  int width = 1280, height = 720;     ///< [pixels]
-  std::optional<int> samples;         ///< per pixel; absent: as the picture's quality has
-  std::optional<int> node;            ///< whose forces and plane are shown; the most loaded one if absent
-  bool interface = false;             ///< draw the editor's panels too
-  bool open_sections = false;         ///< of the panels: all that can be folded
-  std::vector<std::string> commands;  ///< names of the editor's commands to carry out before the first picture
+  int width = 1280, height = 720;         ///< [pixels]
+  std::optional<int> samples;             ///< per pixel; absent: as the picture's quality has
+  std::optional<PictureQuality> quality;  ///< absent: as the scene's view has
+  std::optional<int> node;                ///< whose forces and plane are shown; the most loaded one if absent
+  bool interface = false;                 ///< draw the editor's panels too
+  bool open_sections = false;             ///< of the panels: all that can be folded
+  std::vector<std::string> commands;      ///< names of the editor's commands to carry out before the first picture
   bool legend = true;
   bool transparent = false;  ///< neither sky nor ground; what shows nothing has alpha 0
 };
@@ -36,6 +37,7 @@ struct PictureRecord {
   std::string view, camera;  ///< empty: the scene's
   std::uint64_t state_hash = 0;
   std::vector<std::pair<std::string, double>> statistics;  ///< pieces, cracks, energies
+  std::string scene;                                       ///< as full_scene_text() has it
   std::string text;  ///< a line for each thing written in the picture: legend and labels, or widgets and their values
 };
 

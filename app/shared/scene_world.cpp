@@ -1,5 +1,8 @@
 #include "app/shared/scene_world.h"
 
+#include <algorithm>
+#include <cstdio>
+
 #include "app/shared/progress.h"
 
 namespace griffith::app {
@@ -22,6 +25,19 @@ World make_world(const Scene& scene, const std::filesystem::path& scene_file) {
   Monitor monitor;
   monitor.stage = [&](std::string_view stage) { progress.enter(stage); };
   return make_world(scene, scene_file, monitor);
+}
+
+void print_warnings(const std::filesystem::path& scene_file, std::span<const InputError> warnings) {
+  constexpr std::size_t kMaximum = 20;
+  for (const InputError& warning : warnings.first(std::min(warnings.size(), kMaximum)))
+    std::fprintf(stderr, "warning: %s\n", in_file(scene_file, warning).what());
+  if (warnings.size() > kMaximum) std::fprintf(stderr, "warning: and %zu more\n", warnings.size() - kMaximum);
+}
+
+World open_world(const Scene& scene, const std::filesystem::path& scene_file) {
+  World world = make_world(scene, scene_file);
+  print_warnings(scene_file, world.findings());
+  return world;
 }
 
 }  // namespace griffith::app

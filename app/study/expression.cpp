@@ -22,7 +22,7 @@ constexpr std::array kOperators = {Operator{"<=", Relation::less_equal}, Operato
                                    Operator{"<", Relation::less},        Operator{">", Relation::greater},
                                    Operator{"in ", Relation::within}};
 
-constexpr std::string_view kNameCharacters = "abcdefghijklmnopqrstuvwxyz0123456789_";
+constexpr std::string_view kNameCharacters = "abcdefghijklmnopqrstuvwxyz0123456789_.";
 
 /// Reads comparisons from left to right.
 class ExpressionReader {

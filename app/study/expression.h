@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "app/study/outcome.h"
+#include "app/output/outcome.h"
 #include "sim/scene/scene_setting.h"
 
 namespace griffith::app {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "app/study/outcome.h"
+#include "app/output/outcome.h"
 
 namespace griffith::app {
 

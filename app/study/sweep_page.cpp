@@ -49,7 +49,11 @@ PageData parameters_data(const SweepPlan& plan) {
 PageData outcomes_data() {
   PageData list = PageData::array();
   for (const OutcomeKind& kind : outcome_kinds())
-    list.push_back({{"key", kind.key}, {"unit", kind.unit}, {"meaning", kind.meaning}});
+    if (kind.listing != OutcomeListing::other_name)
+      list.push_back({{"key", kind.key},
+                      {"unit", kind.unit},
+                      {"meaning", kind.meaning},
+                      {"main", kind.listing == OutcomeListing::main}});
   return list;
 }
 
@@ -60,7 +64,8 @@ PageData run_data(const Sweep& sweep, std::size_t run, const RunRecord& record) 
     data["p"].push_back(json.is_number() ? json : PageData(setting_word(value)));
   }
   if (record.error.empty()) {
-    for (const double outcome : record.outcomes) data["o"].push_back(finite(outcome));
+    for (std::size_t i = 0; i < record.outcomes.size(); ++i)
+      if (outcome_kinds()[i].listing != OutcomeListing::other_name) data["o"].push_back(finite(record.outcomes[i]));
   } else {
     data["error"] = record.error;
   }

@@ -151,7 +151,7 @@ function drawSheet() {
 let sorted = 0, descending = false;
 function drawTable() {
   const columns = [['run', '', run => run.id], ...data.parameters.map((p, i) => [p.name, '', run => run.p[i]]),
-    ...data.outcomes.map((o, i) => [o.key + unitOf(o), o.meaning, run => run.o ? run.o[i] : null])];
+    ...data.outcomes.flatMap((o, i) => o.main ? [[o.key + unitOf(o), o.meaning, run => run.o ? run.o[i] : null]] : [])];
   const anyError = data.runs.some(run => run.error), table = byId('table');
   table.replaceChildren();
   const head = element(table, 'tr');

@@ -4,12 +4,12 @@
 #include <limits>
 
 #include "sim/core/error.h"
-#include "sim/core/read_file.h"
+#include "sim/core/file_content.h"
 
 namespace griffith {
 
 FileCursor::FileCursor(const std::filesystem::path& path, std::string_view separators, char comment)
-    : name_(path.string()), text_(read_file(path)), separators_(separators), comment_(comment) {}
+    : name_(path.string()), text_(read_expected_file(path)), separators_(separators), comment_(comment) {}
 
 bool FileCursor::is_blank(char c) const {
   return c == ' ' || (c >= '\t' && c <= '\r') || separators_.find(c) != std::string::npos;

@@ -1,17 +1,10 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 
-#include "sim/mesh/tet_mesh.h"
+#include "sim/mesh/mesh_cells.h"
 
 namespace griffith {
-
-/// What a file holds: its tets, and how many elements of other kinds.
-struct MeshFile {
-  TetSoup soup;
-  std::int64_t skipped_elements = 0;
-};
 
 // One reader a format, behind read_mesh(); errors as described there.
 

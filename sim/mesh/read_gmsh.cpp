@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <iterator>
 #include <unordered_map>
 
 #include "sim/mesh/file_cursor.h"
@@ -6,17 +8,67 @@
 namespace griffith {
 namespace {
 
-/// Nodes of an element of Gmsh's type number, 0 for a type not known here (Gmsh reference manual, "MSH file format").
-int nodes_of_type(int type) {
-  constexpr int kNodes[] = {0, 2,  3,  4,  4, 8,  6,  5,  3,  6,  9, 10, 27, 18, 14, 1,
-                            8, 20, 15, 13, 9, 10, 12, 15, 15, 21, 4, 5,  6,  20, 35, 56};
-  if (type == 92) return 64;
-  if (type == 93) return 125;
-  return type > 0 && type < static_cast<int>(std::size(kNodes)) ? kNodes[type] : 0;
-}
+/// A type of elements (Gmsh reference manual, "MSH file format"; GmshDefines.h); all begin with their corners.
+struct GmshType {
+  int type;
+  CellShape shape;
+  int nodes;
+};
 
-/// Tets of first to fourth order; their corners come first.
-bool is_tet(int type) { return type == 4 || type == 11 || type == 29 || type == 30 || type == 31; }
+constexpr GmshType kGmshTypes[] = {{1, CellShape::line, 2},
+                                   {2, CellShape::triangle, 3},
+                                   {3, CellShape::quadrilateral, 4},
+                                   {4, CellShape::tetrahedron, 4},
+                                   {5, CellShape::hexahedron, 8},
+                                   {6, CellShape::prism, 6},
+                                   {7, CellShape::pyramid, 5},
+                                   {8, CellShape::line, 3},
+                                   {9, CellShape::triangle, 6},
+                                   {10, CellShape::quadrilateral, 9},
+                                   {11, CellShape::tetrahedron, 10},
+                                   {12, CellShape::hexahedron, 27},
+                                   {13, CellShape::prism, 18},
+                                   {14, CellShape::pyramid, 14},
+                                   {15, CellShape::point, 1},
+                                   {16, CellShape::quadrilateral, 8},
+                                   {17, CellShape::hexahedron, 20},
+                                   {18, CellShape::prism, 15},
+                                   {19, CellShape::pyramid, 13},
+                                   {20, CellShape::triangle, 9},
+                                   {21, CellShape::triangle, 10},
+                                   {22, CellShape::triangle, 12},
+                                   {23, CellShape::triangle, 15},
+                                   {24, CellShape::triangle, 15},
+                                   {25, CellShape::triangle, 21},
+                                   {26, CellShape::line, 4},
+                                   {27, CellShape::line, 5},
+                                   {28, CellShape::line, 6},
+                                   {29, CellShape::tetrahedron, 20},
+                                   {30, CellShape::tetrahedron, 35},
+                                   {31, CellShape::tetrahedron, 56},
+                                   {32, CellShape::tetrahedron, 22},
+                                   {33, CellShape::tetrahedron, 28},
+                                   {36, CellShape::quadrilateral, 16},
+                                   {37, CellShape::quadrilateral, 25},
+                                   {38, CellShape::quadrilateral, 36},
+                                   {39, CellShape::quadrilateral, 12},
+                                   {40, CellShape::quadrilateral, 16},
+                                   {41, CellShape::quadrilateral, 20},
+                                   {90, CellShape::prism, 40},
+                                   {91, CellShape::prism, 75},
+                                   {92, CellShape::hexahedron, 64},
+                                   {93, CellShape::hexahedron, 125},
+                                   {94, CellShape::hexahedron, 216},
+                                   {106, CellShape::prism, 126},
+                                   {118, CellShape::pyramid, 30},
+                                   {119, CellShape::pyramid, 55},
+                                   {120, CellShape::pyramid, 91}};
+
+/// Returns null for a type that is not known here.
+const GmshType* gmsh_type(int type) {
+  const auto* found = std::ranges::find(kGmshTypes, type, &GmshType::type);
+  return found == std::end(kGmshTypes) ? nullptr : found;
+}
 
 class GmshReader {
  public:
@@ -44,9 +96,12 @@ class GmshReader {
  private:
   void read_format() {
     cursor_.expect("$MeshFormat");
-    const double version = cursor_.number<double>("the format's version");
-    const bool known = (version >= 2 && version < 3) || version == 4.1;
-    if (!known) cursor_.fail("MSH version " + std::to_string(version), "export as version 2.2 or 4.1");
+    const std::string text(cursor_.word("the format's version"));
+    double version = 0;
+    if (!parse_number(text, version)) cursor_.fail_expecting("the format's version", text);
+    if ((version < 2 || version >= 3) && version != 4.1)
+      cursor_.fail("version " + text + " of MSH is not read",
+                   "convert it to version 4.1: gmsh OLD.msh -save -format msh41 -o NEW.msh");
     version_ = static_cast<int>(version);
     const int kind = cursor_.number<int>("0 for text or 1 for binary");
     if (cursor_.number<int>("the data size") != 8) cursor_.fail("another data size than 8", "expected 8");
@@ -117,10 +172,13 @@ class GmshReader {
     }
   }
 
-  int nodes_of_known_type(int type) {
-    const int nodes = nodes_of_type(type);
-    if (nodes == 0) cursor_.fail("element type " + std::to_string(type), "expected a type of Gmsh's manual");
-    return nodes;
+  const GmshType& known_type(int type) {
+    const GmshType* known = gmsh_type(type);
+    if (known == nullptr)
+      cursor_.fail("element type " + std::to_string(type),
+                   "expected points, lines, triangles, quadrilaterals, "
+                   "tetrahedra, pyramids, prisms or hexahedra, up to fifth order");
+    return *known;
   }
 
   template <class Tag>
@@ -133,16 +191,13 @@ class GmshReader {
   }
 
   template <class Tag>
-  void read_element_nodes(int type, int nodes) {
-    if (!is_tet(type)) {
-      for (int i = 0; i < nodes; ++i) cursor_.number<Tag>("a node's tag");
-      ++file_.skipped_elements;
-      return;
-    }
-    std::array<int, 4> tet;
-    for (int& corner : tet) corner = read_node_reference<Tag>();
-    for (int i = 4; i < nodes; ++i) cursor_.number<Tag>("a node's tag");
-    file_.soup.tets.push_back(tet);
+  void read_element_nodes(const GmshType& type) {
+    const int corners = has_volume(type.shape) ? corner_count(type.shape) : 0;
+    std::array<int, 8> cell = {};
+    for (int i = 0; i < corners; ++i) cell[i] = read_node_reference<Tag>();
+    for (int i = corners; i < type.nodes; ++i) cursor_.number<Tag>("a node's tag");
+    if (corners == 0) return file_.skip(type.shape);
+    file_.add(type.shape, cell, type.nodes);
   }
 
   /// Elements come in blocks with a common head in binary files; in text files each has its head after its number.
@@ -153,11 +208,11 @@ class GmshReader {
       if (!is_binary()) small();  // the element's number
       const int type = small(), block = is_binary() ? small() : 1, tags = small();
       if (block < 1 || tags < 0 || block > count - read) cursor_.fail("a wrong element head", "type, elements, tags");
-      const int nodes = nodes_of_known_type(type);
+      const GmshType& known = known_type(type);
       for (int i = 0; i < block; ++i, ++read) {
         if (is_binary()) small();
         for (int tag = 0; tag < tags; ++tag) small();
-        read_element_nodes<std::int32_t>(type, nodes);
+        read_element_nodes<std::int32_t>(known);
       }
     }
   }
@@ -168,12 +223,12 @@ class GmshReader {
     cursor_.require_room(blocks, 4, 4, "blocks of elements");
     for (std::int64_t block = 0; block < blocks; ++block) {
       small(), small();  // entity's dimension and tag
-      const int type = small(), nodes = nodes_of_known_type(type);
+      const GmshType& known = known_type(small());
       const std::int64_t elements = big();
-      cursor_.require_room(elements, nodes + 1, 8, "elements in a block");
+      cursor_.require_room(elements, known.nodes + 1, 8, "elements in a block");
       for (std::int64_t i = 0; i < elements; ++i) {
         big();  // the element's tag
-        read_element_nodes<std::int64_t>(type, nodes);
+        read_element_nodes<std::int64_t>(known);
       }
     }
   }

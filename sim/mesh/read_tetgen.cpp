@@ -25,14 +25,14 @@ int read_points(FileCursor& cursor, TetSoup& soup) {
   return first;
 }
 
-void read_tets(FileCursor& cursor, int first, TetSoup& soup) {
+void read_tets(FileCursor& cursor, int first, MeshFile& file) {
   const int count = cursor.number<int>("the number of tetrahedra");
   const int corners = cursor.number<int>("the number of nodes per tetrahedron");
   if (corners != 4 && corners != 10)
     cursor.fail(std::to_string(corners) + " nodes per tetrahedron", "expected 4 or 10");
   cursor.rest_of_line();
   cursor.require_room(count, 5, 0, "tetrahedra");
-  const int point_count = static_cast<int>(soup.points.size());
+  const int point_count = static_cast<int>(file.soup.points.size());
   for (int i = 0; i < count; ++i) {
     cursor.number<int>("a tetrahedron's number");
     std::array<int, 4> tet;
@@ -43,7 +43,7 @@ void read_tets(FileCursor& cursor, int first, TetSoup& soup) {
                     "points are " + std::to_string(first) + " to " + std::to_string(point_count - 1 + first));
       corner = number - first;
     }
-    soup.tets.push_back(tet);
+    file.add(CellShape::tetrahedron, tet, corners);
     cursor.rest_of_line();
   }
 }
@@ -55,7 +55,7 @@ MeshFile read_tetgen(const std::filesystem::path& path) {
   FileCursor points(std::filesystem::path(path).replace_extension(".node"), "", '#');
   const int first = read_points(points, file.soup);
   FileCursor tets(std::filesystem::path(path).replace_extension(".ele"), "", '#');
-  read_tets(tets, first, file.soup);
+  read_tets(tets, first, file);
   return file;
 }
 

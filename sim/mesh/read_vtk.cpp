@@ -15,7 +15,9 @@ class VtkReader {
     while (more && !cursor_.at_end()) more = read_section(std::string(cursor_.word("a section")));
     const std::string problem =
         add_vtk_cells({types_, offsets_, connectivity_}, 0, static_cast<std::int64_t>(file_.soup.points.size()), file_);
-    if (!problem.empty()) cursor_.fail(problem, "POINTS, CELLS and CELL_TYPES that fit together");
+    if (!problem.empty())
+      cursor_.fail(problem,
+                   "POINTS, CELLS and CELL_TYPES that fit together; ParaView's filter Tetrahedralize splits any cell");
     return std::move(file_);
   }
 

@@ -138,7 +138,10 @@ class VtuReader {
     const auto connectivity = values<std::int64_t>(piece.connectivity, "connectivity", -1);
     for (std::size_t i = 0; i < positions.size(); i += 3) file_.soup.points.emplace_back(&positions[i]);
     const std::string problem = add_vtk_cells({types, offsets, connectivity}, first_point, piece.points, file_);
-    if (!problem.empty()) cursor_.fail(problem, "connectivity, offsets and types that fit together");
+    if (!problem.empty())
+      cursor_.fail(
+          problem,
+          "connectivity, offsets and types that fit together; ParaView's filter Tetrahedralize splits any cell");
   }
 
   /// Decodes an array that must exist and have `count` values (any number if negative).

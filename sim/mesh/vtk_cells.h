@@ -14,8 +14,8 @@ struct VtkCells {
   std::span<const std::int64_t> types, offsets, connectivity;
 };
 
-/// Adds the tets of `cells` (second and higher order: their corners) to `file`, counting other cells. Points are
-/// numbered from `first_point`, of which there are `point_count`. Returns what is wrong, or nothing.
+/// Adds `cells` (second and higher order: their corners) to `file`. Points are numbered from `first_point`, of which
+/// there are `point_count`. Returns what is wrong, or nothing.
 std::string add_vtk_cells(const VtkCells& cells, int first_point, std::int64_t point_count, MeshFile& file);
 
 }  // namespace griffith

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Changes whenever the same surface and options would give another mesh than before.
-constexpr std::string_view kFormat = "griffith mesh 4\n";
+constexpr std::string_view kFormat = "griffith mesh 5\n";
 
 std::string options_text(const MeshingOptions& options) {
   char text[160];
@@ -31,6 +31,7 @@ std::string options_text(const MeshingOptions& options) {
 
 struct Header {
   std::int32_t method = 0, refusal_length = 0, points = 0, tets = 0;
+  LatticeParting parting;
 };
 
 /// Whether it is something that fill() can have made: the sum of its bytes tells damage, but not intent.
@@ -40,7 +41,10 @@ bool is_possible(const FilledSurface& filled) {
     return std::ranges::all_of(tet, [points](int corner) { return 0 <= corner && corner < points; });
   };
   const bool method = filled.method == MeshingMethod::tetgen || filled.method == MeshingMethod::volumetric;
-  return method && !filled.soup.tets.empty() && std::ranges::all_of(filled.soup.tets, known) &&
+  const LatticeParting& parting = filled.parting;
+  const bool counted = parting.pieces > 0 && parting.joined > 0 && parting.shells > 0 && parting.tried >= 0;
+  const bool sized = parting.element_size >= 0 && parting.least_size >= 0;
+  return method && counted && sized && !filled.soup.tets.empty() && std::ranges::all_of(filled.soup.tets, known) &&
          std::ranges::all_of(filled.soup.points, [](const Vec3& point) { return point.allFinite(); });
 }
 
@@ -52,6 +56,7 @@ std::optional<FilledSurface> decode(std::string_view bytes) {
   if (!take(bytes, &sum, 1) || hash_bytes(bytes) != sum || !take(bytes, &header, 1)) return std::nullopt;
   FilledSurface filled;
   filled.method = static_cast<MeshingMethod>(header.method);
+  filled.parting = header.parting;
   const bool whole = take_values(bytes, filled.refusal, header.refusal_length) &&
                      take_values(bytes, filled.soup.points, header.points) &&
                      take_values(bytes, filled.soup.tets, header.tets) && bytes.empty();
@@ -89,7 +94,7 @@ std::optional<FilledSurface> read_cache_entry(const fs::path& path) try {
 void write_cache_entry(const fs::path& path, const FilledSurface& filled) {
   const Header header = {static_cast<std::int32_t>(filled.method), static_cast<std::int32_t>(filled.refusal.size()),
                          static_cast<std::int32_t>(filled.soup.points.size()),
-                         static_cast<std::int32_t>(filled.soup.tets.size())};
+                         static_cast<std::int32_t>(filled.soup.tets.size()), filled.parting};
   std::string content(bytes_of(std::span(&header, 1)));
   content.append(filled.refusal).append(bytes_of(filled.soup.points)).append(bytes_of(filled.soup.tets));
   const std::uint64_t sum = hash_bytes(content);

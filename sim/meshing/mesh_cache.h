@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sim/mesh/tet_mesh.h"
+#include "sim/meshing/lattice_parting.h"
 #include "sim/meshing/meshing_options.h"
 #include "sim/meshing/surface.h"
 
@@ -16,6 +17,7 @@ struct FilledSurface {
   MeshingMethod method = MeshingMethod::volumetric;  ///< that made it
   std::string refusal;                               ///< why TetGen did not, where it was meant to; else empty
   std::string remedy;                                ///< what might help it besides another surface; else empty
+  LatticeParting parting;                            ///< of the method volumetric
 };
 
 /// $XDG_CACHE_HOME/griffith, or ~/.cache/griffith; empty when neither variable is set. It may be deleted at any time.

@@ -97,6 +97,7 @@ FilledSurface fill(const TriangleSurface& surface, const SurfaceReport& report, 
         sound ? for_tetgen_or(filled, "give a smaller element size") : "close its holes, or give it a thickness");
   }
   prepare(filled.soup, setup.name);
+  filled.parting = find_parting(surface, report, filled.soup, options, element_size, setup);
   return filled;
 }
 
@@ -175,6 +176,7 @@ std::vector<std::string> findings_of(const SurfaceReport& report, const FilledSu
   std::vector<std::string> list = findings(report);
   if (!filled.refusal.empty())
     list.push_back("meshed by the method volumetric, on a lattice of equal elements, because " + filled.refusal);
+  list.push_back(finding(filled.parting));
   list.push_back(volume_finding(report, filled));
   list.push_back(count_finding(report, filled, element_size));
   std::erase(list, "");

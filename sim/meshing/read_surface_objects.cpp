@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "sim/core/error.h"
+#include "sim/core/file_content.h"
 #include "sim/core/read_file.h"
 #include "sim/core/temporary_folder.h"
 #include "sim/meshing/surface_objects.h"
@@ -38,6 +39,7 @@ void require_known_file(const fs::path& path) {
   const std::uintmax_t size = fs::file_size(path);
   if (size == 0) throw InputError(path.string(), "is empty", "export the surface again");
   if (size > kMaxBytes) throw InputError(path.string(), "is larger than a gigabyte", "export it with fewer triangles");
+  require_expected_content(path);
   if (extension == ".ply") require_ply_header(path);
 }
 

@@ -15,10 +15,10 @@ constexpr double kFoldedSine = 1e-6;
 constexpr double kPlaneTolerance = 1e-9;
 constexpr int kMaxPairs = 100;  ///< of a triangle with those of higher numbers
 
-using Corners = std::array<Vec3, 3>;
+using CornerPositions = std::array<Vec3, 3>;
 
 /// Where the segment from p to q passes through the inside of a triangle.
-std::optional<Vec3> crossing(const Vec3& p, const Vec3& q, const Corners& triangle, double tolerance) {
+std::optional<Vec3> crossing(const Vec3& p, const Vec3& q, const CornerPositions& triangle, double tolerance) {
   const Vec3 normal = area_vector(triangle).normalized();
   const double above = normal.dot(p - triangle[0]), below = normal.dot(q - triangle[0]);
   if (!(std::min(above, below) < -tolerance && std::max(above, below) > tolerance)) return std::nullopt;
@@ -31,8 +31,8 @@ std::optional<Vec3> crossing(const Vec3& p, const Vec3& q, const Corners& triang
 }
 
 /// Whether two triangles of one plane with this normal overlap: no edge of either parts them (separating axes).
-bool overlap_in_plane(const Corners& a, const Corners& b, const Vec3& normal, double tolerance) {
-  for (const Corners* corners : {&a, &b})
+bool overlap_in_plane(const CornerPositions& a, const CornerPositions& b, const Vec3& normal, double tolerance) {
+  for (const CornerPositions* corners : {&a, &b})
     for (int i = 0; i < 3; ++i) {
       const Vec3 axis = normal.cross((*corners)[(i + 1) % 3] - (*corners)[i]).normalized();
       const std::array of_a = {axis.dot(a[0]), axis.dot(a[1]), axis.dot(a[2])};
@@ -44,13 +44,13 @@ bool overlap_in_plane(const Corners& a, const Corners& b, const Vec3& normal, do
   return true;
 }
 
-double longest_edge(const Corners& corners) {
+double longest_edge(const CornerPositions& corners) {
   return std::max(
       {(corners[1] - corners[0]).norm(), (corners[2] - corners[1]).norm(), (corners[0] - corners[2]).norm()});
 }
 
 /// A point that two triangles have in common beyond the `shared` corners, which come first in both.
-std::optional<Vec3> common_point(const Corners& a, const Corners& b, int shared) {
+std::optional<Vec3> common_point(const CornerPositions& a, const CornerPositions& b, int shared) {
   const Vec3 normal = area_vector(a).normalized();
   const double tolerance = kPlaneTolerance * std::max(longest_edge(a), longest_edge(b));
   if (shared == 2) {  // neighbours: folded onto each other, or well
@@ -92,7 +92,7 @@ std::optional<Vec3> common_point(const TriangleSurface& surface, int first, int 
   const int shared = align_shared(a, b);
   if (shared == 3) return std::nullopt;  // a duplicate, which is counted as such
   const auto corners = [&](const auto& t) {
-    return Corners{surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]};
+    return CornerPositions{surface.points[t[0]], surface.points[t[1]], surface.points[t[2]]};
   };
   return common_point(corners(a), corners(b), shared);
 }

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "sim/core/error.h"
-#include "sim/core/read_file.h"
+#include "sim/core/file_content.h"
 #include "sim/core/replace_file.h"
 #include "sim/recording/assets.h"
 #include "sim/recording/hash_table.h"
@@ -96,7 +96,10 @@ void write_recording(const Recording& recording, const std::filesystem::path& pa
 }
 
 Recording read_recording(const std::filesystem::path& path) {
-  FileTree files = unpack_files(read_file(path), path.string());
+  constexpr std::string_view kZstd = "\x28\xb5\x2f\xfd";  // whatever the file's name
+  const std::string packed = read_file(path);
+  if (!packed.starts_with(kZstd)) require_expected_content(path, packed);
+  FileTree files = unpack_files(packed, path.string());
   constexpr std::size_t kMegabyte = 1 << 20;
   const std::string scene = take_member(files, kScene, 16 * kMegabyte, path),
                     inputs = take_member(files, kInputs, 128 * kMegabyte, path),

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "sim/core/read_file.h"
+#include "sim/core/file_content.h"
 #include "sim/scene/apply_setting.h"
 #include "sim/scene/json_document.h"
 #include "sim/scene/read_value.h"
@@ -288,13 +288,13 @@ Scene first_problem_thrown(Document document, std::string_view text, std::span<c
 }  // namespace
 
 Scene read_scene(const std::filesystem::path& path, std::span<const SceneSetting> settings) {
-  return first_problem_thrown(document_of_file(path), read_file(path, kMaxBytes), settings);
+  return first_problem_thrown(document_of_file(path), read_expected_file(path, kMaxBytes), settings);
 }
 
 std::string scene_value(const std::filesystem::path& scene_file, const std::string& pointer,
                         std::span<const SceneSetting> settings) {
   Document document = document_of_file(scene_file);
-  Json json = document_json(document, read_file(scene_file, kMaxBytes), settings);
+  Json json = document_json(document, read_expected_file(scene_file, kMaxBytes), settings);
   if (!document.problems.empty()) throw document.problems.front();
   return value_at(json, in_full(document, json), pointer, document.file).dump();
 }
@@ -323,7 +323,7 @@ std::vector<WorldInput> inputs_from_json(std::string_view text, const std::strin
 
 std::vector<InputError> check_scene(const std::filesystem::path& path, std::span<const SceneSetting> settings) try {
   Document document = document_of_file(path);
-  read_document(document, read_file(path, kMaxBytes), settings);
+  read_document(document, read_expected_file(path, kMaxBytes), settings);
   return document.problems;
 } catch (const InputError& unreadable) {
   return {unreadable};
@@ -331,7 +331,7 @@ std::vector<InputError> check_scene(const std::filesystem::path& path, std::span
 
 std::vector<InputError> outdated_names(const std::filesystem::path& path) try {
   Document document = document_of_file(path);
-  read_document(document, read_file(path, kMaxBytes));
+  read_document(document, read_expected_file(path, kMaxBytes));
   return document.outdated;
 } catch (const InputError&) {
   return {};

@@ -2,10 +2,13 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "program.h"
+#include "sim/scene/scene_writer.h"
 
 namespace griffith::app {
 namespace {
@@ -105,6 +108,38 @@ TEST(CommandLine, ABadMeshIsToldWithSceneBodyFileAndLine) {
     EXPECT_THAT(outcome.output, HasSubstr("meshed.json#/bodies/1/shape/mesh: of \"rock\": "));
     EXPECT_THAT(outcome.output, HasSubstr("bad.node:4: found one"));
   }
+}
+
+/// A house: a hexahedron, a roof of two tets on its diagonal, and a triangle.
+constexpr char kHouse[] =
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n9\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 1 0 1\n7 1 1 "
+    "1\n8 0 1 1\n9 0.5 0.5 2\n$EndNodes\n$Elements\n4\n1 5 2 1 1 1 2 3 4 5 6 7 8\n2 4 2 1 1 6 7 8 9\n3 4 2 1 1 6 8 5 "
+    "9\n4 2 2 1 1 1 2 3\n$EndElements\n";
+
+TEST(CommandLine, WhatIsSplitAndSkippedOfAMeshIsToldByEveryCommand) {
+  test_file("house.msh", kHouse);
+  Scene scene;
+  scene.folder = test_folder();
+  scene.bodies.resize(1);
+  scene.bodies[0].name = "house";
+  scene.bodies[0].shape = MeshFileShape{.path = "house.msh"};
+  scene.bodies[0].position = Vec3(0, 0.01, 0);
+  scene.bodies[0].material.density = 2400;
+  scene.ground.reset();
+  write_scene(scene, test_folder() / "house.json");
+  const std::string file = (test_folder() / "house.json").string(), out = (test_folder() / "out").string();
+  for (const std::string& command : {"check " + file, "simulate " + file + " --frames 0 --stats " + out + ".json",
+                                     "render " + file + " --size 64x48 -o " + out + ".png",
+                                     "render " + file + " --ui --size 640x400 -o " + out + ".png",
+                                     "export " + file + " --frames 0:1 -o " + out + ".glb"}) {
+    const Outcome outcome = run_program(command);
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find("1 hexahedron split into 6 tetrahedra; no volume is skipped"), std::string::npos)
+        << command << "\n"
+        << outcome.output;
+    EXPECT_NE(outcome.output.find("1 triangle skipped: no volume"), std::string::npos) << command;
+  }
+  EXPECT_NEAR(nlohmann::json::parse(std::ifstream(out + ".json"))["mass"].get<double>(), 3200, 1e-9);
 }
 
 TEST(CommandLine, UnknownQuantityAndCameraListWhatThereIs) {

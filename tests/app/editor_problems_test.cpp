@@ -107,5 +107,18 @@ TEST_F(EditorProblems, NamesThatAreOutdatedGoWhenTheSceneIsSaved) {
   EXPECT_EQ(value("status/problems"), "no widget status/problems");
 }
 
+TEST_F(EditorProblems, WhatBecameOfTheCellsOfAMeshIsListed) {
+  test_file("pyramid.msh",
+            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n$EndNodes\n"
+            "$Elements\n2\n1 7 2 1 1 1 2 3 4 5\n2 2 2 1 1 1 2 3\n$EndElements\n");
+  editor_.open(test_file("pyramid.json", R"({"version": 1, "bodies": [
+      {"name": "pyramid", "shape": {"mesh": {"path": "pyramid.msh"}}, "position": [0, 1, 0]}]})"));
+  wait_for_work();
+  click("status/problems");
+  draw(2);
+  EXPECT_THAT(value(row_with("split")), HasSubstr("1 pyramid split into 2 tetrahedra"));
+  EXPECT_THAT(value(row_with("skipped:")), HasSubstr("1 triangle skipped: no volume"));
+}
+
 }  // namespace
 }  // namespace griffith::app

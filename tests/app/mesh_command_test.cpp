@@ -60,6 +60,37 @@ TEST(MeshCommand, ReportIsJsonAndTheCacheIsUsedUnlessForbidden) {
   EXPECT_EQ(first["mesh"], second["mesh"]);
 }
 
+constexpr char kTets[] =
+    "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n$EndNodes\n"
+    "$Elements\n2\n1 7 2 1 1 1 2 3 4 5\n2 2 2 1 1 1 2 3\n$EndElements\n";
+
+TEST(MeshCommand, TetsNeedNoFillingAndTheirQualityIsTold) {
+  const auto mesh = test_file("pyramid.msh", kTets);
+  const Outcome told = run_program("mesh " + mesh.string());
+  EXPECT_EQ(told.code, 0) << told.output;
+  EXPECT_THAT(told.output, HasSubstr("a scene takes the file as the shape {\"mesh\": {\"path\": \"pyramid.msh\"}}"));
+  EXPECT_THAT(told.output, HasSubstr("dihedral angles"));
+  EXPECT_THAT(told.output, HasSubstr("pyramid.msh: 1 pyramid split into 2 tetrahedra; no volume is skipped"));
+  EXPECT_THAT(told.output, HasSubstr("1 triangle skipped: no volume"));
+  const Outcome converted =
+      run_program("mesh " + mesh.string() + " --scale 2 -o " + (test_folder() / "b.vtu").string());
+  EXPECT_EQ(converted.code, 0) << converted.output;
+  EXPECT_NEAR(volume_of("b.vtu"), 8.0 / 3, 1e-12);
+}
+
+TEST(MeshCommand, AFileOfAnotherContentIsRefusedByName) {
+  const auto refusal = [](const std::string& name, const std::string& text) {
+    const Outcome outcome = run_program("mesh " + test_file(name, text).string());
+    EXPECT_EQ(outcome.code, 2) << outcome.output;
+    return outcome.output;
+  };
+  EXPECT_THAT(refusal("a.obj", "version https://git-lfs.github.com/spec/v1\noid sha256:1\nsize 1\n"),
+              HasSubstr("a.obj: is a pointer of Git LFS"));
+  EXPECT_THAT(refusal("a.msh", "$NOD\n0\n$ENDNOD\n"),
+              HasSubstr("version 1 of MSH\n  convert it to version 4.1: gmsh OLD.msh"));
+  EXPECT_THAT(refusal("a.vtk", "<?xml version=\"1.0\"?>\n<VTKFile/>\n"), HasSubstr("end its name in .vtu"));
+}
+
 TEST(MeshCommand, BadSurfacesAreExitCode2AndDefectsAreWarnings) {
   const auto run = [](const std::string& name, const std::string& text, const std::string& options) {
     return run_program("mesh " + test_file(name, text).string() + " --no-cache -o " +

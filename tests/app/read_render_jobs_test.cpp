@@ -36,6 +36,7 @@ TEST(RenderJobs, WhatIsWrittenReadsBackTheSame) {
   job.frames = {0, 7, 30};
   job.views = {"body", "utilization+slice"};
   job.samples = 1;
+  job.quality = PictureQuality::high;
   job.node = 3;
   job.interface = true;
   job.open_sections = true;
@@ -46,6 +47,7 @@ TEST(RenderJobs, WhatIsWrittenReadsBackTheSame) {
   EXPECT_EQ(jobs[0].scene, job.scene);
   EXPECT_EQ(jobs[0].frames, job.frames);
   EXPECT_EQ(jobs[0].views, job.views);
+  EXPECT_EQ(jobs[0].quality, job.quality);
   EXPECT_EQ(jobs[0].node, job.node);
   EXPECT_TRUE(jobs[0].interface);
   EXPECT_TRUE(jobs[0].open_sections);
@@ -67,6 +69,7 @@ TEST(RenderJobs, ProblemsNameTheirPlace) {
       {R"({"pictures": [{"name": "a", "scene": "x", "views": []}]})", "#/pictures/0/views"},
       {R"({"pictures": [{"name": "a", "scene": "x"}, {"name": "a", "scene": "y"}]})", "#/pictures/1"},
       {R"({"defaults": {"samples": 99}, "pictures": [{"name": "a", "scene": "x"}]})", "#/defaults/samples"},
+      {R"({"pictures": [{"name": "a", "scene": "x", "quality": "best"}]})", "#/pictures/0/quality"},
       {R"({"pictures": [{"name": "a", "scene": "x", "commands": ["fly"]}]})", "#/pictures/0/commands/0"},
       {R"({"pictures": [{"name": "a", "scene": "x", "ui": true, "commands": ["file.save"]}]})",
        "#/pictures/0/commands/0"},

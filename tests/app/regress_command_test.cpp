@@ -69,6 +69,11 @@ TEST_F(RegressCommand, AChangedSimulationIsToldFromAChangedDrawing) {
   EXPECT_EQ(simulation.code, 1);
   EXPECT_NE(simulation.output.find("failed: wall_body_0009: The simulation changed"), std::string::npos)
       << simulation.output;
+  EXPECT_NE(simulation.output.find("1 field of the scene changed, projectiles/0/speed: 40, now 40.03999999999999"),
+            std::string::npos)
+      << simulation.output;
+  EXPECT_NE(content_of(suite_ / "report.html").find("<tr class=\"differs\"><td>projectiles/0/speed</td><td>40</td>"),
+            std::string::npos);
   scene = small_wall();
   scene.view.edge_width = 3;
   write_scene(scene, suite_ / "wall.json");
@@ -153,6 +158,11 @@ TEST_F(RegressCommand, ASuiteIsMadeOfScenesOnce) {
   const Outcome outcome = run_program(command);
   EXPECT_EQ(outcome.code, 0) << outcome.output;
   EXPECT_EQ(run_program("regress " + made.string()).code, 0);
+  for (const RenderJob& job : suite_jobs(made, {})) {
+    EXPECT_EQ(job.width, 640);
+    EXPECT_EQ(job.height, 360);
+    EXPECT_EQ(std::ranges::count(job.views, "utilization"), 0) << "debris without load is of one color";
+  }
   EXPECT_EQ(run_program(command).code, 2);
   EXPECT_EQ(run_program("regress " + (test_folder() / "none").string()).code, 2);
 }

@@ -56,6 +56,20 @@ TEST(RenderCommand, ADraftHasRoughEdgesUnlessAskedOtherwise) {
   EXPECT_FALSE(rendered("smooth.png", draft + " --samples 4") == rendered("rough.png", draft + " --samples 1"));
 }
 
+TEST(RenderCommand, AQualityIsAsTheSceneHasItOrAsAskedFor) {
+  const std::string frame = "--frame 4 --no-legend ";
+  std::set<std::string> pictures;
+  for (const std::string quality : {"draft", "standard", "high"}) {
+    const render::Image asked = rendered("asked.png", frame + "--quality " + quality);
+    EXPECT_EQ(asked, rendered("set.png", frame + "--set view/quality=" + quality)) << quality;
+    pictures.emplace(asked.rgba.begin(), asked.rgba.end());
+  }
+  EXPECT_EQ(pictures.size(), 3u);
+  const Outcome refused = run_program("render " + small_wall_file().string() + " -o x.png --quality best");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_NE(refused.output.find("draft"), std::string::npos) << refused.output;
+}
+
 TEST(RenderCommand, NodeIsExplainedAndOneThatIsNotThereRefused) {
   const std::string common = "render " + small_wall_file().string() + " -o " + (test_folder() / "n.png").string() +
                              " --size 200x120 --frame 6 --view candidate_plane+element_forces --node ";

@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
+#include "app/output/outcome.h"
 #include "program.h"
 #include "sim/core/replace_file.h"
 #include "sim/world/step_counters.h"
@@ -49,6 +51,31 @@ TEST(Statistics, EveryFieldIsThereAndMakesSense) {
     EXPECT_LE(times["median"].get<double>(), times["p99"].get<double>()) << phase;
     EXPECT_LE(times["p99"].get<double>(), times["max"].get<double>()) << phase;
     EXPECT_LE(times["max"].get<double>(), times["total"].get<double>() * (1 + 1e-12)) << phase;
+  }
+}
+
+/// The numbers of a document by their places: "energy.gravity", "momentum.0".
+void collect_numbers(const Json& json, const std::string& place, std::map<std::string, double>& numbers) {
+  if (json.is_number()) numbers[place] = json.get<double>();
+  if (!json.is_structured()) return;
+  for (const auto& [name, value] : json.items())
+    collect_numbers(value, place.empty() ? name : place + "." + name, numbers);
+}
+
+/// One table has them: what statistics tell can be looked for and swept over, but for what no two runs share.
+TEST(Statistics, EachQuantityIsAnOutcome) {
+  const auto outcomes_file = test_folder() / "outcomes.json";
+  Json stats = stats_of("--frames 12 --outcomes " + outcomes_file.string());
+  for (const char* name : {"frames", "dt", "threads", "peak_memory_bytes", "ms", "scaled_impacts"}) stats.erase(name);
+  std::ifstream file(outcomes_file);
+  const Json outcomes = Json::parse(file)["outcomes"];
+  std::map<std::string, double> numbers;
+  collect_numbers(stats, "", numbers);
+  EXPECT_GT(numbers.size(), 60u);
+  for (const auto& [place, number] : numbers) {
+    ASSERT_TRUE(outcomes.contains(place)) << place;
+    EXPECT_EQ(outcomes[place].get<double>(), number) << place;
+    EXPECT_EQ(outcome_kinds()[outcome_index(place, "")].key, place);
   }
 }
 

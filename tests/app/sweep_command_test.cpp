@@ -80,8 +80,12 @@ TEST(SweepCommand, TellsWhatSimulateTells) {
   EXPECT_EQ(outcome("fragments"), told["fragments"]);
   EXPECT_EQ(outcome("crack_events"), told["crack_events"]);
   EXPECT_EQ(outcome("crack_area"), told["energy"]["crack_area"]);
-  EXPECT_EQ(outcome("kinetic_energy"), told["energy"]["kinetic"]);
-  EXPECT_EQ(outcome("elastic_energy"), told["energy"]["elastic"]);
+  EXPECT_EQ(outcome("cracks"), told["crack_events"]);
+  EXPECT_EQ(outcome("kinetic_energy"), told["kinetic_energy"]);
+  EXPECT_EQ(outcome("energy.elastic"), told["energy"]["elastic"]);
+  EXPECT_EQ(outcome("energy.contacts"), told["energy"]["contacts"]);
+  EXPECT_EQ(outcome("momentum.2"), told["momentum"][2]);
+  EXPECT_EQ(outcome("substeps"), told["substeps"]);
   EXPECT_EQ(outcome("energy_unaccounted"), told["energy"]["unaccounted"]);
   EXPECT_EQ(outcome("torn_supports"), told["supports_torn"]);
   EXPECT_GT(outcome("peak_utilization"), 1);
@@ -231,6 +235,14 @@ TEST(FindCommand, BracketsTheSpeedAtWhichAWallBreaks) {
     const double pieces = record_from_json(read_file(file), "").outcomes[outcome_index("pieces", "")];
     EXPECT_EQ(pieces > 1, side == std::string("above"));
   }
+}
+
+TEST(FindCommand, KnowsEveryQuantityOfTheStatistics) {
+  const Outcome found = run_program("find " + small_wall_file().string() +
+                                    " --frames 9 --parameter projectiles/0/speed=1,60 --outcome "
+                                    "'cracks > 0, crack_area > 0, energy.contacts > 0, substeps >= 9, momentum.2 < 0'");
+  EXPECT_EQ(found.code, 0) << found.output;
+  EXPECT_NE(found.output.find("fails at 1"), std::string::npos) << found.output;
 }
 
 TEST(FindCommand, NarrowsFieldsWhoseRangeEndsBetweenWholeNumbers) {

@@ -6,6 +6,7 @@
 #include "tests/fuzz/mutate_soup.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/world_checks.h"
+#include "tests/mesh/cell_files.h"
 #include "tests/mesh/sample_files.h"
 
 namespace griffith::fuzz {
@@ -46,8 +47,7 @@ class MeshTarget : public Target {
 
   Input make(RandomValues& random) const override {
     const bool odd = chance(random, 0.5);
-    const TetSoup& soup = pick(random, soups_);
-    Input input = input_of(pick(random, testing::sample_files(odd ? mutate_soup(soup, random) : soup)));
+    Input input = chance(random, 0.2) ? cells(odd, random) : tets(odd, random);
     if (odd && chance(random, 0.8)) return input;
     auto file = input.files.begin();
     std::advance(file, random.index(static_cast<int>(input.files.size())));
@@ -58,9 +58,10 @@ class MeshTarget : public Target {
 
   Outcome run(const Input& input, const std::filesystem::path& folder) const override {
     const std::filesystem::path path = folder / input.entry;
-    std::int64_t skipped = 0;
-    TetSoup soup = read_mesh(path, &skipped);
-    promise(skipped >= 0, "a negative number of elements was skipped");
+    CellReport cells;
+    TetSoup soup = read_mesh(path, &cells);
+    for (const std::int64_t skipped : cells.skipped) promise(skipped >= 0, "a negative number of cells was skipped");
+    findings(cells);
     if (soup.tets.size() > kMaxTets) return Outcome::too_large;
     TetMesh mesh;
     const MeshReport report = prepare(soup, "mesh", &mesh);
@@ -72,6 +73,17 @@ class MeshTarget : public Target {
   }
 
  private:
+  Input tets(bool odd, RandomValues& random) const {
+    const TetSoup& soup = pick(random, soups_);
+    return input_of(pick(random, testing::sample_files(odd ? mutate_soup(soup, random) : soup)));
+  }
+
+  /// Hexahedra, prisms, pyramids and tets, odd ones folded.
+  static Input cells(bool odd, RandomValues& random) {
+    const int n = 1 + random.index(2), seed = random.index(1000);
+    return input_of(pick(random, testing::cell_files(testing::mixed_block(n, odd ? 0.8 : 0.2, seed))));
+  }
+
   static void write_and_read(const TetSoup& soup, const std::filesystem::path& folder) {
     write_gmsh(folder / "again.msh", soup);
     const TetSoup again = read_mesh(folder / "again.msh");

@@ -251,10 +251,11 @@ TEST(MeshSurface, DamagedCacheEntriesAreIgnored) {
 
 /// An entry whose sum is right: what `header` announces, and then `content`.
 void write_crafted_entry(const std::filesystem::path& path, const std::array<std::int32_t, 4>& header,
-                         const std::string& content) {
-  const std::string bytes = std::string(reinterpret_cast<const char*>(header.data()), sizeof header) + content;
+                         const std::string& content, const LatticeParting& parting = {}) {
+  const std::string bytes = std::string(reinterpret_cast<const char*>(header.data()), sizeof header) +
+                            std::string(reinterpret_cast<const char*>(&parting), sizeof parting) + content;
   const std::uint64_t sum = hash_bytes(bytes);
-  std::ofstream(path, std::ios::binary) << "griffith mesh 4\n"
+  std::ofstream(path, std::ios::binary) << "griffith mesh 5\n"
                                         << std::string(reinterpret_cast<const char*>(&sum), sizeof sum) << bytes;
 }
 
@@ -276,6 +277,12 @@ TEST(MeshSurface, CraftedCacheEntriesAreIgnored) {
   for (const auto& header : headers) {
     write_crafted_entry(entry, header, content);
     EXPECT_FALSE(read_cache_entry(entry)) << header[0] << ' ' << header[1] << ' ' << header[2] << ' ' << header[3];
+  }
+  for (const LatticeParting& parting :
+       {LatticeParting{.pieces = 0}, LatticeParting{.joined = -1}, LatticeParting{.element_size = std::nan("")},
+        LatticeParting{.least_size = -1}}) {
+    write_crafted_entry(entry, {kMethod, 0, 4, 1}, content, parting);
+    EXPECT_FALSE(read_cache_entry(entry));
   }
   for (const int corner : {-1, 4, kMaximum}) {
     content.resize(4 * sizeof(Vec3));

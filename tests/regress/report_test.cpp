@@ -6,6 +6,7 @@
 #include <regex>
 #include <set>
 
+#include "sim/scene/scene_difference.h"
 #include "tests/app/program.h"
 #include "tests/regress/results.h"
 
@@ -92,6 +93,32 @@ TEST(Report, ADifferenceOfSizeIsShownWithoutAComparison) {
   EXPECT_THAT(page, HasSubstr("the size is 40×30, that of the golden picture 96×64"));
   EXPECT_THAT(page, Not(HasSubstr("class=\"stage\"")));
   EXPECT_THAT(unbalanced(page), ::testing::IsEmpty());
+}
+
+/// A picture with a scene that has a wall, and another speed of its shot.
+RegressionPicture picture_of_scene(double speed, int left = 30) {
+  Scene scene;
+  scene.bodies.resize(1);
+  scene.bodies[0].name = "wall";
+  scene.projectiles.resize(1);
+  scene.projectiles[0].speed = speed;
+  RegressionPicture picture = some_picture(left);
+  picture.scene = full_scene_text(scene);
+  return picture;
+}
+
+TEST(PictureResults, ChangedFieldsOfTheSceneAreNamed) {
+  const PictureResult changed = compare_pictures("a", picture_of_scene(10), picture_of_scene(12, 31));
+  EXPECT_THAT(changed.reason, HasSubstr("1 field of the scene changed, projectiles/0/speed: 10, now 12."));
+  EXPECT_THAT(report_of({changed}), HasSubstr("<tr class=\"differs\"><td>projectiles/0/speed</td><td>10</td>"
+                                              "<td>12</td></tr>"));
+  const PictureResult same = compare_pictures("a", picture_of_scene(10), picture_of_scene(10, 31));
+  EXPECT_THAT(same.reason,
+              HasSubstr("No field of the scene changed: the program did, or a file that the scene names."));
+  const PictureResult unknown = compare_pictures("a", some_picture(), picture_of_scene(10, 31));
+  EXPECT_THAT(unknown.reason, Not(HasSubstr("of the scene")));
+  EXPECT_EQ(compare_pictures("a", picture_of_scene(10), picture_of_scene(12)).status, PictureStatus::passed)
+      << "what changes nothing decides nothing";
 }
 
 TEST(PictureResults, TextAndIdsFailByThemselves) {

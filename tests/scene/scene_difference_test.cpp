@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <map>
 
 #include "sim/core/error.h"
 
@@ -62,6 +63,50 @@ TEST(SceneDifference, WhatASceneCannotHaveIsNamed) {
       EXPECT_TRUE(error.where().starts_with("my.script:3")) << error.where();
     }
   }
+}
+
+std::vector<FieldChange> changes(const Scene& before, const Scene& after) {
+  return field_changes(full_scene_text(before), full_scene_text(after));
+}
+
+TEST(FieldChanges, NameEachFieldWithBothValues) {
+  const Scene before = two_bodies();
+  EXPECT_TRUE(changes(before, before).empty());
+  Scene after = before;
+  after.bodies[1].position = Vec3(1, 2, 3);
+  after.bodies[1].shape = SphereShape{.radius = 0.5};
+  after.projectiles[0].speed = 12.5;
+  std::map<std::string, FieldChange> found;
+  for (const FieldChange& change : changes(before, after)) found[change.pointer] = change;
+  EXPECT_EQ(found.at("/bodies/1/position").before, "[0,0,0]");
+  EXPECT_EQ(found.at("/bodies/1/position").after, "[1,2,3]");
+  EXPECT_EQ(found.at("/projectiles/0/speed").after, "12.5");
+  EXPECT_FALSE(found.at("/bodies/1/shape/box").after);
+  EXPECT_FALSE(found.at("/bodies/1/shape/sphere").before);
+  EXPECT_EQ(found.size(), 4u);
+}
+
+/// A body that is taken out, put in or moved in the list is no change of the others.
+TEST(FieldChanges, NamedItemsAreComparedByName) {
+  const Scene before = two_bodies();
+  Scene after = before;
+  after.bodies.erase(after.bodies.begin());
+  const auto removed = changes(before, after);
+  ASSERT_EQ(removed.size(), 1u);
+  EXPECT_EQ(removed[0].pointer, "/bodies/0");
+  EXPECT_FALSE(removed[0].after);
+  const auto added = changes(after, before);
+  ASSERT_EQ(added.size(), 1u);
+  EXPECT_FALSE(added[0].before);
+  after = before;
+  std::swap(after.bodies[0], after.bodies[1]);
+  EXPECT_TRUE(changes(before, after).empty());
+}
+
+TEST(FieldChanges, AFieldThatAnOlderProgramDidNotHaveIsNew) {
+  const std::vector<FieldChange> found = field_changes(R"({"a": {"b": 1}})", R"({"a": {"b": 1, "c": [1, 2]}})");
+  EXPECT_THAT(found, ElementsAre(FieldChange{"/a/c", std::nullopt, "[1,2]"}));
+  EXPECT_THROW(field_changes("{", "{}"), InputError);
 }
 
 }  // namespace

@@ -179,11 +179,14 @@ void move_nodes(WorldState& world, const Body& body, const std::vector<Vec3>& ex
   for (NodeId node : body.nodes) world.nodes.positions[node] += dt * world.nodes.velocities[node];
 }
 
-/// What a strain of this size all over a body stores [J].
+}  // namespace
+
 double energy_of_strain(const WorldState& world, const Body& body, double strain) {
   const Material& material = world.material_of(body);
   return 0.5 * material.young_modulus * strain * strain * body.motion.mass / material.density;
 }
+
+namespace {
 
 /// Moves an elastic body and takes its stress. Where parts of it turn far in one step, as on a hinge that a crack left,
 /// the linearised step stretches it: then it deforms less, so that it has no more energy than it was given. Whether it

@@ -30,5 +30,7 @@ struct Wrench {
 Wrench wrench_of(const WorldState& world, const Body& body, const std::vector<Vec3>& forces);
 /// Kinetic and elastic energy of a body [J].
 double mechanical_energy(const WorldState& world, const Body& body);
+/// Energy that a strain of this size stores all over a body [J].
+double energy_of_strain(const WorldState& world, const Body& body, double strain);
 
 }  // namespace griffith

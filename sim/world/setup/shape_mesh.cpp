@@ -77,7 +77,10 @@ ShapeMesh make_mesh(const Scene& scene, const Shape& shape, const GivenMeshes* g
   MeshReport report = prepare(made.soup, mesh_name(scene, shape), &made.mesh);
   if (monitor.is_cancelled()) throw Cancelled();
   check_size(report, mesh_name(scene, shape));
-  if (std::holds_alternative<MeshFileShape>(shape)) made.findings = findings(report);
+  if (std::holds_alternative<MeshFileShape>(shape)) {
+    const std::vector<std::string> of_mesh = findings(report);
+    made.findings.insert(made.findings.end(), of_mesh.begin(), of_mesh.end());
+  }
   made.pieces = connected_components(made.mesh);
   if (made.pieces.size() == 1)
     made.convex_parts =

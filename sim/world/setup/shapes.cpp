@@ -12,7 +12,7 @@ namespace {
 
 struct Maker {
   const std::filesystem::path& folder;
-  std::vector<std::string>* findings;
+  std::vector<std::string>* known;  ///< about the file; null: nobody asks
   const Monitor& monitor;
 
   TetSoup operator()(const BoxShape& box) const { return make_box(box.size, box.element_size, box.pattern); }
@@ -32,7 +32,9 @@ struct Maker {
     return make_notched_beam(beam.size, beam.notch_depth, beam.element_size, beam.pattern);
   }
   TetSoup operator()(const MeshFileShape& file) const {
-    TetSoup soup = read_mesh(file_path(folder, file.path));
+    CellReport report;
+    TetSoup soup = read_mesh(file_path(folder, file.path), &report);
+    if (known != nullptr) *known = findings(report);
     for (Vec3& point : soup.points) point *= file.scale;
     return soup;
   }
@@ -43,7 +45,7 @@ struct Maker {
     setup.cache = default_mesh_cache();
     setup.monitor = monitor;
     SurfaceMesh mesh = mesh_surface(read_surface(path, shape.scale, setup.monitor), shape.meshing, setup);
-    if (findings != nullptr) *findings = std::move(mesh.findings);
+    if (known != nullptr) *known = std::move(mesh.findings);
     return std::move(mesh.soup);
   }
 };

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/mesh/tet_mesh.h"
+
+namespace griffith {
+
+/// Shapes of the cells that mesh files hold; those from tetrahedron on have a volume.
+enum class CellShape : std::uint8_t {
+  point,
+  line,
+  triangle,
+  quadrilateral,
+  polygon,
+  tetrahedron,
+  pyramid,
+  prism,
+  hexahedron
+};
+inline constexpr int kCellShapes = 9;
+
+/// Number of corners, 0 for a polygon, which may have any.
+int corner_count(CellShape shape);
+
+inline bool has_volume(CellShape shape) { return shape >= CellShape::tetrahedron; }
+
+/// A pyramid, prism or hexahedron. Corners are ordered as in VTK and Gmsh: once around the base, then the apex, or the
+/// opposite face in the same sense.
+struct VolumeCell {
+  CellShape shape = CellShape::hexahedron;
+  std::array<int, 8> corners = {};  ///< indices of points; the first corner_count() count
+};
+
+/// Counts of a file's cells that are more, or other, than plain tetrahedra.
+struct CellReport {
+  std::array<std::int64_t, kCellShapes> skipped = {};       ///< cells without a volume, by shape
+  std::array<std::int64_t, kCellShapes> split = {};         ///< cells that were split into tets, by shape
+  std::array<std::int64_t, kCellShapes> higher_order = {};  ///< of those that were read: have more nodes than corners
+  std::int64_t tets_of_split = 0;                           ///< tets that cells were split into
+};
+
+/// "12 triangles, 8 lines and 1 point": what there is of each shape; empty for none.
+std::string count_list(const std::array<std::int64_t, kCellShapes>& counts);
+
+/// Sentences for people on what was split, left out or simplified; empty for plain tetrahedra.
+std::vector<std::string> findings(const CellReport& report);
+
+/// Contents of a mesh file.
+struct MeshFile {
+  TetSoup soup;
+  std::vector<VolumeCell> cells;  ///< pyramids, prisms and hexahedra, not yet split
+  CellReport report;
+
+  /// Counts a cell without a volume.
+  void skip(CellShape shape, std::int64_t count = 1) { report.skipped[static_cast<std::size_t>(shape)] += count; }
+  /// Adds a cell with a volume. `corners`: corner_count() indices of points. `nodes`: the number that the file gives
+  /// it.
+  void add(CellShape shape, std::span<const int> corners, std::int64_t nodes);
+};
+
+/// Splits the cells of `file` into tets of its soup. Quadrilateral faces are cut through their node of the smallest
+/// number (Dompierre et al. 1999, "How to subdivide pyramids, prisms and hexahedra into tetrahedra"), or along the edge
+/// that tets or other triangular faces of the file have there, so that neighbours match. Cells are fans of tets from a
+/// corner, or from an added point in the middle where no corner sees all faces well. Throws InputError, about `name`,
+/// for cells that overlap themselves.
+void split_cells(MeshFile& file, const std::string& name);
+
+}  // namespace griffith
