@@ -108,7 +108,7 @@ void Solid::constrain(int node, const NodeConstraint& constraint) {
     return;
   }
   index = static_cast<int>(constraints_.size());
-  constraints_.push_back({node, constraint});
+  constraints_.push_back({node, constraint, velocity(node) - constraint.allowed * velocity(node)});
 }
 
 void Solid::add_body(const ElasticLaw& law, double density, std::span<const std::array<int, 4>> tets,

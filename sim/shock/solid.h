@@ -25,12 +25,14 @@ struct SolidNode {
 struct SolidConstraint {
   int node = 0;
   NodeConstraint constraint;
+  Vec3 before = Vec3::Zero();   ///< velocity of the node in the blocked directions before the next reaction [m/s]
   Vec3 impulse = Vec3::Zero();  ///< of the support on the node so far [N·s]
   double work = 0;              ///< of the support as it moves [J]
 
   void take(const Vec3& reaction) {
     impulse += reaction;
-    work += reaction.dot(constraint.velocity);
+    work += 0.5 * reaction.dot(before + constraint.velocity);
+    before = constraint.velocity;
   }
 };
 
@@ -133,6 +135,10 @@ class Solid {
   /// Moves a node, for a push that should have come before its last motion [m].
   void shift(int node, const Vec3& displacement) {
     displacements_[node].value += WideQuad{displacement[0], displacement[1], displacement[2], 0};
+  }
+  /// Adds to a node's acceleration by external forces, from now on [m/s²].
+  void accelerate(int node, const Vec3& change) {
+    accelerations_[node].value += WideQuad{change[0], change[1], change[2], 0};
   }
   /// The velocity change that a unit impulse along `direction` brings along it [1/kg].
   double mobility(int node, const Vec3& direction) const;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "sim/mesh/topology.h"
 #include "sim/solver/direct_solve.h"
@@ -46,6 +47,7 @@ class StaticSolver {
   double energy_gained(const Balance& before, const Balance& after, const std::vector<Vec3>& step,
                        double fraction) const;
   bool given_up() const { return settings_.given_up && settings_.given_up(); }
+  Balance first_step(const Balance& start);
   bool search_line(Balance& now, const std::vector<Vec3>& step);
   void finish(const Balance& balance);
 
@@ -59,7 +61,7 @@ class StaticSolver {
   ModeCombinations free_motions_;
   std::vector<NodeConstraint> still_;  // the problem's and pins, at no velocity
   std::vector<int> rows_;
-  ElasticSystem system_;
+  std::optional<ElasticSystem> system_;  // once a step is to be made
   StaticReport report_;
 };
 
@@ -86,8 +88,7 @@ StaticSolver::StaticSolver(const StaticProblem& problem, const StaticSettings& s
       radius_(radius_of(nodes_, positions, center_)),
       free_motions_(find_free_motions()),
       still_(pin_free_motions()),
-      rows_(positions.size(), -1),
-      system_(problem.mesh, problem.tets, still_, rows_) {
+      rows_(positions.size(), -1) {
   report_.free_motions = static_cast<int>(free_motions_.cols());
 }
 
@@ -176,7 +177,7 @@ Balance StaticSolver::balance() {
 double StaticSolver::scale(const Balance& balance) const {
   double squares = 0;
   for (NodeId node : nodes_) squares += balance.loads[node].squaredNorm();
-  for (NodeId node : system_.supports())
+  for (NodeId node : nodes_)
     squares += (balance.forces[node] - problem_.constraints[node].allowed * balance.forces[node]).squaredNorm();
   return std::sqrt(squares);
 }
@@ -185,19 +186,20 @@ double StaticSolver::scale(const Balance& balance) const {
 /// size.
 double StaticSolver::rounding_level() const {
   return 4 * std::numeric_limits<double>::epsilon() *
-         diagonal_product_norm(system_.matrix(), system_.gather(positions_));
+         diagonal_product_norm(system_->matrix(), system_->gather(positions_));
 }
 
 /// Solves K d = residual with these known displacements; returns d of all nodes.
 std::vector<Vec3> StaticSolver::newton_step(const Balance& now, std::span<const NodeConstraint> constraints) {
   constexpr double kTolerance = 1e-6;
-  system_.assemble(MatrixFactors{0, 1}, problem_.law, problem_.rest_elements, states_, positions_, problem_.masses);
-  const NodeVectors b = system_.gather(now.residual);
+  if (!system_) system_.emplace(problem_.mesh, problem_.tets, still_, rows_);
+  system_->assemble(MatrixFactors{0, 1}, problem_.law, problem_.rest_elements, states_, positions_, problem_.masses);
+  const NodeVectors b = system_->gather(now.residual);
   NodeVectors x = NodeVectors::Zero(3, b.cols());
   const SolveReport linear =
-      system_.solve_projected(constraints, kTolerance, settings_.max_iterations, b, x, settings_.given_up);
+      system_->solve_projected(constraints, kTolerance, settings_.max_iterations, b, x, settings_.given_up);
   report_.linear_iterations += linear.iterations;
-  if (!linear.converged && !given_up()) report_.factorizations += system_.solve_directly(constraints, b, x);
+  if (!linear.converged && !given_up()) report_.factorizations += system_->solve_directly(constraints, b, x);
   std::vector<Vec3> step(positions_.size(), Vec3::Zero());
   for (NodeId node : nodes_) {
     step[node] = constraints[node].velocity;
@@ -250,20 +252,29 @@ bool StaticSolver::search_line(Balance& now, const std::vector<Vec3>& step) {
   return false;
 }
 
-StaticReport StaticSolver::solve() {
-  // The first step makes the prescribed displacements, with the linear response of all other nodes to them.
-  Balance now = balance();
+/// Makes the prescribed displacements, with the linear response of all other nodes to them.
+Balance StaticSolver::first_step(const Balance& start) {
   std::vector<NodeConstraint> moving = still_;
   for (NodeId node : nodes_) moving[node].velocity = problem_.constraints[node].velocity;
-  move({positions_.begin(), positions_.end()}, newton_step(now, moving), 1);
-  now = balance();
+  move({positions_.begin(), positions_.end()}, newton_step(start, moving), 1);
   report_.newton_steps = 1;
-  const auto target = [&] { return std::max(settings_.relative_residual * scale(now), rounding_level()); };
-  while (now.norm > target() && report_.newton_steps < settings_.max_newton_steps && !given_up()) {
-    ++report_.newton_steps;
-    if (!search_line(now, newton_step(now, still_))) break;
+  return balance();
+}
+
+StaticReport StaticSolver::solve() {
+  Balance now = balance();
+  const bool moves =
+      std::ranges::any_of(nodes_, [&](NodeId node) { return !problem_.constraints[node].velocity.isZero(0); });
+  report_.converged = !moves && now.norm <= settings_.relative_residual * scale(now);
+  if (!report_.converged) {
+    now = first_step(now);
+    const auto target = [&] { return std::max(settings_.relative_residual * scale(now), rounding_level()); };
+    while (now.norm > target() && report_.newton_steps < settings_.max_newton_steps && !given_up()) {
+      ++report_.newton_steps;
+      if (!search_line(now, newton_step(now, still_))) break;
+    }
+    report_.converged = now.norm <= target();
   }
-  report_.converged = now.norm <= target();
   finish(now);
   return report_;
 }

@@ -47,7 +47,8 @@ struct StaticReport {
 };
 
 /// Static equilibrium f_elastic(x) + loads(x) = 0 by Newton's method with a line search on the potential energy. The
-/// derivative of loads that follow the nodes is left out of the matrix: with such it converges linearly.
+/// derivative of loads that follow the nodes is left out of the matrix: with such it converges linearly. Where supports
+/// stand still and the start is in balance to the residual that is asked for, nothing moves.
 /// `positions` [m] hold the start and the answer, `states` the elements' at the answer; both per node or tet of the
 /// mesh, the body's alone are written.
 StaticReport solve_static(const StaticProblem& problem, const StaticSettings& settings, std::span<Vec3> positions,

@@ -52,12 +52,13 @@ void fracture(WorldState& world, double substep) {
 /// Contacts and motion of everything but the bodies in shock.
 void move(WorldState& world, double dt) {
   record_substep_start(world);
+  update_supports(world, world.time, dt);
   StepTimings& timings = world.report.milliseconds;
   std::vector<Vec3> external;
   {
     PhaseTimer timer(timings.elasticity);
     assemble_systems(world, dt);
-    external = external_forces(world);
+    external = external_forces(world, dt);
     predict_velocities(world, external, dt);
   }
   {
@@ -134,12 +135,24 @@ void step_by_stretches(WorldState& world, double time_step) {
   update_sleep(world, time_step);
 }
 
+/// True if neither loads nor supports change the balance in the step from `time` [s].
+bool stays_in_equilibrium(const WorldState& world, double time, double time_step) {
+  return world.in_equilibrium &&
+         std::ranges::none_of(world.loads,
+                              [&](const PlacedLoad& placed) {
+                                return load_factor(placed.load, time) != load_factor(placed.load, time + time_step);
+                              }) &&
+         std::ranges::all_of(world.nodes.constraints,
+                             [](const NodeConstraint& held) { return held.velocity.isZero(0); });
+}
+
 /// Goes, without inertia, from one equilibrium to the next, as loads and supports move on. Each crack changes the
 /// balance, so it is found again until nothing more cracks or the budget ends.
 void step_statically(WorldState& world, double time_step) {
   const int budget = world.model->scene.simulation.impact_substeps;
   double displacement_time = time_step;
   world.time += time_step;
+  world.in_equilibrium = false;
   int cracks_before = -1;
   for (world.report.substeps = 0; world.report.cracks > cracks_before; ++world.report.substeps) {
     {
@@ -155,6 +168,7 @@ void step_statically(WorldState& world, double time_step) {
     cracks_before = world.report.cracks;
     fracture(world, std::numeric_limits<double>::infinity());
   }
+  world.in_equilibrium = world.report.unconverged_solves == 0 && world.report.cracks_postponed == 0;
 }
 
 /// Whether a step would move nothing: all lie asleep, as the contact world saw in the last step.
@@ -166,10 +180,14 @@ bool all_lie_asleep(const WorldState& world) {
          });
 }
 
-void step_by_settings(WorldState& world, double time_step) {
+void step_by_settings(WorldState& world, double time_step, double last_peak) {
   const SimulationSettings& settings = world.model->scene.simulation;
   if (world.model->scene.analysis == Analysis::equilibrium) {
-    step_statically(world, time_step);
+    if (stays_in_equilibrium(world, world.time, time_step)) {
+      world.report.peak_utilization = last_peak;
+    } else {
+      step_statically(world, time_step);
+    }
   } else if (world.integrates_explicitly()) {
     step_explicitly(world, time_step);
   } else if (settings.integrator == Integrator::hybrid) {
@@ -196,7 +214,7 @@ void advance(WorldState& world) {
     const double time_step = world.model->scene.simulation.time_step;
     launch_projectiles(world);
     update_supports(world, world.time, time_step);
-    make_loaded_bodies_elastic(world, world.time - time_step, world.time);
+    make_loaded_bodies_elastic(world, {world.time - time_step, world.time}, {world.time, world.time + time_step});
     make_first_struck_elastic(world, time_step);
     asleep = all_lie_asleep(world);
     if (asleep) {
@@ -204,7 +222,7 @@ void advance(WorldState& world) {
       world.report.sleeping_bodies = static_cast<int>(world.bodies.size());
     } else {
       world.elements.states.edit(), world.elements.stresses.edit();  // bodies will write theirs side by side
-      step_by_settings(world, time_step);
+      step_by_settings(world, time_step, last_peak);
     }
     ++world.step;
     world.time = static_cast<double>(world.step) * time_step;

@@ -146,6 +146,7 @@ void World::set_material(int scene_body, const Material& material) {
                      "take an index of Scene::bodies");
   check_substep_count(world, scene_body, material);
   const EnergyNow before = energy_now(world);
+  world.in_equilibrium = false;
   const bool stays = world.step > 0 && differ_in_resistance_alone(world.materials[scene_body], material);
   world.materials[scene_body] = material;
   if (material.yield_strength) world.elements.allow_strains();

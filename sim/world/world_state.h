@@ -171,6 +171,7 @@ struct WorldState {
   EnergyAccount energy, energy_before;  ///< so far; before the present step
   double last_microstep_work = 0;       ///< Scratch::microstep_work of the last step
   double shock_overhead = 1;            ///< work of the last stretch's shock over that of its elements alone [-]
+  bool in_equilibrium = false;          ///< static analysis: the last step found it, and nothing was left to crack
   double potential_at_start = 0;        ///< of gravity, with what was launched since [J]
   Scratch scratch;
 

@@ -4,7 +4,6 @@
 #include <random>
 
 #include "sim/contact/mass_properties.h"
-#include "sim/core/free_turn.h"
 #include "tests/contact/bodies.h"
 
 namespace griffith {
@@ -103,37 +102,6 @@ TEST(ConvexProjectile, AFreeSpinKeepsItsAngularMomentum) {
   for (int i = 0; i < 300; ++i) testing::solve(world, kDt);
   EXPECT_LT((momentum() - before).norm(), 1e-9 * before.norm());
   EXPECT_GT((world.state(shot).angular_velocity - state.angular_velocity).norm(), 0.1) << "it tumbles";
-}
-
-TEST(FreeTurn, KeepsMomentumAndEnergyHoweverFastTheSpin) {
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> uniform(-1, 1);
-  for (double angle : {1e-3, 0.1, 0.6, 0.99, 3.0, 200.0}) {
-    Mat3 inertia = Vec3(1, 2.5, 3).asDiagonal();
-    Vec3 spin = Vec3(uniform(random), uniform(random), uniform(random)).normalized() * angle / kDt;
-    const Vec3 momentum = inertia * spin;
-    const double energy = momentum.dot(spin) / 2;
-    for (int step = 0; step < 200; ++step) {
-      const Mat3 turn = free_turn(inertia, spin, kDt);
-      inertia = turn * inertia * turn.transpose();
-      spin = inertia.inverse() * momentum;
-      ASSERT_NEAR(momentum.dot(spin) / 2, energy, 1e-6 * energy) << "turn of " << angle << ", step " << step;
-    }
-  }
-}
-
-TEST(FreeTurn, IsThatOfASymmetricTop) {
-  // Its axis goes round the momentum at |L|/I₁ (Euler).
-  const Mat3 inertia = Vec3(2, 2, 3).asDiagonal();
-  const Vec3 momentum = inertia * Vec3(1, 0, 2);
-  Mat3 turned = Mat3::Identity();
-  const int steps = 1000;
-  for (int i = 0; i < steps; ++i) {
-    const Mat3 now = turned * inertia * turned.transpose();
-    turned = free_turn(now, now.inverse() * momentum, 1.0 / steps) * turned;
-  }
-  const Vec3 expected = Eigen::AngleAxisd(momentum.norm() / 2, momentum.normalized()) * Vec3::UnitZ();
-  EXPECT_LT((turned * Vec3::UnitZ() - expected).norm(), 1e-5);
 }
 
 TEST(ConvexProjectile, ABoxComesToRestOnTheGround) {

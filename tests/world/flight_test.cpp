@@ -36,6 +36,46 @@ TEST(Flight, WhatIsTouchedByNothingIsRigidAtOnceAndFallsByTheExactParabola) {
   EXPECT_LT((world.frame().bodies[0].center_of_mass - expected).norm(), 1e-10);
 }
 
+TEST(Flight, WhatFallsWithoutSpinDoesNotTurn) {
+  for (const Shape& shape :
+       {Shape(BoxShape{Vec3(1, 1, 1), Vec3::Constant(0.25), BoxPattern::five_tet}), Shape(SphereShape{0.5, 0.25})}) {
+    Scene scene = floating(Vec3(1, 1, 1), Vec3::Constant(0.25));
+    scene.gravity = Vec3(0, -9.81, 0);
+    scene.bodies[0].shape = shape;
+    scene.bodies[0].rotation_degrees = Vec3(10, 20, 30);
+    scene.bodies[0].velocity = Vec3(1, 2, 3);
+    World world(scene);
+    const std::vector<Vec3> start(world.frame().nodes.positions.begin(), world.frame().nodes.positions.end());
+    for (int step = 0; step < 120; ++step) world.step();
+    const Frame frame = world.frame();
+    const Vec3 displacement = frame.nodes.positions[0] - start[0];
+    for (std::size_t node = 0; node < start.size(); ++node)
+      EXPECT_LT((frame.nodes.positions[node] - start[node] - displacement).norm(), 1e-9);
+  }
+}
+
+TEST(Flight, DebrisOfCentimetresKeepsItsEnergyAndAngularMomentum) {
+  const Shape shapes[] = {Shape(BoxShape{Vec3(0.02, 0.02, 0.02), Vec3::Constant(0.01), BoxPattern::five_tet}),
+                          Shape(SphereShape{0.01, 0.008}),
+                          Shape(BoxShape{Vec3(0.08, 0.01, 0.01), Vec3::Constant(0.01), BoxPattern::five_tet}),
+                          Shape(BoxShape{Vec3(0.06, 0.06, 0.005), Vec3(0.02, 0.02, 0.005), BoxPattern::five_tet}),
+                          Shape(BoxShape{Vec3(0.02, 0.03, 0.05), Vec3::Constant(0.01), BoxPattern::five_tet})};
+  for (const Shape& shape : shapes)
+    for (const Vec3& spin : {Vec3(0.3, 40, 0.1), Vec3(5, -20, 60), Vec3(200, 1, 30)}) {
+      Scene scene = floating(Vec3(1, 1, 1), Vec3::Constant(1));
+      scene.bodies[0].shape = shape;
+      scene.bodies[0].angular_velocity = spin;
+      World world(scene);
+      world.step();
+      ASSERT_TRUE(world.frame().bodies[0].rigid);
+      const Totals before = world.frame().totals;
+      for (int step = 0; step < 120; ++step) world.step();
+      const Totals after = world.frame().totals;
+      EXPECT_NEAR(after.kinetic_energy, before.kinetic_energy, 1e-9 * before.kinetic_energy);
+      EXPECT_LT((after.angular_momentum - before.angular_momentum).norm(), 1e-9 * before.angular_momentum.norm());
+    }
+}
+
 TEST(Flight, WhatLiesOnTheGroundIsNotRigidAtOnce) {
   Scene scene;
   BodyDescription& block = scene.bodies.emplace_back();

@@ -79,6 +79,37 @@ TEST(StaticAnalysis, ADampedDynamicRunEndsThere) {
 }
 
 /// A pressure turns and grows with the face that it acts on; balance is that with the faces as they are in the end.
+TEST(StaticAnalysis, AnEquilibriumThatStaysIsNotFoundAgain) {
+  Scene scene = beam();
+  scene.analysis = Analysis::equilibrium;
+  Load pull;
+  pull.kind = LoadKind::traction;
+  pull.region = HalfSpaceRegion{Vec3(2, 0, 0), Vec3::UnitX()};
+  pull.traction = Vec3(1e4, 0, 0);
+  pull.start = 3.5 * scene.simulation.time_step;
+  scene.bodies[0].loads = {pull};
+  World world(scene);
+  std::vector<std::uint64_t> hashes;
+  std::vector<int> iterations;
+  for (int i = 0; i < 6; ++i) {
+    world.step();
+    hashes.push_back(world.state_hash());
+    iterations.push_back(world.frame().report.solver_iterations);
+    EXPECT_GT(world.frame().report.peak_utilization, 0) << i;
+  }
+  EXPECT_GT(iterations[0], 0);
+  EXPECT_EQ(iterations[1] + iterations[2], 0);
+  EXPECT_EQ(hashes[2], hashes[0]);
+  EXPECT_GT(iterations[3], 0) << "the load has set in";
+  EXPECT_NE(hashes[3], hashes[2]);
+  EXPECT_EQ(iterations[4], 0);
+  Material softer = scene.bodies[0].material;
+  softer.young_modulus /= 2;
+  world.set_material(0, softer);
+  world.step();
+  EXPECT_GT(world.frame().report.solver_iterations, 0) << "the material has changed";
+}
+
 TEST(StaticAnalysis, APressureIsInBalanceInItsFirstStep) {
   Scene scene = beam();
   scene.analysis = Analysis::equilibrium;

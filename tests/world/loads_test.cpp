@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <numbers>
+#include <random>
 
 #include "sim/world/phases/fracture_phase.h"
 #include "sim/world/setup/build_world.h"
@@ -150,6 +151,63 @@ TEST(Loads, AFreeBodyGainsTheMomentumOfItsLoads) {
   for (int i = 0; i < 12; ++i) world.step();
   const Vec3 expected = world.frame().time * Vec3(300, 0, 40);
   EXPECT_LT((world.frame().totals.momentum - expected).norm(), 1e-8 * expected.norm());
+}
+
+TEST(Loads, HaveTheMeanOfTheirCourseOverAnySpan) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int trial = 0; trial < 200; ++trial) {
+    Load load;
+    load.start = uniform(random);
+    load.ramp = trial % 3 == 0 ? 0 : uniform(random);
+    if (trial % 4 != 0) load.duration = 0.01 + uniform(random);
+    const double from = uniform(random), to = from + 0.01 + uniform(random);
+    constexpr int kSamples = 20000;
+    double sum = 0;
+    for (int i = 0; i < kSamples; ++i) sum += load_factor(load, from + (i + 0.5) / kSamples * (to - from));
+    EXPECT_NEAR(load_factor(load, {from, to}), sum / kSamples, 2e-4) << trial;
+  }
+}
+
+/// A load of each kind whose whole force along x has this size [N].
+std::vector<Load> loads_along_x(double force, double mass) {
+  std::vector<Load> loads(4);
+  for (int i = 0; i < 4; ++i) loads[i] = load_of(static_cast<LoadKind>(i), kRightSide);
+  loads[0].force = loads[1].traction = Vec3(force, 0, 0);  // on 1 m²
+  loads[2].pressure = -force;
+  loads[3].region = kEverything;
+  loads[3].acceleration = Vec3(force / mass, 0, 0);
+  return loads;
+}
+
+/// The momentum along x that it gives a free body in six steps [N·s].
+double impulse_of(const Load& load, Integrator integrator) {
+  Scene scene = loaded(kBox, {load}).model->scene;
+  scene.gravity.setZero();
+  scene.bodies[0].rotation_degrees.setZero();
+  scene.simulation.integrator = integrator;
+  scene.simulation.time_step = 1.0 / 120;
+  scene.simulation.fracture = false;
+  World world(scene);
+  for (int i = 0; i < 6; ++i) world.step();
+  const EnergyAccount energy = world.frame().energy;
+  EXPECT_LT(std::abs(energy.unaccounted()), 1e-3 * energy.turned_over()) << "its work";
+  return world.frame().totals.momentum.x();
+}
+
+TEST(Loads, GiveTheirImpulseHoweverShortInStepsOfAnyLength) {
+  const double mass = World(loaded(kBox, {}).model->scene).frame().totals.mass;
+  for (const Integrator integrator : {Integrator::hybrid, Integrator::implicit_euler, Integrator::symplectic_euler})
+    for (const double force : {1e5, 3e6})  // the second is one that microsteps follow
+      for (const auto& [start, duration, ramp] : {std::array{0.0, 1e-3, 0.0}, std::array{1.3e-3, 1e-3, 0.0},
+                                                  std::array{0.0, 0.02, 0.0}, std::array{0.0101, 1.7e-5, 1e-5}})
+        for (Load load : loads_along_x(force, mass)) {
+          load.start = start, load.duration = duration, load.ramp = ramp;
+          const double expected = force * (duration - 0.5 * ramp);
+          EXPECT_NEAR(impulse_of(load, integrator), expected, 1e-3 * expected)
+              << force << " N of kind " << static_cast<int>(load.kind) << " from " << start << " s for " << duration
+              << " s, integrator " << static_cast<int>(integrator);
+        }
 }
 
 TEST(Loads, KeepTheirSumWhenWhatTheyActOnBreaks) {

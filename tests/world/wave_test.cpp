@@ -11,6 +11,7 @@
 #include "sim/core/temporary_folder.h"
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/write_mesh.h"
+#include "sim/scene/scene_reader.h"
 #include "sim/world/world.h"
 
 namespace griffith {
@@ -89,6 +90,92 @@ TEST_P(Spall, BreaksTheBarALengthOfTheFlyerFromItsFreeEndAtTwiceTheStrengthOverT
 INSTANTIATE_TEST_SUITE_P(MeshesAndSteps, Spall,
                          ::testing::Combine(::testing::Values(20, 40),
                                             ::testing::Values(1.0 / 60, 1.0 / 1000, 1.0 / 4000)));
+
+/// A bar whose ends are pushed or pulled by this stress [Pa] for half of the time that a wave takes through it.
+Scene pulsed_bar(double right, double left, double time_step) {
+  constexpr double kSize = kLength / 40;
+  Scene scene = weightless(time_step);
+  BodyDescription bar;
+  bar.shape = BoxShape{Vec3(kLength, 2 * kSize, 2 * kSize), Vec3::Constant(kSize), BoxPattern::five_tet};
+  bar.material = bar_material(3e6);
+  bar.position = Vec3(-kLength / 2, 0, 0);
+  for (const auto& [side, stress] : {std::pair(1.0, right), std::pair(-1.0, left)}) {
+    if (stress == 0) continue;
+    Load pulse;
+    pulse.kind = LoadKind::traction;
+    pulse.region = HalfSpaceRegion{Vec3(side * kLength / 2, 0, 0), Vec3(side, 0, 0)};
+    pulse.traction = Vec3(side * stress, 0, 0);
+    pulse.start = 1e-5;
+    pulse.duration = 0.5 * kLength / wave_speed(bar.material);
+    bar.loads.push_back(pulse);
+  }
+  scene.bodies = {bar};
+  return scene;
+}
+
+struct SpallByLoads : ::testing::TestWithParam<double> {};
+
+// A push of length cτ at one end comes back from the free end as a pull, which is alone from cτ/2 on.
+TEST_P(SpallByLoads, APushBreaksTheBarHalfItsLengthFromTheFreeEndAtTheStrength) {
+  EXPECT_FALSE(first_crack(pulsed_bar(0, -0.9 * 3e6, GetParam())));
+  const std::optional<double> place = first_crack(pulsed_bar(0, -1.1 * 3e6, GetParam()));
+  ASSERT_TRUE(place);
+  EXPECT_NEAR(*place, -kLength / 4, 0.1 * kLength);
+}
+
+// Two pulls meet in the middle, where they add up.
+TEST_P(SpallByLoads, TwoPullsBreakTheBarInItsMiddleAtHalfTheStrength) {
+  EXPECT_FALSE(first_crack(pulsed_bar(0.9 * 1.5e6, 0.9 * 1.5e6, GetParam())));
+  const std::optional<double> place = first_crack(pulsed_bar(1.1 * 1.5e6, 1.1 * 1.5e6, GetParam()));
+  ASSERT_TRUE(place);
+  EXPECT_NEAR(*place, -kLength / 2, 0.1 * kLength);
+}
+
+INSTANTIATE_TEST_SUITE_P(Steps, SpallByLoads, ::testing::Values(1.0 / 60, 1.0 / 250, 1.0 / 1000, 1.0 / 4000));
+
+/// The support at the left end of a bar starts to pull it at this speed [m/s] and stops after half a transit.
+Scene jerked_bar(double speed, double time_step) {
+  Scene scene = pulsed_bar(0, 0, time_step);
+  Support jerk;
+  jerk.kind = SupportKind::prescribed;
+  jerk.region = HalfSpaceRegion{Vec3(-kLength / 2, 0, 0), -Vec3::UnitX()};
+  jerk.velocity = Vec3(-speed, 0, 0);
+  jerk.stop = 0.5 * kLength / wave_speed(scene.bodies[0].material);
+  jerk.can_tear = false;
+  scene.bodies[0].supports = {jerk};
+  return scene;
+}
+
+TEST_P(SpallByLoads, ASupportThatJerksTheBarBreaksItAtTheStrengthOverTheImpedance) {
+  const Material material = bar_material(3e6);
+  const double closed_form = material.tensile_strength / (material.density * wave_speed(material));
+  EXPECT_FALSE(first_crack(jerked_bar(0.4 * closed_form, GetParam())));  // it comes back from the held end doubled
+  EXPECT_TRUE(first_crack(jerked_bar(1.1 * closed_form, GetParam())));
+}
+
+TEST(BarWave, ArrivesAndStaysElasticInTheSceneOfValidation) {
+  const Scene scene = read_scene(std::filesystem::path(GRIFFITH_SOURCE_DIR) / "scenes/validation/bar_wave.json");
+  const Material& material = scene.bodies[0].material;
+  const double length = std::get<BoxShape>(scene.bodies[0].shape).size.x(), transit = length / wave_speed(material);
+  const double plateau = 2 * scene.bodies[0].loads[0].traction.x() / (material.density * wave_speed(material));
+  World world(scene);
+  const auto end_velocity = [&] {
+    double sum = 0;
+    int count = 0;
+    const Frame frame = world.frame();
+    for (std::size_t i = 0; i < frame.nodes.positions.size(); ++i)
+      if (frame.nodes.rest_positions[i].x() > length / 2 - 1e-9) sum += frame.nodes.velocities[i].x(), ++count;
+    return sum / count;
+  };
+  double arrival = 0;
+  while (world.frame().time < 1.5 * transit) {
+    world.step();
+    EXPECT_FALSE(world.frame().bodies[0].rigid);
+    if (arrival == 0 && end_velocity() > 0.5 * plateau) arrival = world.frame().time;
+  }
+  EXPECT_NEAR(arrival, transit, 0.015 * transit);
+  EXPECT_NEAR(end_velocity(), plateau, 0.03 * plateau);
+}
 
 /// A bar along x that is four times as thick below 0 as above.
 TetSoup stepped_bar(double thin_length, double thick_length, double size) {

@@ -1,7 +1,9 @@
 #include "sim/world/conditions/loads.h"
 
 #include <algorithm>
+#include <limits>
 
+#include "sim/core/sort_unique.h"
 #include "sim/world/phases/motion_phase.h"
 #include "sim/world/world_state.h"
 
@@ -100,12 +102,44 @@ void add_body_force(const WorldState& world, const PlacedLoad& placed, double fa
   }
 }
 
-}  // namespace
+void add_dead_load(const WorldState& world, const PlacedLoad& placed, double factor, std::vector<Vec3>& forces) {
+  switch (placed.load.kind) {
+    case LoadKind::point_force:
+      return add_point_force(world, placed, factor, forces);
+    case LoadKind::traction:
+      return add_traction(world, placed, factor, forces);
+    case LoadKind::pressure:
+      return;
+    case LoadKind::body_force:
+      return add_body_force(world, placed, factor, forces);
+  }
+}
 
-double load_factor(const Load& load, double time) {
+/// When a load stops acting [s].
+double end_of(const Load& load) {
+  return load.duration ? load.start + *load.duration : std::numeric_limits<double>::infinity();
+}
+
+double factor_at(const Load& load, double time) {
   const double acted = time - load.start;
   if (acted < 0 || (load.duration && acted >= *load.duration)) return 0;
   return acted < load.ramp ? acted / load.ramp : 1;
+}
+
+}  // namespace
+
+double load_factor(const Load& load, const TimeSpan& span) {
+  if (span.from == span.to) return factor_at(load, span.from);
+  const double end = end_of(load), full = std::min(load.start + load.ramp, end);
+  const double held = std::max(0.0, std::min(span.to, end) - std::max(span.from, full));
+  const double first = std::clamp(span.from, load.start, full) - load.start,
+               last = std::clamp(span.to, load.start, full) - load.start;
+  const double grown = load.ramp > 0 ? (last - first) * (last + first) / (2 * load.ramp) : 0;
+  return (held + grown) / span.duration();
+}
+
+bool changes_after(const Load& load, double time) {
+  return load.duration ? time < end_of(load) : time < load.start + load.ramp;
 }
 
 void place_loads(WorldState& world, int scene_body, const RestBody& body, std::vector<InputError>& findings) {
@@ -120,29 +154,57 @@ void place_loads(WorldState& world, int scene_body, const RestBody& body, std::v
   }
 }
 
-void make_loaded_bodies_elastic(WorldState& world, double before, double time) {
-  const auto make_owner_elastic = [&](TetId tet) {
-    Body& body = world.bodies[world.elements.bodies[tet]];
-    if (body.rigid && !body.supported() && body.tets.size() > 1) make_elastic(world, body);
-  };
+std::vector<BodyId> bodies_under(const WorldState& world, const PlacedLoad& placed) {
+  std::vector<BodyId> bodies;
+  const auto add = [&](TetId tet) { bodies.push_back(world.elements.bodies[tet]); };
+  for (const TetCorner& corner : placed.corners) add(corner.tet);
+  for (const SurfaceFace& face : placed.faces) add(face.tet);
+  for (const TetId tet : placed.tets) add(tet);
+  sort_unique(bodies);
+  return bodies;
+}
+
+void make_loaded_bodies_elastic(WorldState& world, const TimeSpan& last, const TimeSpan& next) {
   for (const PlacedLoad& placed : world.loads) {
-    if (load_factor(placed.load, before) == load_factor(placed.load, time)) continue;
-    for (const TetCorner& corner : placed.corners) make_owner_elastic(corner.tet);
-    for (const SurfaceFace& face : placed.faces) make_owner_elastic(face.tet);
-    for (TetId tet : placed.tets) make_owner_elastic(tet);
+    if (load_factor(placed.load, last) == load_factor(placed.load, next)) continue;
+    for (const BodyId id : bodies_under(world, placed)) {
+      Body& body = world.bodies[id];
+      if (body.rigid && !body.supported() && body.tets.size() > 1) make_elastic(world, body);
+    }
   }
 }
 
-void add_load_forces(const WorldState& world, double time, std::vector<Vec3>& forces) {
-  add_dead_forces(world, time, forces);
-  for (const std::vector<PressedFace>& faces : pressed_faces(world, time))
+std::vector<bool> strained_bodies(const WorldState& world, const TimeSpan& span) {
+  std::vector<bool> strained(world.bodies.size(), false);
+  for (const PlacedLoad& placed : world.loads) {
+    if (load_factor(placed.load, span) == 0) continue;
+    std::vector<std::size_t> tets(world.bodies.size(), 0);
+    for (const TetId tet : placed.tets) ++tets[world.elements.bodies[tet]];
+    for (const BodyId id : bodies_under(world, placed))
+      if (tets[id] < world.bodies[id].tets.size()) strained[id] = true;
+  }
+  return strained;
+}
+
+void add_load_forces(const WorldState& world, const TimeSpan& span, std::vector<Vec3>& forces) {
+  add_dead_forces(world, span, forces);
+  for (const std::vector<PressedFace>& faces : pressed_faces(world, span))
     add_pressure(faces, world.nodes.positions, forces);
 }
 
-std::vector<std::vector<PressedFace>> pressed_faces(const WorldState& world, double time) {
+void add_load(const WorldState& world, const PlacedLoad& placed, double factor, std::vector<Vec3>& forces) {
+  add_dead_load(world, placed, factor, forces);
+  std::vector<PressedFace> pressed;
+  if (placed.load.kind == LoadKind::pressure)
+    for (const SurfaceFace& face : placed.faces)
+      pressed.push_back({face_nodes(world.mesh, face.tet, face.face), factor * placed.load.pressure});
+  add_pressure(pressed, world.nodes.positions, forces);
+}
+
+std::vector<std::vector<PressedFace>> pressed_faces(const WorldState& world, const TimeSpan& span) {
   std::vector<std::vector<PressedFace>> faces(world.bodies.size());
   for (const PlacedLoad& placed : world.loads) {
-    const double pressure = load_factor(placed.load, time) * placed.load.pressure;
+    const double pressure = load_factor(placed.load, span) * placed.load.pressure;
     if (pressure == 0) continue;
     for (const SurfaceFace& face : placed.faces)
       faces[world.elements.bodies[face.tet]].push_back({face_nodes(world.mesh, face.tet, face.face), pressure});
@@ -157,24 +219,9 @@ void add_pressure(std::span<const PressedFace> faces, std::span<const Vec3> posi
   }
 }
 
-void add_dead_forces(const WorldState& world, double time, std::vector<Vec3>& forces) {
-  for (const PlacedLoad& placed : world.loads) {
-    const double factor = load_factor(placed.load, time);
-    if (factor == 0) continue;
-    switch (placed.load.kind) {
-      case LoadKind::point_force:
-        add_point_force(world, placed, factor, forces);
-        break;
-      case LoadKind::traction:
-        add_traction(world, placed, factor, forces);
-        break;
-      case LoadKind::pressure:
-        break;
-      case LoadKind::body_force:
-        add_body_force(world, placed, factor, forces);
-        break;
-    }
-  }
+void add_dead_forces(const WorldState& world, const TimeSpan& span, std::vector<Vec3>& forces) {
+  for (const PlacedLoad& placed : world.loads)
+    if (const double factor = load_factor(placed.load, span); factor != 0) add_dead_load(world, placed, factor, forces);
 }
 
 }  // namespace griffith

@@ -16,29 +16,47 @@ struct PlacedLoad {
   std::vector<TetId> tets;
 };
 
-/// Which part of a load acts at a time [s]: 0 before its start and after its end, else up to 1.
-double load_factor(const Load& load, double time);
+/// A moment, or what lies between two [s].
+struct TimeSpan {
+  double from = 0, to = 0;
+
+  TimeSpan(double moment) : from(moment), to(moment) {}  // NOLINT(google-explicit-constructor)
+  TimeSpan(double begin, double end) : from(begin), to(end) {}
+  double duration() const { return to - from; }
+};
+
+/// The part of a load that acts at a moment, or the mean part that acts over a span: 0 before its start and after its
+/// end, else up to 1. The mean is exact, however short the load, so that a step of any length gives its impulse.
+double load_factor(const Load& load, const TimeSpan& span);
+/// True if the part that acts will change after `time` [s].
+bool changes_after(const Load& load, double time);
 
 /// Finds what a body's loads act on; one that acts on nothing becomes a finding.
 void place_loads(WorldState& world, int scene_body, const RestBody& body, std::vector<InputError>& findings);
 
-/// Ends the rest of rigid bodies on which a load has changed between `before` and `time` [s].
-void make_loaded_bodies_elastic(WorldState& world, double before, double time);
+/// Ends the rest of rigid bodies on which a load acts otherwise over `next` than over `last`.
+void make_loaded_bodies_elastic(WorldState& world, const TimeSpan& last, const TimeSpan& next);
+/// Bodies, by BodyId, that loads strain at some time in `span`. A body force on all of a body strains nothing.
+std::vector<bool> strained_bodies(const WorldState& world, const TimeSpan& span);
+/// The bodies on which a load acts, ascending.
+std::vector<BodyId> bodies_under(const WorldState& world, const PlacedLoad& placed);
 
-/// Adds the forces of all loads at `time` [s] to `forces`, per node [N]. Their sums are exact: a point force adds up to
-/// itself, a traction to itself times the undeformed area; a uniform pressure on a closed surface has no resultant. A
-/// face's load goes in equal parts to its corners, which keeps its torque too.
-void add_load_forces(const WorldState& world, double time, std::vector<Vec3>& forces);
+/// Adds the forces of all loads at a moment, or their means over a span, to `forces`, per node [N]. Their sums are
+/// exact: a point force adds up to itself, a traction to itself times the undeformed area; a uniform pressure on a
+/// closed surface has no resultant. A face's load goes in equal parts to its corners, which keeps its torque too.
+void add_load_forces(const WorldState& world, const TimeSpan& span, std::vector<Vec3>& forces);
 /// Adds the forces of loads that do not depend on the positions: all but pressures.
-void add_dead_forces(const WorldState& world, double time, std::vector<Vec3>& forces);
+void add_dead_forces(const WorldState& world, const TimeSpan& span, std::vector<Vec3>& forces);
+/// Adds `factor` times the forces of one load where the nodes are now.
+void add_load(const WorldState& world, const PlacedLoad& placed, double factor, std::vector<Vec3>& forces);
 
 /// A face on which a pressure acts [Pa].
 struct PressedFace {
   std::array<NodeId, 3> nodes;
   double pressure = 0;
 };
-/// Per body, the faces under pressure at `time` [s].
-std::vector<std::vector<PressedFace>> pressed_faces(const WorldState& world, double time);
+/// Per body, the faces under pressure at a moment, or on average over a span.
+std::vector<std::vector<PressedFace>> pressed_faces(const WorldState& world, const TimeSpan& span);
 /// Adds their forces to `forces` [N] with the nodes at `positions`; both per node of the mesh.
 void add_pressure(std::span<const PressedFace> faces, std::span<const Vec3> positions, std::span<Vec3> forces);
 

@@ -1,6 +1,7 @@
 #include "sim/world/conditions/supports.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "sim/world/world_state.h"
@@ -8,10 +9,12 @@
 namespace griffith {
 namespace {
 
-/// The mean velocity of a support's nodes over a step.
+/// The mean velocity of a support's nodes over a span from `time`; the one at that moment where `dt` is 0 [s].
 Vec3 velocity_of(const Support& support, double time, double dt) {
   if (support.kind != SupportKind::prescribed) return Vec3::Zero();
-  return support.stop ? Vec3(std::clamp((*support.stop - time) / dt, 0.0, 1.0) * support.velocity) : support.velocity;
+  const double left = support.stop ? *support.stop - time : std::numeric_limits<double>::infinity();
+  const double moved = dt > 0 ? std::clamp(left / dt, 0.0, 1.0) : left > 0;
+  return moved * support.velocity;
 }
 
 /// Takes the node's elements out of the supports that can tear; whether there were any.
@@ -93,9 +96,6 @@ void update_supports(WorldState& world, double time, double dt) {
   }
 }
 
-void hold_again(WorldState& world) {
-  const double time_step = world.model->scene.simulation.time_step;
-  update_supports(world, static_cast<double>(world.step) * time_step, time_step);
-}
+void hold_again(WorldState& world) { update_supports(world, world.time, 0); }
 
 }  // namespace griffith

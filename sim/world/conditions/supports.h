@@ -26,10 +26,11 @@ bool tear_off(WorldState& world, NodeId node, const Vec3& normal);
 /// point), and the others tear off. Whether any did.
 bool reassign_supports(WorldState& world, std::span<const NodeCopy> copies);
 
-/// Sets the constraints of all held nodes for a step of `dt` from `time` [s]. Prescribed supports that stop within the
-/// step move slower, so that they get exactly as far as they should. Which directions are blocked never changes.
+/// Sets the constraints of all held nodes for a substep of `dt` from `time` [s], or for that moment where `dt` is 0.
+/// Prescribed supports that stop within the substep move slower, so that they get exactly as far as they should. Which
+/// directions are blocked never changes.
 void update_supports(WorldState& world, double time, double dt);
-/// Sets the constraints for the step under way, after supports lost or gained nodes.
+/// Sets the constraints for the present moment, after supports lost or gained nodes.
 void hold_again(WorldState& world);
 
 }  // namespace griffith

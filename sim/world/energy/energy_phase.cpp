@@ -3,9 +3,11 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "sim/core/parallel.h"
+#include "sim/solver/pivot.h"
 #include "sim/world/corners.h"
 #include "sim/world/world_state.h"
 
@@ -205,8 +207,54 @@ double plastic_work(const WorldState& world, const Body& body, const BodySnapsho
   return work;
 }
 
+namespace {
+
+/// The place about which the implicit step lets a body turn, and its spin by momentum balance [rad/s].
+struct SpinInStep {
+  Vec3 place = Vec3::Zero(), spin = Vec3::Zero();
+};
+
+/// No spin where supports hold the body against turning.
+SpinInStep spin_in_step(const WorldState& world, const Body& body, const BodySnapshot& before,
+                        const std::vector<Vec3>& external, double dt) {
+  std::optional<Pivot> pivot;
+  if (body.supported()) {
+    pivot = pivot_of(body.system->supports(), world.nodes.constraints, world.nodes.positions);
+    if (!pivot) return {};
+  }
+  const auto count = static_cast<Eigen::Index>(body.nodes.size());
+  NodeVectors positions(3, count), velocities(3, count);
+  Eigen::VectorXd masses(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const NodeId node = body.nodes[i];
+    masses[i] = world.nodes.masses[node];
+    positions.col(i) = before.positions[i];
+    velocities.col(i) = world.scratch.substep_start.velocities[node] + dt / masses[i] * external[node];
+  }
+  velocities /= 1 + dt * world.material_of(body).mass_damping;
+  if (pivot) return {pivot->place, turning_about(*pivot, positions, velocities, masses).spin};
+  const RigidMotion motion = rigid_motion(positions, velocities, masses);
+  return {motion.center, motion.angular_velocity};
+}
+
+/// Work of the centrifugal impulses by which the implicit step, which sees a body that turns in axes that turn along,
+/// deforms it [J]: turning the body takes it back from the spin (ElasticSystem::solve()).
+double centrifugal_work(const WorldState& world, const Body& body, const BodySnapshot& before,
+                        const std::vector<Vec3>& external, double dt) {
+  const auto [place, spin] = spin_in_step(world, body, before, external, dt);
+  double work = 0;
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+    const Vec3 arm = before.positions[i] - place;
+    work += dt * world.nodes.masses[body.nodes[i]] * spin.cross(arm.cross(spin)).dot(before.velocities[i]);
+  }
+  return work;
+}
+
+}  // namespace
+
 EnergyAccount spent_in_move(const WorldState& world, const Body& body, const BodySnapshot& before,
-                            const ElasticWorks& elastic, const std::vector<Vec3>& external, double dt, bool shortened) {
+                            const ElasticWorks& elastic, const std::vector<Vec3>& external, double dt,
+                            double deformed) {
   const Material& material = world.material_of(body);
   const NodeWorks nodes = works_of_nodes(world, body, before, external, dt);
   const double stored = stored_since(world, body, elastic);
@@ -215,15 +263,17 @@ EnergyAccount spent_in_move(const WorldState& world, const Body& body, const Bod
   for (NodeId node : body.system->supports())
     spent.supports += dt * world.nodes.reactions[node].dot(world.nodes.constraints[node].velocity);
   spent.plastic = plastic_work(world, body, before);
-  spent.material_damping =
-      2 * dt * material.mass_damping * nodes.predicted + material.stiffness_damping / dt * elastic.change;
-  if (shortened) {
+  spent.material_damping = 2 * dt * material.mass_damping * nodes.predicted +
+                           material.stiffness_damping / dt * deformed * deformed * elastic.change;
+  if (deformed < 1) {
     spent.limited = nodes.before + spent.loads + nodes.gravity + spent.supports + body.contact_work - nodes.after -
                     stored - spent.plastic - spent.material_damping;
   } else {
     const double forces = (body.start.rigid ? 0 : elastic.first) + (world.integrates_explicitly() ? 0 : elastic.change);
     spent.time_integration =
         nodes.change + nodes.predicted - nodes.after - nodes.beside + forces - stored - spent.plastic;
+    if (!body.start.rigid && !world.integrates_explicitly())
+      spent.time_integration -= centrifugal_work(world, body, before, external, dt);
   }
   return spent;
 }

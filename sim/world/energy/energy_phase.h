@@ -46,9 +46,10 @@ std::vector<Mat3> stresses_of(const WorldState& world, const Body& body);
 
 /// What a substep took from an elastic body, now that it has moved from `before`: backward Euler loses the kinetic
 /// energy of the change of velocities and the elastic energy of the change of strains. `external` forces as in
-/// predict_velocities(); `shortened`: it was moved less than its velocities say, and all that lacks was cut.
+/// predict_velocities(); `deformed`: the share of what its velocities say by which it was deformed, below 1 where the
+/// rest was cut.
 EnergyAccount spent_in_move(const WorldState& world, const Body& body, const BodySnapshot& before,
-                            const ElasticWorks& elastic, const std::vector<Vec3>& external, double dt, bool shortened);
+                            const ElasticWorks& elastic, const std::vector<Vec3>& external, double dt, double deformed);
 /// What a static equilibrium took, a step without inertia, from a body that had `stresses` (stresses_of()). Prescribed
 /// supports went on for `displacement_time` [s].
 EnergyAccount spent_in_equilibrium(const WorldState& world, const Body& body, const BodySnapshot& before,

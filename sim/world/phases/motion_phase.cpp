@@ -189,21 +189,21 @@ double energy_of_strain(const WorldState& world, const Body& body, double strain
 namespace {
 
 /// Moves an elastic body and takes its stress. Where parts of it turn far in one step, as on a hinge that a crack left,
-/// the linearised step stretches it: then it deforms less, so that it has no more energy than it was given. Whether it
-/// had to.
-bool move_elastic(WorldState& world, const Body& body, const BodySnapshot& before, const std::vector<Vec3>& external,
-                  double dt) {
+/// the linearised step stretches it: then it deforms less, so that it has no more energy than it was given. Returns
+/// the share of its deformation that was made.
+double move_elastic(WorldState& world, const Body& body, const BodySnapshot& before, const std::vector<Vec3>& external,
+                    double dt) {
   constexpr double kTolerance = 1e-5;
   const bool checked = !world.integrates_explicitly();
   const double given = checked ? body.energy + work_done(world, body, external, dt) : 0;
   move_nodes(world, body, external, dt);
   update_elements(world, body);
-  if (!checked) return false;
+  if (!checked) return 1;
   const double noise = energy_of_strain(world, body, 1e-12);
   const auto gains = [&](double limit) {
     return mechanical_energy(world, body) > limit + kTolerance * (body.energy + limit) + noise;
   };
-  if (!gains(given)) return false;
+  if (!gains(given)) return 1;
   const auto move_with = [&](double fraction) {
     restore(world, body, before, fraction);
     move_nodes(world, body, external, dt);
@@ -213,10 +213,10 @@ bool move_elastic(WorldState& world, const Body& body, const BodySnapshot& befor
   const double limit = std::max(given, mechanical_energy(world, body));
   for (double fraction = 0.5; fraction > 0.05; fraction /= 2) {
     move_with(fraction);
-    if (!gains(limit)) return true;
+    if (!gains(limit)) return fraction;
   }
   move_with(0);
-  return true;
+  return 0;
 }
 
 bool all_finite(const std::vector<Vec3>& values, const std::vector<NodeId>& nodes) {
@@ -307,7 +307,7 @@ void freeze(WorldState& world, Body& body) {
 
 void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt) {
   world.scratch.substep_start.solved_velocities = world.nodes.velocities;
-  std::vector<std::uint8_t> shortened(world.bodies.size(), 0);
+  std::vector<double> deformed(world.bodies.size(), 1);
   std::vector<EnergyAccount> spent(world.bodies.size());
   parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
@@ -320,8 +320,8 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
       } else {
         const BodySnapshot before = snapshot(world, body);
         const ElasticWorks works = elastic_works(world, body, dt);
-        shortened[i] = move_elastic(world, body, before, external, dt);
-        spent[i] = spent_in_move(world, body, before, works, external, dt, shortened[i] != 0);
+        deformed[i] = move_elastic(world, body, before, external, dt);
+        spent[i] = spent_in_move(world, body, before, works, external, dt, deformed[i]);
         update_motion(world, body);
       }
     }
@@ -330,7 +330,7 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
     Body& body = world.bodies[i];
     if (!body.asleep && !body.shock) world.energy += spent[i];
     freeze_if_broken_down(world, body);
-    world.report.shortened_motions += shortened[i];
+    world.report.shortened_motions += deformed[i] < 1;
     if (!body.sways()) continue;
     for (TetId tet : body.tets) world.report.inverted_tets += world.elements.states[tet].inverted;
   }

@@ -113,10 +113,12 @@ void fall_asleep(WorldState& world, Body& body) {
 
 void rigidify_quiet_bodies(WorldState& world) {
   constexpr int kQuietSteps = 20;
+  const double time_step = world.model->scene.simulation.time_step;
+  const std::vector<bool> strained = strained_bodies(world, {world.time - time_step, world.time});
   for (Body& body : world.bodies) {
     if (body.untouched && ++body.quiet_steps == kQuietSteps) set_untouched(world, body, false);
     if (!body.sways() || body.supported()) continue;
-    body.quiet_steps = is_calm(world, body) ? body.quiet_steps + 1 : 0;
+    body.quiet_steps = !strained[body.id] && is_calm(world, body) ? body.quiet_steps + 1 : 0;
     const bool flies = body.quiet_steps > 0 && flies_unstressed(world, body);
     if (body.tets.size() > 1 && body.quiet_steps < kQuietSteps && !flies) continue;
     set_untouched(world, body, body.tets.size() > 1 && body.quiet_steps < kQuietSteps);

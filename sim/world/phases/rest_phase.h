@@ -5,7 +5,7 @@
 namespace griffith {
 
 /// Free bodies whose stress has died turn rigid: at once where nothing touched them and there is none, and single tets,
-/// which cannot break.
+/// which cannot break. Those that loads strain stay elastic.
 void rigidify_quiet_bodies(WorldState& world);
 /// What lies still among others that do so too falls asleep, after a step of this length [s]: rigid bodies, and those
 /// that have settled under a stress that stays. Sleepers keep their stress and reactions of supports, and cost nothing.

@@ -215,6 +215,7 @@ void ShockRun::follow(std::span<const NodeCopy> copies, const std::vector<TetId>
       nodes_.push_back(copy);
       looks_.emplace_back();
       starts_.push_back(Start(starts_[index]));
+      copy_loads(index, locals.back());
     }
     solid_.node(index).inverse_mass = 1 / world_.nodes.masses[original];
     solid_.part(index, locals, stars);

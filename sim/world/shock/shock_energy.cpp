@@ -32,7 +32,7 @@ double ShockRun::relieved_energy(bool at_start) const {
   return relieved;
 }
 
-/// Adds the works of loads, and of what scaling leaves out of external forces.
+/// Adds the works of loads that do not change any more, and of what scaling leaves out of them and of weight.
 void ShockRun::add_external_works(EnergyAccount& spent) const {
   const bool scaled = std::ranges::any_of(bodies_, [&](BodyId id) { return world_.bodies[id].shock->similarity < 1; });
   if (!scaled && world_.loads.empty()) return;
@@ -40,8 +40,8 @@ void ShockRun::add_external_works(EnergyAccount& spent) const {
     const Vec3 displacement = solid_.position(i) - starts_[i].position;
     const double mass = 1 / solid_.node(i).inverse_mass;
     if (!world_.loads.empty())
-      spent.loads += mass * (starts_[i].external - world_.model->scene.gravity).dot(displacement);
-    if (scaled) spent.scaling += mass * (starts_[i].external - solid_.external_acceleration(i)).dot(displacement);
+      spent.loads += mass * (starts_[i].steady.whole - world_.model->scene.gravity).dot(displacement);
+    if (scaled) spent.scaling += mass * (starts_[i].steady.whole - starts_[i].steady.acting).dot(displacement);
   }
 }
 
@@ -62,6 +62,8 @@ void ShockRun::book_account() {
   spent.microstep_damping = solid_.viscous_work();
   for (const shock::SolidConstraint& held : solid_.constraints()) spent.supports += held.work;
   add_external_works(spent);
+  for (Course& course : courses_) book_loads(course, course.factor, 0);
+  spent += of_courses_;
   if (std::isfinite(spent.lost()) && std::isfinite(spent.put_in())) world_.energy += spent;
 }
 

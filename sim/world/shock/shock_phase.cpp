@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/conditions/quick_changes.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/phases/cracking.h"
 #include "sim/world/phases/elastic_phase.h"
@@ -246,6 +247,35 @@ void enter_struck_bodies(WorldState& world, double duration) {
   }
 }
 
+/// Quick changes of what acts on bodies for microsteps within `duration` [s].
+std::vector<QuickChange> changes_for_microsteps(const WorldState& world, double duration) {
+  constexpr double kRounding = 1e-9;
+  const double now = world.time, past = kRounding * world.model->scene.simulation.time_step;
+  std::vector<QuickChange> changes = quick_changes(world, {now - past, now + duration});
+  std::erase_if(changes, [&](const QuickChange& change) {
+    const Body& body = world.bodies[change.body];
+    return !body.shock && !suits_microsteps(world, body, 0);
+  });
+  return changes;
+}
+
+double time_before_change(const WorldState& world, double maximum) {
+  double time = maximum;
+  for (const QuickChange& change : changes_for_microsteps(world, maximum))
+    time = std::min(time, std::max(0.0, change.time.from - world.time));
+  return time;
+}
+
+/// Lets the bodies enter in which loads and supports make waves within `duration` [s], which they follow from then on.
+void enter_driven_bodies(WorldState& world, double duration) {
+  for (const QuickChange& change : changes_for_microsteps(world, duration)) {
+    Body& body = world.bodies[change.body];
+    enter_shock(world, body, 0);
+    if (body.shock)
+      body.shock->last_event = std::max(body.shock->last_event, std::min(change.time.to, world.time + duration));
+  }
+}
+
 /// A piece that waves have crossed without harm moves as a whole from now on, until something strikes it: what still
 /// vibrates in it is damped at once.
 void make_rigid_if_unharmed(WorldState& world, Body& body) {
@@ -273,14 +303,16 @@ void cut_shocks_short(WorldState& world) {
 double next_stretch(WorldState& world, double left) {
   if (!in_shock(world)) {
     world.shock_overhead = 1;
-    const double calm = time_before_blow(world, left);
+    const double calm = std::min(time_before_blow(world, left), time_before_change(world, left));
     if (calm > impact_tolerance(world) || calm == left) return calm;
   }
   if (microsteps_left(world) < 1) {
     cut_shocks_short(world);
     return left;
   }
-  enter_struck_bodies(world, stretch_of_shock(world, left));
+  const double stretch = stretch_of_shock(world, left);
+  enter_struck_bodies(world, stretch);
+  enter_driven_bodies(world, stretch);
   if (!in_shock(world)) return left;
   choose_similarity(world, left);
   return stretch_of_shock(world, left);
@@ -332,12 +364,13 @@ void end_shock(WorldState& world, Body& body) {
 
 void leave_shock(WorldState& world) {
   constexpr double kRounding = 1e-9;
+  const std::vector<bool> strained = strained_bodies(world, world.time);
   for (Body& body : world.bodies) {
     if (!body.shock) continue;
     const double window = shock_window(world, body);
     if (world.time - body.shock->last_event < (1 - kRounding) * window) continue;
     end_shock(world, body);
-    if (!body.supported()) make_rigid_if_unharmed(world, body);
+    if (!body.supported() && !strained[body.id]) make_rigid_if_unharmed(world, body);
   }
 }
 

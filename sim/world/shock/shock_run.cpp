@@ -39,7 +39,7 @@ void ShockRun::build(std::vector<shock::Obstacle> obstacles) {
   starts_.clear();
   local_of_node_.assign(world_.nodes.positions.size(), -1);
   slot_of_tet_.assign(world_.mesh->tets.size(), -1);
-  const std::vector<Vec3> external = external_forces(world_);
+  const std::vector<Vec3> external = steady_forces();
   double size = 0;
   min_speed_ = std::numeric_limits<double>::infinity();
   for (const Body& body : world_.bodies) {
@@ -53,6 +53,7 @@ void ShockRun::build(std::vector<shock::Obstacle> obstacles) {
   seen_.assign(tets_.size(), -1);
   looks_.assign(nodes_.size(), {});
   for (int i = 0; i < solid_.node_count(); ++i) update_threshold(i);
+  add_courses();
   impacts_.emplace(solid_, surface_of_bodies(), cracks_of_bodies(), std::move(obstacles), surfaces_, size);
 }
 
@@ -69,22 +70,17 @@ void ShockRun::add_body(const Body& body, const std::vector<Vec3>& external) {
 /// `external`: per node of the mesh [N]. What strains the body is scaled by f.
 void ShockRun::add_nodes(const std::vector<NodeId>& nodes, const Placement& placement, double f,
                          const std::vector<Vec3>& external) {
-  const auto is_held = [&](NodeId node) { return !world_.nodes.constraints[node].is_free(); };
-  Vec3 common = Vec3::Zero();  // acceleration that strains nothing and is as it is, however the body is scaled
-  if (std::ranges::none_of(nodes, is_held)) {
-    double mass = 0;
-    for (const NodeId node : nodes) common += external[node], mass += world_.nodes.masses[node];
-    common /= mass;
-  }
+  const Vec3 common = common_acceleration(nodes, external);
   for (const NodeId node : nodes) {
     const Vec3 reference = placement.to_world(world_.mesh->rest_positions[node]);
     const double mass = world_.nodes.masses[node];
-    const Vec3 acceleration = common + f * (external[node] / mass - common);
+    const Vec3 whole = external[node] / mass, acting = common + f * (whole - common);
     local_of_node_[node] = solid_.add_node(
-        {reference, world_.nodes.positions[node] - reference, world_.nodes.velocities[node], acceleration, mass});
+        {reference, world_.nodes.positions[node] - reference, world_.nodes.velocities[node], acting, mass});
     nodes_.push_back(node);
-    starts_.push_back({world_.nodes.positions[node], external[node] / mass});
-    if (is_held(node)) solid_.constrain(local_of_node_[node], world_.nodes.constraints[node]);
+    starts_.push_back({world_.nodes.positions[node], {whole, acting}});
+    if (!world_.nodes.constraints[node].is_free())
+      solid_.constrain(local_of_node_[node], world_.nodes.constraints[node]);
   }
 }
 
@@ -155,7 +151,9 @@ void ShockRun::run(double duration) {
     for (const BodyId id : bodies_) transit = std::min(transit, element_transit_time(world_, world_.bodies[id]));
     const int interval = std::max(1, static_cast<int>(kLookInterval * transit / dt_ + 0.2));
     for (int i = 0; i < steps && !rebuild_; ++i) {
+      if (i == 0 || a_support_stops()) move_supports();
       solid_.compute_forces();
+      apply_loads({time_ - 0.5 * previous_dt, time_ + 0.5 * dt_}, i > 0 ? dt_ : 0);
       if (i == 0) begin_account();
       solid_.advance(0.5 * (1 + previous_dt / dt_), flagged_);
       previous_dt = dt_;
@@ -168,6 +166,7 @@ void ShockRun::run(double duration) {
     impacts_->catch_up();
     if (rebuild_) solid_.stop_viscosity();
     solid_.compute_forces();
+    apply_loads({time_ - 0.5 * dt_, time_}, dt_);
     if (!rebuild_) solid_.kick(0.5);
     book_account();
     if (rebuild_) {

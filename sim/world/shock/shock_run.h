@@ -9,6 +9,7 @@
 #include "sim/elasticity/placement.h"
 #include "sim/shock/impacts.h"
 #include "sim/shock/solid.h"
+#include "sim/world/conditions/loads.h"
 #include "sim/world/phases/cracking.h"
 
 namespace griffith {
@@ -38,9 +39,27 @@ class ShockRun {
     double over_since = -1;  ///< [s]; negative: was not overloaded in the last look
     long last = -2;          ///< look in which it was overloaded
   };
-  /// Where a node was when it was added, and its acceleration by external forces, however its body is scaled.
+  /// Accelerations of a node by external forces [m/s²]: as they are, and as they act on its body, which may be scaled.
+  struct External {
+    Vec3 whole = Vec3::Zero(), acting = Vec3::Zero();
+  };
+  /// Where a node was when it was added, and what always acts on it.
   struct Start {
-    Vec3 position, external;  ///< [m], [m/s²]
+    Vec3 position;  ///< [m]
+    External steady;
+  };
+  /// What a load that has changes ahead does to a node when all of it acts, and where the node was when the part that
+  /// acts changed last [m].
+  struct Loaded {
+    int node = 0;
+    External full;
+    Vec3 position;
+  };
+  /// A load that has changes ahead.
+  struct Course {
+    Load load;
+    double factor = 0;  ///< that acts now
+    std::vector<Loaded> nodes;
   };
   struct Overload {
     double utilization = 0;
@@ -51,6 +70,14 @@ class ShockRun {
   void add_body(const Body& body, const std::vector<Vec3>& external);
   void add_nodes(const std::vector<NodeId>& nodes, const Placement& placement, double f,
                  const std::vector<Vec3>& external);
+  Vec3 common_acceleration(const std::vector<NodeId>& nodes, const std::vector<Vec3>& forces) const;
+  std::vector<Vec3> steady_forces() const;
+  void add_courses();
+  void copy_loads(int node, int copy);
+  void apply_loads(const TimeSpan& span, double drifted);
+  void book_loads(Course& course, double next_factor, double drifted);
+  bool a_support_stops() const;
+  void move_supports();
   void add_elements(const Body& body, const Mat3& turn);
   std::vector<shock::CrackSides> cracks_of_bodies() const;
   std::vector<shock::SurfaceSide> surface_of_bodies() const;
@@ -92,7 +119,9 @@ class ShockRun {
   std::vector<TetId> stale_;
   std::vector<int> flagged_;
   Opened opened_;
-  std::vector<Start> starts_;                                    ///< per node of the solid
+  std::vector<Start> starts_;  ///< per node of the solid
+  std::vector<Course> courses_;
+  EnergyAccount of_courses_;                                     ///< what they did in this build
   std::map<std::pair<NodeId, int>, std::size_t> contact_views_;  ///< of a node and an obstacle, among the world's
   EnergyAccount first_;                                          ///< what an account of this build starts from
   double dt_ = 0, time_ = 0, min_speed_ = 0;

@@ -10,6 +10,7 @@
 #include "sim/geometry/connected_groups.h"
 #include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
+#include "sim/world/conditions/quick_changes.h"
 #include "sim/world/corners.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/phases/elastic_phase.h"
@@ -38,6 +39,8 @@ constexpr double kFractionOfOneShock = 0.5;
 double min_factor(const WorldState& world, const Body& body) {
   const Material& material = world.material_of(body);
   if (material.yield_strength) return 1;  // flow has its own pace
+  const double window = shock_window(world, body);
+  if (is_pulsed(world, body, {world.time - window, world.time + window})) return 1;
   const double speed = std::max(body.shock->impact_speed, inner_speed(world, body)),
                for_speed = speed / (kImpactFraction * bar_wave_speed(material)),
                for_strain = material.tensile_strength / (kMaxStrain * material.young_modulus);
