@@ -171,7 +171,8 @@ struct WorldState {
   EnergyAccount energy, energy_before;  ///< so far; before the present step
   double last_microstep_work = 0;       ///< Scratch::microstep_work of the last step
   double shock_overhead = 1;            ///< work of the last stretch's shock over that of its elements alone [-]
-  double potential_at_start = 0;        ///< of gravity, with what was launched since [J]
+  double overload_check = OverloadHistory::kNever;  ///< when microsteps checked for overload last [s]
+  double potential_at_start = 0;                    ///< of gravity, with what was launched since [J]
   Scratch scratch;
 
   bool integrates_explicitly() const { return model->scene.simulation.integrator == Integrator::symplectic_euler; }

@@ -175,6 +175,7 @@ void enter_shock(WorldState& world, Body& body, double impact_speed) {
   if (body.rigid) place_rigid_nodes(world, body);
   if (body.rigid || body.asleep) make_elastic(world, body);
   world.elements.allow_strains();
+  for (const NodeId node : body.nodes) world.nodes.overloads[node].last = OverloadHistory::kNever;
   if (impact_speed > 0) ++world.report.impacts;
   body.shock = Shock{world.time, impact_speed, highest_frequency(world, body)};
 }

@@ -21,8 +21,10 @@ namespace {
 
 /// Share of the stable microstep: nearer to it, the energy of the highest frequencies swings widely.
 constexpr double kCourant = 0.5;
-/// Overload is looked for at this interval, in the time that a wave takes to cross an element.
-constexpr double kLookInterval = 0.375;
+/// Overload is checked at this interval, in the time that a wave takes to cross an element.
+constexpr double kCheckInterval = 0.375;
+/// Of a microstep: a check comes no later than this after it is due.
+constexpr double kLateCheck = 0.2;
 /// A node that is pushed again sooner is still pressed on, in the time that a wave takes to cross an element.
 constexpr double kPressing = 4;
 
@@ -51,7 +53,6 @@ void ShockRun::build(std::vector<shock::Obstacle> obstacles) {
   size /= static_cast<double>(bodies_.size());
   solid_.finish();
   seen_.assign(tets_.size(), -1);
-  looks_.assign(nodes_.size(), {});
   for (int i = 0; i < solid_.node_count(); ++i) update_threshold(i);
   impacts_.emplace(solid_, surface_of_bodies(), cracks_of_bodies(), std::move(obstacles), surfaces_, size);
 }
@@ -153,7 +154,7 @@ void ShockRun::run(double duration) {
     solid_.set_step(dt_);
     double transit = std::numeric_limits<double>::infinity();
     for (const BodyId id : bodies_) transit = std::min(transit, element_transit_time(world_, world_.bodies[id]));
-    const int interval = std::max(1, static_cast<int>(kLookInterval * transit / dt_ + 0.2));
+    const double interval = kCheckInterval * transit - (1 - kLateCheck) * dt_;
     for (int i = 0; i < steps && !rebuild_; ++i) {
       solid_.compute_forces();
       if (i == 0) begin_account();
@@ -163,7 +164,7 @@ void ShockRun::run(double duration) {
       ++microsteps_;
       impacts_->resolve(solid_, dt_, min_speed_);
       record_blows();
-      if (microsteps_ % interval == 0) look();
+      if (time_ - world_.overload_check > interval) check_overload();
     }
     impacts_->catch_up();
     if (rebuild_) solid_.stop_viscosity();

@@ -32,12 +32,6 @@ class ShockRun {
   std::span<const shock::Obstacle> obstacles() { return impacts_->obstacles(); }
 
  private:
-  /// What a look for overload knows of a node.
-  struct Look {
-    double ready = 0;        ///< beside a crack, the stress is not known before [s]
-    double over_since = -1;  ///< [s]; negative: was not overloaded in the last look
-    long last = -2;          ///< look in which it was overloaded
-  };
   /// Where a node was when it was added, and its acceleration by external forces, however its body is scaled.
   struct Start {
     Vec3 position, external;  ///< [m], [m/s²]
@@ -56,9 +50,10 @@ class ShockRun {
   std::vector<shock::SurfaceSide> surface_of_bodies() const;
   void record_blows();
   void record_contact(const shock::Impacts::Blow& blow);
-  void look();
-  void judge(int index);
+  void check_overload();
+  void judge(NodeId node, double last_check);
   void open(const Overload& overload);
+  void wait_beside_crack(const std::vector<TetId>& star, const std::vector<NodeId>& front, double transit);
   std::vector<NodeId> front_among(const std::vector<TetId>& tets) const;
   void follow(std::span<const NodeCopy> copies, const std::vector<TetId>& star,
               const std::vector<std::array<TetId, 4>>& neighbours);
@@ -87,7 +82,6 @@ class ShockRun {
   std::vector<TetId> tets_;                       ///< per slot; invalid in unused ones
   std::vector<int> local_of_node_, slot_of_tet_;  ///< -1 outside the shock
   std::vector<long> seen_;                        ///< per slot: microstep at which its state was made
-  std::vector<Look> looks_;                       ///< per node of the solid
   std::vector<Overload> overloaded_;
   std::vector<TetId> stale_;
   std::vector<int> flagged_;
@@ -97,7 +91,7 @@ class ShockRun {
   EnergyAccount first_;                                          ///< what an account of this build starts from
   double dt_ = 0, time_ = 0, min_speed_ = 0;
   double work_ = 0;  ///< beside elements and nodes [µs of a usual core]
-  long microsteps_ = 0, looks_made_ = 0;
+  long microsteps_ = 0;
   bool rebuild_ = false;  ///< the mesh has changed
 };
 

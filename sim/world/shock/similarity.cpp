@@ -250,6 +250,12 @@ void set_similarity(WorldState& world, Body& body, double factor) {
   for (const NodeId node : body.nodes)
     world.nodes.similarity_starts[node] =
         (true_displacement(world, body, frame, node) - factor * displacement(world, frame, node)) / (1 - factor);
+  for (const NodeId node : body.nodes) {
+    OverloadHistory& overload = world.nodes.overloads[node];
+    const auto slow_down = [&](double time) { return world.time + before / factor * (time - world.time); };
+    overload.since = slow_down(overload.since);
+    if (overload.known_from > world.time) overload.known_from = slow_down(overload.known_from);
+  }
   body.shock->similarity = factor;
 }
 
