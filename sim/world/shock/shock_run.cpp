@@ -54,6 +54,9 @@ void ShockRun::build(std::vector<shock::Obstacle> obstacles) {
   solid_.finish();
   seen_.assign(tets_.size(), -1);
   for (int i = 0; i < solid_.node_count(); ++i) update_threshold(i);
+  int relieved = 0;
+  for (int i = 0; i < solid_.body_count(); ++i) relieved += solid_.body(i).relieved;
+  world_.report.relieved_tets = std::max(world_.report.relieved_tets, relieved);
   impacts_.emplace(solid_, surface_of_bodies(), cracks_of_bodies(), std::move(obstacles), surfaces_, size);
 }
 
@@ -102,7 +105,8 @@ void ShockRun::add_elements(const Body& body, const Mat3& turn) {
   }
   ElasticLaw law = law_in_shock(world_, body);  // of stress; forces are those of E′ = f² E
   law.lambda *= body.shock->similarity, law.mu *= body.shock->similarity;
-  solid_.add_body(law, world_.material_of(body).density, tets, rest_elements, offsets);
+  const double limit = body.shock->similarity * body.shock->frequency;
+  solid_.add_body(law, world_.material_of(body).density, tets, rest_elements, offsets, limit);
   const int first = solid_.slot(solid_.body_count() - 1, 0);
   tets_.resize(solid_.tet_slots());
   for (std::size_t i = 0; i < body.tets.size(); ++i) {
@@ -144,7 +148,7 @@ std::vector<shock::CrackSides> ShockRun::cracks_of_bodies() const {
 
 const Body& ShockRun::body_of(NodeId node) const { return body_at(world_, node); }
 
-void ShockRun::run(double duration) {
+bool ShockRun::run(double duration, double max_work) {
   const double end = time_ + duration;
   double previous_dt = 0;
   while (end - time_ > 1e-9 * duration) {
@@ -165,6 +169,7 @@ void ShockRun::run(double duration) {
       impacts_->resolve(solid_, dt_, min_speed_);
       record_blows();
       if (time_ - world_.overload_check > interval) check_overload();
+      if (work() > max_work) return book_work(), false;
     }
     impacts_->catch_up();
     if (rebuild_) solid_.stop_viscosity();
@@ -178,15 +183,19 @@ void ShockRun::run(double duration) {
     }
   }
   book_work();
+  return true;
+}
+
+double ShockRun::work() const { return work_of_elements() + work_ + impacts_->work(); }
+double ShockRun::work_of_elements() const {
+  return kMicrostepWork * static_cast<double>(microsteps_ * solid_.tet_slots());
 }
 
 /// Counts what the shock took, for the length of the next stretches and their scaling.
 void ShockRun::book_work() {
   world_.report.microsteps += static_cast<int>(microsteps_);
-  const double of_elements = kMicrostepWork * static_cast<double>(microsteps_ * solid_.tet_slots());
-  const double work = of_elements + work_ + impacts_->work();
-  world_.scratch.microstep_work += work;
-  world_.shock_overhead = work / of_elements;
+  world_.scratch.microstep_work += work();
+  world_.shock_overhead = work() / work_of_elements();
 }
 
 void ShockRun::record_blows() {

@@ -23,8 +23,9 @@ class ShockRun {
   /// `obstacles`: the rigid things that they may run into, as they are now.
   ShockRun(WorldState& world, std::vector<shock::Obstacle> obstacles);
 
-  /// Goes on for `duration` [s]: moves, pushes and cracks.
-  void run(double duration);
+  /// Goes on for `duration` [s]: moves, pushes and cracks. False where it takes more than `max_work` [µs of a usual
+  /// core]: nothing can be made of it then.
+  bool run(double duration, double max_work);
 
   /// Hands positions, velocities, reactions and pieces back to the world, after `duration` [s] in all.
   void finish(double duration);
@@ -65,6 +66,8 @@ class ShockRun {
   void write_back();
   void begin_account();
   void book_account();
+  double work() const;
+  double work_of_elements() const;
   void book_work();
   double relieved_energy(bool at_start) const;
   void add_external_works(EnergyAccount& spent) const;
