@@ -1,74 +1,20 @@
 #include "sim/shock/solid.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "sim/core/parallel.h"
+#include "sim/elasticity/element_frequency.h"
 
 namespace griffith::shock {
 namespace {
 
 /// Share of critical damping at the highest frequency: kills what the mesh cannot carry, leaves the rest.
 constexpr double kDampingRatio = 0.12;
-/// Slivers are elements whose frequency is higher than this many bar waves' speeds over their edge length: that of
-/// elements of good shape is below 10.
-constexpr double kSliverFrequency = 20;
-/// This share of a body's elements, its worst slivers, may be relieved.
-constexpr double kSliverFraction = 0.02;
 /// Those to which less than this share of their stiffness would be left are so flat that they exert no force.
 constexpr double kMinFraction = 0.25;
 
 WideQuad wide(const Vec3& v) { return WideQuad{v[0], v[1], v[2], 0}; }
-
-double largest_eigenvalue(const Mat3& symmetric) {
-  Eigen::SelfAdjointEigenSolver<Mat3> solver;
-  return solver.computeDirect(symmetric, Eigen::EigenvaluesOnly).eigenvalues()[2];
-}
-
-/// The highest frequency of a tet with a quarter of its mass at each corner [rad/s]. Along the axes of
-/// A = Σ g_i g_iᵀ, with eigenvalues a_i, shear has the eigenvalues mu (a_i + a_j), and stretch those of
-/// lambda √(a_i a_j) + 2 mu a_i δ_ij; all times 4/ρ.
-double element_frequency(const ElasticLaw& law, double density, const RestElement& rest) {
-  const Mat3 spread = rest.shape_gradients * rest.shape_gradients.transpose();
-  Eigen::SelfAdjointEigenSolver<Mat3> solver;
-  const Vec3 a = solver.computeDirect(spread, Eigen::EigenvaluesOnly).eigenvalues().cwiseMax(0);
-  const Vec3 roots = a.cwiseSqrt();
-  Mat3 stretch = law.lambda * roots * roots.transpose();
-  stretch.diagonal() += 2 * law.mu * a;
-  const double shear = law.mu * (a[1] + a[2]);
-  return std::sqrt(4 / density * std::max(shear, largest_eigenvalue(stretch)));
-}
-
-std::vector<double> element_frequencies(const ElasticLaw& law, double density,
-                                        std::span<const RestElement> rest_elements) {
-  std::vector<double> frequencies;
-  frequencies.reserve(rest_elements.size());
-  for (const RestElement& rest : rest_elements) frequencies.push_back(element_frequency(law, density, rest));
-  return frequencies;
-}
-
-/// The highest frequency that is left to elements. What is small, but no sliver, keeps its own.
-double relieved_limit(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements,
-                      std::span<const double> frequencies) {
-  const double young_modulus = law.mu * (3 * law.lambda + 2 * law.mu) / (law.lambda + law.mu);
-  const double speed = std::sqrt(young_modulus / density);
-  double limit = 0;
-  std::vector<double> slivers;
-  for (std::size_t i = 0; i < rest_elements.size(); ++i) {
-    const bool is_sliver = frequencies[i] * mean_element_size(rest_elements.subspan(i, 1)) > kSliverFrequency * speed;
-    if (is_sliver)
-      slivers.push_back(frequencies[i]);
-    else
-      limit = std::max(limit, frequencies[i]);
-  }
-  const auto relieved = static_cast<std::size_t>(kSliverFraction * static_cast<double>(rest_elements.size()));
-  if (slivers.size() > relieved) {
-    std::ranges::nth_element(slivers, slivers.begin() + static_cast<std::ptrdiff_t>(relieved), std::ranges::greater());
-    limit = std::max(limit, slivers[relieved]);
-  }
-  return std::min(limit, kHighestFrequency * speed / mean_element_size(rest_elements));
-}
 
 /// Leaves an element a share of its stiffness.
 void relieve(ElementBlock& block, std::size_t lane, double fraction) {
@@ -79,10 +25,6 @@ void relieve(ElementBlock& block, std::size_t lane, double fraction) {
 }
 
 }  // namespace
-
-double highest_frequency(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements) {
-  return relieved_limit(law, density, rest_elements, element_frequencies(law, density, rest_elements));
-}
 
 int Solid::add_node(const SolidNodeStart& start) {
   nodes_.push_back({.inverse_mass = 1 / start.mass});
@@ -112,7 +54,7 @@ void Solid::constrain(int node, const NodeConstraint& constraint) {
 }
 
 void Solid::add_body(const ElasticLaw& law, double density, std::span<const std::array<int, 4>> tets,
-                     std::span<const RestElement> rest_elements, std::span<const Mat3> offsets) {
+                     std::span<const RestElement> rest_elements, std::span<const Mat3> offsets, double limit) {
   SolidBody body;
   body.law = {law.model, static_cast<float>(law.lambda), static_cast<float>(law.mu), 0};
   body.first_block = static_cast<int>(blocks_.size());
@@ -137,10 +79,11 @@ void Solid::add_body(const ElasticLaw& law, double density, std::span<const std:
     constexpr int kRow[6] = {0, 1, 2, 0, 1, 0}, kColumn[6] = {0, 1, 2, 1, 2, 2};
     for (int e = 0; e < 6; ++e) block.offset[e][lane] = static_cast<float>(offsets[i](kRow[e], kColumn[e]));
   }
+  constexpr double kRounding = 1e-6;
   const std::vector<double> frequencies = element_frequencies(law, density, rest_elements);
-  body.frequency = relieved_limit(law, density, rest_elements, frequencies);
+  body.frequency = std::min(limit, std::ranges::max(frequencies));
   for (std::size_t i = 0; i < rest_elements.size(); ++i) {
-    if (frequencies[i] <= body.frequency) continue;
+    if (frequencies[i] <= (1 + kRounding) * body.frequency) continue;
     relieve(blocks_[body.first_block + i / kLanes], i % kLanes, std::pow(body.frequency / frequencies[i], 2));
     ++body.relieved;
   }

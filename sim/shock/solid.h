@@ -50,16 +50,9 @@ struct SolidBody {
   BlockLaw law;        ///< its viscosity follows from `damping` and the microstep
   double damping = 0;  ///< Rayleigh's β [s]
   int first_block = 0, blocks = 0;
-  double frequency = 0;  ///< the highest that its elements have, after slivers were relieved [rad/s]
-  int relieved = 0;      ///< slivers that have a part of their stiffness alone, so as not to set the microstep
+  double frequency = 0;  ///< the highest that its elements have, after some were relieved [rad/s]
+  int relieved = 0;      ///< elements that have a part of their stiffness alone, so as not to set the microstep
 };
-
-/// What is left of frequencies at most, in bar waves' speeds over the mean edge length of a body: where it is more than
-/// slivers that would have a higher one, the body is none for microsteps.
-inline constexpr double kHighestFrequency = 200;
-
-/// The highest frequency of a body with these elements, once its slivers are relieved [rad/s].
-double highest_frequency(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements);
 
 /// Tetrahedral bodies under explicit dynamics: lumped masses, symplectic Euler, eight elements at a time. State is in
 /// double precision, the elements' arithmetic in single precision on displacements from a placement near the present
@@ -75,8 +68,10 @@ class Solid {
   /// A body of tets with these corners, seen in the body's present turn. Gradients as RestElement.
   ///   offsets   strain without stress per tet: plastic strain, in the present turn [-]
   ///   density   [kg/m³]
+  ///   limit     frequency that elements have at most: those with a higher one are relieved of stiffness [rad/s]
   void add_body(const ElasticLaw& law, double density, std::span<const std::array<int, 4>> tets,
-                std::span<const RestElement> rest_elements, std::span<const Mat3> offsets);
+                std::span<const RestElement> rest_elements, std::span<const Mat3> offsets,
+                double limit = std::numeric_limits<double>::infinity());
   /// Once all bodies are there: stars, slots of forces, rotations.
   void finish();
 
@@ -110,7 +105,7 @@ class Solid {
   std::span<const int> star(int node) const {
     return std::span(stars_).subspan(nodes_[node].first, nodes_[node].count);
   }
-  /// Whether a tet is a sliver that was relieved: what it strains beyond its elastic_strain() is permanent.
+  /// Whether a tet was relieved: what it strains beyond its elastic_strain() is permanent.
   bool is_relieved(int slot) const { return stiffness(slot) < 1; }
   /// What a tet has of the law's stiffness, 0..1.
   float stiffness(int slot) const { return blocks_[slot / kLanes].stiffness[slot % kLanes]; }

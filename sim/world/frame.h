@@ -61,7 +61,8 @@ struct StepTimings {
 /// What happened in a step; every limit that was reached and every number that went wrong is counted here.
 struct StepReport {
   int substeps = 1;
-  int microsteps = 0;  ///< of bodies in shock
+  int microsteps = 0;         ///< of bodies in shock
+  double microstep_work = 0;  ///< of microsteps, counted, not timed [ms of a usual core]
   int contacts = 0;
   double peak_utilization = 0;       ///< highest utilization of any node in any substep
   int impacts = 0;                   ///< bodies that something struck so hard that waves run in them since
@@ -71,7 +72,8 @@ struct StepReport {
   int remeshing_refused = 0;         ///< edges not cut: tets would have been too small or too flat
   int supports_torn = 0;             ///< cracks at which a support lost its hold
   int unfinished_equilibria = 0;     ///< static steps in which cracks were still opening at the limit of substeps
-  int unfinished_shocks = 0;         ///< bodies left to the implicit step, waves still running: too many microsteps
+  int unfinished_shocks = 0;         ///< bodies left to the implicit step, waves still running: too much work
+  int relieved_tets = 0;             ///< most at a time that kept a part of their stiffness alone in microsteps
   int solver_iterations = 0;         ///< most in any body and substep
   double max_relative_residual = 0;  ///< largest in any body and substep
   int unconverged_solves = 0;        ///< stopped by the iteration limit

@@ -76,7 +76,9 @@ std::uint64_t hash_of_separations(const WorldState& world) {
 std::uint64_t hash_of_cracks(const WorldState& world) {
   FieldHash hash;
   hash.add(*world.elements.opened).add(world.mesh->neighbours).add(world.nodes.at_crack_front);
-  hash.add(world.nodes.pushed_at).add(world.splinter_state.open_walls).add(world.splinter_state.attached);
+  static_assert(sizeof(OverloadHistory) == 3 * sizeof(double), "it has no padding");
+  hash.add(world.nodes.pushed_at).add(world.nodes.overloads).add_real(world.overload_check);
+  hash.add(world.splinter_state.open_walls).add(world.splinter_state.attached);
   hash.add_whole(world.crack_events.size());
   for (const PostponedCrack& crack : world.postponed)
     hash.add_whole(crack.node).add_real(crack.separation.eigenvalue, crack.separation.utilization);

@@ -13,6 +13,14 @@
 
 namespace griffith {
 
+/// Overload of a node as the checks in microsteps have found it. −∞: never.
+struct OverloadHistory {
+  static constexpr double kNever = -std::numeric_limits<double>::infinity();
+  double known_from = kNever;  ///< a crack beside it changes its stress until then [s]
+  double since = kNever;       ///< first of the checks in a row that found it overloaded [s]
+  double last = kNever;        ///< last check that found it overloaded [s]
+};
+
 /// What moves, per node. Each array stands in each_array(), by which nodes are added.
 struct NodeArrays {
   std::vector<Vec3> positions, velocities;   ///< [m], [m/s]
@@ -26,6 +34,7 @@ struct NodeArrays {
   std::vector<Vec3> reactions;          ///< what supports did to the node in the last step [N]
   std::vector<Vec3> similarity_starts;  ///< of bodies in shock with f < 1: displacement from rest at its start [m]
   std::vector<double> pushed_at;        ///< when something pushed it hard in a shock last [s]; −∞: never
+  std::vector<OverloadHistory> overloads;
 
   /// Makes room for as many nodes; new ones are at the origin, at rest and without mass.
   void resize(std::size_t count);
@@ -44,7 +53,7 @@ struct NodeArrays {
     use(all.has_support, std::uint8_t{0}), use(all.at_crack_front, std::uint8_t{0}), use(all.strength_factors, 1.0),
         use(all.rows, -1);
     use(all.separations, NodeSeparation()), use(all.reactions, zero), use(all.similarity_starts, zero);
-    use(all.pushed_at, -std::numeric_limits<double>::infinity());
+    use(all.pushed_at, -std::numeric_limits<double>::infinity()), use(all.overloads, OverloadHistory());
   }
 };
 

@@ -105,6 +105,34 @@ void step_implicitly(WorldState& world, double time_step) {
   update_sleep(world, time_step);
 }
 
+/// Moves everything on by `stretch` [s]: by microsteps what is in shock, all else by one implicit substep. False where
+/// the microsteps would take more than `max_work`: the world is of no use then.
+bool move_along(WorldState& world, double stretch, double max_work) {
+  const std::vector<shock::Obstacle> obstacles = obstacles_of_shock(world, stretch);
+  move(world, stretch);
+  if (!in_shock(world)) return true;
+  PhaseTimer timer(world.report.milliseconds.shock);
+  if (!run_shock(world, obstacles, stretch, max_work)) return false;
+  place_proxies(world);
+  return true;
+}
+
+/// Moves everything on by `stretch` [s]. Where that takes more than half of the work that is left for microsteps in
+/// this step, all is as it was before, but for what is known of their cost: impacts and cracks make it hard to foresee.
+bool move_within_ceiling(WorldState& world, double stretch) {
+  constexpr double kUncertainty = 16;  // contacts, checks and cracks may take so many times what was expected
+  const double max_work = 0.5 * work_left(world);
+  if (kUncertainty * expected_work(world, stretch) < max_work)
+    return move_along(world, stretch, std::numeric_limits<double>::infinity());
+  const WorldState before = world;
+  if (move_along(world, stretch, max_work)) return true;
+  const double work = world.scratch.microstep_work, overhead = world.shock_overhead;
+  world = before;
+  world.scratch.microstep_work = work;
+  world.shock_overhead = overhead;
+  return false;
+}
+
 /// In stretches: up to the next impact, and while waves run in what was struck or cracks. Bodies in shock take
 /// microsteps through a stretch, all else one implicit substep, after which what is too soft for microsteps cracks.
 void step_by_stretches(WorldState& world, double time_step) {
@@ -113,13 +141,7 @@ void step_by_stretches(WorldState& world, double time_step) {
   world.scratch.microstep_work = 0;
   for (double left = time_step; left > kRounding * time_step; ++world.report.substeps) {
     const double start = world.time, stretch = next_stretch(world, left);
-    const std::vector<shock::Obstacle> obstacles = obstacles_of_shock(world, stretch);
-    move(world, stretch);
-    if (in_shock(world)) {
-      PhaseTimer timer(world.report.milliseconds.shock);
-      run_shock(world, obstacles, stretch);
-      place_proxies(world);
-    }
+    if (!move_within_ceiling(world, stretch)) continue;
     world.time = start + stretch;
     left -= stretch;
     leave_shock(world);
@@ -131,6 +153,7 @@ void step_by_stretches(WorldState& world, double time_step) {
     if (world.model->scene.simulation.fracture) open_cracks(world, stretch);
   }
   world.last_microstep_work = world.scratch.microstep_work;
+  world.report.microstep_work = 1e-3 * world.scratch.microstep_work;
   rigidify_quiet_bodies(world);
   update_sleep(world, time_step);
 }

@@ -12,6 +12,11 @@ constexpr StepCounter kCounters[] = {
     {"substeps", "Substeps", "", "Parts that the step was made of, each with contacts of its own.", kSum, kNone,
      &StepReport::substeps},
     {"microsteps", "Microsteps", "", "Explicit steps of bodies in shock.", kSum, kNone, &StepReport::microsteps},
+    {"microstep_work", "Work of microsteps", "ms",
+     "Most of any step, counted as time on a usual core: elements, contacts, checks for overload and cracks. A step "
+     "does "
+     "at most 20 times step_budget.",
+     kLargest, kNone, &StepReport::microstep_work},
     {"impacts", "Impacts", "", "Bodies that something struck so hard that waves run in them since.", kSum, kNone,
      &StepReport::impacts},
     {"contacts", "Contacts", "", "Points at which things touched.", kSum, kNone, &StepReport::contacts},
@@ -28,9 +33,13 @@ constexpr StepCounter kCounters[] = {
      "Cracks were still opening at the limit of substeps: raise impact_substeps of the scene.", kSum, kWarning,
      &StepReport::unfinished_equilibria},
     {"unfinished_shocks", "Unfinished shocks", "",
-     "Bodies whose waves were still running at the limit of microsteps, 10,000 a millisecond of step_budget: raise it, "
-     "use larger elements or a shorter time step.",
+     "Bodies whose waves were still running at the limit of a step, 20 times the work of step_budget or 10,000 "
+     "microsteps a millisecond of it: raise it, use larger elements or a shorter time step.",
      kSum, kWarning, &StepReport::unfinished_shocks},
+    {"relieved_tets", "Relieved tetrahedra", "",
+     "The most at a time that kept a part of their stiffness alone in microsteps: slivers, and the smallest where the "
+     "budget falls short.",
+     kLargest, kNone, &StepReport::relieved_tets},
     {"unconverged_solves", "Unconverged solves", "",
      "Solves stopped by the iteration limit: allow more iterations or a larger residual.", kSum, kWarning,
      &StepReport::unconverged_solves},

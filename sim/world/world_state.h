@@ -172,7 +172,8 @@ struct WorldState {
   double last_microstep_work = 0;       ///< Scratch::microstep_work of the last step
   double shock_overhead = 1;            ///< work of the last stretch's shock over that of its elements alone [-]
   bool in_equilibrium = false;          ///< static analysis: the last step found it, and nothing was left to crack
-  double potential_at_start = 0;        ///< of gravity, with what was launched since [J]
+  double overload_check = OverloadHistory::kNever;  ///< when microsteps checked for overload last [s]
+  double potential_at_start = 0;                    ///< of gravity, with what was launched since [J]
   Scratch scratch;
 
   bool integrates_explicitly() const { return model->scene.simulation.integrator == Integrator::symplectic_euler; }

@@ -71,6 +71,30 @@ TEST(Hybrid, WhatBreaksDependsOnTheSpeedAndNotOnTheTimeStep) {
   }
 }
 
+/// Overload of a node lasts, and a crack takes its time, however many steps that is: a wave crosses an element of this
+/// plate in 50 µs.
+TEST(Hybrid, StepsShorterThanTheTransitOfAnElementBreakAsMuch) {
+  constexpr int kShots = 6;
+  const auto mean_damage_in = [](double time_step) {
+    Damage mean;
+    for (int shot = 0; shot < kShots; ++shot) {
+      Scene scene = struck_plate(15, time_step, shot);
+      scene.bodies[0].shape = BoxShape{Vec3(1, 1, 0.1), Vec3(0.2, 0.2, 0.1), BoxPattern::five_tet};
+      const Damage damage = damage_of(scene, 1.0 / 30);
+      mean.pieces += damage.pieces / kShots;
+      mean.area += damage.area / kShots;
+    }
+    return mean;
+  };
+  const Damage usual = mean_damage_in(1.0 / 120);
+  EXPECT_GT(usual.pieces, 10);
+  for (const double time_step : {1.0 / 30, 1.0 / 1000, 1.0 / 10000, 1.0 / 40000}) {
+    const Damage damage = mean_damage_in(time_step);
+    EXPECT_NEAR(damage.pieces, usual.pieces, 0.3 * usual.pieces) << time_step << " s";
+    EXPECT_NEAR(damage.area, usual.area, 0.2 * usual.area) << time_step << " s";
+  }
+}
+
 TEST(Hybrid, MomentumIsKeptAndEnergyNeverGrows) {
   World world(struck_plate(15, 1.0 / 60));
   const double momentum = 5 * 15;

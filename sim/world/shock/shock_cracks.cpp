@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "sim/core/parallel.h"
 #include "sim/mesh/topology.h"
@@ -20,8 +21,8 @@ constexpr double kCrackSpeed = 0.3;
 constexpr float kScreeningFraction = 0.97F;
 /// Elements and nodes that are judged side by side: fewer are done before another thread could start.
 constexpr int kGrain = 128;
-/// What the look at a node takes with the elements round it, and a crack [µs of a usual core].
-constexpr double kLookWork = 1, kCrackWork = 20;
+/// What the check of a node takes with the elements round it, and a crack [µs of a usual core].
+constexpr double kCheckWork = 1, kCrackWork = 20;
 
 }  // namespace
 
@@ -104,19 +105,19 @@ void ShockRun::bring_stars_up_to_date() {
   });
 }
 
-void ShockRun::look() {
-  ++looks_made_;
+void ShockRun::check_overload() {
+  const double last_check = std::exchange(world_.overload_check, time_);
   overloaded_.clear();
-  std::erase_if(flagged_, [&](int index) { return time_ < looks_[index].ready; });
-  work_ += kLookWork * static_cast<double>(flagged_.size());
+  std::erase_if(flagged_, [&](int index) { return time_ < world_.nodes.overloads[nodes_[index]].known_from; });
+  work_ += kCheckWork * static_cast<double>(flagged_.size());
   bring_stars_up_to_date();
   const SeparationInput input = separation_input(world_);
-  std::vector<NodeId> looked_at;
-  for (const int index : flagged_) looked_at.push_back(nodes_[index]);
-  parallel_for(static_cast<int>(looked_at.size()), kGrain, [&](int begin, int end) {
-    evaluate_nodes(world_, input, std::span(looked_at).subspan(begin, end - begin), false);
+  std::vector<NodeId> checked;
+  for (const int index : flagged_) checked.push_back(nodes_[index]);
+  parallel_for(static_cast<int>(checked.size()), kGrain, [&](int begin, int end) {
+    evaluate_nodes(world_, input, std::span(checked).subspan(begin, end - begin), false);
   });
-  for (const int index : flagged_) judge(index);
+  for (const NodeId node : checked) judge(node, last_check);
   std::ranges::sort(overloaded_, [](const Overload& a, const Overload& b) {
     return a.utilization != b.utilization ? a.utilization > b.utilization : a.node < b.node;
   });
@@ -125,23 +126,22 @@ void ShockRun::look() {
     if (rebuild_) break;  // the others are judged again on the new mesh
     if (world_.report.cracks >= world_.model->scene.simulation.max_cracks_per_step) {
       ++world_.report.cracks_postponed;
-    } else if (looks_[local(overload.node)].ready <= time_) {
+    } else if (world_.nodes.overloads[overload.node].known_from <= time_) {
       open(overload);
     }
   }
 }
 
-/// Whether a node has been overloaded for long enough.
-void ShockRun::judge(int index) {
-  Look& seen = looks_[index];
-  const NodeId node = nodes_[index];
+/// Takes a node that has been overloaded for long enough among those that open. `last_check`: before this one [s].
+void ShockRun::judge(NodeId node, double last_check) {
+  OverloadHistory& history = world_.nodes.overloads[node];
   const double utilization = world_.nodes.separations[node].utilization;
   world_.report.peak_utilization = std::max(world_.report.peak_utilization, utilization);
   if (utilization <= 1) return;
-  if (seen.last != looks_made_ - 1 || seen.over_since < 0) seen.over_since = time_;
-  seen.last = looks_made_;
+  if (history.last == OverloadHistory::kNever || history.last != last_check) history.since = time_;
+  history.last = time_;
   const double wait = kOverloadTime * transit_time(node);
-  if (time_ - seen.over_since + 1e-3 * dt_ >= wait) overloaded_.push_back({utilization, node});
+  if (time_ - history.since + 1e-3 * dt_ >= wait) overloaded_.push_back({utilization, node});
 }
 
 /// Nodes of these tets at which a crack ends.
@@ -165,7 +165,7 @@ void ShockRun::open(const Overload& overload) {
   for (const TetId tet : star) neighbours.push_back(world_.mesh->neighbours[tet]);
   const std::vector<NodeId> front = front_among(star);
   const std::size_t first_copy = opened_.copies.size(), tets = world_.mesh->tets.size();
-  looks_[local(node)].ready = time_ + transit;
+  world_.nodes.overloads[node].known_from = time_ + transit;
   const bool cracked = crack(world_, node, opened_);
   if (world_.mesh->tets.size() > tets) {
     restore_angular_momentum(world_, opened_.motions);
@@ -179,15 +179,21 @@ void ShockRun::open(const Overload& overload) {
   world_.bodies[id].shock->last_event = time_;
   const bool torn_off = world_.crack_events.back().torn_off;
   if (torn_off) world_.bodies[id].system.reset();
+  wait_beside_crack(star, front, transit);
   if (rebuild_) return;
   follow(std::span(opened_.copies).subspan(first_copy), star, neighbours);
   if (torn_off)
     for (const shock::SolidConstraint& held : solid_.constraints())
       solid_.constrain(held.node, world_.nodes.constraints[nodes_[held.node]]);
+}
+
+/// Nodes of the tets beside a crack count as overloaded anew once their stress is known again, and new ones at its
+/// front once it can have run there. `front`: nodes that were at a crack's front before.
+void ShockRun::wait_beside_crack(const std::vector<TetId>& star, const std::vector<NodeId>& front, double transit) {
   for (const TetId tet : star)
     for (const NodeId near : world_.mesh->tets[tet]) {
       const bool new_front = world_.nodes.at_crack_front[near] && std::ranges::find(front, near) == front.end();
-      looks_[local(near)] = {time_ + (new_front ? transit / kCrackSpeed : transit), -1, -2};
+      world_.nodes.overloads[near] = {.known_from = time_ + (new_front ? transit / kCrackSpeed : transit)};
     }
 }
 
@@ -213,7 +219,6 @@ void ShockRun::follow(std::span<const NodeCopy> copies, const std::vector<TetId>
       locals.push_back(solid_.copy_node(index, world_.nodes.masses[copy]));
       local_of_node_[copy] = locals.back();
       nodes_.push_back(copy);
-      looks_.emplace_back();
       starts_.push_back(Start(starts_[index]));
       copy_loads(index, locals.back());
     }

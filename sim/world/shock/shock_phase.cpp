@@ -157,12 +157,17 @@ void place_obstacle(WorldState& world, const shock::Obstacle& obstacle) {
 
 namespace {
 
-/// Highest frequency of the body's elements under the full stiffness, slivers relieved [rad/s].
+/// Highest frequency of the body's elements under the full stiffness, slivers relieved [rad/s]. What slivers have at
+/// most belongs to all pieces of a scene body, or to the elements that remeshing has made of them.
 double highest_frequency(const WorldState& world, const Body& body) {
   const Material& material = world.material_of(body);
+  const ElasticLaw law = elastic_law(material);
   std::vector<RestElement> rest_elements;
   for (const TetId tet : body.tets) rest_elements.push_back(world.elements.rest_elements[tet]);
-  return shock::highest_frequency(elastic_law(material), material.density, rest_elements);
+  const double limit = world.model->scene.bodies[body.scene_body].remeshing
+                           ? frequency_limits(law, material.density, rest_elements).usual
+                           : world.model->frequency_limits[body.scene_body].usual * bar_wave_speed(material);
+  return highest_frequency(law, material.density, rest_elements, limit);
 }
 
 }  // namespace
@@ -176,6 +181,7 @@ void enter_shock(WorldState& world, Body& body, double impact_speed) {
   if (body.rigid) place_rigid_nodes(world, body);
   if (body.rigid || body.asleep) make_elastic(world, body);
   world.elements.allow_strains();
+  for (const NodeId node : body.nodes) world.nodes.overloads[node].last = OverloadHistory::kNever;
   if (impact_speed > 0) ++world.report.impacts;
   body.shock = Shock{world.time, impact_speed, highest_frequency(world, body)};
 }
@@ -195,11 +201,12 @@ bool have_just_parted(const WorldState& world, BodyId a, BodyId b) {
 /// a wave crosses many others in a microstep of theirs, is left to the implicit step.
 bool suits_microsteps(const WorldState& world, const Body& body, double impact_speed) {
   constexpr double kMaxStrain = 0.05, kMaxMach = 0.3;
+  constexpr double kMaxFrequency = 200;  // in bar wave speeds over the mean edge length
   const Material& material = world.material_of(body);
   const double wave_speed = bar_wave_speed(material);
   return material.tensile_strength < kMaxStrain * material.young_modulus &&
          std::max(impact_speed, inner_speed(world, body)) < kMaxMach * wave_speed &&
-         highest_frequency(world, body) * body.element_size < 0.99 * shock::kHighestFrequency * wave_speed;
+         highest_frequency(world, body) * body.element_size < kMaxFrequency * wave_speed;
 }
 
 /// Whether a body that strikes another, and is not hurt itself, must deform too: as a rigid one it would strike up to
@@ -276,17 +283,21 @@ void enter_driven_bodies(WorldState& world, double duration) {
   }
 }
 
+/// Lets a free piece move as a whole: what still vibrates in it is damped at once.
+void stop_vibration(WorldState& world, Body& body) {
+  const double before = energy_of(world, body);
+  clear_stress(world, body);
+  make_rigid(world, body);
+  world.energy.hand_over += before - energy_of(world, body);
+}
+
 /// A piece that waves have crossed without harm moves as a whole from now on, until something strikes it: what still
 /// vibrates in it is damped at once.
 void make_rigid_if_unharmed(WorldState& world, Body& body) {
   constexpr double kUnharmed = 0.25;  // of the resistance: what contacts must exceed to make it elastic again
   evaluate_separation(world, body);
   const auto is_unharmed = [&](NodeId node) { return world.nodes.separations[node].utilization < kUnharmed; };
-  if (!std::ranges::all_of(body.nodes, is_unharmed)) return;
-  const double before = energy_of(world, body);
-  clear_stress(world, body);
-  make_rigid(world, body);
-  world.energy.hand_over += before - energy_of(world, body);
+  if (std::ranges::all_of(body.nodes, is_unharmed)) stop_vibration(world, body);
 }
 
 /// Leaves the rest of the step to the implicit one.
@@ -295,6 +306,7 @@ void cut_shocks_short(WorldState& world) {
     if (!body.shock) continue;
     end_shock(world, body);
     ++world.report.unfinished_shocks;
+    if (!body.supported()) stop_vibration(world, body);
   }
 }
 
@@ -306,7 +318,7 @@ double next_stretch(WorldState& world, double left) {
     const double calm = std::min(time_before_blow(world, left), time_before_change(world, left));
     if (calm > impact_tolerance(world) || calm == left) return calm;
   }
-  if (microsteps_left(world) < 1) {
+  if (is_spent(world)) {
     cut_shocks_short(world);
     return left;
   }
@@ -319,7 +331,7 @@ double next_stretch(WorldState& world, double left) {
 }
 
 void enter_overloaded_bodies(WorldState& world) {
-  if (!world.model->scene.simulation.fracture || microsteps_left(world) < 1) return;
+  if (!world.model->scene.simulation.fracture || is_spent(world)) return;
   for (Body& body : world.bodies) {
     const auto is_overloaded = [&](NodeId node) {
       return world.nodes.separations[node].utilization > 1 && may_crack(world, node);
@@ -346,14 +358,15 @@ std::vector<shock::Obstacle> obstacles_of_shock(const WorldState& world, double 
   return obstacles;
 }
 
-void run_shock(WorldState& world, std::vector<shock::Obstacle> obstacles, double duration) {
+bool run_shock(WorldState& world, std::vector<shock::Obstacle> obstacles, double duration, double max_work) {
   read_back_velocities(world, obstacles);
   const ObstacleAccount account(world, obstacles);
   ShockRun run(world, std::move(obstacles));
-  run.run(duration);
+  if (!run.run(duration, max_work)) return false;
   for (const shock::Obstacle& obstacle : run.obstacles()) place_obstacle(world, obstacle);
   account.book(world, run.obstacles());
   run.finish(duration);
+  return true;
 }
 
 void end_shock(WorldState& world, Body& body) {

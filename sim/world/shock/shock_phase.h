@@ -22,8 +22,9 @@ void enter_overloaded_bodies(WorldState& world);
 std::vector<shock::Obstacle> obstacles_of_shock(const WorldState& world, double duration);
 
 /// Takes the bodies in shock through `duration` [s] by microsteps, and with them the obstacles, which move on from
-/// where they were before the others moved, at the velocities that they have now.
-void run_shock(WorldState& world, std::vector<shock::Obstacle> obstacles, double duration);
+/// where they were before the others moved, at the velocities that they have now. False where it takes more than
+/// `max_work` [µs of a usual core]: the world is of no use then.
+bool run_shock(WorldState& world, std::vector<shock::Obstacle> obstacles, double duration, double max_work);
 
 /// The body sways again, in the shape that its stress has under its full stiffness.
 void end_shock(WorldState& world, Body& body);

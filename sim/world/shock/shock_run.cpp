@@ -21,8 +21,10 @@ namespace {
 
 /// Share of the stable microstep: nearer to it, the energy of the highest frequencies swings widely.
 constexpr double kCourant = 0.5;
-/// Overload is looked for at this interval, in the time that a wave takes to cross an element.
-constexpr double kLookInterval = 0.375;
+/// Overload is checked at this interval, in the time that a wave takes to cross an element.
+constexpr double kCheckInterval = 0.375;
+/// Of a microstep: a check comes no later than this after it is due.
+constexpr double kLateCheck = 0.2;
 /// A node that is pushed again sooner is still pressed on, in the time that a wave takes to cross an element.
 constexpr double kPressing = 4;
 
@@ -51,9 +53,11 @@ void ShockRun::build(std::vector<shock::Obstacle> obstacles) {
   size /= static_cast<double>(bodies_.size());
   solid_.finish();
   seen_.assign(tets_.size(), -1);
-  looks_.assign(nodes_.size(), {});
   for (int i = 0; i < solid_.node_count(); ++i) update_threshold(i);
   add_courses();
+  int relieved = 0;
+  for (int i = 0; i < solid_.body_count(); ++i) relieved += solid_.body(i).relieved;
+  world_.report.relieved_tets = std::max(world_.report.relieved_tets, relieved);
   impacts_.emplace(solid_, surface_of_bodies(), cracks_of_bodies(), std::move(obstacles), surfaces_, size);
 }
 
@@ -97,7 +101,8 @@ void ShockRun::add_elements(const Body& body, const Mat3& turn) {
   }
   ElasticLaw law = law_in_shock(world_, body);  // of stress; forces are those of E′ = f² E
   law.lambda *= body.shock->similarity, law.mu *= body.shock->similarity;
-  solid_.add_body(law, world_.material_of(body).density, tets, rest_elements, offsets);
+  const double limit = body.shock->similarity * body.shock->frequency;
+  solid_.add_body(law, world_.material_of(body).density, tets, rest_elements, offsets, limit);
   const int first = solid_.slot(solid_.body_count() - 1, 0);
   tets_.resize(solid_.tet_slots());
   for (std::size_t i = 0; i < body.tets.size(); ++i) {
@@ -139,7 +144,7 @@ std::vector<shock::CrackSides> ShockRun::cracks_of_bodies() const {
 
 const Body& ShockRun::body_of(NodeId node) const { return body_at(world_, node); }
 
-void ShockRun::run(double duration) {
+bool ShockRun::run(double duration, double max_work) {
   const double end = time_ + duration;
   double previous_dt = 0;
   while (end - time_ > 1e-9 * duration) {
@@ -149,7 +154,7 @@ void ShockRun::run(double duration) {
     solid_.set_step(dt_);
     double transit = std::numeric_limits<double>::infinity();
     for (const BodyId id : bodies_) transit = std::min(transit, element_transit_time(world_, world_.bodies[id]));
-    const int interval = std::max(1, static_cast<int>(kLookInterval * transit / dt_ + 0.2));
+    const double interval = kCheckInterval * transit - (1 - kLateCheck) * dt_;
     for (int i = 0; i < steps && !rebuild_; ++i) {
       if (i == 0 || a_support_stops()) move_supports();
       solid_.compute_forces();
@@ -161,7 +166,8 @@ void ShockRun::run(double duration) {
       ++microsteps_;
       impacts_->resolve(solid_, dt_, min_speed_);
       record_blows();
-      if (microsteps_ % interval == 0) look();
+      if (time_ - world_.overload_check > interval) check_overload();
+      if (work() > max_work) return book_work(), false;
     }
     impacts_->catch_up();
     if (rebuild_) solid_.stop_viscosity();
@@ -176,15 +182,19 @@ void ShockRun::run(double duration) {
     }
   }
   book_work();
+  return true;
+}
+
+double ShockRun::work() const { return work_of_elements() + work_ + impacts_->work(); }
+double ShockRun::work_of_elements() const {
+  return kMicrostepWork * static_cast<double>(microsteps_ * solid_.tet_slots());
 }
 
 /// Counts what the shock took, for the length of the next stretches and their scaling.
 void ShockRun::book_work() {
   world_.report.microsteps += static_cast<int>(microsteps_);
-  const double of_elements = kMicrostepWork * static_cast<double>(microsteps_ * solid_.tet_slots());
-  const double work = of_elements + work_ + impacts_->work();
-  world_.scratch.microstep_work += work;
-  world_.shock_overhead = work / of_elements;
+  world_.scratch.microstep_work += work();
+  world_.shock_overhead = work() / work_of_elements();
 }
 
 void ShockRun::record_blows() {

@@ -24,8 +24,9 @@ class ShockRun {
   /// `obstacles`: the rigid things that they may run into, as they are now.
   ShockRun(WorldState& world, std::vector<shock::Obstacle> obstacles);
 
-  /// Goes on for `duration` [s]: moves, pushes and cracks.
-  void run(double duration);
+  /// Goes on for `duration` [s]: moves, pushes and cracks. False where it takes more than `max_work` [µs of a usual
+  /// core]: nothing can be made of it then.
+  bool run(double duration, double max_work);
 
   /// Hands positions, velocities, reactions and pieces back to the world, after `duration` [s] in all.
   void finish(double duration);
@@ -33,12 +34,6 @@ class ShockRun {
   std::span<const shock::Obstacle> obstacles() { return impacts_->obstacles(); }
 
  private:
-  /// What a look for overload knows of a node.
-  struct Look {
-    double ready = 0;        ///< beside a crack, the stress is not known before [s]
-    double over_since = -1;  ///< [s]; negative: was not overloaded in the last look
-    long last = -2;          ///< look in which it was overloaded
-  };
   /// Accelerations of a node by external forces [m/s²]: as they are, and as they act on its body, which may be scaled.
   struct External {
     Vec3 whole = Vec3::Zero(), acting = Vec3::Zero();
@@ -83,9 +78,10 @@ class ShockRun {
   std::vector<shock::SurfaceSide> surface_of_bodies() const;
   void record_blows();
   void record_contact(const shock::Impacts::Blow& blow);
-  void look();
-  void judge(int index);
+  void check_overload();
+  void judge(NodeId node, double last_check);
   void open(const Overload& overload);
+  void wait_beside_crack(const std::vector<TetId>& star, const std::vector<NodeId>& front, double transit);
   std::vector<NodeId> front_among(const std::vector<TetId>& tets) const;
   void follow(std::span<const NodeCopy> copies, const std::vector<TetId>& star,
               const std::vector<std::array<TetId, 4>>& neighbours);
@@ -97,6 +93,8 @@ class ShockRun {
   void write_back();
   void begin_account();
   void book_account();
+  double work() const;
+  double work_of_elements() const;
   void book_work();
   double relieved_energy(bool at_start) const;
   void add_external_works(EnergyAccount& spent) const;
@@ -114,7 +112,6 @@ class ShockRun {
   std::vector<TetId> tets_;                       ///< per slot; invalid in unused ones
   std::vector<int> local_of_node_, slot_of_tet_;  ///< -1 outside the shock
   std::vector<long> seen_;                        ///< per slot: microstep at which its state was made
-  std::vector<Look> looks_;                       ///< per node of the solid
   std::vector<Overload> overloaded_;
   std::vector<TetId> stale_;
   std::vector<int> flagged_;
@@ -126,7 +123,7 @@ class ShockRun {
   EnergyAccount first_;                                          ///< what an account of this build starts from
   double dt_ = 0, time_ = 0, min_speed_ = 0;
   double work_ = 0;  ///< beside elements and nodes [µs of a usual core]
-  long microsteps_ = 0, looks_made_ = 0;
+  long microsteps_ = 0;
   bool rebuild_ = false;  ///< the mesh has changed
 };
 

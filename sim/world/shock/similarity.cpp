@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sim/geometry/connected_groups.h"
+#include "sim/shock/element_block.h"
 #include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/conditions/quick_changes.h"
@@ -23,8 +24,9 @@ namespace {
 /// Waves would cross the whole body so often after the last event. Pieces of it are followed as long: cracks take about
 /// that time through them.
 constexpr double kTransits = 4;
-/// Down to here breaking speeds stay as they are.
-constexpr double kMinFactor = 1.0 / 16;
+/// Down to here breaking speeds stay as they are; down to the least, bodies are scaled where a step would exceed its
+/// ceiling.
+constexpr double kMinFactor = 1.0 / 16, kLeastFactor = 1.0 / 64;
 /// Impacts and spins must be slower than this share of the slowed waves.
 constexpr double kImpactFraction = 0.2;
 /// The length of a microstep times the highest frequency.
@@ -35,8 +37,13 @@ constexpr double kMinFraction = 1.0 / 8;
 constexpr double kMaxStrain = 0.02;
 /// A shock that this share of the budget left can follow to its end is followed as it is.
 constexpr double kFractionOfOneShock = 0.5;
+/// Work of a step's microsteps at most, in budgets, and what of it is too little to go on with.
+constexpr double kCeiling = 20, kSpentFraction = 0.1;
+/// Of the work left, what a stretch is planned to take.
+constexpr double kPlanned = 0.4;
 
-double min_factor(const WorldState& world, const Body& body) {
+/// `least`: for what is slow and strains little.
+double min_factor(const WorldState& world, const Body& body, double least) {
   const Material& material = world.material_of(body);
   if (material.yield_strength) return 1;  // flow has its own pace
   const double window = shock_window(world, body);
@@ -44,7 +51,7 @@ double min_factor(const WorldState& world, const Body& body) {
   const double speed = std::max(body.shock->impact_speed, inner_speed(world, body)),
                for_speed = speed / (kImpactFraction * bar_wave_speed(material)),
                for_strain = material.tensile_strength / (kMaxStrain * material.young_modulus);
-  return std::clamp(std::max(for_speed, for_strain), kMinFactor, 1.0);
+  return std::clamp(std::max(for_speed, for_strain), least, 1.0);
 }
 
 /// Where a body is, to tell its deformation from: a free one where it fits best, one that swings about its pivot, any
@@ -81,12 +88,13 @@ void keep_momentum(WorldState& world, const Body& body, const RigidMotion& befor
 /// What the microsteps of all bodies in shock come to.
 struct Demand {
   int tets = 0;
+  int slots = 0;                 ///< of elements that are computed side by side: with places that pieces leave unused
   double microsteps = 0;         ///< of what is left of the step
   double highest_frequency = 0;  ///< as slowed now [rad/s]
   double overhead = 1;           ///< see WorldState::shock_overhead
 
-  double work_of_microstep() const { return overhead * kMicrostepWork * tets; }  ///< [µs]
-  double work() const { return microsteps * work_of_microstep(); }               ///< [µs]
+  double work_of_microstep() const { return overhead * kMicrostepWork * slots; }  ///< [µs]
+  double work() const { return microsteps * work_of_microstep(); }                ///< [µs]
 };
 
 Demand demand_of(const WorldState& world, double left) {
@@ -94,11 +102,25 @@ Demand demand_of(const WorldState& world, double left) {
   for (const Body& body : world.bodies) {
     if (!body.shock) continue;
     demand.tets += static_cast<int>(body.tets.size());
+    demand.slots += static_cast<int>((body.tets.size() + shock::kLanes - 1) / shock::kLanes * shock::kLanes);
     demand.highest_frequency = std::max(demand.highest_frequency, body.shock->similarity * body.shock->frequency);
   }
   demand.microsteps = left * demand.highest_frequency / kMicrostepAtFrequency;
   demand.overhead = world.shock_overhead;
   return demand;
+}
+
+/// The next stretch of a step that has `left` [s] to go, however much work it takes [s].
+double unlimited_stretch(const WorldState& world, double left) {
+  constexpr double kShortest = 1.0 / 16;  // of a time step
+  const double time_step = world.model->scene.simulation.time_step, work = demand_of(world, left).work();
+  const double as_last_step = work > 0 ? left * world.last_microstep_work / work : 0;
+  return std::min(left, std::max({kShortest * time_step, time_step - left, time_to_follow(world), as_last_step}));
+}
+
+double microsteps_left(const WorldState& world) {
+  constexpr double kPerMillisecond = 1e4, kMost = 1e9;
+  return std::min(kPerMillisecond * world.model->scene.simulation.step_budget, kMost) - world.report.microsteps;
 }
 
 /// What the user is told of a body that is not followed under its full stiffness.
@@ -148,18 +170,22 @@ double time_to_follow(const WorldState& world) {
   return until;
 }
 
-double microsteps_left(const WorldState& world) {
-  constexpr double kPerMillisecond = 1e4, kMost = 1e9;
-  return std::min(kPerMillisecond * world.model->scene.simulation.step_budget, kMost) - world.report.microsteps;
+double work_left(const WorldState& world) {
+  return 1e3 * kCeiling * world.model->scene.simulation.step_budget - world.scratch.microstep_work;
 }
 
+bool is_spent(const WorldState& world) {
+  return microsteps_left(world) < 1 ||
+         work_left(world) < 1e3 * kSpentFraction * world.model->scene.simulation.step_budget;
+}
+
+double expected_work(const WorldState& world, double stretch) { return demand_of(world, stretch).work(); }
+
 double stretch_of_shock(const WorldState& world, double left) {
-  constexpr double kShortest = 1.0 / 16;  // of a time step
-  const double time_step = world.model->scene.simulation.time_step, work = demand_of(world, left).work();
-  const double as_last_step = work > 0 ? left * world.last_microstep_work / work : 0;
-  const double stretch =
-      std::min(left, std::max({kShortest * time_step, time_step - left, time_to_follow(world), as_last_step}));
-  return std::min(1.0, microsteps_left(world) / demand_of(world, stretch).microsteps) * stretch;
+  const double stretch = unlimited_stretch(world, left);
+  const Demand demand = demand_of(world, stretch);
+  return std::min({1.0, microsteps_left(world) / demand.microsteps, kPlanned * work_left(world) / demand.work()}) *
+         stretch;
 }
 
 namespace {
@@ -186,22 +212,40 @@ std::vector<int> groups_in_shock(const WorldState& world, double duration) {
 
 /// What the bodies of a group ask for.
 struct GroupDemand {
-  double min_factor = 0, highest_frequency = 0, similarity = 1;
-  std::optional<ScaledImpact> scaled;  ///< of the slowest
+  double min_factor = 0, least_factor = 0, similarity = 1;
+  double highest_frequency = 0, least_frequency = 0;  ///< as they are; with stiffness relieved [rad/s]
+  std::optional<ScaledImpact> scaled;                 ///< of the slowest
 
-  /// The f at which no frequency exceeds `frequency` [rad/s], and nobody's waves run faster than another's by now.
-  double factor(double frequency) const {
-    return std::max(min_factor, std::min(frequency / highest_frequency, similarity));
+  /// The f at which no frequency exceeds `affordable` [rad/s] and nobody's waves run faster than another's by now, as
+  /// far as breaking speeds stay as they are; less where frequencies would exceed `ceiling` [rad/s] once relieved.
+  double factor(double affordable, double ceiling) const {
+    return std::max(least_factor, std::min(usual_factor(affordable), ceiling / relieved_frequency(affordable)));
+  }
+  double usual_factor(double affordable) const {
+    return std::max(min_factor, std::min(affordable / highest_frequency, similarity));
+  }
+  /// The highest that elements keep [rad/s].
+  double relieved_frequency(double affordable) const {
+    return std::clamp(affordable / usual_factor(affordable), least_frequency, highest_frequency);
   }
 };
+
+/// Highest frequency of a body in shock once its smallest and flattest elements have lost stiffness [rad/s].
+double least_frequency(const WorldState& world, const Body& body) {
+  const double now = body.shock->frequency;
+  if (world.model->scene.bodies[body.scene_body].remeshing) return now;
+  return std::min(now, world.model->frequency_limits[body.scene_body].least * bar_wave_speed(world.material_of(body)));
+}
 
 std::vector<GroupDemand> group_demands(const WorldState& world, const std::vector<int>& groups) {
   std::vector<GroupDemand> demands(groups.size());
   for (const Body& body : world.bodies) {
     if (!body.shock) continue;
     GroupDemand& demand = demands[groups[body.scene_body]];
-    demand.min_factor = std::max(demand.min_factor, min_factor(world, body));
+    demand.min_factor = std::max(demand.min_factor, min_factor(world, body, kMinFactor));
+    demand.least_factor = std::max(demand.least_factor, min_factor(world, body, kLeastFactor));
     demand.highest_frequency = std::max(demand.highest_frequency, body.shock->frequency);
+    demand.least_frequency = std::max(demand.least_frequency, least_frequency(world, body));
     if (body.shock->similarity >= demand.similarity) continue;
     demand.similarity = body.shock->similarity;
     demand.scaled = body.scaled;
@@ -215,12 +259,14 @@ void choose_similarity(WorldState& world, double left) {
   const double budget = 1e3 * world.model->scene.simulation.step_budget;
   const double available = std::max(budget - world.scratch.microstep_work, kMinFraction * budget);
   const Demand demand = demand_of(world, left);
-  const double work = demand.work(), followed = stretch_of_shock(world, left) / left;
+  const double work = demand.work(), followed = unlimited_stretch(world, left) / left;
   const bool is_too_much = followed * work > kFractionOfOneShock * available;
   const auto is_scaled = [](const Body& body) { return body.shock && body.shock->similarity < 1; };
   if (!is_too_much && std::ranges::none_of(world.bodies, is_scaled)) return;
-  const double frequency =
-      is_too_much ? demand.highest_frequency * available / work : std::numeric_limits<double>::infinity();
+  const double unlimited = std::numeric_limits<double>::infinity();
+  const double frequency = is_too_much ? demand.highest_frequency * available / work : unlimited;
+  const double ceiling =
+      is_too_much ? demand.highest_frequency * kPlanned * work_left(world) / (followed * work) : unlimited;
   ScaledImpact told;
   told.tets = demand.tets;
   told.microsteps = demand.microsteps;
@@ -230,11 +276,13 @@ void choose_similarity(WorldState& world, double left) {
   for (Body& body : world.bodies) {
     if (!body.shock) continue;
     const GroupDemand& group = demands[groups[body.scene_body]];
-    const double factor = group.factor(frequency);
+    const double factor = group.factor(frequency, ceiling);
     if (factor < body.shock->similarity) {
       body.scaled = frequency / group.highest_frequency < group.similarity ? told : group.scaled;
       set_similarity(world, body, factor);
     }
+    body.shock->frequency =
+        std::min(body.shock->frequency, std::max(least_frequency(world, body), group.relieved_frequency(frequency)));
     if (body.shock->similarity < 1) body.scaled = scaled_impact(world, body);
   }
 }
@@ -253,6 +301,12 @@ void set_similarity(WorldState& world, Body& body, double factor) {
   for (const NodeId node : body.nodes)
     world.nodes.similarity_starts[node] =
         (true_displacement(world, body, frame, node) - factor * displacement(world, frame, node)) / (1 - factor);
+  for (const NodeId node : body.nodes) {
+    OverloadHistory& overload = world.nodes.overloads[node];
+    const auto slow_down = [&](double time) { return world.time + before / factor * (time - world.time); };
+    overload.since = slow_down(overload.since);
+    if (overload.known_from > world.time) overload.known_from = slow_down(overload.known_from);
+  }
   body.shock->similarity = factor;
 }
 

@@ -44,9 +44,15 @@ double shock_window(const WorldState& world, const Body& body);
 /// Until the waves of all bodies in shock have been followed, if nothing new happens; 0 without any [s].
 double time_to_follow(const WorldState& world);
 
-/// How many more microsteps the step may take: what rattles for ever between others, far faster than the step, would
-/// never end.
-double microsteps_left(const WorldState& world);
+/// Work that microsteps may still do in this step, at most 20 times its budget [µs of a usual core].
+double work_left(const WorldState& world);
+
+/// Whether microsteps have done all that they may in this step: work, or 10,000 of them a millisecond of the budget.
+/// What rattles for ever between others, far faster than the step, would never end.
+bool is_spent(const WorldState& world);
+
+/// Work that the microsteps of a stretch of this length [s] are expected to take [µs of a usual core].
+double expected_work(const WorldState& world, double stretch);
 
 /// How long the next stretch is of a step that has `left` [s] to go: until waves have been followed, but not too short,
 /// as each begins with contacts and with what the microsteps know of the bodies. Where blows prolong a shock, it is as

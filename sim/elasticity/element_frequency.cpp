@@ -1,0 +1,109 @@
+#include "sim/elasticity/element_frequency.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace griffith {
+namespace {
+
+/// Slivers are elements whose frequency is higher than this many bar waves' speeds over their edge length: that of
+/// elements of good shape is below 10.
+constexpr double kSliverFrequency = 20;
+/// This share of a body's elements, its worst slivers, may be relieved.
+constexpr double kSliverFraction = 0.02;
+/// This share of a body's volume, in its elements of the highest frequencies, may be.
+constexpr double kRelievedVolume = 1e-3;
+
+double largest_eigenvalue(const Mat3& symmetric) {
+  Eigen::SelfAdjointEigenSolver<Mat3> solver;
+  return solver.computeDirect(symmetric, Eigen::EigenvaluesOnly).eigenvalues()[2];
+}
+
+/// The highest frequency of a tet with a quarter of its mass at each corner [rad/s]. Along the axes of
+/// A = Σ g_i g_iᵀ, with eigenvalues a_i, shear has the eigenvalues mu (a_i + a_j), and stretch those of
+/// lambda √(a_i a_j) + 2 mu a_i δ_ij; all times 4/ρ.
+double element_frequency(const ElasticLaw& law, double density, const RestElement& rest) {
+  const Mat3 spread = rest.shape_gradients * rest.shape_gradients.transpose();
+  Eigen::SelfAdjointEigenSolver<Mat3> solver;
+  const Vec3 a = solver.computeDirect(spread, Eigen::EigenvaluesOnly).eigenvalues().cwiseMax(0);
+  const Vec3 roots = a.cwiseSqrt();
+  Mat3 stretch = law.lambda * roots * roots.transpose();
+  stretch.diagonal() += 2 * law.mu * a;
+  const double shear = law.mu * (a[1] + a[2]);
+  return std::sqrt(4 / density * std::max(shear, largest_eigenvalue(stretch)));
+}
+
+/// Whether an element is one of bad shape, not just a small one. `speed`: of bar waves [m/s].
+bool is_sliver(const RestElement& rest, double frequency, double speed) {
+  return frequency * mean_element_size({&rest, 1}) > kSliverFrequency * speed;
+}
+
+double wave_speed_of(const ElasticLaw& law, double density) {
+  return std::sqrt(law.mu * (3 * law.lambda + 2 * law.mu) / (law.lambda + law.mu) / density);
+}
+
+/// Frequency above which there are as many slivers as may be relieved [rad/s].
+double usual_limit(std::vector<double> slivers, std::size_t elements) {
+  const auto relieved = static_cast<std::size_t>(kSliverFraction * static_cast<double>(elements));
+  if (slivers.size() <= relieved) return 0;
+  std::ranges::nth_element(slivers, slivers.begin() + static_cast<std::ptrdiff_t>(relieved), std::ranges::greater());
+  return slivers[relieved];
+}
+
+/// Frequency above which elements have as much of the volume as may be relieved [rad/s].
+double least_limit(std::span<const RestElement> rest_elements, std::span<const double> frequencies) {
+  std::vector<std::size_t> order(rest_elements.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
+    return frequencies[a] != frequencies[b] ? frequencies[a] > frequencies[b] : a < b;
+  });
+  double left = 0;
+  for (const RestElement& rest : rest_elements) left += kRelievedVolume * rest.volume;
+  for (const std::size_t element : order) {
+    left -= rest_elements[element].volume;
+    if (left < 0) return frequencies[element];
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::vector<double> element_frequencies(const ElasticLaw& law, double density,
+                                        std::span<const RestElement> rest_elements) {
+  std::vector<double> frequencies;
+  frequencies.reserve(rest_elements.size());
+  for (const RestElement& rest : rest_elements) frequencies.push_back(element_frequency(law, density, rest));
+  return frequencies;
+}
+
+FrequencyLimits frequency_limits(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements) {
+  const std::vector<double> frequencies = element_frequencies(law, density, rest_elements);
+  const double speed = wave_speed_of(law, density);
+  double sound = 0;
+  std::vector<double> slivers;
+  for (std::size_t i = 0; i < rest_elements.size(); ++i) {
+    if (is_sliver(rest_elements[i], frequencies[i], speed))
+      slivers.push_back(frequencies[i]);
+    else
+      sound = std::max(sound, frequencies[i]);
+  }
+  FrequencyLimits limits;
+  limits.usual = std::max(sound, usual_limit(std::move(slivers), rest_elements.size()));
+  limits.least = std::min(limits.usual, least_limit(rest_elements, frequencies));
+  return limits;
+}
+
+double highest_frequency(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements,
+                         double limit) {
+  const double speed = wave_speed_of(law, density);
+  double highest = 0;
+  for (const RestElement& rest : rest_elements) {
+    const double frequency = element_frequency(law, density, rest);
+    highest = std::max(highest, is_sliver(rest, frequency, speed) ? std::min(frequency, limit) : frequency);
+  }
+  return highest;
+}
+
+}  // namespace griffith

@@ -1,0 +1,94 @@
+// A step does a bounded amount of work, on meshes with slivers and small elements too.
+
+#include <gtest/gtest.h>
+
+#include "sim/core/parallel.h"
+#include "sim/mesh/box_mesh.h"
+#include "sim/world/step_counters.h"
+#include "sim/world/world.h"
+#include "tests/random_values.h"
+
+namespace griffith {
+namespace {
+
+constexpr double kCeiling = 20;  ///< in budgets
+
+/// A cube whose corners are pushed towards the faces opposite them in every tenth tet, which makes those flat.
+TetSoup cube_with_slivers() {
+  testing::RandomValues random(3);
+  TetSoup soup = make_box(Vec3::Ones(), Vec3::Constant(0.125), BoxPattern::five_tet);
+  for (const auto& tet : soup.tets) {
+    if (random.index(10) > 0) continue;
+    const Vec3 middle = (soup.points[tet[1]] + soup.points[tet[2]] + soup.points[tet[3]]) / 3;
+    Vec3& corner = soup.points[tet[0]];
+    const Vec3 before = corner;
+    corner = middle + random.uniform(0.03, 0.3) * (corner - middle);
+    for (const auto& other : soup.tets) {
+      const Vec3 &a = soup.points[other[0]], b = soup.points[other[1]], c = soup.points[other[2]];
+      if ((b - a).cross(c - a).dot(soup.points[other[3]] - a) > 1e-7) continue;
+      corner = before;  // it would turn a neighbour inside out
+      break;
+    }
+  }
+  return soup;
+}
+
+/// Thrown at the ground.
+Scene thrown_cube(double budget) {
+  Scene scene;
+  scene.ground = Ground{};
+  scene.simulation.time_step = 1.0 / 60;
+  scene.simulation.step_budget = budget;
+  BodyDescription cube;
+  cube.shape = MeshFileShape{"cube"};
+  cube.position = Vec3(0, 0.95, 0);
+  cube.rotation_degrees = Vec3(25, 0, 25);
+  cube.velocity = Vec3(0, -10, 0);
+  cube.material = *find_material_preset("concrete");
+  scene.bodies = {cube};
+  return scene;
+}
+
+TEST(WorkCeiling, HoldsInEveryStepAndIsTold) {
+  const Scene scene = thrown_cube(0.5);
+  World world(scene, GivenMeshes{{"cube", cube_with_slivers()}});
+  StepReport total;
+  for (int step = 0; step < 30; ++step) {
+    world.step();
+    const Frame frame = world.frame();
+    EXPECT_LE(frame.report.microstep_work, 1.05 * kCeiling * scene.simulation.step_budget) << step;
+    EXPECT_EQ(frame.report.non_finite_values, 0);
+    add_step(frame.report, total);
+  }
+  EXPECT_GT(total.unfinished_shocks, 0) << "the ceiling was reached";
+  EXPECT_GT(total.relieved_tets, 0);
+  const EnergyAccount& energy = world.frame().energy;
+  EXPECT_NEAR(energy.unaccounted(), 0, 0.01 * energy.turned_over());
+}
+
+TEST(WorkCeiling, CutsNothingWhereTheBudgetIsLarge) {
+  World world(thrown_cube(1000), GivenMeshes{{"cube", cube_with_slivers()}});
+  StepReport total;
+  for (int step = 0; step < 6; ++step) {
+    world.step();
+    add_step(world.frame().report, total);
+  }
+  EXPECT_GT(total.cracks, 0);
+  EXPECT_EQ(total.unfinished_shocks, 0);
+}
+
+/// A stretch that takes too much is made again, shorter: to the same bits.
+TEST(WorkCeiling, TheNumberOfThreadsChangesNoBit) {
+  std::vector<std::uint64_t> hashes;
+  for (const int threads : {1, 2, 4}) {
+    const ThreadLimit limit(threads);
+    World world(thrown_cube(0.5), GivenMeshes{{"cube", cube_with_slivers()}});
+    for (int step = 0; step < 6; ++step) world.step();
+    hashes.push_back(world.state_hash());
+  }
+  EXPECT_EQ(hashes[1], hashes[0]);
+  EXPECT_EQ(hashes[2], hashes[0]);
+}
+
+}  // namespace
+}  // namespace griffith
