@@ -101,6 +101,7 @@ void clear_stress(WorldState& world, const Body& body) {
   for (TetId tet : body.tets) {
     states[tet] = {};
     stresses[tet].setZero();
+    if (!body.edges.empty()) world.elements.quadratic_states.edit()[tet] = {};
   }
   for (NodeId node : body.nodes) world.nodes.separations[node] = {};
 }
@@ -131,7 +132,11 @@ double rebuild_shape(WorldState& world, Body& body) {
   for (TetId tet : body.tets)
     for (int face = 0; face < 4; ++face)
       if (!world.mesh->neighbours[tet][face].valid()) body.surface.push_back({tet, face});
-  if (body.system) {
+  body.edges = edges_of(world.tet_edges, body.tets);
+  if (!body.edges.empty()) {
+    body.system.emplace(world.mesh, world.tet_edges, body.tets, world.nodes.constraints, world.nodes.constraints,
+                        world.nodes.rows, world.edges.rows);
+  } else if (body.system) {
     body.system->patch(world.mesh, body.nodes, world.nodes.constraints, world.nodes.rows);
   } else {
     body.system.emplace(world.mesh, body.tets, world.nodes.constraints, world.nodes.rows);
