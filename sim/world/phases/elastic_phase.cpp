@@ -65,7 +65,7 @@ void add_elastic_forces(WorldState& world, const Body& body, std::vector<Vec3>& 
 
 /// Takes the torque of the elastic forces [N·m] out of the forces on a free body. Corotational stress is symmetric
 /// before the stretch is applied: where plastic strain and stretch have different axes, it leaves one, which would let
-/// the body spin itself up.
+/// the body spin itself up. Forces on the edges of quadratic tets have one too, which their nodes balance.
 void remove_inner_torque(const WorldState& world, const Body& body, const Vec3& torque, std::vector<Vec3>& forces) {
   const Vec3 spin = body.motion.inertia.inverse() * torque;
   for (NodeId node : body.nodes)
@@ -94,7 +94,8 @@ void turn_forces_halfway(const WorldState& world, const Body& body, double dt, s
 }
 
 SolveReport predict_elastic(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt) {
-  const bool spins_freely = !body.supported() && world.material_of(body).yield_strength;
+  const bool has_inner_torque = world.material_of(body).yield_strength || !body.edges.empty();
+  const bool spins_freely = !body.supported() && has_inner_torque;
   const Vec3 outer_torque = spins_freely ? wrench_of(world, body, forces).torque : Vec3(Vec3::Zero());
   if (body.supported() && !world.integrates_explicitly()) turn_forces_halfway(world, body, dt, forces);
   add_elastic_forces(world, body, forces);

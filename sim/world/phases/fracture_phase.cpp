@@ -53,12 +53,14 @@ void append_copy(WorldState& world, const NodeCopy& copy) {
 }
 
 /// Parts the edges of quadratic tets whose nodes were parted.
-void part_edges(WorldState& world, std::span<const NodeCopy> copies) {
+void part_edges(WorldState& world, std::span<const NodeCopy> copies, std::vector<EdgeCopy>& edge_copies) {
   if (world.edges.offsets.empty() || copies.empty()) return;
   std::vector<NodeId> copied;
   for (const NodeCopy& copy : copies) copied.push_back(copy.copy);
-  for (const EdgeCopy& copy : part_edges(world.mesh, copied, world.tet_edges.edit()))
+  for (const EdgeCopy& copy : part_edges(world.mesh, copied, world.tet_edges.edit())) {
     world.edges.append_copy(copy.original);
+    edge_copies.push_back(copy);
+  }
   std::vector<TetId> tets;
   for (const NodeCopy& copy : copies)
     for (const NodeId node : {copy.original, copy.copy})
@@ -143,7 +145,7 @@ bool crack(WorldState& world, NodeId node, Opened& opened) {
   world.report.cracks_suppressed += result.too_small;
   if (result.too_small) return false;
   for (const NodeCopy& copy : result.copies) append_copy(world, copy);
-  part_edges(world, result.copies);
+  part_edges(world, result.copies, opened.edge_copies);
   opened.copies.insert(opened.copies.end(), result.copies.begin(), result.copies.end());
   for (NodeId front : result.front) world.nodes.at_crack_front[front] = 1;
   event.nodes_made = static_cast<int>(result.copies.size());

@@ -19,8 +19,6 @@ void check_elements(const Scene& scene, int scene_body, const Material& material
   require(!material.yield_strength, "a yield strength", "take \"linear\", or a brittle material");
   require(!moves || scene.simulation.integrator != Integrator::symplectic_euler, "explicit integration",
           "take \"linear\", or the integrator \"implicit\"");
-  require(!moves || scene.simulation.integrator != Integrator::hybrid, "microsteps",
-          "take \"linear\", or the integrator \"implicit\"");
 }
 
 }  // namespace griffith

@@ -37,7 +37,9 @@ constexpr double kFractionOfOneShock = 0.5;
 
 double min_factor(const WorldState& world, const Body& body) {
   const Material& material = world.material_of(body);
-  if (material.yield_strength) return 1;  // flow has its own pace
+  // Flow has its own pace; strains without stress are of whole elements, which scaled quadratic ones would need at
+  // corners.
+  if (material.yield_strength || !body.edges.empty()) return 1;
   const double speed = std::max(body.shock->impact_speed, inner_speed(world, body)),
                for_speed = speed / (kImpactFraction * bar_wave_speed(material)),
                for_strain = material.tensile_strength / (kMaxStrain * material.young_modulus);
@@ -78,12 +80,13 @@ void keep_momentum(WorldState& world, const Body& body, const RigidMotion& befor
 /// What the microsteps of all bodies in shock come to.
 struct Demand {
   int tets = 0;
+  double linear_tets = 0;        ///< as many linear ones take as long
   double microsteps = 0;         ///< of what is left of the step
   double highest_frequency = 0;  ///< as slowed now [rad/s]
   double overhead = 1;           ///< see WorldState::shock_overhead
 
-  double work_of_microstep() const { return overhead * kMicrostepWork * tets; }  ///< [µs]
-  double work() const { return microsteps * work_of_microstep(); }               ///< [µs]
+  double work_of_microstep() const { return overhead * kMicrostepWork * linear_tets; }  ///< [µs]
+  double work() const { return microsteps * work_of_microstep(); }                      ///< [µs]
 };
 
 Demand demand_of(const WorldState& world, double left) {
@@ -91,6 +94,7 @@ Demand demand_of(const WorldState& world, double left) {
   for (const Body& body : world.bodies) {
     if (!body.shock) continue;
     demand.tets += static_cast<int>(body.tets.size());
+    demand.linear_tets += (body.edges.empty() ? 1 : kQuadraticWork) * static_cast<double>(body.tets.size());
     demand.highest_frequency = std::max(demand.highest_frequency, body.shock->similarity * body.shock->frequency);
   }
   demand.microsteps = left * demand.highest_frequency / kMicrostepAtFrequency;
