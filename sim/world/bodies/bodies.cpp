@@ -16,10 +16,11 @@
 namespace griffith {
 namespace {
 
-/// A body's nodes as columns.
-NodeVectors gather(const std::vector<Vec3>& values, const std::vector<NodeId>& nodes) {
-  NodeVectors gathered(3, nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) gathered.col(i) = values[nodes[i]];
+/// A body's nodes or edges as columns.
+template <class Identifier>
+NodeVectors gather(const std::vector<Vec3>& values, const std::vector<Identifier>& ids) {
+  NodeVectors gathered(3, ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) gathered.col(i) = values[ids[i]];
   return gathered;
 }
 
@@ -143,6 +144,7 @@ double rebuild_shape(WorldState& world, Body& body) {
   }
   body.motion = motion_of(world, body);
   body.reference_arms = gather(world.nodes.positions, body.nodes).colwise() - body.motion.center;
+  body.reference_offsets = gather(world.edges.offsets, body.edges);
   body.orientation.setIdentity();
   body.element_size = mean_element_size(world.elements.rest_elements, body.tets);
   body.extent = extent_of(world, body);
