@@ -4,13 +4,13 @@
 #include <cmath>
 #include <tuple>
 
+#include "sim/core/tet_edge_corners.h"
 #include "sim/mesh/tet_mesh.h"
 
 namespace griffith::app {
 namespace {
 
 constexpr render::Rgb kWireColor = {0.30f, 0.34f, 0.40f};
-constexpr std::array<std::array<int, 2>, 6> kTetEdges = {{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
 PictureTriangle face_triangle(TetId tet, std::size_t face) {
   PictureTriangle triangle{tet, static_cast<std::int8_t>(face), render::kAllEdges, {}};

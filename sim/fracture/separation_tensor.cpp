@@ -32,9 +32,10 @@ StarLoad star_load(const SeparationInput& input, NodeId node, const Mat3& tensor
   for (TetId tet : input.stars[node]) {
     if (!counts(input, tet, node)) continue;
     const RestElement& rest = input.rest_elements[tet];
-    const ElementState& state = input.states[tet];
+    const int corner = local_corner(input, tet, node);
+    const ElementState& state = input.state_at(tet, corner);
     const Vec3 across = cofactor(state.frame).transpose() * pulled.direction;
-    load.area += 0.5 * rest.volume * std::abs(across.dot(rest.shape_gradients.col(local_corner(input, tet, node))));
+    load.area += 0.5 * rest.volume * std::abs(across.dot(rest.shape_gradients.col(corner)));
     load.volume += rest.volume;
     const SymmetricMat3& t = state.tension;
     diagonal += rest.volume * simd::WideQuad{t.xx, t.yy, t.zz, 0};
@@ -143,7 +144,8 @@ Mat3 force_dyad(const Vec3& force) {
 }
 
 SplitForce split_force(const SeparationInput& input, TetId tet, NodeId node) {
-  return split_force(input.rest_elements[tet], input.states[tet], local_corner(input, tet, node));
+  const int corner = local_corner(input, tet, node);
+  return split_force(input.rest_elements[tet], input.state_at(tet, corner), corner);
 }
 
 SplitForce split_force(const RestElement& rest, const ElementState& state, int corner) {
@@ -155,7 +157,8 @@ SplitForce split_force(const RestElement& rest, const ElementState& state, int c
 Mat3 separation_tensor(const SeparationInput& input, NodeId node) {
   const std::span<const TetId> star = input.stars[node];
   const auto forces_of = [&](TetId tet) {
-    return force_lanes(input.rest_elements[tet], input.states[tet], local_corner(input, tet, node));
+    const int corner = local_corner(input, tet, node);
+    return force_lanes(input.rest_elements[tet], input.state_at(tet, corner), corner);
   };
   Dyads sum;
   ForceLanes total;
@@ -192,7 +195,7 @@ std::array<CandidatePlane, 4> candidate_planes(const std::array<StarLoad, 4>& lo
 
 double tension_fraction(const SeparationInput& input, TetId tet, NodeId node, const CandidatePlane& plane) {
   if (!counts(input, tet, node)) return 0;
-  const ElementState& state = input.states[tet];
+  const ElementState& state = input.state_at(tet, local_corner(input, tet, node));
   return input.rest_elements[tet].volume / plane.volume * plane.normal.dot(state.tension.full() * plane.normal);
 }
 

@@ -6,7 +6,9 @@
 
 #include "sim/elasticity/element.h"
 #include "sim/elasticity/principal_stress.h"
+#include "sim/elasticity/quadratic_element.h"
 #include "sim/fracture/strength_variation.h"
+#include "sim/mesh/tet_edges.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/solver/node_constraint.h"
 
@@ -17,11 +19,23 @@ Mat3 force_dyad(const Vec3& force);
 
 /// What the elements round a node contribute to its separation.
 struct SeparationInput {
-  std::span<const std::array<NodeId, 4>> tets;  // per tet: corners
-  std::span<const std::vector<TetId>> stars;    // per node: its tets
-  std::span<const RestElement> rest_elements;   // per tet
-  std::span<const ElementState> states;         // per tet
-  std::span<const NodeConstraint> constraints;  // per node; empty: all are free
+  std::span<const std::array<NodeId, 4>> tets;            // per tet: corners
+  std::span<const std::vector<TetId>> stars;              // per node: its tets
+  std::span<const RestElement> rest_elements;             // per tet
+  std::span<const ElementState> states;                   // per tet
+  std::span<const NodeConstraint> constraints;            // per node; empty: all are free
+  std::span<const std::array<EdgeId, 6>> edges = {};      // per tet; invalid in linear ones; empty: all are
+  std::span<const QuadraticState> quadratic_states = {};  // per tet, of quadratic ones
+
+  /// The states of a quadratic tet's corners; null for a linear one.
+  const std::array<ElementState, 4>* corner_states(TetId tet) const {
+    return !edges.empty() && edges[tet][0].valid() ? &quadratic_states[tet].corners : nullptr;
+  }
+  /// The state of a tet at one of its corners: everywhere the same in a linear one.
+  const ElementState& state_at(TetId tet, int corner) const {
+    const std::array<ElementState, 4>* corners = corner_states(tet);
+    return corners ? (*corners)[corner] : states[tet];
+  }
 };
 bool is_constrained(const SeparationInput& input, NodeId node);
 /// Whether a support holds a tet at all corners.

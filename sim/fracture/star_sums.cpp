@@ -40,7 +40,7 @@ void add_dyads(const CornerVectors& tensile, const CornerVectors& compressive, c
   add_column(2, tensile.z, compressive.z);
 }
 
-void add_tension(double volume, const ElementState& state, const CornerSums& to) {
+void add_tension(double volume, const ElementState& state, std::span<StarSums* const> to) {
   const auto& [xx, yy, zz, xy, xz, yz] = state.tension;
   const WideQuad diagonal = volume * WideQuad{xx, yy, zz, 1}, off_diagonal = volume * WideQuad{xy, xz, yz, 0};
   for (StarSums* sums : to) {
@@ -58,6 +58,32 @@ void add_element(const RestElement& rest, const ElementState& state, bool anchor
   add_forces(tensile, compressive, to);
   add_dyads(tensile, compressive, to);
   if (!anchored) add_tension(rest.volume, state, to);
+}
+
+/// The same of a quadratic element, each corner of which has a state of its own.
+void add_element(const RestElement& rest, const std::array<ElementState, 4>& states, bool anchored,
+                 const CornerSums& to) {
+  const auto at_corners = [&](const auto& vector_at) {
+    return simd::side_by_side(vector_at(0), vector_at(1), vector_at(2), vector_at(3));
+  };
+  const auto gradient = [&](int i) { return rest.shape_gradients.col(i); };
+  const CornerVectors part = at_corners([&](int i) {
+    return simd::product(states[i].tensile_traction.data(), gradient(i)[0], gradient(i)[1], gradient(i)[2]);
+  });
+  const CornerVectors whole = at_corners([&](int i) { return corner_traction(rest, states[i], i); });
+  const DoubleLanes zero = {}, volume = zero + rest.volume;
+  const CornerVectors tensile = -volume * part, compressive = volume * (part - whole);
+  add_forces(tensile, compressive, to);
+  add_dyads(tensile, compressive, to);
+  for (int i = 0; i < 4 && !anchored; ++i) add_tension(rest.volume, states[i], std::span(&to[i], 1));
+}
+
+/// Adds V/2 |(cof(B) g)·e| with the direction e of a corner.
+void add_area(const RestElement& rest, const std::array<ElementState, 4>& states, const CornerSums& to) {
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 across = cofactor(states[i].frame).transpose() * to[i]->pulled.direction;
+    to[i]->area += 0.5 * rest.volume * std::abs(across.dot(rest.shape_gradients.col(i)));
+  }
 }
 
 /// Adds V/2 |(cof(B) g)·e| with the direction e of each corner.
@@ -110,11 +136,21 @@ void add_up_stars(const SeparationInput& input, std::span<const TetId> tets, std
                   std::span<StarSums> sums) {
   for (const NodeId node : nodes) sums[node] = {};
   add_at_corners(input.tets, tets, nodes, sums, [&](TetId tet, const CornerSums& to) {
-    add_element(input.rest_elements[tet], input.states[tet], is_anchored(input, tet), to);
+    const bool anchored = is_anchored(input, tet);
+    if (const auto* corners = input.corner_states(tet)) {
+      add_element(input.rest_elements[tet], *corners, anchored, to);
+    } else {
+      add_element(input.rest_elements[tet], input.states[tet], anchored, to);
+    }
   });
   find_pulls(input, nodes, sums);
   add_at_corners(input.tets, tets, nodes, sums, [&](TetId tet, const CornerSums& to) {
-    if (!is_anchored(input, tet)) add_area(input.rest_elements[tet], input.states[tet], to);
+    if (is_anchored(input, tet)) return;
+    if (const auto* corners = input.corner_states(tet)) {
+      add_area(input.rest_elements[tet], *corners, to);
+    } else {
+      add_area(input.rest_elements[tet], input.states[tet], to);
+    }
   });
 }
 

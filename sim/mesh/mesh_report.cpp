@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "sim/core/error.h"
+#include "sim/core/tet_edge_corners.h"
 #include "sim/mesh/number_text.h"
 #include "sim/mesh/topology.h"
 
@@ -15,8 +16,6 @@ namespace {
 constexpr double kFlatVolume = 1e-12;  ///< of the longest edge cubed
 
 using Tet = std::array<int, 4>;
-
-constexpr std::array<std::array<int, 2>, 6> kTetEdges = {{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
 Tet sorted(Tet tet) {
   std::sort(tet.begin(), tet.end());

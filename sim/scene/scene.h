@@ -22,6 +22,12 @@ enum class CollisionShape {
   splinters,  ///< convex parts of the splinters that it owns
 };
 
+/// How displacements vary within the tets of a body.
+enum class ElementOrder {
+  linear,     ///< a constant strain a tet: cheap, but one or two across a thin body hardly bend
+  quadratic,  ///< linear strains: bends right with a single layer of tets
+};
+
 struct BodyDescription {
   std::string name = "body";
   Shape shape;
@@ -30,6 +36,7 @@ struct BodyDescription {
   Vec3 velocity = Vec3::Zero();          ///< at the start [m/s]
   Vec3 angular_velocity = Vec3::Zero();  ///< at the start, about the centre of mass [rad/s]
   Material material;
+  ElementOrder elements = ElementOrder::linear;
   bool remeshing = false;           ///< cracks cut tets along their plane instead of following faces
   double minimum_element_size = 0;  ///< edges that remeshing may make [m]; 0: a quarter of the first elements' size
   std::optional<Weakness> weakness;

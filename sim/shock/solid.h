@@ -9,6 +9,7 @@
 #include "sim/elasticity/element.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/shock/element_block.h"
+#include "sim/shock/quadratic_block.h"
 #include "sim/solver/node_constraint.h"
 
 namespace griffith::shock {
@@ -45,6 +46,22 @@ struct SolidNodeStart {
   double mass = 0;                   ///< [kg], > 0
 };
 
+/// What the microsteps know of an edge of quadratic tets beside its offset.
+struct SolidEdge {
+  double inverse_mass = 0;          ///< [1/kg]
+  int first = 0, count = 0;         ///< its part of the list of stars
+  Mat3 allowed = Mat3::Identity();  ///< projector onto what supports leave it
+  bool is_free = true;
+};
+
+/// An edge that moves in the microsteps: by how far its middle is from the middle of its ends.
+struct SolidEdgeStart {
+  Vec3 offset = Vec3::Zero();       ///< [m]
+  Vec3 velocity = Vec3::Zero();     ///< of the offset [m/s]
+  double mass = 0;                  ///< [kg], > 0
+  Mat3 allowed = Mat3::Identity();  ///< see NodeConstraint
+};
+
 /// One body of the solid.
 struct SolidBody {
   BlockLaw law;        ///< its viscosity follows from `damping` and the microstep
@@ -53,6 +70,10 @@ struct SolidBody {
   double frequency = 0;  ///< the highest that its elements have, after some were relieved [rad/s]
   int relieved = 0;      ///< elements that have a part of their stiffness alone, so as not to set the microstep
 };
+
+/// Highest frequency of a body with quadratic elements, each of whose edges has the mass of all tets round it; slivers
+/// are not relieved [rad/s].
+double highest_quadratic_frequency(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements);
 
 /// Tetrahedral bodies under explicit dynamics: lumped masses, symplectic Euler, eight elements at a time. State is in
 /// double precision, the elements' arithmetic in single precision on displacements from a placement near the present
@@ -68,10 +89,15 @@ class Solid {
   /// A body of tets with these corners, seen in the body's present turn. Gradients as RestElement.
   ///   offsets   strain without stress per tet: plastic strain, in the present turn [-]
   ///   density   [kg/m³]
-  ///   limit     frequency that elements have at most: those with a higher one are relieved of stiffness [rad/s]
+  ///   limit     frequency that linear elements have at most: those with a higher one are relieved of stiffness [rad/s]
+  ///   edges     of quadratic tets; empty: they are linear
   void add_body(const ElasticLaw& law, double density, std::span<const std::array<int, 4>> tets,
                 std::span<const RestElement> rest_elements, std::span<const Mat3> offsets,
-                double limit = std::numeric_limits<double>::infinity());
+                double limit = std::numeric_limits<double>::infinity(), std::span<const std::array<int, 6>> edges = {});
+  /// Edges of a quadratic body that is added next, or by a crack; and what supports leave them from now on. As nodes.
+  int add_edge(const SolidEdgeStart& start);
+  int copy_edge(int edge, double mass);
+  void constrain_edge(int edge, const Mat3& allowed);
   /// Once all bodies are there: stars, slots of forces, rotations.
   void finish();
 
@@ -92,6 +118,16 @@ class Solid {
   /// are 4·tet + corner, ascending.
   void part(int node, std::span<const int> copies, std::span<const std::vector<int>> stars);
 
+  /// The same for an edge; entries are edge_entry().
+  void part_edge(int edge, std::span<const int> copies, std::span<const std::vector<int>> stars);
+  /// Edge 0..5 of a quadratic tet in the lists of stars.
+  int edge_entry(int slot, int edge) const;
+
+  bool is_quadratic(int body) const { return quadratic_of_block_[bodies_[body].first_block] >= 0; }
+  int edge_count() const { return static_cast<int>(edges_.size()); }
+  Vec3 edge_offset(int edge) const { return vector(edge_offsets_[edge].value); }
+  Vec3 edge_velocity(int edge) const { return vector(edge_velocities_[edge].value); }
+  SolidEdge& edge(int index) { return edges_[index]; }
   int node_count() const { return static_cast<int>(nodes_.size()); }
   int tet_slots() const { return static_cast<int>(blocks_.size()) * kLanes; }
   int body_count() const { return static_cast<int>(bodies_.size()); }
@@ -161,7 +197,16 @@ class Solid {
   static Vec3 vector(const WideQuad& q) { return {q[0], q[1], q[2]}; }
 
   void advance_nodes(double kick, double drift, std::vector<int>& flagged);
+  void advance_edges(double kick, double drift);
   void hold(int constraint, double drift);
+  void relieve_slivers(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements, double limit,
+                       SolidBody& body);
+  void add_quadratic_blocks(std::span<const std::array<int, 6>> edges, const SolidBody& body);
+  void list_edge_stars();
+  Vec3 edge_acceleration(int edge) const;
+  QuadraticDisplacements displacements() const {
+    return {&displacements_[0].value, edge_offsets_.empty() ? nullptr : &edge_offsets_[0].value};
+  }
 
   std::vector<SolidBody> bodies_;
   std::vector<SolidNode> nodes_;
@@ -173,6 +218,12 @@ class Solid {
   std::vector<int> block_bodies_;            ///< per block
   std::vector<CornerForce> forces_;          ///< 4·slot + corner
   std::vector<int> stars_;
+  std::vector<int> quadratic_of_block_;     ///< per block: index into quadratics_, -1 for linear ones
+  std::vector<QuadraticBlock> quadratics_;  ///< of blocks of quadratic tets
+  std::vector<SolidEdge> edges_;
+  std::vector<NodeValue> edge_offsets_, edge_velocities_;
+  std::vector<CornerForce> edge_forces_;  ///< 6·(slot among quadratic ones) + edge
+  std::vector<int> edge_stars_;
   WideQuad lowest_ = {}, highest_ = {};
   double dt_ = 0, fastest_ = 0;
 };

@@ -6,7 +6,10 @@ double Solid::viscous_work() const {
   double sum = 0;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const BlockLaw& law = bodies_[block_bodies_[b]].law;
-    const Lanes work = viscous_works_[b].work + work_of_last(law, blocks_[b], viscous_works_[b]);
+    const int quadratic = quadratic_of_block_[b];
+    const Lanes last = quadratic < 0 ? work_of_last(law, blocks_[b], viscous_works_[b])
+                                     : work_of_last(law, blocks_[b], quadratics_[quadratic]);
+    const Lanes work = viscous_works_[b].work + last;
     for (int lane = 0; lane < kLanes; ++lane) sum += work[lane];
   }
   return sum;
@@ -28,6 +31,7 @@ Vec3 Solid::acceleration(int index) const {
 double Solid::half_kick_energy() const {
   double sum = 0;
   for (int i = 0; i < node_count(); ++i) sum += acceleration(i).squaredNorm() / nodes_[i].inverse_mass;
+  for (int i = 0; i < edge_count(); ++i) sum += edge_acceleration(i).squaredNorm() / edges_[i].inverse_mass;
   return 0.125 * dt_ * dt_ * sum;
 }
 

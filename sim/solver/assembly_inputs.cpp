@@ -11,6 +11,7 @@ namespace griffith {
 AssemblyInputs::AssemblyInputs(const ElementRows& rows, const ElementRows& supports) : nodes_(rows.nodes) {
   nodes_.insert(nodes_.end(), supports.nodes.begin(), supports.nodes.end());
   for (const ElementRows::TetAtNode& entry : rows.tets) {
+    if (entry.corner >= 4) break;  // rows of edges, whose tets have nodes with rows
     const auto corner = entry.slots.begin() + entry.corner;
     const bool is_first = std::all_of(entry.slots.begin(), corner, [](int slot) { return slot < 0; });
     if (is_first) tets_.push_back(entry.tet);  // once, though each of its corners has a row

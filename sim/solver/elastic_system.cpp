@@ -14,6 +14,8 @@
 namespace griffith {
 namespace {
 
+constexpr int kFirstEdgeColumn = 1 << 30;
+
 /// Small aggregates save iterations, many of them make the coarse matrix dear: these sizes balance the two.
 int aggregate_size(int rows) {
   constexpr int kSmallest = 20, kMaxAggregates = 600;
@@ -32,10 +34,23 @@ std::vector<NodeId> number_rows(std::span<const NodeId> body_nodes, std::span<co
   return numbered;
 }
 
+/// What rows of nodes have, of values that rows of edges follow.
+NodeVectors of_nodes(const NodeVectors& values, int nodes) { return values.leftCols(nodes); }
+RigidMotion motion_of_nodes(int nodes, const NodeVectors& places, const NodeVectors& velocities,
+                            const Eigen::VectorXd& masses) {
+  if (nodes == places.cols()) return rigid_motion(places, velocities, masses);
+  return rigid_motion(of_nodes(places, nodes), of_nodes(velocities, nodes), masses.head(nodes));
+}
+Vec3 spin_of_nodes(int nodes, const Pivot& pivot, const NodeVectors& places, const NodeVectors& velocities,
+                   const Eigen::VectorXd& masses) {
+  if (nodes == places.cols()) return turning_about(pivot, places, velocities, masses).spin;
+  return turning_about(pivot, of_nodes(places, nodes), of_nodes(velocities, nodes), masses.head(nodes)).spin;
+}
+
 /// What spinning does to the shape, seen by a body that turns along: h·m ω×(a×ω) for a node at arm a.
-void add_centrifugal_impulses(const Vec3& center, const Vec3& spin, const NodeVectors& positions,
+void add_centrifugal_impulses(int nodes, const Vec3& center, const Vec3& spin, const NodeVectors& positions,
                               const Eigen::VectorXd& masses, double dt, NodeVectors& impulses) {
-  for (Eigen::Index row = 0; row < masses.size(); ++row) {
+  for (int row = 0; row < nodes; ++row) {
     const Vec3 arm = positions.col(row) - center;
     impulses.col(row) += dt * masses[row] * spin.cross(arm.cross(spin));
   }
@@ -77,19 +92,20 @@ void project_row(BlockSparseMatrix& a, int row, const Mat3& allowed) {
   diagonal += scale * (Mat3::Identity() - allowed);
 }
 
-/// Solves for a body that turns about a pivot.
+/// Solves for a body that turns about a pivot. Places are positions of nodes, then offsets of edges.
 SolveReport solve_swinging(const BlockSparseMatrix& a, const RigidModePreconditioner& preconditioner,
-                           const ImplicitStep& step, const Pivot& pivot, const NodeVectors& positions,
+                           const ImplicitStep& step, const Pivot& pivot, int nodes, const NodeVectors& places,
                            const Eigen::VectorXd& masses, const NodeVectors& b, bool turning, NodeVectors& x) {
   const auto swing = [&](const NodeVectors& velocities) {
-    const Vec3 spin = turning_about(pivot, positions, velocities, masses).spin;
-    NodeVectors field(3, positions.cols());
-    for (Eigen::Index row = 0; row < field.cols(); ++row) field.col(row) = spin.cross(positions.col(row) - pivot.place);
+    const Vec3 spin = spin_of_nodes(nodes, pivot, places, velocities, masses);
+    NodeVectors field(3, places.cols());
+    for (Eigen::Index row = 0; row < field.cols(); ++row)
+      field.col(row) = spin.cross(row < nodes ? Vec3(places.col(row) - pivot.place) : Vec3(places.col(row)));
     return field;
   };
   const auto centrifugal = [&](const NodeVectors& rigid, NodeVectors& impulses) {
-    const Vec3 spin = turning_about(pivot, positions, rigid, masses).spin;
-    if (turning) add_centrifugal_impulses(pivot.place, spin, positions, masses, step.dt, impulses);
+    const Vec3 spin = spin_of_nodes(nodes, pivot, places, rigid, masses);
+    if (turning) add_centrifugal_impulses(nodes, pivot.place, spin, places, masses, step.dt, impulses);
   };
   return solve_beside(a, preconditioner, step, masses, b, swing, centrifugal, x);
 }
@@ -103,7 +119,36 @@ ElasticSystem::ElasticSystem(const TetMesh& mesh, std::span<const TetId> tets,
   for (NodeId node : number_rows(body_nodes, constraints, row_of_node)) rows.add(mesh, node, row_of_node);
   rows.allocate();
   rebuild_support_rows(mesh, body_nodes, constraints, row_of_node);
-  preconditioner_.emplace(RigidModePreconditioner(matrix(), aggregate_size(matrix().rows())));
+  preconditioner_.emplace(RigidModePreconditioner(matrix(), matrix().rows(), aggregate_size(matrix().rows())));
+}
+
+ElasticSystem::ElasticSystem(const TetMesh& mesh, const TetEdges& topology, std::span<const TetId> tets,
+                             std::span<const NodeConstraint> constraints, std::span<const NodeConstraint> of_ends,
+                             std::span<int> row_of_node, std::span<int> row_of_edge) {
+  const std::vector<NodeId> body_nodes = nodes_of(mesh, tets),
+                            unknown = number_rows(body_nodes, constraints, row_of_node);
+  const auto node_rows = static_cast<int>(unknown.size());
+  std::vector<EdgeId> unknown_edges;
+  std::vector<NodeConstraint> edge_constraints;
+  for (const EdgeId edge : edges_of(topology, tets)) {
+    const auto& [a, b] = topology.ends[edge];
+    const NodeConstraint constraint = constraint_between(of_ends[a], of_ends[b]);
+    row_of_edge[edge] = constraint.is_held() ? -1 : node_rows + static_cast<int>(unknown_edges.size());
+    if (constraint.is_held()) continue;
+    unknown_edges.push_back(edge);
+    edge_constraints.push_back(constraint);
+  }
+  const QuadraticColumns columns{[&](NodeId node) { return row_of_node[node]; },
+                                 [&](EdgeId edge) { return row_of_edge[edge]; }};
+  ElementRows& rows = rows_.edit();
+  for (const NodeId node : unknown) rows.add_quadratic(mesh, topology, node, columns);
+  for (const EdgeId edge : unknown_edges) rows.add_quadratic(mesh, topology, edge, columns);
+  rows.allocate();
+  rebuild_support_rows(mesh, topology, body_nodes, constraints, row_of_node, row_of_edge);
+  for (std::size_t i = 0; i < unknown_edges.size(); ++i)
+    if (!edge_constraints[i].is_free())
+      sliding_.push_back({row_of_edge[unknown_edges[i]], edge_constraints[i].allowed});
+  preconditioner_.emplace(RigidModePreconditioner(matrix(), node_rows, aggregate_size(node_rows)));
 }
 
 std::size_t ElasticSystem::memory(const ElasticSystem* beside) const {
@@ -146,21 +191,42 @@ void ElasticSystem::rebuild_support_rows(const TetMesh& mesh, std::span<const No
   reactions_.assign(supports().size(), Vec3::Zero());
 }
 
+void ElasticSystem::rebuild_support_rows(const TetMesh& mesh, const TetEdges& topology,
+                                         std::span<const NodeId> body_nodes,
+                                         std::span<const NodeConstraint> constraints, std::span<const int> row_of_node,
+                                         std::span<const int> row_of_edge) {
+  const QuadraticColumns columns{[](NodeId node) { return node.index(); },
+                                 [](EdgeId edge) { return kFirstEdgeColumn + edge.index(); }};
+  ElementRows& support_rows = support_rows_.edit();
+  for (const NodeId node : body_nodes) {
+    if (constraints[node].is_free()) continue;
+    if (row_of_node[node] >= 0) sliding_.push_back({row_of_node[node], constraints[node].allowed});
+    support_rows.add_quadratic(mesh, topology, node, columns);
+  }
+  support_rows.allocate();
+  for (const int column : support_rows.matrix.columns)
+    row_of_support_column_.push_back(column < kFirstEdgeColumn ? row_of_node[column]
+                                                               : row_of_edge[column - kFirstEdgeColumn]);
+  reactions_.assign(supports().size(), Vec3::Zero());
+}
+
 void ElasticSystem::assemble(const ImplicitStep& step, const ElasticLaw& law,
                              std::span<const RestElement> rest_elements, std::span<const ElementState> states,
-                             std::span<const Vec3> positions, std::span<const double> masses) {
+                             std::span<const Vec3> positions, std::span<const double> masses,
+                             std::span<const double> edge_masses) {
   assemble(MatrixFactors{1 + step.dt * step.mass_damping, step.dt * (step.dt + step.stiffness_damping)}, law,
-           rest_elements, states, positions, masses);
+           rest_elements, states, positions, masses, edge_masses);
 }
 
 void ElasticSystem::assemble(const MatrixFactors& factors, const ElasticLaw& law,
                              std::span<const RestElement> rest_elements, std::span<const ElementState> states,
-                             std::span<const Vec3> positions, std::span<const double> masses) {
+                             std::span<const Vec3> positions, std::span<const double> masses,
+                             std::span<const double> edge_masses) {
   if (!inputs_) inputs_.emplace(AssemblyInputs(rows_, support_rows_));
   if ((*inputs_)->still_hold(factors, law, states, masses)) return;
   inputs_->edit().record(factors, law, states, masses);
-  rows_.edit().assemble(factors, law, rest_elements, states, masses);
-  support_rows_.edit().assemble(factors, law, rest_elements, states, masses);
+  rows_.edit().assemble(factors, law, rest_elements, states, masses, edge_masses);
+  support_rows_.edit().assemble(factors, law, rest_elements, states, masses, edge_masses);
   project_sliding_rows();
   preconditioner_->edit().update(matrix(), gather(positions));
 }
@@ -180,7 +246,9 @@ SolveReport ElasticSystem::hold(std::span<const FixedRow> held, std::span<const 
   multiply(rows_->matrix, known, pushed);
   NodeVectors b = impulses - pushed;
   for (const FixedRow& row : held) b.col(row.row) = Vec3(row.allowed * b.col(row.row));
-  if (!fixed_preconditioner_) fixed_preconditioner_.emplace(RigidModePreconditioner(a, aggregate_size(a.rows())));
+  const auto node_rows = static_cast<int>(nodes().size());
+  if (!fixed_preconditioner_)
+    fixed_preconditioner_.emplace(RigidModePreconditioner(a, node_rows, aggregate_size(node_rows)));
   fixed_preconditioner_->edit().update(a, gather(positions));
   x = NodeVectors::Zero(3, a.rows());
   const SolveReport report = conjugate_gradient(a, **fixed_preconditioner_, b, x, 1, tolerance, max_iterations);
@@ -192,50 +260,59 @@ SolveReport ElasticSystem::hold(std::span<const FixedRow> held, std::span<const 
   return report;
 }
 
-NodeVectors ElasticSystem::gather(std::span<const Vec3> values) const {
-  NodeVectors gathered(3, nodes().size());
-  for (std::size_t row = 0; row < nodes().size(); ++row) gathered.col(row) = values[nodes()[row]];
+NodeVectors ElasticSystem::gather(std::span<const Vec3> values, std::span<const Vec3> of_edges) const {
+  NodeVectors gathered(3, rows());
+  const std::size_t count = nodes().size();
+  for (std::size_t row = 0; row < count; ++row) gathered.col(row) = values[nodes()[row]];
+  for (std::size_t i = 0; i < edges().size(); ++i)
+    gathered.col(count + i) = of_edges.empty() ? Vec3(Vec3::Zero()) : of_edges[edges()[i]];
   return gathered;
 }
 
 SolveReport ElasticSystem::solve(const ImplicitStep& step, std::span<const Vec3> positions,
                                  std::span<const Vec3> forces, std::span<const double> masses,
-                                 std::span<const NodeConstraint> constraints, std::span<Vec3> velocities) {
+                                 std::span<const NodeConstraint> constraints, std::span<Vec3> velocities,
+                                 const EdgeMotion& of_edges) {
   const int count = static_cast<int>(nodes().size());
-  const Eigen::VectorXd mass = gather_masses(masses);
-  NodeVectors x = gather(velocities);
-  NodeVectors b = x * mass.asDiagonal() + step.dt * gather(forces);
+  const Eigen::VectorXd mass = gather_masses(masses, of_edges.masses);
+  const NodeVectors places = gather(positions, of_edges.offsets);
+  NodeVectors x = gather(velocities, of_edges.velocities);
+  NodeVectors b = x * mass.asDiagonal() + step.dt * gather(forces, of_edges.forces);
   for (std::size_t i = 0; i < supports().size(); ++i)
     reactions_[i] = -masses[supports()[i]] * velocities[supports()[i]] - step.dt * forces[supports()[i]];
 
   SolveReport report;
   if (is_free()) {
-    report = solve_free(step, gather(positions), mass, b, true, x);
+    report = solve_free(step, places, mass, b, true, x);
   } else if (const std::optional<Pivot> pivot = pivot_of(supports(), constraints, positions)) {
     project(b);
-    report = solve_swinging(rows_->matrix, **preconditioner_, step, *pivot, gather(positions), mass, b, true, x);
+    report = solve_swinging(rows_->matrix, **preconditioner_, step, *pivot, count, places, mass, b, true, x);
     project(x);
   } else {
     report = solve_projected(constraints, step.relative_residual, step.max_iterations, b, x);
   }
   for (int row = 0; row < count; ++row) velocities[nodes()[row]] = x.col(row);
+  for (std::size_t i = 0; i < edges().size(); ++i) of_edges.velocities[edges()[i]] = x.col(count + i);
   for (NodeId node : supports())
     velocities[node] = constraints[node].velocity + constraints[node].allowed * velocities[node];
-  balance_supports(step.dt, constraints, velocities);
+  balance_supports(step.dt, constraints, velocities, of_edges.velocities);
   return report;
 }
 
 SolveReport ElasticSystem::respond(const ImplicitStep& step, std::span<const Vec3> positions,
                                    std::span<const Vec3> impulses, std::span<const double> masses,
-                                   std::span<const NodeConstraint> constraints, NodeVectors& change) {
-  if (change.size() == 0) change = NodeVectors::Zero(3, nodes().size());
+                                   std::span<const NodeConstraint> constraints, NodeVectors& change,
+                                   const EdgeMotion& of_edges) {
+  if (change.size() == 0) change = NodeVectors::Zero(3, rows());
   NodeVectors b = gather(impulses);
-  if (is_free()) return solve_free(step, gather(positions), gather_masses(masses), b, false, change);
+  const NodeVectors places = gather(positions, of_edges.offsets);
+  const Eigen::VectorXd mass = gather_masses(masses, of_edges.masses);
+  if (is_free()) return solve_free(step, places, mass, b, false, change);
   project(b);
   const std::optional<Pivot> pivot = pivot_of(supports(), constraints, positions);
   const SolveReport report =
-      pivot ? solve_swinging(rows_->matrix, **preconditioner_, step, *pivot, gather(positions), gather_masses(masses),
-                             b, false, change)
+      pivot ? solve_swinging(rows_->matrix, **preconditioner_, step, *pivot, static_cast<int>(nodes().size()), places,
+                             mass, b, false, change)
             : conjugate_gradient(rows_->matrix, **preconditioner_, b, change, step.relative_residual,
                                  std::sqrt(dot(b, b)), step.max_iterations);
   project(change);
@@ -250,9 +327,11 @@ SolveReport ElasticSystem::respond(const ImplicitStep& step, std::span<const Vec
   return report;
 }
 
-Eigen::VectorXd ElasticSystem::gather_masses(std::span<const double> masses) const {
-  Eigen::VectorXd gathered(nodes().size());
-  for (Eigen::Index row = 0; row < gathered.size(); ++row) gathered[row] = masses[nodes()[row]];
+Eigen::VectorXd ElasticSystem::gather_masses(std::span<const double> masses, std::span<const double> of_edges) const {
+  Eigen::VectorXd gathered(rows());
+  const std::size_t count = nodes().size();
+  for (std::size_t row = 0; row < count; ++row) gathered[row] = masses[nodes()[row]];
+  for (std::size_t i = 0; i < edges().size(); ++i) gathered[count + i] = of_edges.empty() ? 0 : of_edges[edges()[i]];
   return gathered;
 }
 
@@ -275,7 +354,7 @@ void ElasticSystem::project_right_hand_side(std::span<const NodeConstraint> cons
 SolveReport ElasticSystem::solve_projected(std::span<const NodeConstraint> constraints, double relative_residual,
                                            int max_iterations, NodeVectors b, NodeVectors& x,
                                            const std::function<bool()>& given_up) const {
-  if (nodes().empty()) return {};
+  if (rows() == 0) return {};
   project_right_hand_side(constraints, b);
   project(x);
   return conjugate_gradient(rows_->matrix, **preconditioner_, b, x, relative_residual, std::sqrt(dot(b, b)),
@@ -288,29 +367,36 @@ bool ElasticSystem::solve_directly(std::span<const NodeConstraint> constraints, 
 }
 
 void ElasticSystem::balance_supports(double dt, std::span<const NodeConstraint> constraints,
-                                     std::span<const Vec3> velocities) {
+                                     std::span<const Vec3> velocities, std::span<const Vec3> edge_velocities) {
   const BlockSparseMatrix& a = support_rows_->matrix;
+  const auto velocity_of = [&](int column) {
+    return column < kFirstEdgeColumn ? velocities[column] : edge_velocities[column - kFirstEdgeColumn];
+  };
   for (int support = 0; support < a.rows(); ++support) {
     Vec3 impulse = reactions_[support];
     for (int k = a.row_starts[support]; k < a.row_starts[support + 1]; ++k)
-      impulse += a.blocks[k] * velocities[a.columns[k]];
+      impulse += a.blocks[k] * velocity_of(a.columns[k]);
     reactions_[support] = (impulse - constraints[supports()[support]].allowed * impulse) / dt;
   }
   solved_reactions_ = reactions_;
 }
 
-SolveReport ElasticSystem::solve_free(const ImplicitStep& step, const NodeVectors& positions,
+SolveReport ElasticSystem::solve_free(const ImplicitStep& step, const NodeVectors& places,
                                       const Eigen::VectorXd& masses, const NodeVectors& b, bool turning,
                                       NodeVectors& x) const {
+  const auto count = static_cast<int>(nodes().size());
   const auto rigid_field = [&](const NodeVectors& velocities) {
-    const RigidMotion motion = rigid_motion(positions, velocities, masses);
-    NodeVectors field(3, positions.cols());
-    for (Eigen::Index row = 0; row < field.cols(); ++row) field.col(row) = motion.velocity_at(positions.col(row));
+    const RigidMotion motion = motion_of_nodes(count, places, velocities, masses);
+    NodeVectors field(3, places.cols());
+    for (int row = 0; row < count; ++row) field.col(row) = motion.velocity_at(places.col(row));
+    for (Eigen::Index row = count; row < field.cols(); ++row)
+      field.col(row) = motion.angular_velocity.cross(Vec3(places.col(row)));
     return field;
   };
   const auto centrifugal = [&](const NodeVectors& rigid, NodeVectors& impulses) {
-    const RigidMotion motion = rigid_motion(positions, rigid, masses);
-    if (turning) add_centrifugal_impulses(motion.center, motion.angular_velocity, positions, masses, step.dt, impulses);
+    const RigidMotion motion = motion_of_nodes(count, places, rigid, masses);
+    if (turning)
+      add_centrifugal_impulses(count, motion.center, motion.angular_velocity, places, masses, step.dt, impulses);
   };
   return solve_beside(rows_->matrix, **preconditioner_, step, masses, b, rigid_field, centrifugal, x);
 }

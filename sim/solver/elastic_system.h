@@ -29,29 +29,47 @@ struct FixedRow {
   Vec3 known = Vec3::Zero();    ///< in the other directions [m/s]
 };
 
+/// The edges of quadratic bodies, per edge of the mesh; empty for a linear body.
+struct EdgeMotion {
+  std::span<const Vec3> offsets;   ///< [m]
+  std::span<const Vec3> forces;    ///< [N]
+  std::span<const double> masses;  ///< [kg]
+  std::span<Vec3> velocities;      ///< of the offsets [m/s]
+};
+
 /// The linear system of one connected body: the linearised implicit step (Baraff & Witkin 1998)
 ///   A v⁺ = b,   A = M + hC + h²K,   b = M v + h (f_elastic + f_external),   C = alpha M + beta K,
 /// under the constraints of its nodes. With S the projector onto the allowed velocities (NodeConstraint::allowed, one
 /// block a node) and w the known velocities, v⁺ = w + x where
 ///   S A S x = S (b − A w).
 /// Held nodes have no row; in the row of a sliding one I − S, scaled, keeps the matrix positive definite. The pattern
-/// and the aggregates stand as long as the body's topology does, and are patched where it changes.
+/// and the aggregates stand as long as the body's topology does, and are patched where it changes. Edges of a quadratic
+/// body have rows after those of the nodes, under the constraints that both of their ends have.
 class ElasticSystem {
  public:
   /// `tets`: the body's; `constraints`: per node of the mesh. Writes the row of each of the body's nodes to
   /// `row_of_node` (per node of the mesh), -1 for held ones.
   ElasticSystem(const TetMesh& mesh, std::span<const TetId> tets, std::span<const NodeConstraint> constraints,
                 std::span<int> row_of_node);
+  /// Of a quadratic body; writes the rows of its edges too (per edge of the mesh), which are held as `of_ends` (per
+  /// node of the mesh) holds both of their ends.
+  ElasticSystem(const TetMesh& mesh, const TetEdges& topology, std::span<const TetId> tets,
+                std::span<const NodeConstraint> constraints, std::span<const NodeConstraint> of_ends,
+                std::span<int> row_of_node, std::span<int> row_of_edge);
 
-  /// Fits the system to a body that cracked or lost pieces since: `body_nodes` are all its nodes now, ascending. Tets
-  /// may have left it and nodes may have been copied (split_node() in split.h); the constraints of old nodes block what
-  /// they did. Only the rows round the cracks are made anew; assemble() comes next. As after construction but for the
-  /// aggregates, which stand where they still hold together. Writes `row_of_node` as the constructor does.
+  /// Fits the system of a linear body to one that cracked or lost pieces since: `body_nodes` are all its nodes now,
+  /// ascending. Tets may have left it and nodes may have been copied (split_node() in split.h); the constraints of old
+  /// nodes block what they did. Only the rows round the cracks are made anew; assemble() comes next. As after
+  /// construction but for the aggregates, which stand where they still hold together. Writes `row_of_node` as the
+  /// constructor does.
   void patch(const TetMesh& mesh, std::span<const NodeId> body_nodes, std::span<const NodeConstraint> constraints,
              std::span<int> row_of_node);
 
   /// The body's nodes that are not held, ascending; row i of the system is nodes()[i].
   std::span<const NodeId> nodes() const { return rows_->nodes; }
+  /// The edges of a quadratic body that are not held, ascending; their rows come after those of the nodes.
+  std::span<const EdgeId> edges() const { return rows_->edges; }
+  int rows() const { return matrix().rows(); }
   /// The body's constrained nodes, ascending.
   std::span<const NodeId> supports() const { return support_rows_->nodes; }
   /// Whether no node is constrained, so that the body's rigid motion follows from the forces alone.
@@ -61,11 +79,13 @@ class ElasticSystem {
   /// out the same (AssemblyInputs::still_hold()). Spans are per node or tet of the mesh; all tets of a body share
   /// `law`.
   void assemble(const ImplicitStep& step, const ElasticLaw& law, std::span<const RestElement> rest_elements,
-                std::span<const ElementState> states, std::span<const Vec3> positions, std::span<const double> masses);
+                std::span<const ElementState> states, std::span<const Vec3> positions, std::span<const double> masses,
+                std::span<const double> edge_masses = {});
 
   /// Assembles any combination of mass and stiffness, for solve_projected().
   void assemble(const MatrixFactors& factors, const ElasticLaw& law, std::span<const RestElement> rest_elements,
-                std::span<const ElementState> states, std::span<const Vec3> positions, std::span<const double> masses);
+                std::span<const ElementState> states, std::span<const Vec3> positions, std::span<const double> masses,
+                std::span<const double> edge_masses = {});
 
   /// Replaces the velocities of the body's nodes by v⁺ under `forces` (elastic plus external, per node of the mesh
   /// [N]); after assemble(). `constraints` block the directions that they blocked at construction, at any speed. The
@@ -73,7 +93,7 @@ class ElasticSystem {
   /// with it, so its owner moves it by turning (free_turn()), not along tangents.
   SolveReport solve(const ImplicitStep& step, std::span<const Vec3> positions, std::span<const Vec3> forces,
                     std::span<const double> masses, std::span<const NodeConstraint> constraints,
-                    std::span<Vec3> velocities);
+                    std::span<Vec3> velocities, const EdgeMotion& edges = {});
 
   /// Solves S A S x = S (b − A w) for x = S x, w the known part of the constraints; one column a row. `x` holds a
   /// guess. `given_up`: as in conjugate_gradient().
@@ -81,8 +101,9 @@ class ElasticSystem {
                               NodeVectors b, NodeVectors& x, const std::function<bool()>& given_up = {}) const;
   /// Solves it by a factorisation; false when that breaks down, and `x` is left alone.
   bool solve_directly(std::span<const NodeConstraint> constraints, NodeVectors b, NodeVectors& x) const;
-  /// The values of nodes() out of values per node of the mesh, one column a row.
-  NodeVectors gather(std::span<const Vec3> values) const;
+  /// The values of nodes() and edges() out of values per node and per edge of the mesh, one column a row; zero for
+  /// edges without values.
+  NodeVectors gather(std::span<const Vec3> values, std::span<const Vec3> of_edges = {}) const;
 
   /// What the supports did in the last solve() or respond(), per node of supports(): the force on the node in its
   /// blocked directions [N], from the balance of its momentum.
@@ -92,7 +113,8 @@ class ElasticSystem {
   /// they would have given on top of its forces. The momentum of a free body is exact as there; supports react.
   /// `change` holds a guess, such as the answer to other impulses of the same step, or nothing.
   SolveReport respond(const ImplicitStep& step, std::span<const Vec3> positions, std::span<const Vec3> impulses,
-                      std::span<const double> masses, std::span<const NodeConstraint> constraints, NodeVectors& change);
+                      std::span<const double> masses, std::span<const NodeConstraint> constraints, NodeVectors& change,
+                      const EdgeMotion& edges = {});
   /// The change of velocity x of nodes() by `impulses` (one column a row [N·s]) and by whatever makes rows move as they
   /// are held: `impulses` hold that too afterwards. Stops at a residual of `tolerance` [N·s]. In the step of the last
   /// solve(); rows of constrained nodes are not to be held.
@@ -106,7 +128,9 @@ class ElasticSystem {
   /// Compliance of a free body's deformation alone: its rigid motion follows from its momentum, exactly.
   PointCompliance deforming_compliance(std::span<const WeightedRows> points, std::span<const Vec3> positions,
                                        std::span<const double> masses) const {
-    return (*preconditioner_)->deforming_compliance(points, gather(positions), gather_masses(masses));
+    const auto count = static_cast<Eigen::Index>(nodes().size());
+    return (*preconditioner_)
+        ->deforming_compliance(points, gather(positions).leftCols(count), gather_masses(masses, {}).head(count));
   }
   const BlockSparseMatrix& matrix() const { return rows_->matrix; }
   /// About what it takes, but for what it shares with `beside` [bytes].
@@ -119,20 +143,25 @@ class ElasticSystem {
   };
   void rebuild_support_rows(const TetMesh& mesh, std::span<const NodeId> body_nodes,
                             std::span<const NodeConstraint> constraints, std::span<const int> row_of_node);
+  void rebuild_support_rows(const TetMesh& mesh, const TetEdges& topology, std::span<const NodeId> body_nodes,
+                            std::span<const NodeConstraint> constraints, std::span<const int> row_of_node,
+                            std::span<const int> row_of_edge);
   void project_sliding_rows();
   void project(NodeVectors& x) const;
   /// b becomes S (b − A w).
   void project_right_hand_side(std::span<const NodeConstraint> constraints, NodeVectors& b) const;
   /// Completes the impulses that reactions_ holds, −(M v + h f) of the supports, to reaction forces.
-  void balance_supports(double dt, std::span<const NodeConstraint> constraints, std::span<const Vec3> velocities);
-  SolveReport solve_free(const ImplicitStep& step, const NodeVectors& positions, const Eigen::VectorXd& masses,
+  void balance_supports(double dt, std::span<const NodeConstraint> constraints, std::span<const Vec3> velocities,
+                        std::span<const Vec3> edge_velocities);
+  SolveReport solve_free(const ImplicitStep& step, const NodeVectors& places, const Eigen::VectorXd& masses,
                          const NodeVectors& b, bool turning, NodeVectors& x) const;
-  Eigen::VectorXd gather_masses(std::span<const double> masses) const;
+  Eigen::VectorXd gather_masses(std::span<const double> masses, std::span<const double> of_edges) const;
 
-  CopyOnWrite<ElementRows> rows_;          // S A S, one row a node that is not held
-  CopyOnWrite<ElementRows> support_rows_;  // A, one row a constrained node; columns are nodes of the mesh
+  CopyOnWrite<ElementRows> rows_;  // S A S, one row a node that is not held
+  // A, one row a constrained node; columns are nodes of the mesh, and edges of it from kFirstEdgeColumn on.
+  CopyOnWrite<ElementRows> support_rows_;
   std::vector<SlidingRow> sliding_;
-  std::vector<int> row_of_support_column_;             // per block of support_rows_, -1 for held nodes
+  std::vector<int> row_of_support_column_;             // per block of support_rows_, -1 for held nodes and edges
   std::vector<Vec3> solved_reactions_, reactions_;     // of the last solve(); with the last respond()
   std::optional<CopyOnWrite<AssemblyInputs>> inputs_;  // of the matrix; none since the rows changed
   std::optional<CopyOnWrite<RigidModePreconditioner>> preconditioner_, fixed_preconditioner_;  // the second for hold()

@@ -102,7 +102,8 @@ std::vector<int> ElementRows::patch(const TetMesh& mesh, std::span<const NodeId>
 
 void ElementRows::assemble(const MatrixFactors& factors, const ElasticLaw& law,
                            std::span<const RestElement> rest_elements, std::span<const ElementState> states,
-                           std::span<const double> masses) {
+                           std::span<const double> masses, std::span<const double> edge_masses) {
+  if (!edge_slots.empty()) return assemble_quadratic(factors, law, rest_elements, states, masses, edge_masses);
   parallel_for(matrix.rows(), 256, [&](int begin, int end) {
     std::vector<simd::WideQuad> columns;  // of the row's blocks
     for (int row = begin; row < end; ++row) {

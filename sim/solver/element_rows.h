@@ -1,10 +1,13 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "sim/elasticity/element.h"
+#include "sim/mesh/tet_edges.h"
 #include "sim/mesh/tet_mesh.h"
 #include "sim/solver/block_sparse_matrix.h"
 
@@ -18,14 +21,23 @@ struct MatrixFactors {
   bool operator==(const MatrixFactors&) const = default;
 };
 
+/// Columns of the nodes and edges of a mesh, -1 for none.
+struct QuadraticColumns {
+  std::function<int(NodeId)> of_node;
+  std::function<int(EdgeId)> of_edge;
+};
+
 /// Rows of mass · M + stiffness · K, one a node, and what they are assembled from: the tets of the node's star.
+/// Quadratic bodies have rows of edges after those of nodes.
 struct ElementRows {
   struct TetAtNode {
     TetId tet;
-    int corner;                ///< which of the tet's corners the node is
+    int corner;                ///< which of the tet's corners the node is; of an edge's row: 4 + which of its edges
     std::array<int, 4> slots;  ///< per corner of the tet: which of the row's blocks, -1 where it has no column
   };
-  std::vector<NodeId> nodes;  ///< per row
+  std::vector<NodeId> nodes;                   ///< per row
+  std::vector<EdgeId> edges;                   ///< per row after those
+  std::vector<std::array<int, 6>> edge_slots;  ///< per entry of `tets`, as its slots; empty without edges
   BlockSparseMatrix matrix;
   std::vector<int> tet_starts = {0};  ///< rows + 1, into `tets`
   std::vector<TetAtNode> tets;
@@ -33,6 +45,9 @@ struct ElementRows {
   /// Appends the row of a node. `column_of_node`: per node of the mesh, -1 for none; empty: each node is a column. The
   /// blocks are left for allocate().
   void add(const TetMesh& mesh, NodeId node, std::span<const int> column_of_node);
+  /// Appends the row of a node, or, after all nodes, of an edge, of a quadratic body.
+  void add_quadratic(const TetMesh& mesh, const TetEdges& topology, NodeId node, const QuadraticColumns& columns);
+  void add_quadratic(const TetMesh& mesh, const TetEdges& topology, EdgeId edge, const QuadraticColumns& columns);
   /// Makes room for the blocks of all rows.
   void allocate() { matrix.blocks.resize(matrix.columns.size()); }
   /// Fits the rows to a topology in which stars have only lost tets, or got them from one that did: `node_list` are the
@@ -42,15 +57,21 @@ struct ElementRows {
   std::vector<int> patch(const TetMesh& mesh, std::span<const NodeId> node_list, std::span<const int> column_of_node);
   /// About [bytes].
   std::size_t memory() const {
-    return matrix.blocks.size() * (sizeof(Mat3) + sizeof(int)) + tets.size() * sizeof(TetAtNode) +
-           nodes.size() * 4 * sizeof(int);
+    return edge_slots.size() * sizeof(edge_slots[0]) + matrix.blocks.size() * (sizeof(Mat3) + sizeof(int)) +
+           tets.size() * sizeof(TetAtNode) + nodes.size() * 4 * sizeof(int);
   }
-  /// Computes all blocks for the present states. Spans are per node or tet of the mesh; the diagonal block of row i
-  /// is in the column of node i.
+  /// Computes all blocks for the present states, of quadratic tets the mean ones. Spans are per node, tet or edge of
+  /// the mesh; the diagonal block of row i is in the column of node i.
   void assemble(const MatrixFactors& factors, const ElasticLaw& law, std::span<const RestElement> rest_elements,
-                std::span<const ElementState> states, std::span<const double> masses);
+                std::span<const ElementState> states, std::span<const double> masses,
+                std::span<const double> edge_masses = {});
 
  private:
+  void add_quadratic_row(const TetMesh& mesh, const TetEdges& topology, std::span<const std::pair<TetId, int>> star,
+                         const QuadraticColumns& columns);
+  void assemble_quadratic(const MatrixFactors& factors, const ElasticLaw& law,
+                          std::span<const RestElement> rest_elements, std::span<const ElementState> states,
+                          std::span<const double> masses, std::span<const double> edge_masses);
   /// Appends a row of other ElementRows whose star and neighbours stand.
   void keep(const ElementRows& from, int row, std::span<const int> column_of_node);
 };

@@ -1,5 +1,6 @@
 #include "sim/solver/node_constraint.h"
 
+#include <Eigen/Eigenvalues>
 #include <cassert>
 
 namespace griffith {
@@ -23,6 +24,17 @@ void NodeConstraint::block(const Vec3& direction, double speed) {
   velocity += (speed - normal.dot(velocity)) / fraction * axis;
   ++blocked;
   allowed = blocked == 3 ? Mat3(Mat3::Zero()) : Mat3(allowed - axis * axis.transpose());
+}
+
+NodeConstraint constraint_between(const NodeConstraint& a, const NodeConstraint& b) {
+  if (a.is_free() || b.is_free()) return {};
+  if (a.is_held() && b.is_held()) return NodeConstraint::held();
+  constexpr double kNone = 1e-9;  // of a direction that either end may take
+  const Eigen::SelfAdjointEigenSolver<Mat3> directions(a.allowed + b.allowed);
+  NodeConstraint between;
+  for (int i = 0; i < 3; ++i)
+    if (directions.eigenvalues()[i] < kNone) between.block(directions.eigenvectors().col(i), 0);
+  return between;
 }
 
 }  // namespace griffith

@@ -29,4 +29,8 @@ struct NodeConstraint {
   void block(const Vec3& direction, double speed);
 };
 
+/// What is left to the middle of an edge between two nodes, beside what the nodes do: what is blocked at both ends is
+/// blocked between them.
+NodeConstraint constraint_between(const NodeConstraint& a, const NodeConstraint& b);
+
 }  // namespace griffith

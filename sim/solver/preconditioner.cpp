@@ -65,6 +65,17 @@ Eigen::VectorXf half_solved(const BlockTriangle& triangle, const Eigen::VectorXd
   return solved;
 }
 
+/// The pattern of the first `count` rows and columns.
+BlockSparseMatrix leading_pattern(const BlockSparseMatrix& matrix, int count) {
+  BlockSparseMatrix leading;
+  for (int row = 0; row < count; ++row) {
+    for (int k = matrix.row_starts[row]; k < matrix.row_starts[row + 1] && matrix.columns[k] < count; ++k)
+      leading.columns.push_back(matrix.columns[k]);
+    leading.row_starts.push_back(static_cast<int>(leading.columns.size()));
+  }
+  return leading;
+}
+
 }  // namespace
 
 const Eigen::SparseMatrix<double>* CopyableCholesky::factor(const Eigen::SparseMatrix<double>& matrix) {
@@ -77,8 +88,9 @@ const Eigen::SparseMatrix<double>* CopyableCholesky::factor(const Eigen::SparseM
   return &solver_->matrixL().nestedExpression();
 }
 
-RigidModePreconditioner::RigidModePreconditioner(const BlockSparseMatrix& matrix, int aggregate_size)
-    : aggregates_(aggregate_rows(matrix, aggregate_size)) {
+RigidModePreconditioner::RigidModePreconditioner(const BlockSparseMatrix& matrix, int node_rows, int aggregate_size)
+    : aggregates_(
+          aggregate_rows(node_rows < matrix.rows() ? leading_pattern(matrix, node_rows) : matrix, aggregate_size)) {
   collect_members();
   build_coarse_pattern(matrix);
 }
@@ -108,7 +120,7 @@ void RigidModePreconditioner::collect_members() {
 }
 
 NodeVectors RigidModePreconditioner::arms(const NodeVectors& positions) const {
-  NodeVectors arms(3, positions.cols());
+  NodeVectors arms(3, node_rows());
   for (const std::vector<int>& nodes : members_) {
     Vec3 center = Vec3::Zero();
     for (int node : nodes) center += positions.col(node);
@@ -164,9 +176,9 @@ void RigidModePreconditioner::build_coarse_pattern(const BlockSparseMatrix& matr
     coarse_.resize(0, 0);  // made by the next update: debris never needs one
   }
   coarse_slots_.assign(matrix.columns.size(), -1);
-  for (int node = 0; node < matrix.rows(); ++node) {
+  for (int node = 0; node < node_rows(); ++node) {
     const std::vector<int>& rows = coarse_rows_[aggregates_[node]];
-    for (int k = matrix.row_starts[node]; k < matrix.row_starts[node + 1]; ++k)
+    for (int k = matrix.row_starts[node]; k < matrix.row_starts[node + 1] && matrix.columns[k] < node_rows(); ++k)
       if (const int other = aggregates_[matrix.columns[k]]; other >= aggregates_[node])
         coarse_slots_[k] = static_cast<int>(std::ranges::lower_bound(rows, other) - rows.begin());
   }
@@ -177,7 +189,7 @@ std::vector<std::vector<int>> RigidModePreconditioner::coarse_neighbours(const B
   for (int a = 0; a < aggregate_count(); ++a) {
     std::vector<int>& found = neighbours[a];
     for (const int node : members_[a])
-      for (int k = matrix.row_starts[node]; k < matrix.row_starts[node + 1]; ++k)
+      for (int k = matrix.row_starts[node]; k < matrix.row_starts[node + 1] && matrix.columns[k] < node_rows(); ++k)
         if (const int other = aggregates_[matrix.columns[k]];
             other >= a && std::ranges::find(found, other) == found.end())
           found.push_back(other);
@@ -282,9 +294,12 @@ double RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) cons
   return parallel_sum(static_cast<int>(r.cols()), [&](int begin, int end) {
     double sum = -0.0;
     for (int node = begin; node < end; ++node) {
-      const simd::Lanes modes = coarse[aggregates_[node]];
-      const Vec3 shift(modes[0], modes[1], modes[2]), turn(modes[3], modes[4], modes[5]);
-      const Vec3 change = known_.inverse_diagonal[node] * r.col(node) + shift + turn.cross(known_.arms.col(node));
+      Vec3 change = known_.inverse_diagonal[node] * r.col(node);
+      if (node < node_rows()) {
+        const simd::Lanes modes = coarse[aggregates_[node]];
+        const Vec3 shift(modes[0], modes[1], modes[2]), turn(modes[3], modes[4], modes[5]);
+        change = change + shift + turn.cross(known_.arms.col(node));
+      }
       for (int i = 0; i < 3; ++i) sum += r(i, node) * change[i];
       z.col(node) = change;
     }
@@ -293,11 +308,11 @@ double RigidModePreconditioner::apply(const NodeVectors& r, NodeVectors& z) cons
 }
 
 SinglePrecisionPreconditioner::SinglePrecisionPreconditioner(const RigidModePreconditioner& of)
-    : of_(&of), nodes_(of.aggregates_.size()) {
+    : of_(&of), nodes_(of.known_.inverse_diagonal.size()) {
   parallel_for(static_cast<int>(nodes_.size()), 4096, [&](int begin, int end) {
     for (int node = begin; node < end; ++node) {
       for (int i = 0; i < 3; ++i) nodes_[node].inverse_diagonal[i] = single(of.known_.inverse_diagonal[node].col(i));
-      nodes_[node].arm = single(of.known_.arms.col(node));
+      if (node < of.node_rows()) nodes_[node].arm = single(of.known_.arms.col(node));
     }
   });
 }
@@ -307,11 +322,14 @@ double SinglePrecisionPreconditioner::apply(const SingleVectors& r, SingleVector
   return parallel_sum(static_cast<int>(r.size()), [&](int begin, int end) {
     double sum = -0.0;
     for (int node = begin; node < end; ++node) {
-      const simd::Lanes modes = coarse[of_->aggregates_[node]];
       const auto& [diagonal, arm] = nodes_[node];
-      const simd::Quad here = r[node], shift = {modes[0], modes[1], modes[2], 0},
-                       turn = {modes[3], modes[4], modes[5], 0};
-      z[node] = diagonal[0] * here[0] + diagonal[1] * here[1] + diagonal[2] * here[2] + shift + cross(turn, arm);
+      const simd::Quad here = r[node];
+      z[node] = diagonal[0] * here[0] + diagonal[1] * here[1] + diagonal[2] * here[2];
+      if (node < of_->node_rows()) {
+        const simd::Lanes modes = coarse[of_->aggregates_[node]];
+        const simd::Quad shift = {modes[0], modes[1], modes[2], 0}, turn = {modes[3], modes[4], modes[5], 0};
+        z[node] = z[node] + shift + cross(turn, arm);
+      }
       sum += vector_of(r, node).dot(vector_of(z, node));
     }
     return sum;

@@ -41,17 +41,18 @@ using SingleVectors = std::vector<simd::Quad>;
 /// matrix cannot be factored, because A has broken down, z = D⁻¹ r alone.
 ///   A  the system matrix      D  its 3×3 block diagonal
 ///   R  one 3×6 block a node: [I, −[x − c]×/l], c the aggregate's centre, l the mean size of an aggregate, so that all
-///      modes are of a kind whatever the size of the body
+///      modes are of a kind whatever the size of the body; rows after those of nodes, of edges, have no part in it
 class RigidModePreconditioner {
  public:
-  /// Aggregates of about `aggregate_size` nodes on the pattern of `matrix`; values come with update().
-  RigidModePreconditioner(const BlockSparseMatrix& matrix, int aggregate_size);
+  /// Aggregates of about `aggregate_size` nodes on the pattern of `matrix`, whose first `node_rows` rows are of nodes;
+  /// values come with update().
+  RigidModePreconditioner(const BlockSparseMatrix& matrix, int node_rows, int aggregate_size);
 
   /// Fits the aggregates to a matrix whose pattern changed; `previous_rows`: the row that each row was, -1 for new
   /// ones. Aggregates stand where they still hold together.
   void patch(const BlockSparseMatrix& matrix, const std::vector<int>& previous_rows, int aggregate_size);
-  /// Takes the values of `matrix` and the positions of its nodes [m]. The matrix must be positive definite. What is
-  /// known of a matrix that differs by a thousandth does as well and is kept.
+  /// Takes the values of `matrix` and the positions of its nodes, one column a row [m]. The matrix must be positive
+  /// definite. What is known of a matrix that differs by a thousandth does as well and is kept.
   void update(const BlockSparseMatrix& matrix, const NodeVectors& positions);
   /// Returns r·z as dot() does.
   double apply(const NodeVectors& r, NodeVectors& z) const;
@@ -92,6 +93,8 @@ class RigidModePreconditioner {
   Eigen::MatrixXd coarse_loads(std::span<const WeightedRows> points) const;
   PointCompliance compliance(std::span<const WeightedRows> points, const Eigen::MatrixXd& loads) const;
   bool has_coarse_space() const { return triangle_.rows() > 0; }
+
+  int node_rows() const { return static_cast<int>(aggregates_.size()); }
 
   std::vector<int> aggregates_;                // per node
   std::vector<std::vector<int>> members_;      // per aggregate: its nodes, ascending

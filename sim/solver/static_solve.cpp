@@ -23,8 +23,14 @@ struct Balance {
   std::vector<Vec3> forces;    // elastic + loads + inertia [N]
   std::vector<Vec3> external;  // loads + inertia [N]
   std::vector<Vec3> residual;  // the forces in the directions that supports leave
+  std::vector<Vec3> edges;     // the same of the edges of a quadratic body, per edge of the mesh
   double norm = 0;             // of the residual
   double elastic_energy = 0;   // [J]
+};
+
+/// How far a step moves the nodes, and the edges of a quadratic body, per node and edge of the mesh [m].
+struct StaticStep {
+  std::vector<Vec3> nodes, edges;
 };
 
 class StaticSolver {
@@ -41,14 +47,16 @@ class StaticSolver {
   Balance balance();
   double scale(const Balance& balance) const;
   double rounding_level() const;
-  std::vector<Vec3> newton_step(const Balance& now, std::span<const NodeConstraint> constraints);
+  void add_elastic_forces(TetId tet, std::vector<Vec3>& forces, std::vector<Vec3>& edge_forces) const;
+  ElasticSystem make_system();
+  StaticStep newton_step(const Balance& now, std::span<const NodeConstraint> constraints);
   void hold_free_motions(std::vector<Vec3>& step) const;
-  void move(const std::vector<Vec3>& start, const std::vector<Vec3>& step, double fraction);
-  double energy_gained(const Balance& before, const Balance& after, const std::vector<Vec3>& step,
-                       double fraction) const;
+  StaticStep places() const;
+  void move(const StaticStep& start, const StaticStep& step, double fraction);
+  double energy_gained(const Balance& before, const Balance& after, const StaticStep& step, double fraction) const;
   bool given_up() const { return settings_.given_up && settings_.given_up(); }
   Balance first_step(const Balance& start);
-  bool search_line(Balance& now, const std::vector<Vec3>& step);
+  bool search_line(Balance& now, const StaticStep& step);
   void finish(const Balance& balance);
 
   const StaticProblem& problem_;
@@ -60,7 +68,8 @@ class StaticSolver {
   double radius_;  // root mean square distance from the centre
   ModeCombinations free_motions_;
   std::vector<NodeConstraint> still_;  // the problem's and pins, at no velocity
-  std::vector<int> rows_;
+  std::vector<int> rows_, edge_rows_;
+  std::vector<EdgeId> edges_;            // the body's
   std::optional<ElasticSystem> system_;  // once a step is to be made
   StaticReport report_;
 };
@@ -88,8 +97,16 @@ StaticSolver::StaticSolver(const StaticProblem& problem, const StaticSettings& s
       radius_(radius_of(nodes_, positions, center_)),
       free_motions_(find_free_motions()),
       still_(pin_free_motions()),
-      rows_(positions.size(), -1) {
+      rows_(positions.size(), -1),
+      edge_rows_(problem.edges ? problem.edges->offsets.size() : 0, -1),
+      edges_(problem.edges ? edges_of(problem.edges->topology, problem.tets) : std::vector<EdgeId>()) {
   report_.free_motions = static_cast<int>(free_motions_.cols());
+}
+
+ElasticSystem StaticSolver::make_system() {
+  if (!problem_.edges) return ElasticSystem(problem_.mesh, problem_.tets, still_, rows_);
+  return ElasticSystem(problem_.mesh, problem_.edges->topology, problem_.tets, still_, problem_.constraints, rows_,
+                       edge_rows_);
 }
 
 /// The node's velocity in the three unit translations and three rotations, the latter scaled to lengths alike.
@@ -154,10 +171,9 @@ Balance StaticSolver::balance() {
   result.loads.resize(positions_.size(), Vec3::Zero());
   for (NodeId node : nodes_) result.loads[node] = problem_.loads[node];
   if (problem_.add_follower_loads) problem_.add_follower_loads(positions_, result.loads);
-  std::vector<Vec3> forces = result.loads;
+  std::vector<Vec3> forces = result.loads, edge_forces(edge_rows_.size(), Vec3::Zero());
   for (TetId tet : problem_.tets) {
-    const Corners f = nodal_forces(problem_.rest_elements[tet], states_[tet].frame, states_[tet].stress);
-    for (int i = 0; i < 4; ++i) forces[problem_.mesh.tets[tet][i]] += f.col(i);
+    add_elastic_forces(tet, forces, edge_forces);
     result.elastic_energy += problem_.rest_elements[tet].volume * states_[tet].energy_density;
   }
   result.forces = relieve(forces);
@@ -169,8 +185,28 @@ Balance StaticSolver::balance() {
     squares += result.residual[node].squaredNorm();
     result.external[node] += result.forces[node] - forces[node];
   }
+  result.edges.resize(edge_rows_.size(), Vec3::Zero());
+  for (const EdgeId edge : edges_) {
+    const auto& [a, b] = problem_.edges->topology.ends[edge];
+    const NodeConstraint constraint = constraint_between(problem_.constraints[a], problem_.constraints[b]);
+    result.edges[edge] = constraint.allowed * edge_forces[edge];
+    squares += result.edges[edge].squaredNorm();
+  }
   result.norm = std::sqrt(squares);
   return result;
+}
+
+void StaticSolver::add_elastic_forces(TetId tet, std::vector<Vec3>& forces, std::vector<Vec3>& edge_forces) const {
+  const RestElement& rest = problem_.rest_elements[tet];
+  const std::array<NodeId, 4>& corners = problem_.mesh.tets[tet];
+  if (!problem_.edges) {
+    const Corners f = nodal_forces(rest, states_[tet].frame, states_[tet].stress);
+    for (int i = 0; i < 4; ++i) forces[corners[i]] += f.col(i);
+    return;
+  }
+  const QuadraticForces f = quadratic_forces(rest, problem_.edges->states[tet]);
+  for (int i = 0; i < 4; ++i) forces[corners[i]] += f.corners.col(i);
+  for (int i = 0; i < 6; ++i) edge_forces[problem_.edges->topology.of_tet[tet][i]] += f.edges.col(i);
 }
 
 /// |loads and reactions|: what the unbalanced forces are small against.
@@ -190,22 +226,27 @@ double StaticSolver::rounding_level() const {
 }
 
 /// Solves K d = residual with these known displacements; returns d of all nodes.
-std::vector<Vec3> StaticSolver::newton_step(const Balance& now, std::span<const NodeConstraint> constraints) {
+StaticStep StaticSolver::newton_step(const Balance& now, std::span<const NodeConstraint> constraints) {
   constexpr double kTolerance = 1e-6;
-  if (!system_) system_.emplace(problem_.mesh, problem_.tets, still_, rows_);
-  system_->assemble(MatrixFactors{0, 1}, problem_.law, problem_.rest_elements, states_, positions_, problem_.masses);
-  const NodeVectors b = system_->gather(now.residual);
+  if (!system_) system_.emplace(make_system());
+  const std::vector<double> no_masses(edge_rows_.size(), 0.0);
+  system_->assemble(MatrixFactors{0, 1}, problem_.law, problem_.rest_elements, states_, positions_, problem_.masses,
+                    no_masses);
+  const NodeVectors b = system_->gather(now.residual, now.edges);
   NodeVectors x = NodeVectors::Zero(3, b.cols());
   const SolveReport linear =
       system_->solve_projected(constraints, kTolerance, settings_.max_iterations, b, x, settings_.given_up);
   report_.linear_iterations += linear.iterations;
   if (!linear.converged && !given_up()) report_.factorizations += system_->solve_directly(constraints, b, x);
-  std::vector<Vec3> step(positions_.size(), Vec3::Zero());
+  StaticStep step{std::vector<Vec3>(positions_.size(), Vec3::Zero()),
+                  std::vector<Vec3>(edge_rows_.size(), Vec3::Zero())};
   for (NodeId node : nodes_) {
-    step[node] = constraints[node].velocity;
-    if (rows_[node] >= 0) step[node] += constraints[node].allowed * x.col(rows_[node]);
+    step.nodes[node] = constraints[node].velocity;
+    if (rows_[node] >= 0) step.nodes[node] += constraints[node].allowed * x.col(rows_[node]);
   }
-  hold_free_motions(step);
+  for (const EdgeId edge : edges_)
+    if (edge_rows_[edge] >= 0) step.edges[edge] = x.col(edge_rows_[edge]);
+  hold_free_motions(step.nodes);
   return step;
 }
 
@@ -217,26 +258,35 @@ void StaticSolver::hold_free_motions(std::vector<Vec3>& step) const {
   for (NodeId node : nodes_) step[node] /= problem_.masses[node];
 }
 
-void StaticSolver::move(const std::vector<Vec3>& start, const std::vector<Vec3>& step, double fraction) {
-  for (NodeId node : nodes_) positions_[node] = start[node] + fraction * step[node];
+StaticStep StaticSolver::places() const {
+  StaticStep now{{positions_.begin(), positions_.end()}, {}};
+  if (problem_.edges) now.edges.assign(problem_.edges->offsets.begin(), problem_.edges->offsets.end());
+  return now;
+}
+
+void StaticSolver::move(const StaticStep& start, const StaticStep& step, double fraction) {
+  for (NodeId node : nodes_) positions_[node] = start.nodes[node] + fraction * step.nodes[node];
+  for (const EdgeId edge : edges_) problem_.edges->offsets[edge] = start.edges[edge] + fraction * step.edges[edge];
 }
 
 /// What the potential energy grows by over a share of a step [J]; loads that follow work by their mean.
-double StaticSolver::energy_gained(const Balance& before, const Balance& after, const std::vector<Vec3>& step,
+double StaticSolver::energy_gained(const Balance& before, const Balance& after, const StaticStep& step,
                                    double fraction) const {
   double work = 0;
-  for (NodeId node : nodes_) work += 0.5 * fraction * (before.external[node] + after.external[node]).dot(step[node]);
+  for (NodeId node : nodes_)
+    work += 0.5 * fraction * (before.external[node] + after.external[node]).dot(step.nodes[node]);
   return after.elastic_energy - before.elastic_energy - work;
 }
 
 /// Halves the step until the energy falls enough (Armijo 1966) or the forces come closer to balance; false when neither
 /// happens.
-bool StaticSolver::search_line(Balance& now, const std::vector<Vec3>& step) {
+bool StaticSolver::search_line(Balance& now, const StaticStep& step) {
   constexpr double kSufficientFraction = 1e-4;
   constexpr int kMaxHalvings = 12;
-  const std::vector<Vec3> start(positions_.begin(), positions_.end());
+  const StaticStep start = places();
   double slope = 0;
-  for (NodeId node : nodes_) slope += now.residual[node].dot(step[node]);
+  for (NodeId node : nodes_) slope += now.residual[node].dot(step.nodes[node]);
+  for (const EdgeId edge : edges_) slope += now.edges[edge].dot(step.edges[edge]);
   double fraction = 1;
   for (int i = 0; i < kMaxHalvings; ++i, fraction /= 2) {
     move(start, step, fraction);
@@ -247,7 +297,7 @@ bool StaticSolver::search_line(Balance& now, const std::vector<Vec3>& step) {
     now = std::move(next);
     return true;
   }
-  std::copy(start.begin(), start.end(), positions_.begin());
+  move(start, step, 0);
   now = balance();
   return false;
 }
@@ -256,7 +306,7 @@ bool StaticSolver::search_line(Balance& now, const std::vector<Vec3>& step) {
 Balance StaticSolver::first_step(const Balance& start) {
   std::vector<NodeConstraint> moving = still_;
   for (NodeId node : nodes_) moving[node].velocity = problem_.constraints[node].velocity;
-  move({positions_.begin(), positions_.end()}, newton_step(start, moving), 1);
+  move(places(), newton_step(start, moving), 1);
   report_.newton_steps = 1;
   return balance();
 }

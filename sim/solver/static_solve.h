@@ -1,12 +1,21 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "sim/elasticity/quadratic_element.h"
 #include "sim/solver/elastic_system.h"
 
 namespace griffith {
+
+/// The edges of a quadratic body. Spans are per edge of the mesh.
+struct StaticEdges {
+  const TetEdges& topology;
+  std::span<Vec3> offsets;                 ///< the start and the answer [m]
+  std::span<const QuadraticState> states;  ///< per tet, as `evaluate` leaves them
+};
 
 /// A body at rest under loads. Spans are per node or tet of the mesh and outlive the problem.
 struct StaticProblem {
@@ -23,6 +32,8 @@ struct StaticProblem {
   /// Adds the loads that follow the nodes, such as pressures, at these positions, per node of the mesh [N]; empty:
   /// none.
   std::function<void(std::span<const Vec3> positions, std::span<Vec3> loads)> add_follower_loads = {};
+  /// Of a quadratic body: `evaluate` sets their states for their offsets, and the mean states beside.
+  std::optional<StaticEdges> edges = {};
 };
 
 struct StaticSettings {

@@ -3,6 +3,8 @@
 #include <span>
 
 #include "sim/elasticity/element.h"
+#include "sim/elasticity/quadratic_element.h"
+#include "sim/mesh/tet_edges.h"
 #include "sim/mesh/tet_mesh.h"
 
 namespace griffith {
@@ -12,6 +14,13 @@ inline Corners corners_of(const TetMesh& mesh, TetId tet, std::span<const Vec3> 
   Corners corners;
   for (int i = 0; i < 4; ++i) corners.col(i) = values[mesh.tets[tet][i]];
   return corners;
+}
+
+/// A quadratic tet's values out of values per edge of the mesh.
+inline EdgeVectors edges_of(const TetEdges& topology, TetId tet, std::span<const Vec3> values) {
+  EdgeVectors edges;
+  for (int i = 0; i < 6; ++i) edges.col(i) = values[topology.of_tet[tet][i]];
+  return edges;
 }
 
 }  // namespace griffith

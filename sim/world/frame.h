@@ -11,10 +11,12 @@
 #include "sim/core/linear_algebra.h"
 #include "sim/elasticity/element.h"
 #include "sim/elasticity/material.h"
+#include "sim/elasticity/quadratic_element.h"
 #include "sim/fracture/crack_event.h"
 #include "sim/fracture/node_separation.h"
 #include "sim/fracture/scaled_impact.h"
 #include "sim/fracture/strength_variation.h"
+#include "sim/mesh/tet_edges.h"
 #include "sim/solver/node_constraint.h"
 #include "sim/splinters/splinters.h"
 #include "sim/world/conditions/probes.h"
@@ -118,7 +120,15 @@ struct Frame {
     std::span<const std::array<double, 4>> opened;  ///< when a crack opened face i [s], else not a number
     std::span<const RestElement> rest_elements;
     std::span<const ElementState> states;
-    std::span<const Mat3> stresses;  ///< Cauchy stress, world frame [Pa]
+    std::span<const Mat3> stresses;  ///< Cauchy stress, world frame [Pa]; its mean in quadratic tets
+    /// The edges of quadratic tets, as kTetEdges; invalid ids in linear ones; empty: all are.
+    std::span<const std::array<EdgeId, 6>> edges;
+    std::span<const QuadraticState> quadratic_states;  ///< of quadratic tets; empty: there are none
+  };
+  /// Per edge of quadratic tets.
+  struct Edges {
+    std::span<const std::array<NodeId, 2>> ends;
+    std::span<const Vec3> offsets;  ///< of its middle from the middle of its ends [m]
   };
   /// What is seen instead of tets, where bodies have them.
   struct Splinters {
@@ -134,6 +144,7 @@ struct Frame {
   double time = 0;  ///< [s]
   Nodes nodes;
   Elements elements;
+  Edges edges;
   Splinters splinters;
   std::span<const BodyView> bodies;                     ///< one per BodyId; bodies are never removed
   int fragments = 0;                                    ///< connected pieces beyond the scene's own bodies

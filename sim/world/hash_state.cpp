@@ -46,6 +46,11 @@ class FieldHash {
   std::uint64_t value_ = 0;
 };
 
+std::uint64_t hash_with_edges(const std::vector<Vec3>& of_nodes, const std::vector<Vec3>& of_edges) {
+  const std::uint64_t hash = hash_values(of_nodes);
+  return of_edges.empty() ? hash : hash_values(of_edges, hash);
+}
+
 std::uint64_t hash_of_mesh(const WorldState& world) {
   return FieldHash()
       .add(world.mesh->tets)
@@ -124,8 +129,8 @@ std::uint64_t hash_of_energy(const WorldState& world) {
 
 /// In the order of kStateFields.
 constexpr std::array<std::uint64_t (*)(const WorldState&), kStateFields.size()> kHashes = {
-    [](const WorldState& world) { return hash_values(world.nodes.positions); },
-    [](const WorldState& world) { return hash_values(world.nodes.velocities); },
+    [](const WorldState& world) { return hash_with_edges(world.nodes.positions, world.edges.offsets); },
+    [](const WorldState& world) { return hash_with_edges(world.nodes.velocities, world.edges.velocities); },
     hash_of_mesh,
     hash_of_stresses,
     hash_of_separations,

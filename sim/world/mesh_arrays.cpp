@@ -39,6 +39,8 @@ std::size_t ElementArrays::memory(const ElementArrays* beside) const {
   std::vector<const void*> counted;  // what lies at the same place is the same
   if (beside) each_array(*beside, [&](const auto& array, const auto&) { counted.push_back(array.data()); });
   std::size_t size = 2 * plastic_strains.size() * sizeof(Mat3), i = 0;
+  if (!beside || !quadratic_states.shares_with(beside->quadratic_states))
+    size += quadratic_states.size() * sizeof(QuadraticState);
   each_array(*this, [&](const auto& array, const auto& fresh) {
     if (!beside || array.data() != counted[i++]) size += array.size() * sizeof(fresh);
   });
@@ -63,13 +65,25 @@ void NodeArrays::append_between(const EdgeNode& node) {
   interpolate(positions), interpolate(velocities), interpolate(strength_factors);
 }
 
+void EdgeArrays::resize(std::size_t count) {
+  offsets.resize(count, Vec3::Zero()), velocities.resize(count, Vec3::Zero());
+  masses.resize(count, 0.0), rows.resize(count, -1);
+}
+
+void EdgeArrays::append_copy(EdgeId original) {
+  append_entry(offsets, original), append_entry(velocities, original), append_entry(masses, original);
+  rows.push_back(-1);
+}
+
 void ElementArrays::resize(std::size_t count) {
   each_array(*this, [&](auto& array, const auto& fresh) { editable(array).resize(count, fresh); });
+  if (!quadratic_states.empty()) quadratic_states.edit().resize(count);
   if (!plastic_strains.empty()) make_strains(*this);
 }
 
 void ElementArrays::append_copy(TetId original) {
   each_array(*this, [&](auto& array, const auto&) { append_entry(editable(array), original); });
+  if (!quadratic_states.empty()) append_entry(quadratic_states.edit(), original);
   if (plastic_strains.empty()) return;
   append_entry(plastic_strains, original);
   append_entry(similarity_strains, original);

@@ -7,8 +7,10 @@
 
 #include "sim/core/copy_on_write.h"
 #include "sim/elasticity/element.h"
+#include "sim/elasticity/quadratic_element.h"
 #include "sim/fracture/node_separation.h"
 #include "sim/mesh/bisect.h"
+#include "sim/mesh/tet_edges.h"
 #include "sim/solver/node_constraint.h"
 
 namespace griffith {
@@ -57,6 +59,20 @@ struct NodeArrays {
   }
 };
 
+/// What moves beside the nodes, per edge of quadratic bodies (TetEdges).
+struct EdgeArrays {
+  std::vector<Vec3> offsets, velocities;  ///< of an edge's middle from the middle of its ends [m], [m/s]
+  std::vector<double> masses;             ///< that of the tets round it: see edge_mass() [kg]
+  std::vector<int> rows;                  ///< row in the system of the edge's body, -1 for held ones
+
+  /// Makes room for as many edges; new ones are straight, at rest and without mass.
+  void resize(std::size_t count);
+  /// An edge that starts as another one is.
+  void append_copy(EdgeId original);
+  /// Size of the arrays [bytes].
+  std::size_t memory() const { return offsets.size() * (2 * sizeof(Vec3) + sizeof(double) + sizeof(int)); }
+};
+
 /// When each face of a tet was opened by a crack [s]; not a number: never.
 using OpenedFaces = std::array<double, 4>;
 constexpr double kNeverOpened = std::numeric_limits<double>::quiet_NaN();
@@ -70,6 +86,8 @@ struct ElementArrays {
   std::vector<BodyId> bodies;
   SharedArray<std::uint8_t> first_surface;  ///< bit i: face i was on the surface before anything broke
   SharedArray<OpenedFaces> opened;
+
+  SharedArray<QuadraticState> quadratic_states;  ///< of quadratic tets; empty while there are none
 
   /// Strains without stress; empty until allow_strains(): in what only sways or lies they would all be zero.
   std::vector<Mat3> plastic_strains;     ///< in rest space, traceless [-]

@@ -37,8 +37,9 @@ double balance_of(const NodeReport& report) {
 
 /// Fills in what the frame's stresses do to the node.
 void strain(const Frame& frame, NodeReport& report) {
-  const SeparationInput input{frame.elements.tets, frame.nodes.stars, frame.elements.rest_elements,
-                              frame.elements.states, frame.nodes.constraints};
+  const SeparationInput input{
+      frame.elements.tets,     frame.nodes.stars,    frame.elements.rest_elements,   frame.elements.states,
+      frame.nodes.constraints, frame.elements.edges, frame.elements.quadratic_states};
   const int scene_body = frame.bodies[report.body].scene_body;
   const std::optional<Weakness>& weakness = frame.weaknesses[scene_body];
   const Mat3 tensor = separation_tensor(input, report.node);

@@ -63,6 +63,8 @@ void publish(WorldState& world) {
     if (!still_shows(view, body)) view = view_of(body);
   }
   add_nodes(world, world.totals);
+  for (const Body& body : world.bodies)
+    if (!body.rigid) world.totals.kinetic_energy += kinetic_energy_of_edges(world, body);
   for (std::size_t i = 0; i < world.elements.rest_elements.size(); ++i)
     world.totals.elastic_energy += world.elements.rest_elements[i].volume * world.elements.states[i].energy_density;
   for (const Projectile& projectile : world.projectiles) {

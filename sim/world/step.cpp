@@ -244,7 +244,8 @@ void advance(WorldState& world) {
       world.report.peak_utilization = last_peak;
       world.report.sleeping_bodies = static_cast<int>(world.bodies.size());
     } else {
-      world.elements.states.edit(), world.elements.stresses.edit();  // bodies will write theirs side by side
+      // Bodies will write theirs side by side.
+      world.elements.states.edit(), world.elements.stresses.edit(), world.elements.quadratic_states.edit();
       step_by_settings(world, time_step, last_peak);
     }
     ++world.step;

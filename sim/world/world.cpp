@@ -16,6 +16,7 @@
 #include "sim/world/phases/separation_phase.h"
 #include "sim/world/publish.h"
 #include "sim/world/setup/build_world.h"
+#include "sim/world/setup/check_elements.h"
 #include "sim/world/shock/shock_phase.h"
 #include "sim/world/world_impl.h"
 #include "sim/world/world_state.h"
@@ -53,6 +54,7 @@ void restore_start(WorldState& world, int scene_body) {
   for (const Body& body : world.bodies) {
     if (body.scene_body != scene_body) continue;
     for (NodeId node : body.nodes) world.nodes.positions[node] = world.mesh->rest_positions[node];
+    for (EdgeId edge : body.edges) world.edges.offsets[edge].setZero();
     for (TetId tet : body.tets) {
       if (!world.elements.plastic_strains.empty()) world.elements.plastic_strains[tet].setZero();
       world.elements.states.edit()[tet] = {};
@@ -113,6 +115,10 @@ Frame World::frame() const {
   frame.elements.rest_elements = world.elements.rest_elements;
   frame.elements.states = world.elements.states;
   frame.elements.stresses = world.elements.stresses;
+  frame.elements.edges = world.tet_edges->of_tet;
+  frame.elements.quadratic_states = world.elements.quadratic_states;
+  frame.edges.ends = world.tet_edges->ends;
+  frame.edges.offsets = world.edges.offsets;
   frame.materials = world.materials;
   frame.weaknesses = world.model->weaknesses;
   frame.bodies = world.body_views;
@@ -145,6 +151,7 @@ void World::set_material(int scene_body, const Material& material) {
     throw InputError("material", "is of body " + std::to_string(scene_body) + ", which is none of the scene",
                      "take an index of Scene::bodies");
   check_substep_count(world, scene_body, material);
+  check_elements(world.model->scene, scene_body, material);
   const EnergyNow before = energy_now(world);
   world.in_equilibrium = false;
   const bool stays = world.step > 0 && differ_in_resistance_alone(world.materials[scene_body], material);
@@ -167,9 +174,11 @@ void World::set_material(int scene_body, const Material& material) {
 std::size_t World::memory(const World* beside) const {
   const WorldState& world = impl_->state;
   const WorldState* other = beside ? &beside->impl_->state : nullptr;
-  std::size_t size = sizeof(WorldState) + world.nodes.memory() + world.contact_world.memory();
+  std::size_t size = sizeof(WorldState) + world.nodes.memory() + world.edges.memory() + world.contact_world.memory();
   size += world.elements.memory(other ? &other->elements : nullptr);
   if (!other || !world.mesh.shares_with(other->mesh)) size += mesh_memory(world.mesh);
+  if (!other || !world.tet_edges.shares_with(other->tet_edges))
+    size += 2 * world.tet_edges->ends.size() * sizeof(NodeId) + 6 * world.tet_edges->of_tet.size() * sizeof(EdgeId);
   for (std::size_t i = 0; i < world.bodies.size(); ++i) {
     const Body& body = world.bodies[i];
     size += sizeof(Body) + body.tets.size() * sizeof(TetId) + body.surface.size() * sizeof(SurfaceFace) +

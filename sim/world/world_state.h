@@ -74,7 +74,9 @@ struct alignas(64) Body {
   std::vector<TetId> tets;    ///< ascending
   std::vector<NodeId> nodes;  ///< ascending, held ones too
   std::vector<SurfaceFace> surface;
-  NodeVectors reference_arms;  ///< nodes relative to the centre of mass when the shape was made [m]
+  NodeVectors reference_arms;     ///< nodes relative to the centre of mass when the shape was made [m]
+  std::vector<EdgeId> edges;      ///< ascending; none of a body with linear tets
+  NodeVectors reference_offsets;  ///< of `edges`, when it was made rigid [m]
   Boxed<ElasticSystem> system;
   std::vector<ConvexPart> collision_parts;  ///< of the proxy, for the frame [m]
   double highest_frequency = 0;             ///< [rad/s]; 0 until explicit integration asks for it
@@ -118,9 +120,10 @@ struct PostponedCrack {
 
 /// What moved how when a substep began, for the energy account.
 struct SubstepStart {
-  std::vector<Vec3> velocities;         ///< per node [m/s]
-  std::vector<Vec3> solved_velocities;  ///< per node, after contacts and before bodies move [m/s]
-  std::vector<RigidState> projectiles;  ///< per projectile
+  std::vector<Vec3> velocities;                               ///< per node [m/s]
+  std::vector<Vec3> solved_velocities;                        ///< per node, after contacts and before bodies move [m/s]
+  std::vector<Vec3> edge_velocities, solved_edge_velocities;  ///< the same per edge [m/s]
+  std::vector<RigidState> projectiles;                        ///< per projectile
 };
 
 /// What a step needs and nobody keeps.
@@ -129,6 +132,7 @@ struct Scratch {
   double microstep_work = 0;                   ///< of the step so far, in microseconds of a usual core
   std::vector<StarSums> stars;                 ///< per node: what separation follows from
   std::vector<simd::WideQuad> elastic_forces;  ///< per node, in the first three lanes [N]
+  std::vector<Vec3> edge_forces;               ///< per edge [N]
 
   Scratch() = default;
   Scratch(Scratch&&) = default;
@@ -151,6 +155,8 @@ struct WorldState {
   CopyOnWrite<TetMesh> mesh;
   NodeArrays nodes;
   ElementArrays elements;
+  CopyOnWrite<TetEdges> tet_edges;  ///< of quadratic bodies
+  EdgeArrays edges;
   SplinterState splinter_state;
   std::vector<Body> bodies;  ///< by BodyId; never removed
   ContactWorld contact_world;

@@ -16,10 +16,11 @@
 namespace griffith {
 namespace {
 
-/// A body's nodes as columns.
-NodeVectors gather(const std::vector<Vec3>& values, const std::vector<NodeId>& nodes) {
-  NodeVectors gathered(3, nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i) gathered.col(i) = values[nodes[i]];
+/// A body's nodes or edges as columns.
+template <class Identifier>
+NodeVectors gather(const std::vector<Vec3>& values, const std::vector<Identifier>& ids) {
+  NodeVectors gathered(3, ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i) gathered.col(i) = values[ids[i]];
   return gathered;
 }
 
@@ -101,6 +102,7 @@ void clear_stress(WorldState& world, const Body& body) {
   for (TetId tet : body.tets) {
     states[tet] = {};
     stresses[tet].setZero();
+    if (!body.edges.empty()) world.elements.quadratic_states.edit()[tet] = {};
   }
   for (NodeId node : body.nodes) world.nodes.separations[node] = {};
 }
@@ -131,13 +133,18 @@ double rebuild_shape(WorldState& world, Body& body) {
   for (TetId tet : body.tets)
     for (int face = 0; face < 4; ++face)
       if (!world.mesh->neighbours[tet][face].valid()) body.surface.push_back({tet, face});
-  if (body.system) {
+  body.edges = edges_of(world.tet_edges, body.tets);
+  if (!body.edges.empty()) {
+    body.system.emplace(world.mesh, world.tet_edges, body.tets, world.nodes.constraints, world.nodes.constraints,
+                        world.nodes.rows, world.edges.rows);
+  } else if (body.system) {
     body.system->patch(world.mesh, body.nodes, world.nodes.constraints, world.nodes.rows);
   } else {
     body.system.emplace(world.mesh, body.tets, world.nodes.constraints, world.nodes.rows);
   }
   body.motion = motion_of(world, body);
   body.reference_arms = gather(world.nodes.positions, body.nodes).colwise() - body.motion.center;
+  body.reference_offsets = gather(world.edges.offsets, body.edges);
   body.orientation.setIdentity();
   body.element_size = mean_element_size(world.elements.rest_elements, body.tets);
   body.extent = extent_of(world, body);

@@ -5,6 +5,8 @@
 
 #include "sim/core/parallel.h"
 #include "sim/elasticity/eigenvalues.h"
+#include "sim/elasticity/quadratic_stiffness.h"
+#include "sim/world/corners.h"
 
 namespace griffith {
 namespace {
@@ -99,6 +101,45 @@ FourWorks works_of(const ElasticLaw& law, const FourStarts& starts) {
   return works;
 }
 
+/// x·K x of a quadratic tet, a column of x a corner or edge.
+double stiffness_product(const ElasticLaw& law, const RestElement& rest, const ElementState& mean,
+                         const Eigen::Matrix<double, 3, 10>& x) {
+  double product = 0;
+  for (int i = 0; i < 10; ++i) {
+    const QuadraticStiffnessRow row = quadratic_stiffness_row(law, rest, mean, i);
+    for (int j = 0; j < 10; ++j) product += x.col(i).dot(row.block(j) * x.col(j));
+  }
+  return product;
+}
+
+ElasticWorks quadratic_works(const WorldState& world, const Body& body, double dt) {
+  const ElasticLaw law = elastic_law(world.material_of(body));
+  const SubstepStart& start = world.scratch.substep_start;
+  const auto count = static_cast<int>(body.tets.size());
+  std::vector<double> first(count), change(count);
+  parallel_for(count, 64, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      const TetId tet = body.tets[i];
+      const RestElement& rest = world.elements.rest_elements[tet];
+      Eigen::Matrix<double, 3, 10> way, forces;
+      way << corners_of(world.mesh, tet, start.solved_velocities),
+          edges_of(world.tet_edges, tet, start.solved_edge_velocities);
+      way *= dt;
+      const QuadraticForces acting = quadratic_forces(rest, world.elements.quadratic_states[tet]);
+      forces << acting.corners, acting.edges;
+      first[i] = -forces.cwiseProduct(way).sum();
+      change[i] = stiffness_product(law, rest, world.elements.states[tet], way);
+    }
+  });
+  ElasticWorks sum;
+  for (int i = 0; i < count; ++i) {
+    sum.first += first[i];
+    sum.change += change[i];
+    sum.energy_densities.push_back(world.elements.states[body.tets[i]].energy_density);
+  }
+  return sum;
+}
+
 }  // namespace
 
 double twice_energy_density(const ElasticLaw& law, const Mat3& stress) {
@@ -107,6 +148,7 @@ double twice_energy_density(const ElasticLaw& law, const Mat3& stress) {
 }
 
 ElasticWorks elastic_works(const WorldState& world, const Body& body, double dt) {
+  if (!body.edges.empty()) return quadratic_works(world, body, dt);
   constexpr int kLanes = simd::kDoubleLanes;
   const ElasticLaw law = elastic_law(world.material_of(body));
   const int count = static_cast<int>(body.tets.size());

@@ -23,7 +23,8 @@ double kinetic_energy_of_nodes(const WorldState& world, const Body& body) {
 double kinetic_energy(const WorldState& world) {
   double sum = kinetic_energy_of_projectiles(world);
   for (const Body& body : world.bodies)
-    sum += body.rigid ? kinetic_energy(body.motion) : kinetic_energy_of_nodes(world, body);
+    sum += body.rigid ? kinetic_energy(body.motion)
+                      : kinetic_energy_of_nodes(world, body) + kinetic_energy_of_edges(world, body);
   return sum;
 }
 
@@ -49,6 +50,12 @@ double elastic_energy(const WorldState& world, const Body& body) {
   for (TetId tet : body.tets)
     energy += world.elements.rest_elements[tet].volume * world.elements.states[tet].energy_density;
   return energy;
+}
+
+double kinetic_energy_of_edges(const WorldState& world, const Body& body) {
+  double sum = 0;
+  for (EdgeId edge : body.edges) sum += 0.5 * world.edges.masses[edge] * world.edges.velocities[edge].squaredNorm();
+  return sum;
 }
 
 double energy_of(const WorldState& world, const Body& body) {

@@ -91,11 +91,29 @@ Mat3 unyielded_stress(const WorldState& world, const Body& body, const BodySnaps
   return stress + 2 * mu * (world.elements.plastic_strains[tet] - before.plastic_strains[i]);
 }
 
+/// The same of quadratic tets, `stresses` those of their corners.
+double energy_of_quadratic_change(const WorldState& world, const Body& body, const ElasticLaw& law,
+                                  const std::vector<Mat3>& stresses) {
+  double sum = 0;
+  for (std::size_t i = 0; i < body.tets.size(); ++i) {
+    double corners = 0;
+    Mat3 total = Mat3::Zero();
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Mat3 change = world.elements.quadratic_states[body.tets[i]].corners[k].stress.full() - stresses[4 * i + k];
+      corners += twice_energy_density(law, change);
+      total += change;
+    }
+    sum += world.elements.rest_elements[body.tets[i]].volume / 40 * (corners + twice_energy_density(law, total));
+  }
+  return sum;
+}
+
 /// The elastic energy of the change of strains since `before`, ½ ∫ Δσ : Δε [J]: what loads that come at once do beyond
 /// what a body takes up.
 double energy_of_change(const WorldState& world, const Body& body, const BodySnapshot& before,
                         const std::vector<Mat3>& stresses) {
   const ElasticLaw law = elastic_law(world.material_of(body));
+  if (!body.edges.empty()) return energy_of_quadratic_change(world, body, law, stresses);
   return parallel_sum(static_cast<int>(body.tets.size()), [&](int begin, int end) {
     double sum = 0;
     for (int i = begin; i < end; ++i)
@@ -130,6 +148,15 @@ NodeWorks works_of_nodes(const WorldState& world, const Body& body, const BodySn
     works.gravity += weight.dot(displacement);
     works.beside += external[node].dot(dt * predicted - displacement);
   }
+  for (std::size_t i = 0; i < body.edges.size(); ++i) {
+    const EdgeId edge = body.edges[i];
+    const double mass = world.edges.masses[edge];
+    const Vec3 &first = world.scratch.substep_start.edge_velocities[edge], &predicted = before.edge_velocities[i];
+    works.before += 0.5 * mass * first.squaredNorm();
+    works.predicted += 0.5 * mass * predicted.squaredNorm();
+    works.after += 0.5 * mass * world.edges.velocities[edge].squaredNorm();
+    works.change += 0.5 * mass * (predicted - first).squaredNorm();
+  }
   return works;
 }
 
@@ -155,6 +182,7 @@ double kinetic_energy_of_projectiles(const WorldState& world) {
 void record_substep_start(WorldState& world) {
   SubstepStart& start = world.scratch.substep_start;
   start.velocities = world.nodes.velocities;
+  start.edge_velocities = world.edges.velocities;
   start.projectiles.clear();
   for (const Projectile& projectile : world.projectiles)
     start.projectiles.push_back(world.contact_world.state(projectile.object));
@@ -181,6 +209,10 @@ BodySnapshot snapshot(const WorldState& world, const Body& body) {
     taken.positions.push_back(world.nodes.positions[node]);
     taken.velocities.push_back(world.nodes.velocities[node]);
   }
+  for (EdgeId edge : body.edges) {
+    taken.offsets.push_back(world.edges.offsets[edge]);
+    taken.edge_velocities.push_back(world.edges.velocities[edge]);
+  }
   if (world.material_of(body).yield_strength)
     for (TetId tet : body.tets) taken.plastic_strains.push_back(world.elements.plastic_strains[tet]);
   return taken;
@@ -189,7 +221,11 @@ BodySnapshot snapshot(const WorldState& world, const Body& body) {
 std::vector<Mat3> stresses_of(const WorldState& world, const Body& body) {
   std::vector<Mat3> stresses;
   stresses.reserve(body.tets.size());
-  for (TetId tet : body.tets) stresses.push_back(world.elements.states[tet].stress);
+  for (TetId tet : body.tets) {
+    if (body.edges.empty()) stresses.push_back(world.elements.states[tet].stress);
+    for (int i = 0; i < 4 && !body.edges.empty(); ++i)
+      stresses.push_back(world.elements.quadratic_states[tet].corners[i].stress);
+  }
   return stresses;
 }
 

@@ -12,6 +12,8 @@ namespace griffith {
 double elastic_energy(const WorldState& world, const Body& body);
 /// Kinetic and elastic energy of a body, as it is: of a rigid one by its motion [J].
 double energy_of(const WorldState& world, const Body& body);
+/// What the motion of a quadratic body's edges adds to its kinetic energy [J].
+double kinetic_energy_of_edges(const WorldState& world, const Body& body);
 /// Kinetic [J].
 double kinetic_energy(const RigidMotion& motion);
 double kinetic_energy(const Projectile& projectile, const RigidState& state);
@@ -37,11 +39,12 @@ void book_rigid_contacts(WorldState& world, double dt);
 
 /// A body before it moves.
 struct BodySnapshot {
-  std::vector<Vec3> positions, velocities;  ///< per node of the body
-  std::vector<Mat3> plastic_strains;        ///< per tet; empty unless it yields
+  std::vector<Vec3> positions, velocities;     ///< per node of the body
+  std::vector<Vec3> offsets, edge_velocities;  ///< per edge of the body
+  std::vector<Mat3> plastic_strains;           ///< per tet; empty unless it yields
 };
 BodySnapshot snapshot(const WorldState& world, const Body& body);
-/// Stresses of its tets, as ElementState has them [Pa].
+/// Stresses of its tets, as ElementState has them, of quadratic ones those of their corners [Pa].
 std::vector<Mat3> stresses_of(const WorldState& world, const Body& body);
 
 /// What a substep took from an elastic body, now that it has moved from `before`: backward Euler loses the kinetic

@@ -145,7 +145,7 @@ SolveReport respond_implicitly(WorldState& world, Body& body, double dt, const s
                                NodeVectors& change) {
   NodeArrays& nodes = world.nodes;
   const SolveReport report = body.system->respond(implicit_step(world, body, dt), nodes.positions, impulses,
-                                                  nodes.masses, nodes.constraints, change);
+                                                  nodes.masses, nodes.constraints, change, edge_motion(world));
   read_back_reactions(world, body);
   return report;
 }
@@ -156,6 +156,9 @@ void set_velocities(WorldState& world, const TouchedBody& touched, double fracti
   const std::span<const NodeId> nodes = world.bodies[touched.body].system->nodes();
   for (std::size_t row = 0; row < nodes.size(); ++row)
     world.nodes.velocities[nodes[row]] = touched.free.col(row) + fraction * touched.change.col(row);
+  const std::span<const EdgeId> edges = world.bodies[touched.body].system->edges();
+  for (std::size_t i = 0, row = nodes.size(); i < edges.size(); ++i, ++row)
+    world.edges.velocities[edges[i]] = touched.free.col(row) + fraction * touched.change.col(row);
 }
 
 /// Lets the body's nodes move as the impulses at its contacts want it. `added`: to those that it knows.
@@ -163,7 +166,7 @@ SolveReport respond(WorldState& world, TouchedBody& touched, double dt, const Ei
                     const Eigen::Matrix3Xd& added, std::vector<Vec3>& nodal) {
   Body& body = world.bodies[touched.body];
   if (touched.change.size() == 0) {
-    touched.free = body.system->gather(world.nodes.velocities);
+    touched.free = body.system->gather(world.nodes.velocities, world.edges.velocities);
     touched.change = NodeVectors::Zero(3, touched.free.cols());
   }
   SolveReport report;
@@ -265,6 +268,7 @@ void apply_corrections(WorldState& world) {
       Vec3& position = world.nodes.positions[node];
       position = body.motion.center + turn * (position - center);
     }
+    for (EdgeId edge : body.edges) world.edges.offsets[edge] = (turn * world.edges.offsets[edge]).eval();
   }
 }
 

@@ -15,6 +15,7 @@ struct Opened {
   MotionsBefore motions;     ///< of free bodies that were remeshed
   std::set<NodeId> waiting;  ///< a split relieves its neighbourhood: these wait until their stress is known again
   std::vector<NodeCopy> copies;
+  std::vector<EdgeCopy> edge_copies;
   std::vector<TetId> parted;  ///< tets that lost a neighbour
   std::size_t first_event = 0;
 };

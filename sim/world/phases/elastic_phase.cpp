@@ -21,8 +21,8 @@ namespace {
 
 /// Elastic plus external force of the body's nodes, per node of the mesh; only the body's own entries are written, as
 /// are those of `sums`.
-void add_elastic_forces(const WorldState& world, const Body& body, std::span<simd::WideQuad> sums,
-                        std::vector<Vec3>& forces) {
+void add_linear_forces(const WorldState& world, const Body& body, std::span<simd::WideQuad> sums,
+                       std::vector<Vec3>& forces) {
   const ElementArrays& elements = world.elements;
   const auto add = [&](TetId tet, const std::array<simd::WideQuad*, 4>& to) {
     const RestElement& rest = elements.rest_elements[tet];
@@ -37,9 +37,35 @@ void add_elastic_forces(const WorldState& world, const Body& body, std::span<sim
   });
 }
 
+/// The same of a quadratic body; sets the elastic forces of its edges, per edge of the mesh [N].
+void add_quadratic_forces(const WorldState& world, const Body& body, std::vector<Vec3>& forces,
+                          std::vector<Vec3>& edge_forces) {
+  const ElementArrays& elements = world.elements;
+  std::vector<QuadraticForces> of_tets(body.tets.size());
+  parallel_for(static_cast<int>(body.tets.size()), 512, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      of_tets[i] = quadratic_forces(elements.rest_elements[body.tets[i]], elements.quadratic_states[body.tets[i]]);
+  });
+  for (const EdgeId edge : body.edges) edge_forces[edge].setZero();
+  for (std::size_t i = 0; i < body.tets.size(); ++i) {
+    const std::array<NodeId, 4>& corners = world.mesh->tets[body.tets[i]];
+    const std::array<EdgeId, 6>& edges = world.tet_edges->of_tet[body.tets[i]];
+    for (int k = 0; k < 4; ++k) forces[corners[k]] += of_tets[i].corners.col(k);
+    for (int k = 0; k < 6; ++k) edge_forces[edges[k]] += of_tets[i].edges.col(k);
+  }
+}
+
+void add_elastic_forces(WorldState& world, const Body& body, std::vector<Vec3>& forces) {
+  if (body.edges.empty()) {
+    add_linear_forces(world, body, world.scratch.elastic_forces, forces);
+  } else {
+    add_quadratic_forces(world, body, forces, world.scratch.edge_forces);
+  }
+}
+
 /// Takes the torque of the elastic forces [N·m] out of the forces on a free body. Corotational stress is symmetric
 /// before the stretch is applied: where plastic strain and stretch have different axes, it leaves one, which would let
-/// the body spin itself up.
+/// the body spin itself up. Forces on the edges of quadratic tets have one too, which their nodes balance.
 void remove_inner_torque(const WorldState& world, const Body& body, const Vec3& torque, std::vector<Vec3>& forces) {
   const Vec3 spin = body.motion.inertia.inverse() * torque;
   for (NodeId node : body.nodes)
@@ -68,22 +94,28 @@ void turn_forces_halfway(const WorldState& world, const Body& body, double dt, s
 }
 
 SolveReport predict_elastic(WorldState& world, Body& body, std::vector<Vec3>& forces, double dt) {
-  const bool spins_freely = !body.supported() && world.material_of(body).yield_strength;
+  const bool has_inner_torque = world.material_of(body).yield_strength || !body.edges.empty();
+  const bool spins_freely = !body.supported() && has_inner_torque;
   const Vec3 outer_torque = spins_freely ? wrench_of(world, body, forces).torque : Vec3(Vec3::Zero());
   if (body.supported() && !world.integrates_explicitly()) turn_forces_halfway(world, body, dt, forces);
-  add_elastic_forces(world, body, world.scratch.elastic_forces, forces);
+  add_elastic_forces(world, body, forces);
   if (spins_freely) remove_inner_torque(world, body, wrench_of(world, body, forces).torque - outer_torque, forces);
   if (world.integrates_explicitly()) {
     predict_explicitly(world, body, forces, dt);
     return {};
   }
-  const SolveReport report = body.system->solve(implicit_step(world, body, dt), world.nodes.positions, forces,
-                                                world.nodes.masses, world.nodes.constraints, world.nodes.velocities);
+  const SolveReport report =
+      body.system->solve(implicit_step(world, body, dt), world.nodes.positions, forces, world.nodes.masses,
+                         world.nodes.constraints, world.nodes.velocities, edge_motion(world));
   read_back_reactions(world, body);
   return report;
 }
 
 }  // namespace
+
+EdgeMotion edge_motion(WorldState& world) {
+  return {world.edges.offsets, world.scratch.edge_forces, world.edges.masses, world.edges.velocities};
+}
 
 ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt) {
   const Material& material = world.material_of(body);
@@ -92,7 +124,32 @@ ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt)
           settings.max_solver_iterations};
 }
 
+namespace {
+
+void update_quadratic_elements(WorldState& world, const Body& body) {
+  ElementArrays& elements = world.elements;
+  const ElasticLaw law = law_in_shock(world, body);
+  const double similarity = body.shock ? body.shock->similarity : 1;
+  std::vector<ElementState>& states = elements.states.edit();
+  std::vector<QuadraticState>& quadratic = elements.quadratic_states.edit();
+  std::vector<Mat3>& stresses = elements.stresses.edit();
+  parallel_for(static_cast<int>(body.tets.size()), 512, [&](int begin, int end) {
+    for (const TetId tet : std::span(body.tets).subspan(begin, end - begin)) {
+      const QuadraticStates found =
+          quadratic_states(law, elements.rest_elements[tet], corners_of(world.mesh, tet, world.nodes.positions),
+                           edges_of(world.tet_edges, tet, world.edges.offsets), elements.stress_free_strain(tet));
+      states[tet] = found.mean;
+      states[tet].energy_density *= similarity;
+      quadratic[tet] = found.state;
+      stresses[tet] = found.mean_cauchy_stress;
+    }
+  });
+}
+
+}  // namespace
+
 void update_elements(WorldState& world, const Body& body) {
+  if (!body.edges.empty()) return update_quadratic_elements(world, body);
   ElementArrays& elements = world.elements;
   std::vector<ElementState>& states = elements.states.edit();
   std::vector<Mat3>& stresses = elements.stresses.edit();
@@ -128,7 +185,8 @@ void assemble_systems(WorldState& world, double dt) {
 void assemble_system(WorldState& world, Body& body, double dt) {
   if (world.integrates_explicitly()) return;
   body.system->assemble(implicit_step(world, body, dt), elastic_law(world.material_of(body)),
-                        world.elements.rest_elements, world.elements.states, world.nodes.positions, world.nodes.masses);
+                        world.elements.rest_elements, world.elements.states, world.nodes.positions, world.nodes.masses,
+                        world.edges.masses);
 }
 
 void read_back_reactions(WorldState& world, const Body& body) {
@@ -145,6 +203,7 @@ void count_solve(WorldState& world, const SolveReport& solve) {
 
 void predict_velocities(WorldState& world, std::vector<Vec3> forces, double dt) {
   world.scratch.elastic_forces.resize(world.nodes.positions.size());
+  world.scratch.edge_forces.resize(world.edges.offsets.size());
   std::vector<SolveReport> reports(world.bodies.size());
   parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {

@@ -18,6 +18,8 @@ void assemble_system(WorldState& world, Body& body, double dt);
 void predict_velocities(WorldState& world, std::vector<Vec3> external, double dt);
 /// The implicit step of a body.
 ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt);
+/// The edges of all bodies, with their elastic forces of the last predict_velocities().
+EdgeMotion edge_motion(WorldState& world);
 /// Takes what the supports of a body did from its system, after a solve.
 void read_back_reactions(WorldState& world, const Body& body);
 /// Counts what a linear solve for a body needed.

@@ -13,7 +13,25 @@
 namespace griffith {
 namespace {
 
-StaticProblem problem_of(const WorldState& world, const Body& body, std::span<const NodeConstraint> displacements,
+/// Lets a problem find the offsets of a quadratic body's edges, in the world as it goes.
+void add_edges(WorldState& world, const Body& body, StaticProblem& problem) {
+  std::vector<QuadraticState>& quadratic = world.elements.quadratic_states.edit();
+  problem.edges.emplace(StaticEdges{world.tet_edges, world.edges.offsets, quadratic});
+  problem.evaluate = [&world, &body, &quadratic, law = problem.law](std::span<const Vec3> positions,
+                                                                    std::span<ElementState> states) {
+    parallel_for(static_cast<int>(body.tets.size()), 512, [&](int begin, int end) {
+      for (const TetId tet : std::span(body.tets).subspan(begin, end - begin)) {
+        const QuadraticStates found =
+            quadratic_states(law, world.elements.rest_elements[tet], corners_of(world.mesh, tet, positions),
+                             edges_of(world.tet_edges, tet, world.edges.offsets), world.elements.plastic_strain(tet));
+        states[tet] = found.mean;
+        quadratic[tet] = found.state;
+      }
+    });
+  };
+}
+
+StaticProblem problem_of(WorldState& world, const Body& body, std::span<const NodeConstraint> displacements,
                          std::span<const Vec3> loads, std::span<const PressedFace> pressed) {
   const ElasticLaw law = elastic_law(world.material_of(body));
   const auto evaluate = [&world, &body, law](std::span<const Vec3> positions, std::span<ElementState> states) {
@@ -27,6 +45,7 @@ StaticProblem problem_of(const WorldState& world, const Body& body, std::span<co
   };
   StaticProblem problem{world.mesh, body.tets, world.elements.rest_elements, law, world.nodes.masses, displacements,
                         loads,      evaluate};
+  if (!body.edges.empty()) add_edges(world, body, problem);
   if (!pressed.empty())
     problem.add_follower_loads = [pressed](std::span<const Vec3> positions, std::span<Vec3> forces) {
       add_pressure(pressed, positions, forces);
@@ -40,6 +59,7 @@ void settle(WorldState& world, Body& body, const StaticProblem& problem, const M
   const StaticReport report = solve_static(problem, settings, world.nodes.positions, world.elements.states.edit());
   if (monitor.is_cancelled()) throw Cancelled();
   for (NodeId node : body.nodes) world.nodes.velocities[node] = world.nodes.reactions[node] = Vec3::Zero();
+  for (EdgeId edge : body.edges) world.edges.velocities[edge].setZero();
   for (std::size_t i = 0; i < report.supports.size(); ++i)
     world.nodes.reactions[report.supports[i]] = report.reaction_forces[i];
   update_motion(world, body);

@@ -52,6 +52,22 @@ void append_copy(WorldState& world, const NodeCopy& copy) {
   nodes.separations[copy.original] = {};
 }
 
+/// Parts the edges of quadratic tets whose nodes were parted.
+void part_edges(WorldState& world, std::span<const NodeCopy> copies, std::vector<EdgeCopy>& edge_copies) {
+  if (world.edges.offsets.empty() || copies.empty()) return;
+  std::vector<NodeId> copied;
+  for (const NodeCopy& copy : copies) copied.push_back(copy.copy);
+  for (const EdgeCopy& copy : part_edges(world.mesh, copied, world.tet_edges.edit())) {
+    world.edges.append_copy(copy.original);
+    edge_copies.push_back(copy);
+  }
+  std::vector<TetId> tets;
+  for (const NodeCopy& copy : copies)
+    for (const NodeId node : {copy.original, copy.copy})
+      tets.insert(tets.end(), world.mesh->stars[node].begin(), world.mesh->stars[node].end());
+  for (const EdgeId edge : edges_of(world.tet_edges, tets)) world.edges.masses[edge] = edge_mass(world, edge);
+}
+
 /// Whether elements are cut for the body's cracks. One too small to part would be cut on and on, never to break.
 bool is_remeshed(const WorldState& world, const Body& body) {
   const Scene& scene = world.model->scene;
@@ -129,6 +145,7 @@ bool crack(WorldState& world, NodeId node, Opened& opened) {
   world.report.cracks_suppressed += result.too_small;
   if (result.too_small) return false;
   for (const NodeCopy& copy : result.copies) append_copy(world, copy);
+  part_edges(world, result.copies, opened.edge_copies);
   opened.copies.insert(opened.copies.end(), result.copies.begin(), result.copies.end());
   for (NodeId front : result.front) world.nodes.at_crack_front[front] = 1;
   event.nodes_made = static_cast<int>(result.copies.size());

@@ -19,6 +19,21 @@
 namespace griffith {
 namespace {
 
+/// Moves the edges of a body that turns by `turn` in a substep of `dt` [s]: they turn along, and what their velocities
+/// have beside `spin` [rad/s] bends them. Velocities are left without what turning makes of them.
+void turn_edges(WorldState& world, const Body& body, const Vec3& spin, const Mat3& turn, double dt) {
+  for (const EdgeId edge : body.edges) {
+    Vec3 &offset = world.edges.offsets[edge], &velocity = world.edges.velocities[edge];
+    const Vec3 bending = velocity - spin.cross(offset);
+    offset = turn * (offset + dt * bending);
+    velocity = turn * bending;
+  }
+}
+
+void add_spin_to_edges(WorldState& world, const Body& body, const Vec3& spin) {
+  for (const EdgeId edge : body.edges) world.edges.velocities[edge] += spin.cross(world.edges.offsets[edge]);
+}
+
 /// Moves a free body by its velocities: its rigid part turns it, what is left deforms it. Along the tangents instead, a
 /// turn by the angle a would stretch it by a²/2, which a stiff body answers with more than its strength. Linear and
 /// angular momentum are kept.
@@ -32,10 +47,12 @@ void move_free(WorldState& world, const Body& body, double dt) {
     position = center + turn * (position - before.center + dt * deforming);
     velocity = turn * deforming;
   }
+  turn_edges(world, body, before.angular_velocity, turn, dt);
   const RigidMotion after = motion_of(world, body);
   const Vec3 spin = after.inertia.inverse() * (before.inertia * before.angular_velocity);
   for (NodeId node : body.nodes)
     world.nodes.velocities[node] += before.velocity + spin.cross(world.nodes.positions[node] - center);
+  add_spin_to_edges(world, body, spin);
 }
 
 std::optional<Pivot> pivot_of(const WorldState& world, const Body& body) {
@@ -89,6 +106,7 @@ void move_swinging(WorldState& world, const Body& body, const Pivot& pivot, cons
     const NodeConstraint& constraint = world.nodes.constraints[node];
     position = from + constraint.allowed * (position - from);
   }
+  turn_edges(world, body, before.spin, turn, dt);
   const Turning after = turning_of(world, body, pivot);
   const Mat3 turned = pivot.axes.cols() == 3 ? Mat3(Mat3::Identity()) : turn;
   const Eigen::MatrixXd inertia = pivot.axes.transpose() * after.inertia * pivot.axes;
@@ -99,6 +117,7 @@ void move_swinging(WorldState& world, const Body& body, const Pivot& pivot, cons
     velocity =
         world.nodes.constraints[node].allowed * (velocity + spin.cross(world.nodes.positions[node] - pivot.place));
   }
+  add_spin_to_edges(world, body, spin);
 }
 
 /// How far a rigid body gets [m]. What is fast stops at what it meets, or it would pass through thin bodies. Pieces of
@@ -161,6 +180,10 @@ void restore(WorldState& world, const Body& body, const BodySnapshot& taken, dou
     world.nodes.positions[body.nodes[i]] = taken.positions[i];
     world.nodes.velocities[body.nodes[i]] = taken.velocities[i];
   }
+  for (std::size_t i = 0; i < body.edges.size(); ++i) {
+    world.edges.offsets[body.edges[i]] = taken.offsets[i];
+    world.edges.velocities[body.edges[i]] = taken.edge_velocities[i];
+  }
   for (std::size_t i = 0; i < taken.plastic_strains.size(); ++i)
     world.elements.plastic_strains[body.tets[i]] = taken.plastic_strains[i];
   const std::function<Vec3(NodeId)> rigid_velocity = rigid_velocity_of(world, body);
@@ -168,6 +191,7 @@ void restore(WorldState& world, const Body& body, const BodySnapshot& taken, dou
     const Vec3 kept = rigid_velocity(node);
     world.nodes.velocities[node] = kept + fraction * (world.nodes.velocities[node] - kept);
   }
+  for (const EdgeId edge : body.edges) world.edges.velocities[edge] *= fraction;
 }
 
 void move_nodes(WorldState& world, const Body& body, const std::vector<Vec3>& external, double dt) {
@@ -177,6 +201,7 @@ void move_nodes(WorldState& world, const Body& body, const std::vector<Vec3>& ex
       return move_swinging(world, body, *pivot, external, dt);
   }
   for (NodeId node : body.nodes) world.nodes.positions[node] += dt * world.nodes.velocities[node];
+  for (EdgeId edge : body.edges) world.edges.offsets[edge] += dt * world.edges.velocities[edge];
 }
 
 }  // namespace
@@ -219,18 +244,19 @@ double move_elastic(WorldState& world, const Body& body, const BodySnapshot& bef
   return 0;
 }
 
-bool all_finite(const std::vector<Vec3>& values, const std::vector<NodeId>& nodes) {
-  return std::ranges::all_of(nodes, [&](NodeId node) { return values[node].allFinite(); });
+bool all_finite(const std::vector<Vec3>& values, const auto& ids) {
+  return std::ranges::all_of(ids, [&](auto id) { return values[id].allFinite(); });
 }
 
 /// Whether the body is in a place that can be told.
 bool is_placed(const WorldState& world, const Body& body) {
-  return all_finite(world.nodes.positions, body.nodes) && body.motion.center.allFinite() &&
-         body.motion.inertia.allFinite() && body.orientation.coeffs().allFinite();
+  return all_finite(world.nodes.positions, body.nodes) && all_finite(world.edges.offsets, body.edges) &&
+         body.motion.center.allFinite() && body.motion.inertia.allFinite() && body.orientation.coeffs().allFinite();
 }
 
 bool is_sound(const WorldState& world, const Body& body) {
-  return is_placed(world, body) && all_finite(world.nodes.velocities, body.nodes) && body.motion.velocity.allFinite() &&
+  return is_placed(world, body) && all_finite(world.nodes.velocities, body.nodes) &&
+         all_finite(world.edges.velocities, body.edges) && body.motion.velocity.allFinite() &&
          body.motion.angular_velocity.allFinite();
 }
 
@@ -248,7 +274,7 @@ Wrench wrench_of(const WorldState& world, const Body& body, const std::vector<Ve
 double mechanical_energy(const WorldState& world, const Body& body) {
   double energy = elastic_energy(world, body);
   for (NodeId node : body.nodes) energy += 0.5 * world.nodes.masses[node] * world.nodes.velocities[node].squaredNorm();
-  return energy;
+  return energy + kinetic_energy_of_edges(world, body);
 }
 
 void make_rigid(WorldState& world, Body& body) {
@@ -256,6 +282,9 @@ void make_rigid(WorldState& world, Body& body) {
   const Mat3 back = body.orientation.conjugate().toRotationMatrix();
   for (std::size_t i = 0; i < body.nodes.size(); ++i)
     body.reference_arms.col(i) = back * (world.nodes.positions[body.nodes[i]] - body.motion.center);
+  body.reference_offsets.resize(3, static_cast<Eigen::Index>(body.edges.size()));
+  for (std::size_t i = 0; i < body.edges.size(); ++i)
+    body.reference_offsets.col(i) = back * world.edges.offsets[body.edges[i]];
 }
 
 void place_rigid_nodes(WorldState& world, const Body& body) {
@@ -265,6 +294,11 @@ void place_rigid_nodes(WorldState& world, const Body& body) {
     const Vec3 arm = rotation * body.reference_arms.col(i);
     world.nodes.positions[body.nodes[i]] = motion.center + arm;
     world.nodes.velocities[body.nodes[i]] = motion.velocity + motion.angular_velocity.cross(arm);
+  }
+  for (std::size_t i = 0; i < body.edges.size(); ++i) {
+    const EdgeId edge = body.edges[i];
+    world.edges.offsets[edge] = rotation * body.reference_offsets.col(i);
+    world.edges.velocities[edge] = motion.angular_velocity.cross(world.edges.offsets[edge]);
   }
 }
 
@@ -289,6 +323,9 @@ void freeze_if_broken_down(WorldState& world, Body& body) {
     place_rigid_nodes(world, body);
   }
   for (NodeId node : body.nodes) world.nodes.velocities[node] = world.nodes.reactions[node] = Vec3::Zero();
+  for (EdgeId edge : body.edges)
+    if (!(world.edges.velocities[edge].setZero(), world.edges.offsets[edge].allFinite()))
+      world.edges.offsets[edge].setZero();
   for (TetId tet : body.tets)
     if (!world.elements.plastic_strain(tet).allFinite()) world.elements.plastic_strains[tet].setZero();
   freeze(world, body);
@@ -307,6 +344,7 @@ void freeze(WorldState& world, Body& body) {
 
 void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt) {
   world.scratch.substep_start.solved_velocities = world.nodes.velocities;
+  world.scratch.substep_start.solved_edge_velocities = world.edges.velocities;
   std::vector<double> deformed(world.bodies.size(), 1);
   std::vector<EnergyAccount> spent(world.bodies.size());
   parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {

@@ -106,6 +106,7 @@ void fall_asleep(WorldState& world, Body& body) {
   const double before = energy_of(world, body);
   body.motion.velocity = body.motion.angular_velocity = Vec3::Zero();
   for (const NodeId node : body.nodes) world.nodes.velocities[node].setZero();
+  for (const EdgeId edge : body.edges) world.edges.velocities[edge].setZero();
   world.energy.hand_over += before - energy_of(world, body);
 }
 

@@ -82,8 +82,8 @@ void evaluate_nodes(WorldState& world, const SeparationInput& input, std::span<c
 }
 
 SeparationInput separation_input(const WorldState& world) {
-  return {world.mesh->tets, world.mesh->stars, world.elements.rest_elements, world.elements.states,
-          world.nodes.constraints};
+  return {world.mesh->tets,        world.mesh->stars,       world.elements.rest_elements,   world.elements.states,
+          world.nodes.constraints, world.tet_edges->of_tet, world.elements.quadratic_states};
 }
 
 void evaluate_separation(WorldState& world, const Body& body) {

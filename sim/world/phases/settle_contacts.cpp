@@ -131,7 +131,7 @@ void settle(WorldState& world, TouchedBody& touched, const ElasticResponse& resp
   NodeVectors change;
   for (int round = 0; round < kMaxChanges; ++round) {
     std::vector<FixedRow> held;
-    NodeVectors impulses = NodeVectors::Zero(3, static_cast<Eigen::Index>(body.system->nodes().size()));
+    NodeVectors impulses = NodeVectors::Zero(3, body.system->rows());
     for (SettledNode& node : nodes) {
       if (node.hold == Hold::slides) limit_friction(node);
       impulses.col(node.row) += given_impulse(node);

@@ -118,6 +118,7 @@ void follow_subdivision(WorldState& world, const Subdivision& subdivision) {
   for (const EdgeNode& node : subdivision.nodes) relumped.insert({node.node, node.a, node.b});
   world.energy.hand_over += kinetic_energy_of(world, relumped);
   for (const TetBisection& halves : subdivision.tets) append_element(world, halves);
+  if (!world.edges.offsets.empty()) world.tet_edges.edit().of_tet.resize(world.mesh->tets.size());
   std::vector<RestElement>& rest_elements = world.elements.rest_elements.edit();
   for (const TetBisection& halves : subdivision.tets)
     for (TetId tet : {halves.tet, halves.child})

@@ -21,7 +21,7 @@ struct TouchedPoint {
 struct TouchedBody {
   BodyId body;
   std::vector<TouchedPoint> points;  ///< per contact of its response
-  NodeVectors free;    ///< velocities of the nodes of its system without the contacts, once it has answered [m/s]
+  NodeVectors free;    ///< velocities of the rows of its system without the contacts, once it has answered [m/s]
   NodeVectors change;  ///< what the contacts did to them [m/s]
 };
 

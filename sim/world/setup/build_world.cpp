@@ -18,6 +18,7 @@
 #include "sim/world/phases/explicit_phase.h"
 #include "sim/world/phases/separation_phase.h"
 #include "sim/world/publish.h"
+#include "sim/world/setup/check_elements.h"
 #include "sim/world/setup/place_splinters.h"
 #include "sim/world/setup/shape_mesh.h"
 #include "sim/world/world_state.h"
@@ -79,6 +80,14 @@ void append_elements(WorldState& world, TetId first) {
   }
 }
 
+/// Makes the tets from `first` on quadratic.
+void append_edges(WorldState& world, TetId first) {
+  std::vector<TetId> tets;
+  for (const TetId tet : IdRange<TetId>(first.index(), world.mesh->tet_count())) tets.push_back(tet);
+  add_edges(world.mesh, tets, world.tet_edges.edit());
+  world.edges.resize(world.tet_edges->ends.size());
+}
+
 /// Sets in motion one of the pieces of a scene body that turns about `center`.
 void set_initial_motion(WorldState& world, Body& body, const BodyDescription& description, const Vec3& center) {
   for (NodeId node : body.nodes) {
@@ -129,6 +138,7 @@ Pieces add_scene_body(Model& model, WorldState& world, int scene_body, const Sha
   place_loads(world, scene_body, rest, model.findings);
   place_probes(world, scene_body, rest, model.findings);
   place_splinters(model, scene_body, rest, monitor);
+  if (description.elements == ElementOrder::quadratic) append_edges(world, first_tet);
   for (NodeId tip : shape.slit_tips) world.nodes.at_crack_front[tip.shifted(first_node)] = 1;
   draw_strengths(world, description.strength_scatter, first_node);
   std::vector<TetId> tets;
@@ -170,6 +180,8 @@ void complete(WorldState& world, const Pieces& pieces) {
       for (NodeId node : world.mesh->tets[tet])
         if (world.mesh->stars[node].front() == tet) world.nodes.masses[node] = node_mass(world, node);
   for (Body& body : bodies) rebuild_shape(world, body);
+  for (const Body& body : bodies)
+    for (const EdgeId edge : body.edges) world.edges.masses[edge] = edge_mass(world, edge);
   const Vec3 center = center_of_mass(bodies);
   for (Body& body : bodies) {
     set_initial_motion(world, body, world.model->scene.bodies[body.scene_body], center);
@@ -227,6 +239,10 @@ void add_scene_bodies(Model& model, WorldState& world, const GivenMeshes& given,
     pieces.push_back(add_scene_body(model, world, i, shapes.of(model.scene, i, monitor), monitor));
     if (monitor.is_cancelled()) throw Cancelled();
   }
+  if (!world.edges.offsets.empty()) {
+    world.tet_edges.edit().of_tet.resize(world.mesh->tets.size());
+    world.elements.quadratic_states.edit().resize(world.mesh->tets.size());
+  }
   close_splinters(model);
   world.splinter_state = intact_state(model.splinters);
   update_supports(world, world.time, world.model->scene.simulation.time_step);
@@ -249,8 +265,20 @@ double node_mass(const WorldState& world, NodeId node) {
   return mass;
 }
 
+double edge_mass(const WorldState& world, EdgeId edge) {
+  double mass = 0;
+  for (TetId tet : world.mesh->stars[world.tet_edges->ends[edge][0]]) {
+    const std::array<EdgeId, 6>& edges = world.tet_edges->of_tet[tet];
+    if (std::ranges::find(edges, edge) == edges.end()) continue;
+    mass +=
+        world.material_of(world.bodies[world.elements.bodies[tet]]).density * world.elements.rest_elements[tet].volume;
+  }
+  return mass;
+}
+
 WorldState build_world(const Scene& scene, const Monitor& monitor, const GivenMeshes& given) {
   check_probes(scene);
+  for (int i = 0; i < static_cast<int>(scene.bodies.size()); ++i) check_elements(scene, i, scene.bodies[i].material);
   const auto model = std::make_shared<Model>();
   model->scene = scene;
   WorldState world(model);

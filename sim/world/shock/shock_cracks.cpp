@@ -77,6 +77,17 @@ void ShockRun::bring_up_to_date(std::span<const TetId> tets, const Body& body, s
       [&](TetId tet, const FourStates& found, int lane) { states[tet] = found.of(lane); });
 }
 
+void ShockRun::bring_quadratic_up_to_date(std::span<const TetId> tets, const Body& body) {
+  const ElasticLaw law = law_in_shock(world_, body);
+  for (const TetId tet : tets) {
+    const QuadraticStates found = quadratic_states(
+        law, world_.elements.rest_elements[tet], corners_of(world_.mesh, tet, world_.nodes.positions),
+        edges_of(world_.tet_edges, tet, world_.edges.offsets), world_.elements.stress_free_strain(tet));
+    world_.elements.states.edit()[tet] = found.mean;
+    world_.elements.quadratic_states.edit()[tet] = found.state;
+  }
+}
+
 /// Nodes that are judged need the states of all elements round them, and places to split their stars by.
 void ShockRun::bring_stars_up_to_date() {
   stale_.clear();
@@ -90,6 +101,9 @@ void ShockRun::bring_stars_up_to_date() {
         const int corner = solid_.corner(slot, i);
         world_.nodes.positions[nodes_[corner]] = solid_.position(corner);
       }
+      if (!world_.tet_edges->is_quadratic(tet)) continue;
+      for (const EdgeId edge : world_.tet_edges->of_tet[tet])
+        world_.edges.offsets[edge] = solid_.edge_offset(local_of_edge_[edge]);
     }
   const auto body_of_tet = [&](TetId tet) { return world_.elements.bodies[tet]; };
   std::ranges::sort(stale_, {}, [&](TetId tet) { return std::pair(body_of_tet(tet), tet); });
@@ -99,7 +113,11 @@ void ShockRun::bring_stars_up_to_date() {
     for (auto first = tets.begin(); first != tets.end();) {
       const BodyId body = body_of_tet(*first);
       const auto last = std::find_if(first, tets.end(), [&](TetId tet) { return body_of_tet(tet) != body; });
-      bring_up_to_date({first, last}, world_.bodies[body], states);
+      if (world_.tet_edges->is_quadratic(*first)) {
+        bring_quadratic_up_to_date({first, last}, world_.bodies[body]);
+      } else {
+        bring_up_to_date({first, last}, world_.bodies[body], states);
+      }
       first = last;
     }
   });
@@ -165,6 +183,7 @@ void ShockRun::open(const Overload& overload) {
   for (const TetId tet : star) neighbours.push_back(world_.mesh->neighbours[tet]);
   const std::vector<NodeId> front = front_among(star);
   const std::size_t first_copy = opened_.copies.size(), tets = world_.mesh->tets.size();
+  const std::size_t first_edge_copy = opened_.edge_copies.size();
   world_.nodes.overloads[node].known_from = time_ + transit;
   const bool cracked = crack(world_, node, opened_);
   if (world_.mesh->tets.size() > tets) {
@@ -182,9 +201,8 @@ void ShockRun::open(const Overload& overload) {
   wait_beside_crack(star, front, transit);
   if (rebuild_) return;
   follow(std::span(opened_.copies).subspan(first_copy), star, neighbours);
-  if (torn_off)
-    for (const shock::SolidConstraint& held : solid_.constraints())
-      solid_.constrain(held.node, world_.nodes.constraints[nodes_[held.node]]);
+  follow_edges(std::span(opened_.edge_copies).subspan(first_edge_copy));
+  if (torn_off) constrain_again();
 }
 
 /// Nodes of the tets beside a crack count as overloaded anew once their stress is known again, and new ones at its
@@ -195,6 +213,44 @@ void ShockRun::wait_beside_crack(const std::vector<TetId>& star, const std::vect
       const bool new_front = world_.nodes.at_crack_front[near] && std::ranges::find(front, near) == front.end();
       world_.nodes.overloads[near] = {.known_from = time_ + (new_front ? transit / kCrackSpeed : transit)};
     }
+}
+
+/// Holds nodes and edges as supports do now.
+void ShockRun::constrain_again() {
+  for (const shock::SolidConstraint& held : solid_.constraints())
+    solid_.constrain(held.node, world_.nodes.constraints[nodes_[held.node]]);
+  for (int i = 0; i < solid_.edge_count(); ++i) {
+    const auto& [a, b] = world_.tet_edges->ends[edges_[i]];
+    solid_.constrain_edge(i, constraint_between(world_.nodes.constraints[a], world_.nodes.constraints[b]).allowed);
+  }
+}
+
+/// Parts the edges of the solid as those of the mesh were parted.
+void ShockRun::follow_edges(std::span<const EdgeCopy> copies) {
+  const TetEdges& topology = world_.tet_edges;
+  local_of_edge_.resize(world_.edges.offsets.size(), -1);
+  std::map<EdgeId, std::vector<EdgeId>> parted;
+  for (const EdgeCopy& copy : copies) parted[copy.original].push_back(copy.copy);
+  const auto entries = [&](EdgeId edge) {
+    std::vector<int> star_entries;
+    for (const TetId tet : world_.mesh->stars[topology.ends[edge][0]])
+      for (int i = 0; i < 6; ++i)
+        if (topology.of_tet[tet][i] == edge) star_entries.push_back(solid_.edge_entry(slot_of_tet_[tet], i));
+    return star_entries;
+  };
+  for (const auto& [original, made] : parted) {
+    const int index = local_of_edge_[original];
+    std::vector<std::vector<int>> stars = {entries(original)};
+    std::vector<int> locals;
+    for (const EdgeId copy : made) {
+      stars.push_back(entries(copy));
+      locals.push_back(solid_.copy_edge(index, world_.edges.masses[copy]));
+      local_of_edge_[copy] = locals.back();
+      edges_.push_back(copy);
+    }
+    solid_.edge(index).inverse_mass = 1 / world_.edges.masses[original];
+    solid_.part_edge(index, locals, stars);
+  }
 }
 
 /// Parts the nodes of the solid as those of the mesh were parted.

@@ -131,6 +131,11 @@ void carry_nodes(WorldState& world, Body& body, const RigidState& state) {
     world.nodes.positions[node] = state.pose.translation + turn * arm;
     world.nodes.velocities[node] = turn * (world.nodes.velocities[node] - state.velocity) + state.velocity;
   }
+  for (const EdgeId edge : body.edges) {
+    Vec3 &offset = world.edges.offsets[edge], &bending = world.edges.velocities[edge];
+    bending = turn * (bending + spin.cross(offset));
+    offset = (turn * offset).eval();
+  }
   update_elements(world, body);
   update_motion(world, body);
 }
@@ -164,6 +169,7 @@ double highest_frequency(const WorldState& world, const Body& body) {
   const ElasticLaw law = elastic_law(material);
   std::vector<RestElement> rest_elements;
   for (const TetId tet : body.tets) rest_elements.push_back(world.elements.rest_elements[tet]);
+  if (!body.edges.empty()) return shock::highest_quadratic_frequency(law, material.density, rest_elements);
   const double limit = world.model->scene.bodies[body.scene_body].remeshing
                            ? frequency_limits(law, material.density, rest_elements).usual
                            : world.model->frequency_limits[body.scene_body].usual * bar_wave_speed(material);

@@ -38,7 +38,8 @@ ShockRun::ShockRun(WorldState& world, std::vector<shock::Obstacle> obstacles) : 
 void ShockRun::build(std::vector<shock::Obstacle> obstacles) {
   solid_ = {};
   bodies_.clear(), turns_.clear(), nodes_.clear(), tets_.clear(), surfaces_.clear(), overloaded_.clear();
-  starts_.clear();
+  starts_.clear(), edges_.clear();
+  local_of_edge_.assign(world_.edges.offsets.size(), -1);
   local_of_node_.assign(world_.nodes.positions.size(), -1);
   slot_of_tet_.assign(world_.mesh->tets.size(), -1);
   const std::vector<Vec3> external = steady_forces();
@@ -65,6 +66,7 @@ void ShockRun::add_body(const Body& body, const std::vector<Vec3>& external) {
   const std::vector<NodeId> nodes = nodes_of(world_.mesh, body.tets);
   const Placement placement = placement_of(world_, nodes);
   add_nodes(nodes, placement, body.shock->similarity, external);
+  add_edges(body);
   add_elements(body, placement.turn);
   bodies_.push_back(body.id);
   turns_.push_back(placement.turn);
@@ -88,11 +90,26 @@ void ShockRun::add_nodes(const std::vector<NodeId>& nodes, const Placement& plac
   }
 }
 
+void ShockRun::add_edges(const Body& body) {
+  for (const EdgeId edge : edges_of(world_.tet_edges, body.tets)) {
+    const auto& [a, b] = world_.tet_edges->ends[edge];
+    const NodeConstraint constraint = constraint_between(world_.nodes.constraints[a], world_.nodes.constraints[b]);
+    local_of_edge_[edge] = solid_.add_edge(
+        {world_.edges.offsets[edge], world_.edges.velocities[edge], world_.edges.masses[edge], constraint.allowed});
+    edges_.push_back(edge);
+  }
+}
+
 void ShockRun::add_elements(const Body& body, const Mat3& turn) {
   std::vector<std::array<int, 4>> tets;
   std::vector<RestElement> rest_elements;
   std::vector<Mat3> offsets;
+  std::vector<std::array<int, 6>> edges;
   for (const TetId tet : body.tets) {
+    if (world_.tet_edges->is_quadratic(tet)) {
+      std::array<int, 6>& of_tet = edges.emplace_back();
+      for (int i = 0; i < 6; ++i) of_tet[i] = local_of_edge_[world_.tet_edges->of_tet[tet][i]];
+    }
     std::array<int, 4>& corners = tets.emplace_back();
     for (int i = 0; i < 4; ++i) corners[i] = local(world_.mesh->tets[tet][i]);
     rest_elements.push_back(
@@ -102,7 +119,7 @@ void ShockRun::add_elements(const Body& body, const Mat3& turn) {
   ElasticLaw law = law_in_shock(world_, body);  // of stress; forces are those of E′ = f² E
   law.lambda *= body.shock->similarity, law.mu *= body.shock->similarity;
   const double limit = body.shock->similarity * body.shock->frequency;
-  solid_.add_body(law, world_.material_of(body).density, tets, rest_elements, offsets, limit);
+  solid_.add_body(law, world_.material_of(body).density, tets, rest_elements, offsets, limit, edges);
   const int first = solid_.slot(solid_.body_count() - 1, 0);
   tets_.resize(solid_.tet_slots());
   for (std::size_t i = 0; i < body.tets.size(); ++i) {
@@ -187,7 +204,10 @@ bool ShockRun::run(double duration, double max_work) {
 
 double ShockRun::work() const { return work_of_elements() + work_ + impacts_->work(); }
 double ShockRun::work_of_elements() const {
-  return kMicrostepWork * static_cast<double>(microsteps_ * solid_.tet_slots());
+  double linear_tets = solid_.tet_slots();
+  for (int i = 0; i < solid_.body_count(); ++i)
+    if (solid_.is_quadratic(i)) linear_tets += (kQuadraticWork - 1) * shock::kLanes * solid_.body(i).blocks;
+  return kMicrostepWork * static_cast<double>(microsteps_) * linear_tets;
 }
 
 /// Counts what the shock took, for the length of the next stretches and their scaling.
@@ -230,6 +250,11 @@ void ShockRun::write_back() {
     world_.nodes.positions[nodes_[i]] = sound ? solid_.position(i) : solid_.reference(i);
     world_.nodes.velocities[nodes_[i]] = sound ? solid_.velocity(i) : Vec3::Zero();
     world_.report.non_finite_values += !sound;
+  }
+  for (int i = 0; i < solid_.edge_count(); ++i) {
+    const bool sound = solid_.edge_offset(i).allFinite() && solid_.edge_velocity(i).allFinite();
+    world_.edges.offsets[edges_[i]] = sound ? solid_.edge_offset(i) : Vec3::Zero();
+    world_.edges.velocities[edges_[i]] = sound ? solid_.edge_velocity(i) : Vec3::Zero();
   }
   for (int slot = 0; slot < static_cast<int>(tets_.size()); ++slot) {
     if (!tets_[slot].valid() || !solid_.is_relieved(slot)) continue;

@@ -73,6 +73,7 @@ class ShockRun {
   void book_loads(Course& course, double next_factor, double drifted);
   bool a_support_stops() const;
   void move_supports();
+  void add_edges(const Body& body);
   void add_elements(const Body& body, const Mat3& turn);
   std::vector<shock::CrackSides> cracks_of_bodies() const;
   std::vector<shock::SurfaceSide> surface_of_bodies() const;
@@ -85,8 +86,11 @@ class ShockRun {
   std::vector<NodeId> front_among(const std::vector<TetId>& tets) const;
   void follow(std::span<const NodeCopy> copies, const std::vector<TetId>& star,
               const std::vector<std::array<TetId, 4>>& neighbours);
+  void follow_edges(std::span<const EdgeCopy> copies);
+  void constrain_again();
   void update_threshold(int index);
   void bring_up_to_date(std::span<const TetId> tets, const Body& body, std::vector<ElementState>& states);
+  void bring_quadratic_up_to_date(std::span<const TetId> tets, const Body& body);
   void bring_stars_up_to_date();
   void let_sliver_yield(TetId tet, const Mat3& strain);
   Mat3 elastic_strain(TetId tet, const Mat3& strain) const;
@@ -111,6 +115,8 @@ class ShockRun {
   std::vector<NodeId> nodes_;                     ///< per node of the solid
   std::vector<TetId> tets_;                       ///< per slot; invalid in unused ones
   std::vector<int> local_of_node_, slot_of_tet_;  ///< -1 outside the shock
+  std::vector<EdgeId> edges_;                     ///< per edge of the solid
+  std::vector<int> local_of_edge_;                ///< -1 outside the shock
   std::vector<long> seen_;                        ///< per slot: microstep at which its state was made
   std::vector<Overload> overloaded_;
   std::vector<TetId> stale_;

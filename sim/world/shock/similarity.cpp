@@ -45,7 +45,9 @@ constexpr double kPlanned = 0.4;
 /// `least`: for what is slow and strains little.
 double min_factor(const WorldState& world, const Body& body, double least) {
   const Material& material = world.material_of(body);
-  if (material.yield_strength) return 1;  // flow has its own pace
+  // Flow has its own pace; strains without stress are of whole elements, which scaled quadratic ones would need at
+  // corners.
+  if (material.yield_strength || !body.edges.empty()) return 1;
   const double window = shock_window(world, body);
   if (is_pulsed(world, body, {world.time - window, world.time + window})) return 1;
   const double speed = std::max(body.shock->impact_speed, inner_speed(world, body)),
@@ -88,7 +90,8 @@ void keep_momentum(WorldState& world, const Body& body, const RigidMotion& befor
 /// What the microsteps of all bodies in shock come to.
 struct Demand {
   int tets = 0;
-  int slots = 0;                 ///< of elements that are computed side by side: with places that pieces leave unused
+  double slots = 0;              ///< of elements that are computed side by side, with places that pieces leave unused;
+                                 ///< quadratic ones count as many linear ones as take as long
   double microsteps = 0;         ///< of what is left of the step
   double highest_frequency = 0;  ///< as slowed now [rad/s]
   double overhead = 1;           ///< see WorldState::shock_overhead
@@ -102,7 +105,8 @@ Demand demand_of(const WorldState& world, double left) {
   for (const Body& body : world.bodies) {
     if (!body.shock) continue;
     demand.tets += static_cast<int>(body.tets.size());
-    demand.slots += static_cast<int>((body.tets.size() + shock::kLanes - 1) / shock::kLanes * shock::kLanes);
+    const auto slots = static_cast<double>((body.tets.size() + shock::kLanes - 1) / shock::kLanes * shock::kLanes);
+    demand.slots += (body.edges.empty() ? 1 : kQuadraticWork) * slots;
     demand.highest_frequency = std::max(demand.highest_frequency, body.shock->similarity * body.shock->frequency);
   }
   demand.microsteps = left * demand.highest_frequency / kMicrostepAtFrequency;

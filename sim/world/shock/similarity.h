@@ -36,6 +36,8 @@ double element_transit_time(const WorldState& world, const Body& body);
 /// What a microstep of one tet costs, in microseconds of a usual core: counted, not timed, so that a step does the same
 /// on every machine.
 inline constexpr double kMicrostepWork = 0.03;
+/// What a microstep of a quadratic tet costs over that of a linear one [-].
+inline constexpr double kQuadraticWork = 4;
 
 /// For how long waves are followed after the last blow or crack: until they would have crossed the whole scene body
 /// some times [s].
