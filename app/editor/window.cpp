@@ -266,9 +266,17 @@ void autosave(Editor& editor, FrameSchedule& schedule, double now) {
   if (editor.state().log.size() != said) schedule.wake();
 }
 
+/// Gives the window another title: that is an event of its own, so not in every frame.
+void show_title(const Window& window, std::string& shown, std::string title) {
+  if (title == shown) return;
+  shown = std::move(title);
+  glfwSetWindowTitle(window.handle(), shown.c_str());
+}
+
 void loop(Editor& editor, ImGuiContextOwner& imgui, const Window& window, WindowInput& input,
           std::optional<ScriptPlayer> player, PreferencesFile& preferences, int exit_after) {
   FrameSchedule schedule;
+  std::string title;
   double last = glfwGetTime();
   for (int drawn = 0; !editor.wants_to_quit();) {
     const bool waits_for_reader = editor.state().caption && editor.state().caption->answer == ui::Caption::Answer::none;
@@ -293,7 +301,7 @@ void loop(Editor& editor, ImGuiContextOwner& imgui, const Window& window, Window
     if (player && player->done()) player.reset();
     schedule.drew();
     if (++drawn == exit_after) return;
-    glfwSetWindowTitle(window.handle(), editor.title().c_str());
+    show_title(window, title, editor.title());
     glfwSwapBuffers(window.handle());
   }
 }

@@ -120,6 +120,29 @@ TEST(Sentences, AreTrueOfAScaledImpact) {
   expect_true_sentences(scene, 30);
 }
 
+/// A wall that nothing strikes.
+class RestOnScreen : public EditorTest {
+ protected:
+  static Scene wall() {
+    Scene scene = small_wall();
+    scene.projectiles.clear();
+    return scene;
+  }
+  RestOnScreen() : EditorTest(wall()) {}
+};
+
+TEST_F(RestOnScreen, RoundingNoiseIsShownAsNoEnergy) {
+  for (int i = 0; i < 3; ++i) {
+    editor_.step();
+    draw();
+    EXPECT_NE(value("value/Elastic"), "0 J") << "it carries its weight";
+    EXPECT_EQ(value("value/Kinetic"), "0 J");
+    EXPECT_EQ(value("value/Gravity"), "0 J");
+    EXPECT_EQ(value("value/Material damping"), "0 J");
+    EXPECT_EQ(value("value/Unaccounted"), "0 J");
+  }
+}
+
 /// All that the window says, at any time: no sentence may contradict another.
 class SentencesOnScreen : public EditorTest {
  protected:

@@ -95,7 +95,7 @@ void times(const Panel& panel, float end) {
   show("toolbar/step_time");
   if (!panel.state.running) return;  // the window draws when something changes, and no time goes by
   const double pictures = panel.input.frames_per_second;
-  std::snprintf(text, sizeof text, "%.*f pictures/s", pictures < 10 ? 1 : 0, pictures);
+  std::snprintf(text, sizeof text, pictures < 10 ? "%.2g pictures/s" : "%.0f pictures/s", pictures);
   show("toolbar/pictures");
   if (panel.input.reached_speed <= 0) return;
   std::snprintf(text, sizeof text, "%.2g × real time", panel.input.reached_speed);
