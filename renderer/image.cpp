@@ -17,6 +17,14 @@ namespace {
 
 constexpr int kChannels = 4;
 
+void append_bytes(void* to, void* data, int size) {
+  static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+}
+
+int size_of(std::string_view bytes) { return bytes.size() > INT_MAX ? 0 : static_cast<int>(bytes.size()); }
+
+const stbi_uc* data_of(std::string_view bytes) { return reinterpret_cast<const stbi_uc*>(bytes.data()); }
+
 }  // namespace
 
 std::array<std::uint8_t, 4> Image::pixel(int x, int y) const {
@@ -27,22 +35,35 @@ std::array<std::uint8_t, 4> Image::pixel(int x, int y) const {
 
 std::string encode_png(const Image& image) {
   std::string bytes;
-  const auto append = [](void* to, void* data, int size) {
-    static_cast<std::string*>(to)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
-  };
-  if (!stbi_write_png_to_func(append, &bytes, image.width, image.height, kChannels, image.rgba.data(),
+  if (!stbi_write_png_to_func(append_bytes, &bytes, image.width, image.height, kChannels, image.rgba.data(),
                               kChannels * image.width))
     throw std::bad_alloc();  // the one thing that it fails for
   return bytes;
 }
 
+std::string encode_jpeg(const Image& image, int quality) {
+  std::string bytes;
+  if (!stbi_write_jpg_to_func(append_bytes, &bytes, image.width, image.height, kChannels, image.rgba.data(), quality))
+    throw std::bad_alloc();  // as above
+  return bytes;
+}
+
+Image decode_image(std::string_view bytes, int max_width, int max_height) {
+  int width = 0, height = 0, channels = 0;
+  if (!stbi_info_from_memory(data_of(bytes), size_of(bytes), &width, &height, &channels))
+    throw RenderError(std::string("can't read an image: ") + stbi_failure_reason());
+  if (width > max_width || height > max_height)
+    throw RenderError("can't read an image: it has more than " + std::to_string(max_width) + "x" +
+                      std::to_string(max_height) + " pixels");
+  return decode_png(bytes);
+}
+
 Image decode_png(std::string_view bytes) {
   Image image;
   int channels = 0;
-  const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
-  const int size = bytes.size() > INT_MAX ? 0 : static_cast<int>(bytes.size());
   const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
-      stbi_load_from_memory(data, size, &image.width, &image.height, &channels, kChannels), stbi_image_free);
+      stbi_load_from_memory(data_of(bytes), size_of(bytes), &image.width, &image.height, &channels, kChannels),
+      stbi_image_free);
   if (!pixels) throw RenderError(std::string("can't read an image: ") + stbi_failure_reason());
   image.rgba.assign(pixels.get(), pixels.get() + std::size_t{kChannels} * image.width * image.height);
   return image;

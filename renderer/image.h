@@ -28,6 +28,13 @@ struct IdImage {
 /// The bytes of a PNG file.
 std::string encode_png(const Image& image);
 
+/// The bytes of a JPEG file, without transparency. `quality`: 1..100.
+std::string encode_jpeg(const Image& image, int quality);
+
+/// The picture in the bytes of a PNG or JPEG file, if it is no larger than `max_width` by `max_height` [pixels]. Throws
+/// RenderError.
+Image decode_image(std::string_view bytes, int max_width, int max_height);
+
 /// The picture in the bytes of a PNG file. Throws RenderError.
 Image decode_png(std::string_view bytes);
 

@@ -34,7 +34,8 @@ class ScriptStage {
  public:
   /// `graphics`: what draws.
   ScriptStage(const ScriptOptions& options, const Scene& scene, std::string graphics)
-      : graphics_(std::move(graphics)),
+      : script_(options.script),
+        graphics_(std::move(graphics)),
         imgui_(1),
         target_(options.width, options.height),
         editor_(scene, options.scene) {
@@ -53,9 +54,21 @@ class ScriptStage {
       if (editor_.take_screenshot_request()) save_picture(free_screenshot_path(), target_.image());
     }
     if (const auto& error = editor_.state().error) throw InputError(error->where, error->problem, error->remedy);
+    require_answers();
   }
 
  private:
+  /// Throws InputError where something that the script asked for was not done but waits for an answer.
+  void require_answers() const {
+    const ui::EditorState& state = editor_.state();
+    if (state.replacement) fail(state.replacement->command, state.replacement->problem, "click replace/replace");
+    if (state.unsaved) fail(*state.unsaved, "Edits are not saved.", "click unsaved/save, or unsaved/discard");
+  }
+  [[noreturn]] void fail(const ui::Command& command, const std::string& problem, const std::string& answer) const {
+    throw InputError(script_.string(), std::string(ui::command_info(command.id).name) + " was not done: " + problem,
+                     "let the script answer the question: " + answer);
+  }
+
   void draw() {
     editor_.advance(kFrameSeconds);
     editor_.draw_picture(1);
@@ -67,6 +80,7 @@ class ScriptStage {
     imgui_.end_frame();
   }
 
+  std::filesystem::path script_;
   std::string graphics_;
   ImGuiContextOwner imgui_;
   render::Target target_;

@@ -1,8 +1,10 @@
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <memory>
 
 #include "app/cli/commands.h"
 #include "app/render/thumbnail.h"
+#include "app/shared/scene_files.h"
 #include "renderer/egl_context.h"
 #include "sim/core/replace_file.h"
 #include "sim/scene/scene_reader.h"
@@ -11,14 +13,37 @@ namespace griffith::app {
 namespace {
 
 struct ThumbnailOptions {
-  std::filesystem::path scene, output;
+  std::vector<std::filesystem::path> scenes;
+  std::filesystem::path output;
+  bool ship = false;
 };
 
-void write_thumbnail(const ThumbnailOptions& options) {
-  check_replaceable(options.output);
-  const Scene scene = read_scene(options.scene);
+void write_thumbnail(const std::filesystem::path& scene, const std::filesystem::path& output) {
+  check_replaceable(output);
+  const Scene read = read_scene(scene);
   const render::EglContext context;
-  replace_file(options.output, render::encode_png(thumbnail(scene, options.scene)));
+  replace_file(output, render::encode_png(thumbnail(read, scene)));
+}
+
+/// Draws the thumbnail that comes with a scene where it is missing, or older than the scene.
+void ship_thumbnail_of(const std::filesystem::path& scene) {
+  if (shipped_thumbnail(scene)) return;
+  ship_thumbnail(scene, thumbnail(read_scene(scene), scene));
+  std::printf("%s\n", shipped_thumbnail_file(scene).c_str());
+}
+
+/// Of scenes, and of all in folders, where what belongs to none is told.
+void ship_thumbnails(const std::vector<std::filesystem::path>& paths) {
+  const render::EglContext context;
+  for (const std::filesystem::path& path : paths) {
+    if (!std::filesystem::is_directory(path)) {
+      ship_thumbnail_of(path);
+      continue;
+    }
+    for (const std::filesystem::path& scene : scenes_in(path)) ship_thumbnail_of(scene);
+    for (const std::filesystem::path& stale : stale_thumbnails(path))
+      std::printf("%s belongs to no scene as it is now\n", stale.c_str());
+  }
 }
 
 }  // namespace
@@ -26,14 +51,29 @@ void write_thumbnail(const ThumbnailOptions& options) {
 Command add_thumbnail(CLI::App& program) {
   CLI::App* command = program.add_subcommand("thumbnail", "Draw a small picture of what happens in a scene");
   const auto options = std::make_shared<ThumbnailOptions>();
-  command->add_option("SCENE", options->scene, "Scene file")->required()->type_name("FILE");
-  command->add_option("-o,--output", options->output, "PNG file to write")->required()->type_name("FILE");
+  command->add_option("SCENE", options->scenes, "Scene file, or with --ship a folder of them")
+      ->required()
+      ->type_name("FILE");
+  CLI::Option* output =
+      command->add_option("-o,--output", options->output, "PNG file to write, of one scene")->type_name("FILE");
+  command
+      ->add_flag("--ship", options->ship,
+                 "Write what comes with the scenes: into the folder thumbnails beside each, where there is none of it "
+                 "as it is now")
+      ->excludes(output);
   add_threads(*command);
   command->footer(
       "Example:\n  griffith thumbnail scenes/glass_pane.json -o pane.png\n\n"
-      "Shows the scene some time steps after its first crack, in 480x270 pixels.");
+      "Shows the scene some time steps after its first crack, in 480x270 pixels. The browser of scenes shows at once\n"
+      "what\n  griffith thumbnail --ship scenes scenes/validation\nhas written, and draws the others.");
   return {command, [options] {
-            write_thumbnail(*options);
+            if (options->ship) {
+              ship_thumbnails(options->scenes);
+            } else if (options->scenes.size() == 1 && !options->output.empty()) {
+              write_thumbnail(options->scenes.front(), options->output);
+            } else {
+              throw CLI::ValidationError("-o", "takes one scene and a file; --ship takes several scenes");
+            }
             return kDone;
           }};
 }

@@ -1,6 +1,9 @@
 #include "app/editor/breakpoints.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "ui/model/units.h"
 
@@ -8,6 +11,7 @@ namespace griffith::app {
 namespace {
 
 using ui::Breakpoints;
+using ui::Stop;
 
 std::string node_text(NodeId node) { return "Node " + std::to_string(node.index()); }
 
@@ -26,16 +30,28 @@ bool concerns(const CrackEvent& event, const Breakpoints& breakpoints, const Fra
   return false;
 }
 
+bool is_known(NodeId node, const Frame& frame) {
+  return static_cast<std::size_t>(node.index()) < frame.nodes.positions.size();
+}
+
 std::optional<Stop> next_crack(const Breakpoints& breakpoints, const Frame& before, const Frame& after, int scene_body,
                                const ui::Selection& selection) {
   for (std::size_t i = before.crack_events.size(); i < after.crack_events.size(); ++i)
     if (concerns(after.crack_events[i], breakpoints, after, scene_body, selection)) {
       // A node that an earlier crack of this step made is not there before it.
       const NodeId node = after.crack_events[i].node;
-      const bool known = static_cast<std::size_t>(node.index()) < before.nodes.positions.size();
-      return Stop{node_text(node) + " cracks in the next step.", known ? node : NodeId()};
+      return Stop{node_text(node) + " cracks in the next step.", is_known(node, before) ? node : NodeId(), {}};
     }
   return {};
+}
+
+/// The first crack of the step at each node that is there before it.
+std::vector<ui::ComingCrack> coming_cracks(const Frame& before, const Frame& after) {
+  std::vector<ui::ComingCrack> cracks;
+  for (const CrackEvent& event : after.crack_events.subspan(before.crack_events.size()))
+    if (is_known(event.node, before) && std::ranges::find(cracks, event.node, &ui::ComingCrack::node) == cracks.end())
+      cracks.push_back({event.node, event.time, event.load, event.resistance});
+  return cracks;
 }
 
 std::optional<Stop> passed_limit(const Breakpoints& breakpoints, const Frame& before, const Frame& after) {
@@ -43,26 +59,30 @@ std::optional<Stop> passed_limit(const Breakpoints& breakpoints, const Frame& be
       before.report.peak_utilization <= breakpoints.utilization)
     return Stop{"The utilization of a node reaches " + ui::format_quantity(after.report.peak_utilization, "", 3) +
                     " in the next step.",
+                {},
                 {}};
   if (breakpoints.on_pieces && after.fragments >= breakpoints.pieces && before.fragments < breakpoints.pieces)
-    return Stop{"There are " + std::to_string(after.fragments) + " pieces after the next step.", {}};
+    return Stop{"There are " + std::to_string(after.fragments) + " pieces after the next step.", {}, {}};
   const double turned_over = after.energy_of_step.turned_over();
   const double unaccounted = std::abs(after.energy_of_step.unaccounted());
   if (breakpoints.on_energy && unaccounted > breakpoints.energy * turned_over && unaccounted > 0)
     return Stop{"The next step leaves " + ui::format_quantity(100 * unaccounted / turned_over, "", 3) +
                     " % of the energy that it turns over unaccounted for.",
+                {},
                 {}};
   if (breakpoints.on_failure && (after.report.unconverged_solves > 0 || after.report.non_finite_values > 0))
-    return Stop{"In the next step a solve does not converge, or values break down.", {}};
+    return Stop{"In the next step a solve does not converge, or values break down.", {}, {}};
   return {};
 }
 
 }  // namespace
 
-std::optional<Stop> met_breakpoint(const ui::Breakpoints& breakpoints, const Frame& before, const Frame& after,
-                                   int scene_body, const ui::Selection& selection) {
-  if (auto stop = next_crack(breakpoints, before, after, scene_body, selection)) return stop;
-  return passed_limit(breakpoints, before, after);
+std::optional<ui::Stop> met_breakpoint(const ui::Breakpoints& breakpoints, const Frame& before, const Frame& after,
+                                       int scene_body, const ui::Selection& selection) {
+  std::optional<Stop> stop = next_crack(breakpoints, before, after, scene_body, selection);
+  if (!stop) stop = passed_limit(breakpoints, before, after);
+  if (stop) stop->cracks = coming_cracks(before, after);
+  return stop;
 }
 
 }  // namespace griffith::app

@@ -86,11 +86,11 @@ void Editor::restart() {
   seen_revision_ = -1;
   history_of_utilizations_.clear();
   run_history_.restart(world().frame());
-  forget_stop();
+  leave_state();
   remember();
   compared_.reset();
   state_.comparison.branch.reset();
-  pacer_.reset();
+  reset_pace();
   step_seconds_ = 0;
   ++world_count_;
   range_.restart();
@@ -208,8 +208,8 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
   input.time_step = history_.scene().simulation.time_step;
   input.step_milliseconds = 1000 * step_seconds_;
   input.step_in_progress = background_.age();
-  input.frames_per_second = picture_seconds_ > 0 ? 1 / picture_seconds_ : 0;
-  input.reached_speed = pacer_.reached_speed();
+  input.frames_per_second = pictures_drawn_.rate();
+  input.reached_speed = time_made_.rate();
   input.falling_behind = pacer_.falling_behind();
   for (const ui::Command& command : ui::draw_editor(input, state_, history_, tags_)) execute(command);
   note_for_macro();
@@ -260,9 +260,12 @@ float Editor::aspect() const {
 
 render::Camera Editor::picture_camera() const { return render::widen(camera_, aspect()); }
 
-void Editor::log(ui::LogLevel level, std::string text) {
-  if (state_.log.size() >= kMaxLogLines) state_.log.erase(state_.log.begin());
-  state_.log.push_back({level, std::move(text)});
+void Editor::log(ui::LogLevel level, std::string text, ui::LogSpan span) {
+  if (state_.log.size() >= kMaxLogLines) {
+    state_.log.erase(state_.log.begin());
+    for (std::size_t* older : {&state_.log_seen, &state_.log_passed}) *older -= *older > 0;
+  }
+  state_.log.push_back({level, std::move(text), span});
 }
 
 std::string Editor::title() const {

@@ -13,6 +13,7 @@
 #include "app/editor/compared_branch.h"
 #include "app/editor/holding_search.h"
 #include "app/editor/macro_recorder.h"
+#include "app/editor/rate_meter.h"
 #include "app/editor/recent_files.h"
 #include "app/editor/run_export.h"
 #include "app/editor/run_history.h"
@@ -63,6 +64,9 @@ class Editor {
   /// From now on advance() lets a step that takes long go on in the background while the window draws. Which pictures
   /// there are depends on that, no step does.
   void step_in_background() { waits_for_steps_ = false; }
+  /// In how many seconds there is something to be drawn that nothing from outside has brought about; infinite where
+  /// all rests. Needs the context of ImGui.
+  double seconds_to_next_frame() const;
   /// Makes one time step.
   void step();
 
@@ -96,10 +100,11 @@ class Editor {
   void use_view(const std::string& names);
   /// Chooses a node to be explained; nothing happens where there is none of that number.
   void select_node(NodeId node);
-  void log(ui::LogLevel level, std::string text);
+  void log(ui::LogLevel level, std::string text, ui::LogSpan span = ui::LogSpan::lasting);
 
   const Scene& scene() const { return history_.scene(); }
   ui::EditorState& state() { return state_; }
+  const ui::EditorState& state() const { return state_; }
   const ui::WidgetTags& tags() const { return tags_; }
   Frame frame() const { return world().frame(); }
   const Timeline& timeline() const { return timeline_; }
@@ -148,6 +153,8 @@ class Editor {
   /// Whether the world could take it; else the edit is taken back.
   bool follow_material(int scene_body);
   void carry_out(const ui::Command& command);
+  /// Says why a command is not carried out.
+  void refuse(ui::CommandId id, std::string_view reason);
   void toggle_run();
   /// Runs until so many steps are made.
   void make_steps(std::int64_t count);
@@ -247,6 +254,8 @@ class Editor {
   void toggle_slice();
   const World& world() const { return timeline_.world(); }
   void carry_out_in_time(const ui::Command& command);
+  /// Goes to a step that somebody named. Throws InputError where there is none.
+  void go_to_recorded(int branch, std::int64_t step);
   /// Goes to a recorded step. The scene's materials become those that were in force.
   void go_to(int branch, std::int64_t step);
   /// Whether the step that was just made from `before` is one to stop before; then it is taken back.
@@ -257,7 +266,10 @@ class Editor {
   void arrive();
   /// Makes the materials that are in force those of the scene, without an entry in its history.
   void adopt_materials();
-  void forget_stop();
+  /// "step 31", with its branch where there are several.
+  std::string moment_text() const;
+  /// What was said of the state that was shown is over.
+  void leave_state();
   /// Begins to look for the strength, speed and thickness with which the node stands that is about to crack.
   void explain_holding();
   void go_on_with_holding();
@@ -271,6 +283,10 @@ class Editor {
   /// What a step in the background would begin with now.
   BackgroundStep::Start step_start() const { return {world_count_, timeline_.revision()}; }
   bool watches() const { return state_.breakpoints.any() && !passes_stop_; }
+  /// Makes steps for `elapsed` [s] of real time.
+  void make_due_steps(double elapsed);
+  /// Measures speeds anew: after a pause or in another scene.
+  void reset_pace();
   /// `is_last`: before the next picture, which is made with it.
   void begin_background_step(bool is_last);
   /// Ends the step in the background; whether it is made by then. It is forgotten if something else was done meanwhile.
@@ -353,13 +369,14 @@ class Editor {
   StepPacer pacer_;
   BackgroundStep background_;
   bool waits_for_steps_ = true;
-  NodeId stopped_at_;  ///< about to crack; invalid: none
   /// Steps of the past that are being made again, from the first to the last.
   std::optional<ui::StepSpan> travel_;
-  std::int64_t arrivals_ = 0;                      ///< how often another time was gone to
-  bool passes_stop_ = false;                       ///< the next step is made although a breakpoint is met in it
-  double step_seconds_ = 0, picture_seconds_ = 0;  ///< smoothed
-  bool laid_out_ = false;                          ///< the size of the picture is known
+  std::int64_t arrivals_ = 0;             ///< how often another time was gone to
+  bool passes_stop_ = false;              ///< the next step is made although a breakpoint is met in it
+  double step_seconds_ = 0;               ///< smoothed
+  RateMeter pictures_drawn_, time_made_;  ///< a second of real time; simulated time [s]
+  double made_since_advance_ = 0;         ///< simulated, since advance() was called last [s]
+  bool laid_out_ = false;                 ///< the size of the picture is known
   bool wants_to_quit_ = false, screenshot_wanted_ = false;
   std::optional<Script> wanted_script_;
   std::filesystem::path macro_folder_;

@@ -15,6 +15,7 @@ namespace griffith::app {
 using ui::CommandId;
 
 void Editor::execute(const ui::Command& command) {
+  if (const std::string_view reason = why_not(command.id); !reason.empty()) return refuse(command.id, reason);
   const bool leaves =
       command.id == CommandId::new_scene || command.id == CommandId::open || command.id == CommandId::quit;
   if (leaves && history_.modified() && !command.discard_edits) {
@@ -30,16 +31,23 @@ void Editor::execute(const ui::Command& command) {
   }
 }
 
+void Editor::refuse(CommandId id, std::string_view reason) {
+  const std::string text = std::string(ui::command_info(id).label) + ": " + std::string(reason);
+  const bool said = !state_.log.empty() && state_.log.back().text == text;
+  if (said) state_.log_seen = std::min(state_.log_seen, state_.log.size() - 1);
+  if (!said) log(ui::LogLevel::warning, text, ui::LogSpan::action);
+}
+
 void Editor::toggle_run() {
   state_.running = !state_.running;
   state_.steps_left = 0;
-  pacer_.reset();
+  reset_pace();
 }
 
 void Editor::make_steps(std::int64_t count) {
   state_.running = count > 0;
   state_.steps_left = count;
-  pacer_.reset();
+  reset_pace();
 }
 
 void Editor::pause_and_step() {
@@ -151,10 +159,10 @@ ui::Aim Editor::aim() const {
 void Editor::fire(const Vec2& cursor) {
   ProjectileBurst shot = aimed_at(cursor).shot;
   timeline_.fire(shot);
-  forget_stop();
+  leave_state();
   shot.start = world().frame().time;
   state_.last_shot = shot;
-  if (!state_.running) log(ui::LogLevel::info, "Fired. It flies when the simulation runs: Space.");
+  if (!state_.running) log(ui::LogLevel::info, "Fired. It flies when the simulation runs: Space.", ui::LogSpan::action);
 }
 
 void Editor::select(const ui::Selection& selection) {
@@ -172,7 +180,7 @@ void Editor::select_node(NodeId node) {
 void Editor::select_most_loaded() {
   const NodeId node = most_loaded_node(world().frame());
   if (node.valid()) return select_node(node);
-  log(ui::LogLevel::warning, std::string("There is no most loaded node: ") + ui::kNothingStrained);
+  log(ui::LogLevel::warning, std::string("There is no most loaded node: ") + ui::kNothingStrained, ui::LogSpan::state);
 }
 
 void Editor::pick(const Vec2& cursor) {

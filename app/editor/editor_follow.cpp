@@ -88,7 +88,7 @@ bool Editor::follow_material(int scene_body) {
   try {
     timeline_.set_material(scene_body, history_.scene().bodies[scene_body].material);
     range_.restart();
-    forget_stop();
+    leave_state();
     return true;
   } catch (const InputError& error) {
     show_error(in_file(path_, error));

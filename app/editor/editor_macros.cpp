@@ -42,7 +42,7 @@ void Editor::toggle_macro_recording() {
   state_.recording_macro = !state_.recording_macro;
   if (state_.recording_macro) {
     recorder_.emplace(macro_moment());
-    return log(ui::LogLevel::info, "What you do now is recorded as a macro, until you stop it.");
+    return log(ui::LogLevel::info, "What you do now is recorded as a macro, until you stop it.", ui::LogSpan::action);
   }
   recorded_macro_ = recorder_->text(macro_moment());
   std::error_code error;  // where the folder cannot be made, saving tells

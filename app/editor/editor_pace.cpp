@@ -1,13 +1,20 @@
+#include <imgui.h>
+
 #include <algorithm>
 #include <utility>
 
 #include "app/editor/editor.h"
+#include "app/editor/frame_schedule.h"
 
 namespace griffith::app {
 namespace {
 
-/// Weight of the newest frame or step in a mean.
+/// Weight of the newest step in a mean.
 constexpr double kNewest = 0.1;
+
+// How long a window that nothing moves in waits before it draws work that goes on, pictures that come and the text
+// cursor [s].
+constexpr double kWorkPause = 1.0 / 30, kPicturePause = 0.1, kCursorPause = 0.2;
 
 /// What steps may take of the time of a frame before the rest goes on in the background.
 std::chrono::duration<double> time_for_steps(double elapsed) {
@@ -18,9 +25,27 @@ std::chrono::duration<double> time_for_steps(double elapsed) {
 }  // namespace
 
 void Editor::advance(double elapsed) {
-  if (elapsed > 0) picture_seconds_ += kNewest * (elapsed - picture_seconds_);
+  pictures_drawn_.add(elapsed, 1);
+  time_made_.add(elapsed, std::exchange(made_since_advance_, 0));  // what the last call made is there at its end
   if (!state_.running) state_.steps_left = 0;
-  if (!state_.running) return;
+  if (state_.running) make_due_steps(elapsed);
+}
+
+void Editor::reset_pace() {
+  pacer_.reset();
+  pictures_drawn_.reset();
+  time_made_.reset();
+  made_since_advance_ = 0;
+}
+
+double Editor::seconds_to_next_frame() const {
+  if (state_.running || travel_ || export_ || !state_.waiting.empty()) return kDrawAtOnce;
+  if (!state_.work.empty()) return kWorkPause;
+  if (gallery_ && !gallery_->done()) return kPicturePause;
+  return ImGui::GetIO().WantTextInput ? kCursorPause : kDrawNever;
+}
+
+void Editor::make_due_steps(double elapsed) {
   using Clock = BackgroundStep::Clock;
   const double time_step = history_.scene().simulation.time_step;
   const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(time_for_steps(elapsed));
@@ -71,8 +96,9 @@ void Editor::take_step(BackgroundStep::Made made) {
 
 void Editor::follow_step(std::optional<World> before, std::optional<StepPicture> picture) {
   if (before && stop_before_step(std::move(*before))) return;
+  made_since_advance_ += history_.scene().simulation.time_step;
   if (state_.steps_left > 0 && --state_.steps_left == 0) state_.running = false;
-  forget_stop();
+  leave_state();
   adopt_materials();
   remember();
   const Frame frame = world().frame();

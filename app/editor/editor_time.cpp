@@ -21,10 +21,27 @@ void Editor::carry_out_in_time(const ui::Command& command) {
     case CommandId::go_to_end:
       return go_to(timeline_.branch(), timeline_.last_step());
     case CommandId::go_to_branch:
-      return go_to(command.branch, command.step);
+      return go_to_recorded(command.branch, command.step);
     default:
-      return go_to(timeline_.branch(), command.step);
+      return go_to_recorded(timeline_.branch(), command.step);
   }
+}
+
+void Editor::go_to_recorded(int branch, std::int64_t step) {
+  const std::span<const Branch> branches = timeline_.branches();
+  const auto refuse = [](const std::string& what, const std::string& range) {
+    throw InputError(what, "was not recorded", "there is " + range);
+  };
+  const auto numbers = [](std::int64_t first, std::int64_t last) {
+    return std::to_string(first) + " to " + std::to_string(last);
+  };
+  if (branch < 0 || branch >= static_cast<int>(branches.size()))
+    refuse("branch " + std::to_string(branch), "branch " + numbers(0, static_cast<std::int64_t>(branches.size()) - 1));
+  const std::int64_t last = branches[branch].last_step;
+  if (step < timeline_.first_step() || step > last)
+    refuse("step " + std::to_string(step) + " of branch " + std::to_string(branch),
+           "step " + numbers(timeline_.first_step(), last));
+  go_to(branch, step);
 }
 
 void Editor::go_to(int branch, std::int64_t step) {
@@ -61,10 +78,10 @@ std::string Editor::travel_stage() const {
 /// At a time that is not the one after the last.
 void Editor::arrive() {
   ++arrivals_;
-  forget_stop();
+  leave_state();
   adopt_materials();
   history_of_utilizations_.forget_from(frame().time);
-  pacer_.reset();
+  reset_pace();
   range_.restart();
   remember();
 }
@@ -82,31 +99,34 @@ void Editor::adopt_materials() {
 }
 
 bool Editor::stop_before_step(World before) {
-  const std::optional<Stop> stop =
+  std::optional<ui::Stop> stop =
       met_breakpoint(state_.breakpoints, before.frame(), frame(), state_.selected_body, state_.selection);
   if (!stop) return false;
   timeline_.take_back(std::move(before));
   arrive();
   state_.running = false;
-  state_.stopped = stop->reason;
   passes_stop_ = true;
-  stopped_at_ = stop->node;
-  state_.can_explain = stop->node.valid();
   if (stop->node.valid()) select_node(stop->node);
-  log(ui::LogLevel::warning, stop->reason);
+  log(ui::LogLevel::warning, "Stopped at " + moment_text() + ". " + stop->reason, ui::LogSpan::state);
+  state_.stop = std::move(stop);
   return true;
 }
 
-void Editor::forget_stop() {
-  state_.stopped.clear();
-  state_.can_explain = passes_stop_ = false;
-  stopped_at_ = {};
+std::string Editor::moment_text() const {
+  const std::string step = "step " + std::to_string(timeline_.step());
+  return timeline_.branches().size() > 1 ? step + " of branch " + std::to_string(timeline_.branch()) : step;
+}
+
+void Editor::leave_state() {
+  state_.stop.reset();
+  state_.log_passed = state_.log.size();
+  passes_stop_ = false;
 }
 
 void Editor::explain_holding() {
-  if (!stopped_at_.valid()) return;
+  if (!state_.stop || !state_.stop->node.valid()) return;
   state_.running = false;
-  holding_ = std::make_unique<HoldingSearch>(timeline_, stopped_at_);
+  holding_ = std::make_unique<HoldingSearch>(timeline_, state_.stop->node);
   state_.work = holding_->stage();
 }
 

@@ -44,10 +44,10 @@ SceneGallery::SceneGallery(const std::vector<fs::path>& files, const ThumbnailSo
 }
 
 void SceneGallery::follow() {
-  const std::optional<ThumbnailMaker::Made> made = maker_.take();
-  if (!made) return;
-  thumbnails_.emplace_back(made->picture);
-  cards_[made->scene].thumbnail = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(thumbnails_.back().id()));
+  while (const std::optional<ThumbnailMaker::Made> made = maker_.take()) {
+    thumbnails_.emplace_back(made->picture);
+    cards_[made->scene].thumbnail = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(thumbnails_.back().id()));
+  }
 }
 
 }  // namespace griffith::app

@@ -19,8 +19,10 @@ class SceneGallery {
  public:
   SceneGallery(const std::vector<std::filesystem::path>& files, const ThumbnailSource& source);
 
-  /// To be called before each frame: takes over a thumbnail that has come.
+  /// To be called before each frame: takes over the thumbnails that have come.
   void follow();
+  /// Whether no more will come.
+  bool done() const { return maker_.done(); }
   std::span<const ui::SceneCard> cards() const { return cards_; }
 
  private:

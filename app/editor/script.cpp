@@ -113,7 +113,11 @@ void read_command(Words& words, ScriptLine& line) {
     words.fail("names no command: \"" + name + "\"", "the palette (Ctrl+P) and docs/scripts.md have their names");
   line.command.id = info->id;
   const bool needed = info->menu == ui::Menu::none;  // what menus show asks for what it lacks
-  if (needed || !words.empty()) read_argument(words, info->argument, line.command);
+  if (!needed && words.empty()) return;
+  if (info->argument == ui::CommandArgument::none && !words.empty())
+    words.fail("has \"" + words.take("") + "\" behind " + name + ", which takes no argument", "leave it out");
+  line.command.id = info->with_path.value_or(info->id);
+  read_argument(words, info->argument, line.command);
 }
 
 /// Pairs of a pointer, with `before` in front of it, and a value.
@@ -266,7 +270,8 @@ std::string script_line(const ui::Command& command) {
     case ui::CommandArgument::none:
       break;
     case ui::CommandArgument::path:
-      if (!command.path.empty()) line << " " << script_word(command.path.string());
+      // Given the file for which a dialog would ask, a command would need none.
+      if (!command.path.empty() && !info.with_path) line << " " << script_word(command.path.string());
       break;
     case ui::CommandArgument::step:
       line << " " << command.step;

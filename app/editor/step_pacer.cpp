@@ -21,20 +21,16 @@ int StepPacer::steps_due(double elapsed, double speed, double time_step, double 
   const int steps = static_cast<int>(std::min(due, static_cast<double>(maximum)));
   const bool dropped = due > steps;
   debt_ = dropped ? 0 : std::max(debt_ - steps * time_step, 0.0);
-  follow(elapsed, steps * time_step, dropped);
+  follow(dropped);
   return steps;
 }
 
 void StepPacer::wait(double elapsed, double speed, double time_step) {
   const double due = debt_ + std::max(elapsed, 0.0) * speed;
   debt_ = std::min(due, time_step);
-  follow(elapsed, 0, due > time_step);
+  follow(due > time_step);
 }
 
-/// `made`: simulated seconds in that time.
-void StepPacer::follow(double elapsed, double made, bool dropped) {
-  shortage_ += kSmoothing * ((dropped ? 1.0 : 0.0) - shortage_);
-  if (elapsed > 0) reached_speed_ += kSmoothing * (made / elapsed - reached_speed_);
-}
+void StepPacer::follow(bool dropped) { shortage_ += kSmoothing * ((dropped ? 1.0 : 0.0) - shortage_); }
 
 }  // namespace griffith::app

@@ -13,8 +13,6 @@ class StepPacer {
   /// After `elapsed` [s] of real time in which a step was on its way and no other could be made.
   void wait(double elapsed, double speed, double time_step);
 
-  /// Simulated seconds per second, smoothed.
-  double reached_speed() const { return reached_speed_; }
   /// Whether steps had to be dropped lately.
   bool falling_behind() const { return shortage_ > 0.1; }
 
@@ -22,10 +20,10 @@ class StepPacer {
   void reset() { *this = {}; }
 
  private:
-  void follow(double elapsed, double made, bool dropped);
+  void follow(bool dropped);
 
   double debt_ = 0;  ///< simulated seconds that are due
-  double reached_speed_ = 0, shortage_ = 0;
+  double shortage_ = 0;
 };
 
 }  // namespace griffith::app

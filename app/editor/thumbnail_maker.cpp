@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "app/shared/hash_text.h"
+#include "app/shared/shipped_thumbnails.h"
 #include "renderer/error.h"
 #include "sim/core/error.h"
 #include "sim/core/hash_bytes.h"
@@ -25,10 +26,19 @@ constexpr char kThumbnailFormat[] = "griffith thumbnail 2 " GRIFFITH_VERSION "\n
 /// Memory is all but unlimited: drivers reserve far more addresses than they use.
 constexpr ProcessLimits kThumbnailLimits = {.seconds = 120, .memory_bytes = std::int64_t{1} << 40};
 
+/// What lies in a file; nothing where there is none or no picture.
 std::optional<render::Image> kept_thumbnail(const fs::path& entry) try {
   return render::load_png(entry);
 } catch (const render::RenderError&) {
   return std::nullopt;
+}
+
+/// What comes with the scene, or was drawn before.
+std::optional<render::Image> there_already(const fs::path& scene, const fs::path& folder) try {
+  if (std::optional<render::Image> picture = shipped_thumbnail(scene)) return picture;
+  return folder.empty() ? std::nullopt : kept_thumbnail(thumbnail_entry(folder, scene));
+} catch (const InputError&) {
+  return std::nullopt;  // it cannot be read
 }
 
 void draw_thumbnail(const fs::path& program, const fs::path& scene, const fs::path& entry,
@@ -63,26 +73,27 @@ fs::path thumbnail_entry(const fs::path& folder, const fs::path& scene) {
 
 void ThumbnailMaker::make_all(const std::vector<fs::path>& scenes, const ThumbnailSource& source, Shared& shared) {
   const auto cancelled = [&] { return shared.cancelled.load(); };
-  for (const bool draws : {false, true}) {
-    for (std::size_t i = 0; i < scenes.size() && !cancelled(); ++i) {
-      try {
-        const fs::path entry = thumbnail_entry(source.folder, scenes[i]);
-        std::optional<render::Image> picture = kept_thumbnail(entry);
-        if (picture.has_value() == draws) continue;  // added before, or not yet drawn
-        if (draws) draw_thumbnail(source.program, scenes[i], entry, cancelled);
-        if (draws) picture = kept_thumbnail(entry);
-        if (picture) shared.add(i, std::move(*picture));
-      } catch (const std::runtime_error&) {
-        // Its card tells why it cannot be read; a picture that cannot be drawn is left out.
-      }
+  std::vector<std::size_t> missing;
+  for (std::size_t i = 0; i < scenes.size() && !cancelled(); ++i) {
+    std::optional<render::Image> picture = there_already(scenes[i], source.folder);
+    if (!picture) missing.push_back(i);
+    if (picture) shared.add(i, std::move(*picture));
+  }
+  if (source.program.empty() || source.folder.empty()) return;
+  for (const std::size_t i : missing) {
+    if (cancelled()) return;
+    try {
+      const fs::path entry = thumbnail_entry(source.folder, scenes[i]);
+      draw_thumbnail(source.program, scenes[i], entry, cancelled);
+      if (std::optional<render::Image> picture = kept_thumbnail(entry)) shared.add(i, std::move(*picture));
+    } catch (const std::runtime_error&) {
+      // Its card tells why it cannot be read; a picture that cannot be drawn is left out.
     }
-    if (source.program.empty()) return;
   }
 }
 
 ThumbnailMaker::ThumbnailMaker(std::vector<fs::path> scenes, ThumbnailSource source)
     : shared_(std::make_shared<Shared>()) {
-  if (source.folder.empty()) return;
   work_ = std::async(std::launch::async, [scenes = std::move(scenes), source = std::move(source), shared = shared_] {
     make_all(scenes, source, *shared);
   });

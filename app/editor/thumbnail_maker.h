@@ -14,7 +14,7 @@ namespace griffith::app {
 /// How thumbnails come about.
 struct ThumbnailSource {
   std::filesystem::path program;  ///< Griffith's, whose command `thumbnail` draws them; empty: none are drawn
-  std::filesystem::path folder;   ///< where they are kept; may be deleted at any time
+  std::filesystem::path folder;   ///< where they are kept; may be deleted at any time; empty: they are not kept
 };
 
 /// The user's folder for thumbnails, in the cache of the meshes; empty where there is none.
@@ -24,8 +24,8 @@ std::filesystem::path thumbnail_cache();
 /// Throws InputError where the scene cannot be read.
 std::filesystem::path thumbnail_entry(const std::filesystem::path& folder, const std::filesystem::path& scene);
 
-/// Finds the thumbnails of scenes on a thread of its own: first those that are kept, then it has missing ones drawn,
-/// one after another, by processes that end with it.
+/// Finds the thumbnails of scenes on a thread of its own: first those that come with them or are kept, then it has
+/// missing ones drawn, one after another, by processes that end with it.
 class ThumbnailMaker {
  public:
   struct Made {

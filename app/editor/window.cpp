@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "app/editor/editor.h"
+#include "app/editor/frame_schedule.h"
 #include "app/editor/imgui_context_owner.h"
 #include "app/editor/preferences_file.h"
 #include "app/editor/script_player.h"
@@ -36,7 +37,7 @@ static_assert(ui::key::kLeftShift == GLFW_KEY_LEFT_SHIFT && ui::key::kRightSuper
 
 constexpr int kWidth = 1500, kHeight = 940;
 constexpr int kMinWidth = 1024, kMinHeight = 600;  // design pixels; smaller, panels would cover each other
-constexpr double kLongestFrame = 0.25;             // seconds; what is longer was an interruption
+constexpr double kLongestWait = 1;                 // seconds; in between edits may be due to be copied
 
 /// GLFW and its one window, with its OpenGL context current.
 class Window {
@@ -238,18 +239,57 @@ void begin_first_run(Editor& editor) {
   editor.log(ui::LogLevel::info, "Right-click the wall to fire at it. Help > Tour shows more.");
 }
 
+/// Waits until there is something to draw, a while at most. True where there is.
+bool wait_for_frame(FrameSchedule& schedule, double wanted) {
+  constexpr double kInexact = 0.005;  // the wait may end so much early by itself [s]
+  const double seconds = schedule.seconds_to_wait(wanted), until = glfwGetTime() + std::min(seconds, kLongestWait);
+  if (seconds <= kDrawAtOnce) {
+    glfwPollEvents();
+    return true;
+  }
+  glfwWaitEventsTimeout(std::min(seconds, kLongestWait));
+  const bool woken = glfwGetTime() < until - kInexact;
+  if (woken) schedule.wake();
+  return woken || seconds <= kLongestWait;
+}
+
+/// In how many seconds the window has something to draw by itself.
+double seconds_to_next_frame(const Editor& editor, WindowInput& input, bool plays) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool held = ImGui::IsAnyMouseDown() || std::ranges::find(io.KeysDown, true) != std::end(io.KeysDown);
+  return held || plays || !input.queue().empty() ? kDrawAtOnce : editor.seconds_to_next_frame();
+}
+
+void autosave(Editor& editor, FrameSchedule& schedule, double now) {
+  const std::size_t said = editor.state().log.size();
+  editor.autosave(now);
+  if (editor.state().log.size() != said) schedule.wake();
+}
+
+/// Gives the window another title: that is an event of its own, so not in every frame.
+void show_title(const Window& window, std::string& shown, std::string title) {
+  if (title == shown) return;
+  shown = std::move(title);
+  glfwSetWindowTitle(window.handle(), shown.c_str());
+}
+
 void loop(Editor& editor, ImGuiContextOwner& imgui, const Window& window, WindowInput& input,
           std::optional<ScriptPlayer> player, PreferencesFile& preferences, int exit_after) {
+  FrameSchedule schedule;
+  std::string title;
   double last = glfwGetTime();
-  for (int drawn = 1; !editor.wants_to_quit(); ++drawn) {
-    glfwPollEvents();
+  for (int drawn = 0; !editor.wants_to_quit();) {
+    const bool waits_for_reader = editor.state().caption && editor.state().caption->answer == ui::Caption::Answer::none;
+    const bool plays = exit_after > 0 || (player && !waits_for_reader);
+    const bool draws = wait_for_frame(schedule, seconds_to_next_frame(editor, input, plays));
     if (glfwWindowShouldClose(window.handle())) {
       glfwSetWindowShouldClose(window.handle(), GLFW_FALSE);
       editor.execute({.id = ui::CommandId::quit});
     }
     const double now = glfwGetTime();
-    editor.advance(std::min(now - last, kLongestFrame));
-    editor.autosave(now);
+    autosave(editor, schedule, now);
+    if (!draws) continue;
+    editor.advance(now - last);
     last = now;
     play_script(player, editor, input);
     follow_preferences(preferences, editor, imgui, window);
@@ -259,8 +299,9 @@ void loop(Editor& editor, ImGuiContextOwner& imgui, const Window& window, Window
     if (editor.take_screenshot_request()) save_window(free_screenshot_path(), editor, window);
     if (const auto file = player ? player->take_picture_request() : std::nullopt) save_window(*file, editor, window);
     if (player && player->done()) player.reset();
-    if (drawn == exit_after) return;
-    glfwSetWindowTitle(window.handle(), editor.title().c_str());
+    schedule.drew();
+    if (++drawn == exit_after) return;
+    show_title(window, title, editor.title());
     glfwSwapBuffers(window.handle());
   }
 }

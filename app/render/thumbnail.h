@@ -2,13 +2,11 @@
 
 #include <filesystem>
 
+#include "app/shared/shipped_thumbnails.h"
 #include "renderer/image.h"
 #include "sim/scene/scene.h"
 
 namespace griffith::app {
-
-/// Size of thumbnails [pixels].
-inline constexpr int kThumbnailWidth = 480, kThumbnailHeight = 270;
 
 /// A small picture of what happens in a scene, through its first camera, in natural colours or, of a static scene, its
 /// view: some steps after the first crack,

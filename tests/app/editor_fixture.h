@@ -19,7 +19,8 @@ namespace griffith::app {
 /// The editor with graphics but without a window, driven through its widgets.
 class EditorTest : public ::testing::Test {
  protected:
-  explicit EditorTest(const Scene& scene = small_wall()) : imgui_(1), target_(1200, 1060), editor_(scene, "") {
+  explicit EditorTest(const Scene& scene = small_wall(), int width = 1200)
+      : imgui_(1), target_(width, 1060), editor_(scene, "") {
     draw(3);
   }
 

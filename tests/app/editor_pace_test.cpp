@@ -120,7 +120,7 @@ TEST_F(PaceTest, AnotherSceneMeanwhileIsNotGivenTheStepOfTheLast) {
 TEST_F(PaceTest, StopsBeforeACrackAllTheSame) {
   editor_.state().breakpoints.crack = ui::Breakpoints::Where::anywhere;
   run_to(200);
-  ASSERT_FALSE(editor_.state().stopped.empty());
+  ASSERT_TRUE(editor_.state().stop);
   EXPECT_TRUE(editor_.frame().crack_events.empty());
   World world(slow_wall());
   while (world.frame().step < step()) world.step();
@@ -128,6 +128,34 @@ TEST_F(PaceTest, StopsBeforeACrackAllTheSame) {
   EXPECT_TRUE(world.frame().crack_events.empty());
   world.step();
   EXPECT_FALSE(world.frame().crack_events.empty());
+}
+
+/// A window that has room for all numbers, with a clock on which pictures and steps take as long as is said.
+class ClockTest : public EditorTest {
+ protected:
+  ClockTest() : EditorTest(small_wall(), 1900) {}
+};
+
+TEST_F(ClockTest, TheSpeedsShownAreThoseOfTheClock) {
+  for (const double cost : {0.05, 2.8}) {  // of a step [s]
+    editor_.state().running = false;
+    click("command/simulation.run");
+    const double picture = 0.02, time_step = editor_.scene().simulation.time_step;
+    double elapsed = picture, clock = 0;
+    std::int64_t first_step = 0;
+    const int settling = 30, pictures = 10;
+    for (int i = 0; i < settling + pictures; ++i) {
+      if (i == settling) clock = 0, first_step = editor_.frame().step;
+      const std::int64_t before = editor_.frame().step;
+      editor_.advance(elapsed);
+      elapsed = picture + cost * static_cast<double>(editor_.frame().step - before);
+      clock += elapsed;
+    }
+    draw();
+    const double speed = static_cast<double>(editor_.frame().step - first_step) * time_step / clock;
+    EXPECT_NEAR(std::stod(value("toolbar/speed_reached")), speed, 0.1 * speed) << cost;
+    EXPECT_NEAR(std::stod(value("toolbar/pictures")), pictures / clock, 0.1 * pictures / clock) << cost;
+  }
 }
 
 TEST(BackgroundStep, MakesTheStepOfACopyForItsStartAlone) {

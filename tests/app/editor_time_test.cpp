@@ -130,7 +130,7 @@ TEST_F(TimeTest, WhatWouldHaveHeldItHoldsIt) {
   editor_.state().breakpoints.crack = Breakpoints::Where::anywhere;
   fire();
   run_until_stopped();
-  ASSERT_TRUE(editor_.state().can_explain);
+  ASSERT_TRUE(editor_.state().stop && editor_.state().stop->node.valid());
   const NodeId node = editor_.state().selection.node;
   const HoldingFactor factor = strength_that_holds(editor_.timeline().world(), 0, node);
   ASSERT_TRUE(factor.found);

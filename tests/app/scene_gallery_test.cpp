@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "app/shared/scene_files.h"
+#include "app/shared/shipped_thumbnails.h"
 #include "editor_fixture.h"
 #include "sim/core/error.h"
 #include "sim/scene/scene_writer.h"
@@ -85,6 +86,66 @@ TEST(ThumbnailMaker, WhoLeavesDoesNotWaitForPictures) {
     EXPECT_FALSE(maker.done());
   }
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+TEST(ShippedThumbnails, AreShownAtOnceUntilTheirSceneIsEdited) {
+  fs::remove_all(test_folder());
+  const fs::path file = small_wall_file();
+  EXPECT_FALSE(shipped_thumbnail(file));
+  render::Image picture{kThumbnailWidth, kThumbnailHeight, {}};
+  picture.rgba.assign(std::size_t{4} * kThumbnailWidth * kThumbnailHeight, 200);
+  ship_thumbnail(file, picture);
+  ThumbnailMaker maker({file}, {"", ""});  // can neither draw nor keep
+  const std::vector<ThumbnailMaker::Made> made = wait_for_all(maker);
+  ASSERT_EQ(made.size(), 1u);
+  EXPECT_EQ(made[0].picture.width, kThumbnailWidth);
+  EXPECT_NEAR(made[0].picture.pixel(100, 100)[0], 200, 3);
+  EXPECT_THAT(stale_thumbnails(file.parent_path()), ::testing::IsEmpty());
+  const fs::path before = shipped_thumbnail_file(file);
+  Scene edited = small_wall();
+  edited.bodies[0].material.density += 1;
+  write_scene(edited, file);
+  EXPECT_FALSE(shipped_thumbnail(file)) << "it shows another scene";
+  EXPECT_THAT(stale_thumbnails(file.parent_path()), ::testing::ElementsAre(before));
+  std::ofstream(before.parent_path() / "small_wall.mine.jpg") << "of the user";
+  ship_thumbnail(file, picture);
+  EXPECT_TRUE(shipped_thumbnail(file));
+  EXPECT_FALSE(fs::exists(before));
+  EXPECT_TRUE(fs::exists(before.parent_path() / "small_wall.mine.jpg"));
+}
+
+TEST(ShippedThumbnails, WhatIsNoSmallPictureIsNone) {
+  fs::remove_all(test_folder());
+  const fs::path file = small_wall_file();
+  render::Image large{kThumbnailWidth + 1, 2, {}};
+  large.rgba.assign(std::size_t{8} * static_cast<std::size_t>(large.width), 90);
+  ship_thumbnail(file, large);
+  EXPECT_FALSE(shipped_thumbnail(file));
+  std::ofstream(shipped_thumbnail_file(file)) << "no picture";
+  EXPECT_FALSE(shipped_thumbnail(file));
+}
+
+TEST(ShippedThumbnails, EachShippedSceneHasOneOfItAsItIs) {
+  for (const char* name : {"scenes", "scenes/validation"}) {
+    const fs::path folder = fs::path(GRIFFITH_SOURCE_DIR) / name;
+    EXPECT_GT(scenes_in(folder).size(), 5u);
+    std::vector<fs::path> without = scenes_in(folder);
+    std::erase_if(without, [](const fs::path& scene) { return shipped_thumbnail(scene).has_value(); });
+    EXPECT_THAT(without, ::testing::IsEmpty())
+        << "these have no thumbnail, or one from before they were edited: griffith thumbnail --ship " << folder;
+    EXPECT_THAT(stale_thumbnails(folder), ::testing::IsEmpty()) << "of scenes that are gone: remove them";
+  }
+}
+
+TEST(ShippedThumbnails, ACommandDrawsThoseThatAreMissing) {
+  fs::remove_all(test_folder());
+  const fs::path file = small_wall_file();
+  const Outcome first = run_program("thumbnail --ship " + file.string());
+  EXPECT_EQ(first.code, 0) << first.output;
+  EXPECT_THAT(first.output, HasSubstr(shipped_thumbnail_file(file).string()));
+  ASSERT_TRUE(shipped_thumbnail(file));
+  EXPECT_EQ(run_program("thumbnail --ship " + file.string()).output, "") << "all are there";
+  EXPECT_EQ(run_program("thumbnail " + file.string()).code, 2) << "where to?";
 }
 
 TEST(SceneCard, TellsWhatAFileHoldsOrWhatIsWrongWithIt) {

@@ -28,11 +28,9 @@ TEST(StepPacer, CostlyStepsAreDroppedAndTheWarningSaysSo) {
   StepPacer pacer;
   for (int i = 0; i < 100; ++i) EXPECT_EQ(pacer.steps_due(0.1, 1, 1.0 / 120, 0.1), 1);
   EXPECT_TRUE(pacer.falling_behind());
-  EXPECT_NEAR(pacer.reached_speed(), 1.0 / 12, 1e-3);
   // Once steps are cheap again there is no backlog to catch up with, and the warning goes.
   for (int i = 0; i < 100; ++i) EXPECT_LE(pacer.steps_due(1.0 / 60, 1, 1.0 / 120, 1e-4), 3);
   EXPECT_FALSE(pacer.falling_behind());
-  EXPECT_NEAR(pacer.reached_speed(), 1, 0.05);
 }
 
 TEST(StepPacer, AStepThatTakesManyFramesIsFollowedByOneAlone) {
@@ -44,7 +42,6 @@ TEST(StepPacer, AStepThatTakesManyFramesIsFollowedByOneAlone) {
   }
   EXPECT_EQ(steps, 50);
   EXPECT_TRUE(pacer.falling_behind());
-  EXPECT_NEAR(pacer.reached_speed(), 1.0 / 12, 0.05);
   // Slow enough for what a step costs, nothing is lost: 50 steps in 300 frames.
   StepPacer slow;
   double left = 0;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/model/command_context.h"
 #include "ui/model/gestures.h"
 #include "ui/panels/editor_layout.h"
 
@@ -38,6 +39,8 @@ class UiDriver {
   void play();
   /// What was asked for so far.
   std::vector<CommandId> issued() const;
+  /// What decides whether commands make sense now.
+  CommandContext context() const { return {state, history, input.time, input.frame.step, input.legend.has_value()}; }
 
   EditorInput input;
   EditorState state;

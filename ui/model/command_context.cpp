@@ -34,7 +34,8 @@ std::string_view one_branch_alone(const CommandContext& context) {
 }
 
 std::string_view not_stopped_before_a_crack(const CommandContext& context) {
-  return unless(context.state.can_explain, "The simulation has not stopped before a crack: see Stop before.");
+  return unless(context.state.stop && context.state.stop->node.valid(),
+                "The simulation has not stopped before a crack: see Stop before.");
 }
 
 std::string_view nothing_fired(const CommandContext& context) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -127,6 +128,8 @@ struct CommandInfo {
   /// Whether what the command toggles is on. Null: it toggles nothing.
   bool (*is_on)(const CommandContext& context) = nullptr;
   CommandArgument argument = CommandArgument::none;
+  /// What a script means that gives the command the file for which it would ask in a dialog.
+  std::optional<CommandId> with_path = std::nullopt;
 };
 
 /// All commands, in the order in which menus and help show them.

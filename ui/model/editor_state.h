@@ -23,6 +23,7 @@
 #include "ui/model/scene_entry.h"
 #include "ui/model/scene_problem.h"
 #include "ui/model/selection.h"
+#include "ui/model/stop.h"
 #include "ui/model/time_view.h"
 #include "ui/model/units.h"
 
@@ -93,9 +94,17 @@ struct WorkReport {
 
 enum class LogLevel { info, warning, error };
 
+/// For how long a message is true.
+enum class LogSpan {
+  lasting,  ///< of something that was done
+  state,    ///< while the simulation stays in the state that is shown
+  action,   ///< and the user does nothing else
+};
+
 struct LogLine {
   LogLevel level = LogLevel::info;
   std::string text;
+  LogSpan span = LogSpan::lasting;
 };
 
 /// What the panel of messages shows.
@@ -139,8 +148,7 @@ struct NumberEntry {
 struct EditorState {
   bool running = false;
   Breakpoints breakpoints;
-  std::string stopped;             ///< why the simulation stopped by itself, at this step; empty: it did not
-  bool can_explain = false;        ///< at a node that is about to crack
+  std::optional<Stop> stop;        ///< the simulation stopped by itself in the state that is shown, and why
   double speed = 1;                ///< simulated seconds per second, 0.001..1
   std::int64_t steps_left = 0;     ///< until the simulation, which runs, is to stop; 0: it goes on
   std::optional<int> asked_steps;  ///< so many are being asked for
@@ -196,6 +204,7 @@ struct EditorState {
   std::optional<Caption> caption;
   std::vector<LogLine> log;
   std::size_t log_seen = 0;              ///< so many of the lines are older than the last thing that the user did
+  std::size_t log_passed = 0;            ///< and so many are older than the state of the simulation that is shown
   std::array<char, 512> path_text = {};  ///< being typed in the open dialog
   NumberEntry number_entry;
   std::vector<std::string> number_tags, last_number_tags;  ///< of number fields in this picture, and in the last one

@@ -1,28 +1,25 @@
 #include "ui/model/verdict.h"
 
 #include <cmath>
+#include <vector>
 
 #include "ui/model/units.h"
 
 namespace griffith::ui {
 namespace {
 
-constexpr double kNear = 0.8;
+// Utilizations: from the first on a node is near to breaking; below the second is what rounding leaves.
+constexpr double kNear = 0.8, kNoise = 1e-6;
 
 std::string percent(double fraction) { return format_quantity(100 * fraction, "", 3) + " %"; }
 
-Verdict overloaded(const NodeReport& report, const Frame& frame, bool fracture) {
-  const std::string load =
-      "Overloaded, at " + percent(report.separation.utilization) + " of its resistance, but whole: ";
-  std::string why = "a crack that opened close by relieves it first, or all its elements lie on one side of the plane.";
-  if (!fracture) {
-    why = "the scene does not let bodies break.";
-  } else if (frame.report.cracks_postponed > 0) {
-    why = "the budget of cracks a step was used up. It breaks in the next step if the load stays.";
-  } else if (frame.report.cracks_suppressed > 0) {
-    why = "the fragment would have been smaller than the scene allows.";
-  }
-  return {Verdict::Kind::overloaded, load + why};
+/// Why what is overloaded has not parted.
+std::string why_whole(const Frame& frame, bool fracture) {
+  if (!fracture) return "the scene does not let bodies break.";
+  if (frame.report.cracks_postponed > 0)
+    return "the budget of cracks a step was used up. It breaks in the next step if the load stays.";
+  if (frame.report.cracks_suppressed > 0) return "the fragment would have been smaller than the scene allows.";
+  return "a crack that opened close by relieves it first, or all its elements lie on one side of the plane.";
 }
 
 std::string scaled_text(const ScaledImpact& impact) {
@@ -31,45 +28,111 @@ std::string scaled_text(const ScaledImpact& impact) {
 }
 
 std::string breaking(const CrackEvent& event, const char* unit) {
-  std::string text = "Broke at " + format_quantity(event.time, "s", 3) + " (step " + std::to_string(event.step) +
+  std::string text = "Broke at " + format_quantity(event.time, "s", 3) + " (step " + std::to_string(step_of(event)) +
                      "): the load of " + format_quantity(event.load, unit, 3) + " was " +
                      percent(event.load / event.resistance) + " of the resistance.";
   if (event.torn_off) text += " A support lost its hold there.";
   return text;
 }
 
-/// `what`: "Holds" or "What is left holds".
-std::string holding(const std::string& what, const NodeReport& report, const Material& material) {
+/// What the next step does. `now`: the utilization there is before it, if it was measured.
+std::string about_to_crack(const ComingCrack& coming, const Frame& frame, const NodeReport& report, const char* unit) {
+  std::string text = "Cracks in the next step, at " + format_quantity(coming.time, "s", 3) + " (step " +
+                     std::to_string(frame.step + 1) + "): a load of " + format_quantity(coming.load, unit, 3) +
+                     " will be " + percent(coming.load / coming.resistance) + " of the resistance.";
+  if (std::isfinite(report.separation.resistance))
+    text += " In this step the load is " + percent(report.separation.utilization) + " of it.";
+  return text;
+}
+
+/// What the load does to what is there. `whole`: it has not cracked before.
+std::string under_load(const NodeState& state, const NodeReport& report, const Frame& frame, bool fracture) {
+  const Material& material = frame.materials[frame.bodies[report.body].scene_body];
   const NodeSeparation& separation = report.separation;
-  if (!std::isfinite(separation.resistance)) return "No load has been measured here yet.";
-  constexpr double kNoise = 1e-6;
-  if (separation.utilization > 0 && separation.utilization < kNoise) return what + ": there is no load to speak of.";
-  const char* unit = load_unit(material);
-  std::string text = what + ": the load of " + format_quantity(load_of(separation, material), unit, 3) + " is " +
-                     percent(separation.utilization) + " of the resistance.";
+  const std::string what = state.crack ? "What is left holds" : "Holds", share = percent(separation.utilization);
+  switch (state.load) {
+    case NodeState::Load::unmeasured:
+      return state.crack ? "The load on what is left has not been measured yet."
+                         : "No load has been measured here yet.";
+    case NodeState::Load::none:
+      return what + ": there is no load to speak of.";
+    case NodeState::Load::above:
+      return state.crack ? "What is left is overloaded, at " + share +
+                               " of its resistance, and has not parted: " + why_whole(frame, fracture)
+                         : "Overloaded, at " + share + " of its resistance, but whole: " + why_whole(frame, fracture);
+    case NodeState::Load::below:
+    case NodeState::Load::near:
+      break;
+  }
+  std::string text = what + ": the load of " + format_quantity(load_of(separation, material), load_unit(material), 3) +
+                     " is " + share + " of the resistance.";
   if (report.at_crack_front) text += " A crack ends here, so the fracture toughness counts.";
   if (separation.eigenvalue <= 0 && separation.utilization <= 0)
     text += " Nothing pulls: the elements press on the node.";
   return text;
 }
 
-/// But for what stood in for the material.
-Verdict bare_verdict(const NodeReport& report, const Frame& frame, bool fracture) {
-  const BodyView& body = frame.bodies[report.body];
-  const Material& material = frame.materials[body.scene_body];
-  std::string past;
-  if (!report.events.empty()) past = breaking(frame.crack_events[report.events.back()], load_unit(material));
-  if (body.rigid) {
-    const std::string text = body.tets == 1
-                                 ? "A single element cannot break any further."
-                                 : "Its piece moves as a rigid body: what little stress it was left with stays "
-                                   "as it is until something strikes.";
-    return {past.empty() ? Verdict::Kind::unknown : Verdict::Kind::broke, past + (past.empty() ? "" : " ") + text};
+/// What the motion of its piece means for the node; empty: nothing.
+std::string of_piece(NodeState::Piece piece) {
+  switch (piece) {
+    case NodeState::Piece::elastic:
+      return "";
+    case NodeState::Piece::asleep:
+      return "Its piece is asleep: it lies still, under the load that it has, until something strikes it.";
+    case NodeState::Piece::rigid:
+      return "Its piece moves as a rigid body: what little stress it was left with stays as it is until something "
+             "strikes.";
+    case NodeState::Piece::rigid_asleep:
+      return "Its piece lies still as a rigid body, asleep: what little stress it was left with stays as it is until "
+             "something strikes.";
+    case NodeState::Piece::single_element:
+      return "A single element cannot break any further.";
   }
-  if (report.separation.utilization > 1) return overloaded(report, frame, fracture);
-  if (!past.empty()) return {Verdict::Kind::broke, past + " " + holding("What is left holds", report, material)};
-  return {report.separation.utilization > kNear ? Verdict::Kind::near : Verdict::Kind::holds,
-          holding("Holds", report, material)};
+  return "";
+}
+
+NodeState::Piece piece_state(const BodyView& body) {
+  if (body.rigid && body.tets == 1) return NodeState::Piece::single_element;
+  if (body.rigid) return body.asleep ? NodeState::Piece::rigid_asleep : NodeState::Piece::rigid;
+  return body.asleep ? NodeState::Piece::asleep : NodeState::Piece::elastic;
+}
+
+NodeState::Load load_state(const NodeSeparation& separation) {
+  if (!std::isfinite(separation.resistance)) return NodeState::Load::unmeasured;
+  if (separation.utilization > 1) return NodeState::Load::above;
+  if (separation.utilization > kNear) return NodeState::Load::near;
+  return separation.utilization > 0 && separation.utilization < kNoise ? NodeState::Load::none : NodeState::Load::below;
+}
+
+/// Whether what was measured is the load under which the node cracked, and not one on what that left.
+bool is_load_of(const CrackEvent& crack, const NodeSeparation& separation) {
+  constexpr double kRoundOff = 1e-9;
+  return std::isfinite(separation.resistance) &&
+         std::abs(separation.utilization * crack.resistance - crack.load) <= kRoundOff * std::abs(crack.load);
+}
+
+Verdict::Kind kind_of(const NodeState& state) {
+  const bool measured = state.piece == NodeState::Piece::elastic || state.piece == NodeState::Piece::asleep;
+  if (state.coming) return Verdict::Kind::about_to_crack;
+  if (measured && state.load == NodeState::Load::above) return Verdict::Kind::overloaded;
+  if (state.crack) return Verdict::Kind::broke;
+  if (!measured || state.load == NodeState::Load::unmeasured) return Verdict::Kind::unknown;
+  return state.load == NodeState::Load::near ? Verdict::Kind::near : Verdict::Kind::holds;
+}
+
+/// But for what stood in for the material.
+Verdict bare_verdict(const NodeState& state, const NodeReport& report, const Frame& frame, bool fracture) {
+  const char* unit = load_unit(frame.materials[frame.bodies[report.body].scene_body]);
+  const bool rigid = state.piece != NodeState::Piece::elastic && state.piece != NodeState::Piece::asleep;
+  std::vector<std::string> sentences;
+  if (state.coming) sentences.push_back(about_to_crack(*state.coming, frame, report, unit));
+  if (state.crack) sentences.push_back(breaking(*state.crack, unit));
+  if (!rigid && !state.coming) sentences.push_back(under_load(state, report, frame, fracture));
+  sentences.push_back(of_piece(state.piece));
+  Verdict verdict{kind_of(state), {}};
+  for (const std::string& sentence : sentences)
+    if (!sentence.empty()) verdict.text += (verdict.text.empty() ? "" : " ") + sentence;
+  return verdict;
 }
 
 }  // namespace
@@ -97,11 +160,24 @@ std::string origin_of_load(const NodeReport& report, const Material& material) {
   return format_quantity(pull, "N") + " over " + format_quantity(pull / report.load, "m²");
 }
 
-Verdict verdict_on(const NodeReport& report, const Frame& frame, bool fracture) {
-  Verdict verdict = bare_verdict(report, frame, fracture);
+NodeState node_state(const NodeReport& report, const Frame& frame, const std::optional<Stop>& stop) {
+  NodeState state;
+  state.load = load_state(report.separation);
+  state.piece = piece_state(frame.bodies[report.body]);
+  if (!report.events.empty()) state.crack = &frame.crack_events[report.events.back()];
+  state.cracked_now = state.crack && step_of(*state.crack) == frame.step;
+  if (state.cracked_now && is_load_of(*state.crack, report.separation)) state.load = NodeState::Load::unmeasured;
+  if (stop)
+    for (const ComingCrack& coming : stop->cracks)
+      if (coming.node == report.node) state.coming = coming;
+  return state;
+}
+
+Verdict verdict_on(const NodeReport& report, const Frame& frame, bool fracture, const std::optional<Stop>& stop) {
+  const NodeState state = node_state(report, frame, stop);
+  Verdict verdict = bare_verdict(state, report, frame, fracture);
   std::optional<ScaledImpact> scaled = frame.bodies[report.body].scaled;
-  if (verdict.kind == Verdict::Kind::broke && frame.crack_events[report.events.back()].scaled)
-    scaled = frame.crack_events[report.events.back()].scaled;
+  if (verdict.kind == Verdict::Kind::broke && state.crack->scaled) scaled = state.crack->scaled;
   if (scaled) verdict.text += " " + scaled_text(*scaled);
   return verdict;
 }

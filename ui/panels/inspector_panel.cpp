@@ -27,8 +27,8 @@ std::string triple(const Vec3& values, const char* unit) {
 }
 
 void verdict_line(const Panel& panel, const Verdict& verdict) {
-  constexpr std::array kColors = {palette::kGood, palette::kWarning, palette::kError, palette::kAccent,
-                                  palette::kTextDim};
+  constexpr std::array kColors = {palette::kGood,   palette::kWarning, palette::kError,
+                                  palette::kAccent, palette::kTextDim, palette::kWarning};
   ImGui::PushTextWrapPos(0);
   ImGui::PushStyleColor(ImGuiCol_Text, kColors[static_cast<std::size_t>(verdict.kind)]);
   ImGui::TextUnformatted(verdict.text.c_str());
@@ -113,7 +113,7 @@ void event_rows(const Panel& panel, const NodeReport& report) {
   const std::size_t first = report.events.size() - std::min(report.events.size(), kMaxEvents);
   for (std::size_t i = first; i < report.events.size(); ++i) {
     const CrackEvent& event = frame.crack_events[report.events[i]];
-    const std::string text = "step " + std::to_string(event.step) + ", " + format_quantity(event.time, "s", 3) +
+    const std::string text = "step " + std::to_string(step_of(event)) + ", " + format_quantity(event.time, "s", 3) +
                              ", utilization " + format_quantity(event.load / event.resistance, "", 3);
     value_row(panel, "Crack", text, palette::kAccent);
     tooltip("Plane " + direction_text(event.normal) + ", " + std::to_string(event.elements.size()) + " elements, " +
@@ -138,7 +138,7 @@ void element_rows(const Panel& panel, TetId tet) {
 }  // namespace
 
 void draw_inspector_panel(Panel& panel) {
-  heading(panel, "Why did it break?");
+  heading(panel, "Why it broke, or holds");
   const Frame& frame = panel.input.frame;
   const Selection& selection = panel.state.selection;
   if (!selection.valid() || static_cast<std::size_t>(selection.node) >= frame.nodes.positions.size()) {
@@ -149,7 +149,7 @@ void draw_inspector_panel(Panel& panel) {
   }
   const NodeReport report = node_report(frame, selection.node);
   const BodyView& body = frame.bodies[report.body];
-  verdict_line(panel, verdict_on(report, frame, panel.history.scene().simulation.fracture));
+  verdict_line(panel, verdict_on(report, frame, panel.history.scene().simulation.fracture, panel.state.stop));
   const Material& material = frame.materials[body.scene_body];
   if (report.strained) draw_utilization_bar(panel, report.separation.utilization);
   draw_utilization_plot(panel, panel.input.utilizations);

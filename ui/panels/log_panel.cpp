@@ -36,7 +36,7 @@ void log_bar(Panel& panel, std::span<const LogLine* const> lines) {
   ImGui::SameLine();
   if (text_button(panel, "log/clear", "Clear")) {
     log.clear();
-    panel.state.log_seen = 0;
+    panel.state.log_seen = panel.state.log_passed = 0;
   }
   ImGui::SameLine();
   if (text_button(panel, "log/close", "Close")) view.shown = false;

@@ -6,6 +6,8 @@
 
 #include "sim/mesh/number_text.h"
 #include "sim/world/step_counters.h"
+#include "ui/model/energy_share.h"
+#include "ui/model/overlap.h"
 #include "ui/model/units.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/style.h"
@@ -67,19 +69,31 @@ void counter_row(const Panel& panel, const StepCounter& counter, double value) {
   tooltip(counter.meaning.data());
 }
 
+/// What to do about things that pass into one another, where they do.
+void overlap_warning(const Panel& panel) {
+  const std::optional<DeepOverlap> overlap = deep_overlap(panel.input.frame);
+  if (!overlap) return;
+  const std::string text = text_of(*overlap);
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextColored(as_vec4(palette::kWarning), "%s", text.c_str());
+  ImGui::PopTextWrapPos();
+  tag_last_item(panel.tags, "statistics/overlap", text);
+}
+
 void step_rows(const Panel& panel) {
   heading(panel, "Last step");
   for (const StepCounter& counter : step_counters())
     std::visit([&](auto value) { counter_row(panel, counter, panel.input.frame.report.*value); }, counter.value);
+  overlap_warning(panel);
   scaled_row(panel);
 }
 
-/// A value and, as a bar below it, its share of a whole.
-void share_row(const Panel& panel, const char* label, const std::string& text, double value, double whole) {
+/// A value and, as a bar below it, its share of a whole, 0..1.
+void share_row(const Panel& panel, const char* label, const std::string& text, double share) {
   value_row(panel, label, text, palette::kText);
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   const float left = ImGui::GetWindowPos().x + ImGui::GetStyle().WindowPadding.x;
-  const float fraction = static_cast<float>(std::clamp(whole > 0 ? value / whole : 0, 0.0, 1.0));
+  const float fraction = static_cast<float>(share);
   const float thickness = 2 * ui_scale(panel);
   ImGui::GetWindowDrawList()->AddRectFilled({left, high.y}, {high.x, high.y + thickness}, palette::kField);
   ImGui::GetWindowDrawList()->AddRectFilled({left, high.y}, {left + fraction * (high.x - left), high.y + thickness},
@@ -90,13 +104,11 @@ void share_row(const Panel& panel, const char* label, const std::string& text, d
 void time_bar(const Panel& panel, const char* label, double milliseconds, double whole) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2f ms", milliseconds);
-  share_row(panel, label, text, milliseconds, whole);
+  share_row(panel, label, text, whole > 0 ? std::clamp(milliseconds / whole, 0.0, 1.0) : 0);
 }
 
-void energy_row(const Panel& panel, const char* label, double energy, double whole, const char* meaning) {
-  constexpr double kRoundingError = 1e-12;
-  if (std::abs(energy) < kRoundingError * whole) energy = 0;
-  share_row(panel, label, format_quantity(energy, "J", 3), energy, whole);
+void energy_row(const Panel& panel, const char* label, const EnergyShare& share, const char* meaning) {
+  share_row(panel, label, format_quantity(share.energy, "J", 3), share.fraction);
   tooltip(meaning);
 }
 
@@ -104,10 +116,13 @@ void energy_row(const Panel& panel, const char* label, double energy, double who
 void energy_rows(const Panel& panel) {
   const EnergyAccount& energy = panel.input.frame.energy;
   const double whole = energy.turned_over();
+  const double noise =
+      energy_noise(panel.input.frame, panel.history.scene().gravity, (panel.input.high - panel.input.low).norm());
   heading(panel, "Energy since the start");
   for (const EnergyEntry& entry : energy_entries())
-    energy_row(panel, entry.label.data(), energy.*entry.value, whole, entry.meaning.data());
-  energy_row(panel, "Unaccounted", energy.unaccounted(), whole, "What the entries above do not explain.");
+    energy_row(panel, entry.label.data(), energy_share(energy.*entry.value, whole, noise), entry.meaning.data());
+  energy_row(panel, "Unaccounted", energy_share(energy.unaccounted(), whole, noise),
+             "What the entries above do not explain.");
 }
 
 void timing_rows(const Panel& panel) {

@@ -1,3 +1,4 @@
+#include "ui/model/status_line.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -50,12 +51,12 @@ void draw_status_bar(Panel& panel) {
   const float problems =
       any_problem ? file - gap - ImGui::CalcTextSize(problem_count_text(panel.input.problems).c_str()).x : file;
   const float place = records ? problems - gap - ImGui::CalcTextSize(kRecording).x : problems;
-  if (!log.empty()) {
-    const LogLine& last = log.back();
-    const LogLevel level = panel.state.log_seen < log.size() ? last.level : LogLevel::info;
+  if (const LogLine* last = status_line(panel.state)) {
+    const bool is_new = panel.state.log_seen <= static_cast<std::size_t>(last - log.data());
+    const LogLevel level = is_new ? last->level : LogLevel::info;
     const float room = place - ImGui::GetCursorPosX() - ImGui::GetStyle().ItemSpacing.x;
-    ImGui::TextColored(as_vec4(level_color(level)), "%s", fitted(last.text, room).c_str());
-    tag_last_item(panel.tags, "status/message", last.text);
+    ImGui::TextColored(as_vec4(level_color(level)), "%s", fitted(last->text, room).c_str());
+    tag_last_item(panel.tags, "status/message", last->text);
     panel.tags.back().color = level_color(level);
     if (ImGui::IsItemHovered()) recent_lines(log);
   }

@@ -80,7 +80,7 @@ bool long_step(const Panel& panel, float end) {
 }
 
 void pace_warning(const Panel& panel, float end) {
-  if (!panel.state.running || !panel.input.falling_behind) return;
+  if (!panel.state.running || !panel.input.falling_behind || panel.input.reached_speed <= 0) return;
   char text[64];
   std::snprintf(text, sizeof text, "can't keep up: %.2g of %.3g %%", 100 * panel.input.reached_speed,
                 100 * panel.state.speed);
@@ -91,12 +91,18 @@ void pace_warning(const Panel& panel, float end) {
 void times(const Panel& panel, float end) {
   if (!panel.state.show_times) return;
   char text[64];
-  std::snprintf(text, sizeof text, "%.1f ms a step, %.0f pictures/s", panel.input.step_milliseconds,
-                panel.input.frames_per_second);
-  text_before(panel, end, palette::kTextDim, text);
-  if (!panel.state.running) return;
+  const auto show = [&](const char* tag) {
+    if (text_before(panel, end, palette::kTextDim, text)) tag_last_item(panel.tags, tag, text);
+  };
+  std::snprintf(text, sizeof text, "%.1f ms a step", panel.input.step_milliseconds);
+  show("toolbar/step_time");
+  if (!panel.state.running) return;  // the window draws when something changes, and no time goes by
+  const double pictures = panel.input.frames_per_second;
+  std::snprintf(text, sizeof text, pictures < 10 ? "%.2g pictures/s" : "%.0f pictures/s", pictures);
+  show("toolbar/pictures");
+  if (panel.input.reached_speed <= 0) return;
   std::snprintf(text, sizeof text, "%.2g × real time", panel.input.reached_speed);
-  text_before(panel, end, palette::kTextDim, text);
+  show("toolbar/speed_reached");
 }
 
 }  // namespace

@@ -91,18 +91,18 @@ void draw_pause_mark(const Panel& panel, ImVec2 corner) {
 
 /// Why the simulation stopped by itself, and what may be asked then.
 void draw_stop_card(Panel& panel, ImVec2 corner, ImVec2 end) {
-  const std::string& reason = panel.state.stopped;
-  if (reason.empty()) return;
+  if (!panel.state.stop) return;
+  const std::string& reason = panel.state.stop->reason;
+  const bool can_explain = panel.state.stop->node.valid();
   const float scale = ui_scale(panel), margin = 14 * scale, padding = 12 * scale;
   const float width = std::max(ImGui::CalcTextSize(reason.c_str()).x + 2 * padding, 230 * scale);
-  const float height =
-      (panel.state.can_explain ? ImGui::GetFrameHeight() + 8 * scale : 0) + ImGui::GetFontSize() + padding;
+  const float height = (can_explain ? ImGui::GetFrameHeight() + 8 * scale : 0) + ImGui::GetFontSize() + padding;
   const ImVec2 low = {std::max(corner.x, (corner.x + end.x - width) / 2), corner.y + margin};  // between other cards
   draw_card(ImGui::GetWindowDrawList(), low, {low.x + width, low.y + height}, scale);
   ImGui::SetCursorScreenPos({low.x + padding, low.y + padding / 2});
   ImGui::TextColored(as_vec4(palette::kWarning), "%s", reason.c_str());
   tag_last_item(panel.tags, "time/stopped", reason);
-  if (!panel.state.can_explain) return;
+  if (!can_explain) return;
   ImGui::SetCursorScreenPos({low.x + padding, low.y + padding / 2 + ImGui::GetFontSize() + 6 * scale});
   const CommandInfo& info = command_info(CommandId::explain_holding);
   if (text_button(panel, "time/holding", info.label.data(), 206 * scale)) issue(panel, {.id = info.id});

@@ -21,8 +21,6 @@ bool is_on(const CommandInfo& info, const Panel& panel) { return info.is_on && i
 
 bool command_enabled(CommandId id, const Panel& panel) { return why_not(command_info(id), panel).empty(); }
 
-void issue(Panel& panel, Command command) {
-  if (command_enabled(command.id, panel)) panel.commands.push_back(std::move(command));
-}
+void issue(Panel& panel, Command command) { panel.commands.push_back(std::move(command)); }
 
 }  // namespace griffith::ui

@@ -71,7 +71,7 @@ bool is_on(const CommandInfo& info, const Panel& panel);
 /// Whether the command makes sense now.
 bool command_enabled(CommandId id, const Panel& panel);
 
-/// Issues the command if it is enabled.
+/// Issues the command; where it makes no sense now, the program says why.
 void issue(Panel& panel, Command command);
 
 }  // namespace griffith::ui

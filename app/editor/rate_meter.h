@@ -1,0 +1,27 @@
+#pragma once
+
+#include <deque>
+
+namespace griffith::app {
+
+/// Rate of something that comes in portions: the mean over the last two seconds or, where portions take longer, over
+/// the last four of them. Knows no clock but what it is told.
+class RateMeter {
+ public:
+  /// `elapsed` [s] went by, at the end of which `amount` came; 0: nothing did.
+  void add(double elapsed, double amount);
+  /// Amount per second; 0 before the first portion. What is on its way counts as if it came now where it is late, so
+  /// that the rate of something that stops goes to 0.
+  double rate() const;
+  void reset() { *this = {}; }
+
+ private:
+  struct Portion {
+    double time = 0;   ///< when it came [s]
+    double total = 0;  ///< of all up to it
+  };
+  double now_ = 0;
+  std::deque<Portion> portions_ = {Portion{}};  ///< the first is where the mean begins
+};
+
+}  // namespace griffith::app
