@@ -120,6 +120,9 @@ class PlainPainter : public Painter {
     if (!job_.legend) return {};
     Writing writing{scene_legend(drawn, viewpoint.view.range.has_value()),
                     scene_labels(drawn, viewpoint.camera, aspect())};
+    constexpr float kAboveEdge = 16;  // design pixels
+    if (const auto scaling = scaling_label(scene_, world_.frame(), 1 - kAboveEdge * scale_ / size().y))
+      writing.labels.push_back(*scaling);
     if (!ui::legend_fits({{0, 0}, size()}, scale_)) writing.legend.reset();
     if (writing.legend) writing.legend->corner = viewpoint.corner;
     return writing;

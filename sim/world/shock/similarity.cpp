@@ -35,13 +35,21 @@ constexpr double kMaxStrain = 0.02;
 /// A shock that this share of the budget left can follow to its end is followed as it is.
 constexpr double kFractionOfOneShock = 0.5;
 
-double min_factor(const WorldState& world, const Body& body) {
+/// The least f, and what asks for it.
+struct LeastFactor {
+  double factor = 0;
+  ScalingLimit limit = ScalingLimit::least;
+};
+
+LeastFactor min_factor(const WorldState& world, const Body& body) {
   const Material& material = world.material_of(body);
-  if (material.yield_strength) return 1;  // flow has its own pace
+  if (material.yield_strength) return {1};  // flow has its own pace
   const double speed = std::max(body.shock->impact_speed, inner_speed(world, body)),
                for_speed = speed / (kImpactFraction * bar_wave_speed(material)),
                for_strain = material.tensile_strength / (kMaxStrain * material.young_modulus);
-  return std::clamp(std::max(for_speed, for_strain), kMinFactor, 1.0);
+  const LeastFactor needed = for_speed > for_strain ? LeastFactor{for_speed, ScalingLimit::speed}
+                                                    : LeastFactor{for_strain, ScalingLimit::strain};
+  return needed.factor > kMinFactor ? LeastFactor{std::min(needed.factor, 1.0), needed.limit} : LeastFactor{kMinFactor};
 }
 
 /// Where a body is, to tell its deformation from: a free one where it fits best, one that swings about its pivot, any
@@ -183,12 +191,18 @@ std::vector<int> groups_in_shock(const WorldState& world, double duration) {
 
 /// What the bodies of a group ask for.
 struct GroupDemand {
-  double min_factor = 0, highest_frequency = 0, similarity = 1;
+  LeastFactor least;
+  double highest_frequency = 0, similarity = 1;
   std::optional<ScaledImpact> scaled;  ///< of the slowest
 
   /// The f at which no frequency exceeds `frequency` [rad/s], and nobody's waves run faster than another's by now.
-  double factor(double frequency) const {
-    return std::max(min_factor, std::min(frequency / highest_frequency, similarity));
+  double wanted_factor(double frequency) const { return std::min(frequency / highest_frequency, similarity); }
+  double factor(double frequency) const { return std::max(least.factor, wanted_factor(frequency)); }
+  /// What the user is told of it. `budget`: of the whole step.
+  ScaledImpact told(double frequency, const ScaledImpact& budget) const {
+    ScaledImpact impact = frequency / highest_frequency < similarity ? budget : scaled.value_or(budget);
+    if (factor(frequency) > wanted_factor(frequency)) impact.limit = least.limit;
+    return impact;
   }
 };
 
@@ -197,7 +211,7 @@ std::vector<GroupDemand> group_demands(const WorldState& world, const std::vecto
   for (const Body& body : world.bodies) {
     if (!body.shock) continue;
     GroupDemand& demand = demands[groups[body.scene_body]];
-    demand.min_factor = std::max(demand.min_factor, min_factor(world, body));
+    if (const LeastFactor least = min_factor(world, body); least.factor > demand.least.factor) demand.least = least;
     demand.highest_frequency = std::max(demand.highest_frequency, body.shock->frequency);
     if (body.shock->similarity >= demand.similarity) continue;
     demand.similarity = body.shock->similarity;
@@ -218,10 +232,10 @@ void choose_similarity(WorldState& world, double left) {
   if (!is_too_much && std::ranges::none_of(world.bodies, is_scaled)) return;
   const double frequency =
       is_too_much ? demand.highest_frequency * available / work : std::numeric_limits<double>::infinity();
-  ScaledImpact told;
-  told.tets = demand.tets;
-  told.microsteps = demand.microsteps;
-  told.affordable = available / demand.work_of_microstep();
+  ScaledImpact budget_told;
+  budget_told.tets = demand.tets;
+  budget_told.microsteps = demand.microsteps;
+  budget_told.affordable = available / demand.work_of_microstep();
   const std::vector<int> groups = groups_in_shock(world, left);
   const std::vector<GroupDemand> demands = group_demands(world, groups);
   for (Body& body : world.bodies) {
@@ -229,7 +243,7 @@ void choose_similarity(WorldState& world, double left) {
     const GroupDemand& group = demands[groups[body.scene_body]];
     const double factor = group.factor(frequency);
     if (factor < body.shock->similarity) {
-      body.scaled = frequency / group.highest_frequency < group.similarity ? told : group.scaled;
+      body.scaled = group.told(frequency, budget_told);
       set_similarity(world, body, factor);
     }
     if (body.shock->similarity < 1) body.scaled = scaled_impact(world, body);
