@@ -48,9 +48,12 @@ void make_glass_texture(const Texture& texture, int unit, GLint format, GLenum l
 }  // namespace
 
 GlassTarget::GlassTarget(const Target& target)
-    : target_(target), program_("glass", shaders::background_vert, shaders::glass_blend_frag) {
+    : target_(target),
+      program_("glass", shaders::background_vert, shaders::glass_blend_frag),
+      distance_program_("distance of what is opaque", shaders::background_vert, shaders::glass_distance_frag) {
   const BoundFramebuffer previous;
   make_buffers();
+  make_distance_buffers();
 }
 
 void GlassTarget::make_buffers() {
@@ -74,7 +77,35 @@ void GlassTarget::make_buffers() {
   finish_glass_buffer(target_);
 }
 
-void GlassTarget::begin() const {
+void GlassTarget::make_distance_buffers() {
+  make_glass_texture(depth_, kOpaqueDistanceUnit, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_NEAREST, target_);
+  glBindFramebuffer(GL_FRAMEBUFFER, depth_buffer_.id());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.id(), 0);
+  glDrawBuffer(GL_NONE);
+  glReadBuffer(GL_NONE);
+  make_glass_texture(distances_, kOpaqueDistanceUnit, GL_R32F, GL_RED, GL_NEAREST, target_);
+  glBindFramebuffer(GL_FRAMEBUFFER, distance_buffer_.id());
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, distances_.id(), 0);
+}
+
+/// Leaves depth untested.
+void GlassTarget::measure_distances(const Mat4& world_from_clip) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, target_.samples() > 1 ? multisampled_.id() : resolved_.id());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, depth_buffer_.id());
+  glBlitFramebuffer(0, 0, target_.width(), target_.height(), 0, 0, target_.width(), target_.height(),
+                    GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_FRAMEBUFFER, distance_buffer_.id());
+  bind_texture(kOpaqueDistanceUnit, depth_);
+  distance_program_.use();
+  distance_program_.set("world_from_clip", world_from_clip);
+  glBindVertexArray(vertices_.id());
+  glDisable(GL_DEPTH_TEST);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  bind_texture(kOpaqueDistanceUnit, distances_);
+}
+
+void GlassTarget::begin(const Mat4& world_from_clip) const {
+  measure_distances(world_from_clip);
   glBindFramebuffer(GL_FRAMEBUFFER, target_.samples() > 1 ? multisampled_.id() : resolved_.id());
   const GLfloat nothing[] = {0, 0, 0, 0};
   for (GLint i = 0; i < static_cast<GLint>(kSums); ++i) glClearBufferfv(GL_COLOR, i, nothing);
@@ -86,6 +117,7 @@ void GlassTarget::begin() const {
 void GlassTarget::end() const {
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
+  glEnable(GL_DEPTH_TEST);
   glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
 }
 

@@ -1,5 +1,6 @@
 #include "renderer/renderer.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <bit>
 #include <cassert>
@@ -152,6 +153,7 @@ struct Renderer::Passes {
   std::unique_ptr<BlendTarget> blend;       // of the target; none until something is transparent
   std::unique_ptr<GlassTarget> glass;       // of the target; none until something is clear
   HiddenBacks hidden;                       // from the eye
+  Mat4 world_from_clip;                     // of the picture
   int requested_samples = 1;                // target.samples() may be fewer
 
   void resize(const RenderOptions& options);
@@ -289,7 +291,7 @@ void Renderer::Passes::draw_picture(const DrawScene& scene, const Camera& camera
 
 void Renderer::Passes::add_up_glass(const DrawScene& scene, const RenderOptions& options) {
   if (!glass) glass = std::make_unique<GlassTarget>(target);
-  glass->begin();
+  glass->begin(world_from_clip);
   draw_surfaces(scene, options, Output::glass, DrawnPart::clear);
   glass->end();
 }
@@ -333,6 +335,7 @@ void Renderer::render(const DrawScene& scene, const Camera& camera, const Render
       picture_view(camera, visible_box(scene, focus, box), passes_->target, shadow_view, effects_of(options.quality));
   view.effects.z() = has_glass(scene, options) ? 1.0f : 0.0f;
   passes_->picture_view.bind(view);
+  passes_->world_from_clip = view.view_projection.cast<double>().inverse().cast<float>();
   passes_->draw_occlusion_map(scene, camera, focus, view.view_projection, options);
   passes_->draw_picture(scene, camera, focus, options);
 }

@@ -79,7 +79,9 @@ ShaderProgram::ShaderProgram(const std::string& name, const char* vertex_source,
                                                   {"opaque_picture", kOpaqueUnit},
                                                   {"depth_sums", kColorSumsUnit},
                                                   {"light_sums", kWeightSumsUnit},
-                                                  {"face_sums", kFaceSumsUnit}};
+                                                  {"face_sums", kFaceSumsUnit},
+                                                  {"opaque_depth", kOpaqueDistanceUnit},
+                                                  {"opaque_distance", kOpaqueDistanceUnit}};
   for (const auto& [sampler, unit] : samplers) set(sampler, unit);
 }
 

@@ -27,7 +27,8 @@ enum TextureUnit : int {
   kOcclusionUnit,
   kClearShadowUnit,
   kOpaqueUnit,
-  kFaceSumsUnit
+  kFaceSumsUnit,
+  kOpaqueDistanceUnit
 };
 
 /// Where a fragment shader writes that calls emit() of shaders/output.glsl, or emit_glass() of glass.glsl: into a

@@ -7,6 +7,7 @@
 
 #include "app/picture/natural_materials.h"
 #include "sim/core/linear_algebra.h"
+#include "sim/fracture/scaled_impact.h"
 
 namespace griffith::app {
 
@@ -34,10 +35,11 @@ struct BakedThing {
   double mass = 0;                   ///< [kg]
   bool is_supported = false;         ///< held by a support in the last frame
   std::optional<double> break_time;  ///< when it last parted from another piece [s]; none: never did, or before
-  std::array<int, kLooks> materials = {};  ///< by Look: indices into Bake::materials
-  BakedMesh mesh;                          ///< its origin: the center of mass in the first frame it is seen in
-  int first_frame = 0;                     ///< index into Bake::times of the first frame it is there: 0, but for shots
-  std::vector<Pose> poses;                 ///< per frame from first_frame: its own frame in the world's
+  std::optional<ScaledImpact> broke_scaled;  ///< as BodyView
+  std::array<int, kLooks> materials = {};    ///< by Look: indices into Bake::materials
+  BakedMesh mesh;                            ///< its origin: the center of mass in the first frame it is seen in
+  int first_frame = 0;      ///< index into Bake::times of the first frame it is there: 0, but for shots
+  std::vector<Pose> poses;  ///< per frame from first_frame: its own frame in the world's
   /// Per frame from first_frame, per point of the mesh: where it is in the thing's own frame [m], with all elastic
   /// deformation. Empty unless asked for.
   std::vector<std::vector<Vec3>> deformed_points;

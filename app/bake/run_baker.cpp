@@ -127,6 +127,7 @@ void RunBaker::add_pieces(Bake& bake, const Frame& last, const MeshHistory& hist
     thing.scene_body = body.scene_body;
     thing.mass = body.mass;
     thing.is_supported = body.supported;
+    thing.broke_scaled = body.broke_scaled;
     thing.poses = std::move(poses[id]);
     thing.mesh = piece_mesh(surfaces[id], thing.poses.front().translation);
   }

@@ -16,7 +16,8 @@ Json thing_json(const BakedThing& thing) {
           {"mass", thing.mass},
           {"center", json(thing.poses.front().translation)},
           {"is_supported", thing.is_supported},
-          {"break_time", json(thing.break_time)}};
+          {"break_time", json(thing.break_time)},
+          {"scale_factor", thing.broke_scaled ? thing.broke_scaled->factor : 1}};
 }
 
 Json bond_json(const Bake& bake, const BakedBond& bond) {

@@ -68,6 +68,7 @@ Value thing_extras(const Bake& bake, int index, std::span<const BakedBond* const
                           {"scene_body", Value(thing.scene_body)},
                           {"is_supported", Value(thing.is_supported)}};
   if (thing.break_time) extras["break_time"] = Value(*thing.break_time);
+  if (thing.broke_scaled) extras["scale_factor"] = Value(thing.broke_scaled->factor);
   Value::Array list;
   for (const BakedBond* bond : bonds) list.push_back(bond_extras(bake, *bond, index));
   if (!list.empty()) extras["bonds"] = Value(list);

@@ -74,6 +74,7 @@ Json thing_json(const BakedThing& thing, Arrays& arrays) {
           {"size", header_json(size_of(thing.mesh))},
           {"supported", thing.is_supported},
           {"breakTime", header_json(thing.break_time)},
+          {"brokeScaled", thing.broke_scaled ? Json(scale_text(*thing.broke_scaled)) : Json(nullptr)},
           {"materials", thing.materials},
           {"firstFrame", thing.first_frame},
           {"pointCount", thing.mesh.points.size()},

@@ -33,6 +33,7 @@ function factsOf(bake, thing, bonds) {
   if (thing.body !== null) facts.push(['Of', bake.bodies[thing.body]]);
   if (thing.supported) facts.push(['Held', 'by a support']);
   if (thing.breakTime !== null) facts.push(['Broke off', `after ${quantity(thing.breakTime, 's')}`]);
+  if (thing.brokeScaled) facts.push(['Broke at', `${thing.brokeScaled}: scaled to keep to the step budget`]);
   const first = bonds.find(bond => bond.breakTime !== null);
   if (first)
     facts.push(['Why', `its bond to ${bake.things[first.neighbour].name} gave way first, after ${quantity(first.breakTime, 's')}:` +

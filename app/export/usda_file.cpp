@@ -38,6 +38,7 @@ void append_properties(UsdaText& usda, const BakedThing& thing) {
   usda.line("custom bool griffith:isSupported = " + std::to_string(thing.is_supported));
   usda.line("custom int griffith:sceneBody = " + std::to_string(thing.scene_body));
   if (thing.break_time) usda.line("custom double griffith:breakTime = " + usda_number(*thing.break_time));
+  if (thing.broke_scaled) usda.line("custom double griffith:scaleFactor = " + usda_number(thing.broke_scaled->factor));
 }
 
 void append_corners(std::string& text, const std::vector<std::array<int, 3>>& triangles) {

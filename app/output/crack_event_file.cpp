@@ -27,6 +27,8 @@ Json event_json(const CrackEvent& event) {
   json["eigenvalue"] = event.eigenvalue;
   json["load"] = event.load;
   json["resistance"] = event.resistance;
+  json["scale_factor"] = event.scaled ? event.scaled->factor : 1;
+  if (event.scaled) json["scaled_because"] = reason(*event.scaled);
   json["nodes_made"] = event.nodes_made;
   json["torn_off"] = event.torn_off;
   json["elements"] = Json::array();

@@ -12,6 +12,7 @@
 
 #include "app/shared/hash_text.h"
 #include "app/shared/quantile.h"
+#include "sim/world/scaled_breaks.h"
 
 namespace griffith::app {
 namespace {
@@ -46,6 +47,32 @@ Json& place_of(Json& json, std::string_view key) {
   const bool is_number = name.find_first_not_of("0123456789") == std::string_view::npos;
   Json& place = is_number ? json[std::stoul(std::string(name))] : json[std::string(name)];
   return dot == key.size() ? place : place_of(place, key.substr(dot + 1));
+}
+
+/// Of one scene body: the material that stood in for its own, and why.
+Json scaled_json(int scene_body, const ScaledImpact& impact) {
+  return {{"scene_body", scene_body},
+          {"factor", impact.factor},
+          {"young_modulus", impact.young_modulus},
+          {"tensile_strength", impact.tensile_strength},
+          {"reason", reason(impact)}};
+}
+
+/// Nodes of a scene body that opened while it was scaled.
+std::ptrdiff_t scaled_cracks(const Frame& frame, int scene_body) {
+  return std::ranges::count_if(frame.crack_events, [&](const CrackEvent& event) {
+    return event.scaled && frame.bodies[event.body].scene_body == scene_body;
+  });
+}
+
+Json broke_scaled_json(const Frame& frame) {
+  Json list = Json::array();
+  for (const ScaledBreak& broken : scaled_breaks(frame)) {
+    Json& json = list.emplace_back(scaled_json(broken.scene_body, broken.least));
+    json["pieces"] = broken.pieces;
+    json["cracks"] = scaled_cracks(frame, broken.scene_body);
+  }
+  return list;
 }
 
 /// Counts as whole numbers; null for what never came.
@@ -86,14 +113,12 @@ std::string RunStatistics::json(const Frame& frame, std::uint64_t state_hash) co
   json["dt"] = time_step_;
   add_outcomes(json, outcomes_of(frame, tally_));
   json["scaled_impacts"] = Json::array();
-  for (const auto& [scene_body, scaled] : scaled_)
-    json["scaled_impacts"].push_back({{"scene_body", scene_body},
-                                      {"impacts", scaled.impacts},
-                                      {"step", scaled.step},
-                                      {"factor", scaled.slowest.factor},
-                                      {"young_modulus", scaled.slowest.young_modulus},
-                                      {"tensile_strength", scaled.slowest.tensile_strength},
-                                      {"reason", reason(scaled.slowest)}});
+  for (const auto& [scene_body, scaled] : scaled_) {
+    Json& impact = json["scaled_impacts"].emplace_back(scaled_json(scene_body, scaled.slowest));
+    impact["impacts"] = scaled.impacts;
+    impact["step"] = scaled.step;
+  }
+  json["broke_scaled"] = broke_scaled_json(frame);
   json["state_hash"] = hash_text(state_hash);
   json["threads"] = threads_;
   json["peak_memory_bytes"] = peak_memory_bytes();
@@ -127,6 +152,9 @@ std::string RunStatistics::summary(const Frame& frame, std::uint64_t state_hash)
                   scene_body, scaled.impacts, slowest.young_modulus, slowest.tensile_strength, reason(slowest).c_str());
     lines += text;
   }
+  for (const ScaledBreak& broken : scaled_breaks(frame))
+    lines += "broke scaled: " + std::to_string(broken.pieces) + " pieces of body " + std::to_string(broken.scene_body) +
+             ", at " + scale_text(broken.least) + ": " + reason(broken.least) + "\n";
   return lines;
 }
 

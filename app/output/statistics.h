@@ -25,7 +25,8 @@ class RunStatistics {
   /// infinite. `ms` has the times in milliseconds of steps, of their phases, and `processor` time of all threads from
   /// the end of one step to that of the next. `frame`: the last one.
   /// `scaled_impacts` lists for each scene body whose impacts were scaled (ScaledImpact) the slowest, with the
-  /// effective material and the reason.
+  /// effective material and the reason. `broke_scaled` lists by scene body what broke so (ScaledBreak): pieces that
+  /// there are of it, cracks, the smallest factor, the effective material and the reason.
   std::string json(const Frame& frame, std::uint64_t state_hash) const;
 
   /// What outcomes_of() needs of the steps so far.

@@ -4,6 +4,8 @@
 #include <bitset>
 #include <cmath>
 
+#include "sim/world/scaled_breaks.h"
+
 namespace griffith::app {
 namespace {
 
@@ -112,6 +114,17 @@ ui::LegendCorner legend_corner(const render::DrawScene& picture, const render::C
   if (now == 0) return legend.corner;
   const ui::LegendCorner best = *std::ranges::min_element(ui::kLegendCorners, {}, covered);
   return covered(best) < 0.5f * now ? best : legend.corner;
+}
+
+std::optional<ui::PictureLabel> scaling_label(const Scene& scene, const Frame& frame, float y) {
+  const std::vector<ScaledBreak> breaks = scaled_breaks(frame);
+  if (breaks.empty()) return std::nullopt;
+  const auto least = std::ranges::min_element(breaks, {}, [](const ScaledBreak& one) { return one.least.factor; });
+  const auto body = static_cast<std::size_t>(least->scene_body);
+  const bool named = breaks.size() == 1 && body < scene.bodies.size();
+  const std::string what =
+      named ? scene.bodies[body].name + " broke at " : std::to_string(breaks.size()) + " bodies broke scaled, down to ";
+  return ui::PictureLabel{0.5f, y, what + scale_text(least->least)};
 }
 
 std::vector<ui::PictureLabel> scene_labels(const render::DrawScene& picture, const render::Camera& camera,

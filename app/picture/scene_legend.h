@@ -5,6 +5,8 @@
 
 #include "renderer/camera.h"
 #include "renderer/draw_scene.h"
+#include "sim/scene/scene.h"
+#include "sim/world/frame.h"
 #include "ui/widgets/labels.h"
 #include "ui/widgets/legend.h"
 
@@ -23,6 +25,10 @@ ui::LegendCorner legend_corner(const render::DrawScene& picture, const render::C
 /// surfaces, bodies' nodes or spheres, 0 to 1.
 float covered_fraction(const render::DrawScene& picture, const render::Camera& camera, float aspect,
                        const Eigen::AlignedBox2f& part);
+
+/// That what is seen broke while it was scaled, in the middle: "pane broke at E/256, σ/16". Nothing where nothing did.
+/// `y`: as PictureLabel.
+std::optional<ui::PictureLabel> scaling_label(const Scene& scene, const Frame& frame, float y);
 
 /// The picture's labels where the camera sees them; none for what lies behind it.
 std::vector<ui::PictureLabel> scene_labels(const render::DrawScene& picture, const render::Camera& camera,

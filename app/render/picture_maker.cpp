@@ -95,10 +95,13 @@ struct PictureMaker::Impl {
                                  viewpoint.range.range());
   }
 
-  Writing writing_of(const render::DrawScene& drawn, const Viewpoint& viewpoint) const {
+  Writing writing_of(const Frame& frame, const render::DrawScene& drawn, const Viewpoint& viewpoint) const {
     if (!job.legend) return {};
     Writing writing{scene_legend(drawn, viewpoint.view.range.has_value()),
                     scene_labels(drawn, viewpoint.camera, aspect())};
+    constexpr float kAboveEdge = 16;  // design pixels
+    if (const auto scaling = scaling_label(scene, frame, 1 - kAboveEdge * scale / size().y))
+      writing.labels.push_back(*scaling);
     if (!ui::legend_fits({{0, 0}, size()}, scale)) writing.legend.reset();
     if (writing.legend) writing.legend->corner = viewpoint.corner;
     return writing;
@@ -152,7 +155,7 @@ void PictureMaker::follow(const World& world) {
 RenderedPicture PictureMaker::paint(const World& world, const std::string& camera, const std::string& view) {
   const Impl::Viewpoint& viewpoint = impl_->viewpoints.at({camera, view});
   const render::DrawScene drawn = impl_->draw_scene(world.frame(), viewpoint);
-  const Impl::Writing writing = impl_->writing_of(drawn, viewpoint);
+  const Impl::Writing writing = impl_->writing_of(world.frame(), drawn, viewpoint);
   RenderedPicture picture;
   picture.record = world_record(world);
   picture.record.text = writing_text(writing.legend, writing.labels);

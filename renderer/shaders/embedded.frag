@@ -36,6 +36,27 @@ vec3 carried_slope(vec3 slope) {
 #ifdef PLAIN_LIGHT
 Matter matter_here(int octaves) { return Matter(vec3(1.0), vec3(0.0)); }
 #else
+#ifdef GRAIN
+// Grain is seen as far as pixels hold it in their narrow direction: along the other one, which is long on faces that are
+// seen aslant, the mean of several places is taken (as textures are filtered: Heckbert 1989).
+Matter with_grain(Matter matter, vec3 fibre, vec4 n) {
+  const float kMost = 6.0;
+  vec3 x = dFdx(rest), y = dFdy(rest);
+  vec3 along = dot(x, x) > dot(y, y) ? x : y;
+  float length_along = max(length(along), 1e-12), across = length(cross(x, y)) / length_along;
+  float places = clamp(ceil(length_along / max(across, 1e-12)), 1.0, kMost);
+  Matter sum = Matter(vec3(0.0), vec3(0.0));
+  for (float i = 0.0; i < places; ++i) {
+    Matter one = matter;
+    vec3 place = rest + ((i + 0.5) / places - 0.5) * along;
+    add_grain(one, int(material(11)), place, material(12), fibre, max(across, length_along / places), n);
+    sum.tint += one.tint;
+    sum.slope += one.slope;
+  }
+  return Matter(sum.tint / places, sum.slope / places);
+}
+#endif
+
 // `octaves` of noise: 2, 0 where a value is shown.
 Matter matter_here(int octaves) {
   vec3 fibre = vec3(material(7), material(8), material(9));
@@ -48,8 +69,7 @@ Matter matter_here(int octaves) {
   }
   Matter matter = Matter(vec3(1.0 + material(4) * n.w), 2.0 * material(5) * n.xyz);
 #ifdef GRAIN
-  float pixel = 0.7 * length(fwidth(rest));
-  add_grain(matter, int(material(11)), rest, material(12), fibre, pixel, n);
+  matter = with_grain(matter, fibre, n);
   matter.slope = carried_slope(matter.slope);
 #endif
   return matter;

@@ -3,21 +3,27 @@
 const float kMatShare = 1.4;  // of light from the rough of a crack
 const float kCaught = 0.6;     // of the lamp's light, at the edges of a pane
 
-layout(location = 0) out vec4 depth_sum;  // rgb: optical depth, entered faces negative; a: reflected shares
-layout(location = 1) out vec4 light_sum;  // rgb: reflected light; a: 1 for each face
+layout(location = 0) out vec4 depth_sum;  // rgb: optical depth from each face on, left faces negative; a: reflected shares
+layout(location = 1) out vec4 light_sum;  // rgb: reflected light; a: 1 for each face that is seen
 layout(location = 2) out vec4 face_sum;   // xy: slopes of the faces, across the line of sight; z: -1 for an entered face,
-                                          // 1 for one that is left; w: optical depth to each face
+                                          // 1 for one that is left, seen or not; w: from each face to what is opaque [m]
+
+uniform sampler2D opaque_distance;
 
 vec3 mirrored_light(vec3 direction) {
   return sky_light(direction) + 6.0 * pow(max(dot(direction, light.xyz), 0.0), 300.0);
 }
 
-// `color`: of light that has come `clear_depth` far [m] through the matter; `covered`: a place in the part of the pixel
+// Distances count from what is opaque behind the faces: what lies beyond it, beside it or within it adds up to nothing,
+// whichever of its faces are hidden. A face through which a look leaves onto what it touches mirrors nothing, as which of
+// the two is before the other is chance. `color`: of light that has come `clear_depth` far [m] through the matter; `covered`: a place in the part of the pixel
 // that the face covers.
 void emit_glass(vec3 color, float clear_depth, vec3 covered, vec3 position, vec3 normal, bool rough) {
-  const float kDeepest = 1e4;  // in 16 bits
+  const float kTouching = 5e-3;  // in distances from the eye: far more than depths are rounded by
   vec3 ray = -towards_eye(position);
-  float away = eye.w == 0.0 ? dot(ray, covered) : length(eye.xyz - covered);
+  float away = length(eye.xyz - covered);
+  float beyond = max(texelFetch(opaque_distance, ivec2(gl_FragCoord.xy), 0).r - away, 0.0);
+  float visible_here = gl_FrontFacing ? float(beyond > 0.0) : smoothstep(0.0, kTouching * away, beyond);
   vec3 absorption = -log(max(linear_from_srgb(color), 1e-3)) / clear_depth;
   float share = mirrored_share(normal, ray);
   vec3 mirrored = mirrored_light(reflect(ray, normal));
@@ -26,9 +32,9 @@ void emit_glass(vec3 color, float clear_depth, vec3 covered, vec3 position, vec3
     mirrored = mix(mirrored, caught, 0.8);
     share = max(share, kMatShare);
   }
-  depth_sum = vec4(absorption * (gl_FrontFacing ? -away : away), share);
-  light_sum = vec4(mirrored * share, 1.0);
+  share *= visible_here;
+  depth_sum = vec4(absorption * (gl_FrontFacing ? beyond : -beyond), share);
+  light_sum = vec4(mirrored * share, visible_here);
   vec2 slope = (view_projection * vec4(normal + ray * dot(ray, normal), 0.0)).xy;
-  float depth = min(dot(absorption, vec3(1.0)) * abs(away), kDeepest);
-  face_sum = vec4(slope, gl_FrontFacing ? -1.0 : 1.0, eye.w == 0.0 ? sign(away) * depth : depth);
+  face_sum = vec4(visible_here * slope, gl_FrontFacing ? -1.0 : 1.0, visible_here * beyond);
 }

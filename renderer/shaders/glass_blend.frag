@@ -1,26 +1,45 @@
 // What is seen through clear matter, and what it mirrors. Background is looked up a little aside, as refraction has it.
 const float kBend = 0.012;  // of a look through a slanted face, in heights of the picture
 
-uniform sampler2D opaque_picture, depth_sums, light_sums, face_sums;
+uniform sampler2D opaque_picture, opaque_distance, depth_sums, light_sums, face_sums;
 layout(location = 0) out vec4 pixel_color;
 
-// Without the way from the eye to faces whose opposite is missing.
-vec3 without_unpaired(vec3 depth, vec4 face_sum, float faces) {
-  float sum = dot(depth, vec3(1.0));
-  if (face_sum.z == 0.0 || sum == 0.0) return max(depth, 0.0);
-  return depth / sum * max(sum - face_sum.z * face_sum.w / faces, 0.0);
+ivec2 neighbour(ivec2 pixel, int i) {
+  return clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0), textureSize(light_sums, 0) - 1);
 }
 
-// Optical depth of a pixel. Some faces have no opposite, which hides behind what is opaque, or which a seam between two
-// polygons lets the pixel miss. Then neighbours tell, where they have all.
-vec3 optical_depth(ivec2 pixel, vec3 depth, vec4 face_sum, float faces) {
+// Optical depth of a pixel. A seam between two polygons lets some pixels miss a face. Then neighbours tell, where they
+// have all; what has none absorbs nothing.
+vec3 optical_depth(ivec2 pixel, vec3 depth, float unpaired) {
+  if (unpaired == 0.0) return max(depth, 0.0);
   vec4 sum = vec4(0.0);
-  for (int i = 0; i < (face_sum.z == 0.0 ? 0 : 9); ++i) {
-    ivec2 there = pixel + ivec2(i % 3, i / 3) - 1;
+  for (int i = 0; i < 9; ++i) {
+    ivec2 there = neighbour(pixel, i);
     bool paired = texelFetch(face_sums, there, 0).z == 0.0 && texelFetch(light_sums, there, 0).a > 0.0;
     if (paired) sum += vec4(max(texelFetch(depth_sums, there, 0).rgb, 0.0), 1.0);
   }
-  return sum.a > 0.0 ? sum.rgb / sum.a : without_unpaired(depth, face_sum, faces);
+  return sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0);
+}
+
+// Whether something stands before the clear matter, which is `away` far [m], at a place or right beside it.
+bool stands_before(ivec2 place, float away) {
+  bool found = false;
+  for (int i = 0; i < 9; ++i) {
+    ivec2 there = neighbour(place, i);
+    found = found || (texelFetch(light_sums, there, 0).a == 0.0 && texelFetch(opaque_distance, there, 0).r < away);
+  }
+  return found;
+}
+
+// How far aside the background is seen, in shares of the picture: no further than it lies behind the faces, as rays are
+// bent by less than 45 degrees, and not where something stands before them.
+vec2 bend(ivec2 pixel, vec2 size, vec4 face_sum, float faces) {
+  float opaque_away = texelFetch(opaque_distance, pixel, 0).r, beyond = face_sum.w / faces;
+  vec3 up = vec3(view_projection[0][1], view_projection[1][1], view_projection[2][1]);
+  float most = 0.5 * length(up) * beyond / opaque_away;
+  vec2 aside = kBend * face_sum.xy / faces;
+  aside *= min(1.0, most / max(length(aside), 1e-6)) * vec2(size.y / size.x, 1.0);
+  return stands_before(ivec2(gl_FragCoord.xy - aside * size), opaque_away - beyond) ? vec2(0.0) : aside;
 }
 
 void main() {
@@ -29,9 +48,9 @@ void main() {
   if (light_sum.a == 0.0) discard;
   vec2 size = vec2(textureSize(opaque_picture, 0));
   vec4 face_sum = texelFetch(face_sums, pixel, 0);
-  vec2 bend = kBend * face_sum.xy / light_sum.a * vec2(size.y / size.x, 1.0);
-  vec3 behind = linear_from_srgb(texture(opaque_picture, gl_FragCoord.xy / size - bend).rgb);
+  vec2 place = gl_FragCoord.xy / size - bend(pixel, size, face_sum, light_sum.a);
+  vec3 behind = linear_from_srgb(texture(opaque_picture, place).rgb);
   float mirrored = 1.0 - exp(-depth_sum.a);
-  vec3 seen = behind * exp(-optical_depth(pixel, depth_sum.rgb, face_sum, light_sum.a)) * (1.0 - mirrored);
+  vec3 seen = behind * exp(-optical_depth(pixel, depth_sum.rgb, face_sum.z)) * (1.0 - mirrored);
   pixel_color = vec4(srgb_from_linear(seen + light_sum.rgb * mirrored / max(depth_sum.a, 1e-5)), 1.0);
 }

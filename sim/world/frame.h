@@ -37,6 +37,8 @@ struct BodyView {
   bool rigid = false;                  ///< moves as a whole: its stress is not computed until something strikes it
   bool asleep = false;                 ///< lies still until something strikes it
   std::optional<ScaledImpact> scaled;  ///< when its waves took more microsteps than the budget left
+  /// What stood in for the material when it, or a body that it broke off, cracked: the one of the smallest f. Lasts.
+  std::optional<ScaledImpact> broke_scaled;
 };
 
 /// What two things did to each other in the last step, near one place.

@@ -11,13 +11,14 @@ BodyView view_of(const Body& body) {
   return {body.id,          body.parent,          body.scene_body,      static_cast<int>(body.tets.size()),
           body.motion.mass, body.motion.center,   body.motion.velocity, body.motion.angular_velocity,
           body.orientation, body.collision_parts, body.supported(),     body.rigid,
-          body.asleep,      body.scaled};
+          body.asleep,      body.scaled,          body.broke_scaled};
 }
 
 /// Whether a sleeper lies where its view of the last step has it.
 bool still_shows(const BodyView& view, const Body& body) {
   return body.asleep && view.asleep && view.center_of_mass == body.motion.center &&
-         view.orientation.coeffs() == body.orientation.coeffs() && !view.scaled && !body.scaled;
+         view.orientation.coeffs() == body.orientation.coeffs() && !view.scaled && !body.scaled &&
+         view.broke_scaled == body.broke_scaled;
 }
 
 void add_nodes(const WorldState& world, Totals& totals) {

@@ -92,6 +92,9 @@ struct alignas(64) Body {
   Rest rest;                                ///< of one that sways
   double shock_ended = -std::numeric_limits<double>::infinity();  ///< when it left its last shock [s]
 
+  /// As BodyView::broke_scaled: decides nothing, so that it is not hashed.
+  std::optional<ScaledImpact> broke_scaled;
+
   bool supported() const { return !system->is_free(); }
   /// Whether the implicit step moves it.
   bool sways() const { return !rigid && !shock && !asleep; }

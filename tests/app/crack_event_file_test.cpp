@@ -22,9 +22,23 @@ TEST(CrackEventFile, HoldsEveryEventWithItsElements) {
     EXPECT_EQ(events[i]["node"], event.node.index());
     EXPECT_EQ(events[i]["load"], event.load);
     EXPECT_GT(events[i]["load"], events[i]["resistance"]);
+    EXPECT_EQ(events[i]["scale_factor"], event.scaled ? event.scaled->factor : 1.0);
+    EXPECT_EQ(events[i].contains("scaled_because"), event.scaled.has_value());
     EXPECT_EQ(events[i]["elements"].size(), event.elements.size());
     EXPECT_EQ(events[i]["elements"][0]["tensile"][1], event.elements[0].force.tensile.y());
   }
+}
+
+TEST(CrackEventFile, TellsTheScaleAtWhichEachOpened) {
+  Scene scene = testing::shot_wall(Vec3(3, 3, 1), 0.75, testing::brick(0.02));
+  scene.simulation.step_budget = 0.1;
+  World world(scene);
+  for (int i = 0; i < 20; ++i) world.step();
+  const nlohmann::json events = nlohmann::json::parse(crack_events_json(world.frame()));
+  ASSERT_GT(events.size(), 0u);
+  EXPECT_LT(events[0]["scale_factor"], 1);
+  EXPECT_GE(events[0]["scale_factor"], 1.0 / 16);
+  EXPECT_NE(events[0]["scaled_because"].get<std::string>().find("the budget leaves"), std::string::npos);
 }
 
 }  // namespace

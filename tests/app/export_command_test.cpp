@@ -11,6 +11,7 @@
 #include "app/export/bake_json.h"
 #include "app/export/bond_csv.h"
 #include "app/export/glb_file.h"
+#include "app/export/html_player.h"
 #include "app/export/tiny_gltf.h"
 #include "app/export/usda_file.h"
 #include "baked_run.h"
@@ -66,6 +67,21 @@ TEST(Glb, DeformedPointsAreMorphTargets) {
   EXPECT_EQ(model.meshes[0].weights.size(), bake.times.size());
   for (const tinygltf::Primitive& primitive : model.meshes[0].primitives)
     EXPECT_EQ(primitive.targets.size(), bake.times.size());
+}
+
+TEST(Export, EveryFormatTellsWhatBrokeScaled) {
+  Bake bake = wall_bake();
+  for (BakedThing& thing : bake.things) thing.broke_scaled.reset();
+  EXPECT_EQ(usda_file(bake).find("scaleFactor"), std::string::npos);
+  bake.things[1].broke_scaled.emplace().factor = 0.25;
+  EXPECT_EQ(nlohmann::json::parse(bake_json(bake))["things"][1]["scale_factor"], 0.25);
+  EXPECT_EQ(nlohmann::json::parse(bake_json(bake))["things"][0]["scale_factor"], 1);
+  EXPECT_NE(usda_file(bake).find("griffith:scaleFactor = 0.25"), std::string::npos);
+  EXPECT_NE(html_player(bake).find("\"brokeScaled\":\"E/16, σ/4\""), std::string::npos);
+  const tinygltf::Model model = read_glb(glb_file(bake));
+  const auto node = std::ranges::find(model.nodes, bake.things[1].name, &tinygltf::Node::name);
+  ASSERT_NE(node, model.nodes.end());
+  EXPECT_EQ(node->extras.Get("scale_factor").GetNumberAsDouble(), 0.25);
 }
 
 TEST(BakeJson, TellsThingsAndBonds) {

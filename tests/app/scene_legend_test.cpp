@@ -35,6 +35,27 @@ TEST(CoveredShare, CountsWhatIsSeenInThePartAlone) {
   EXPECT_EQ(covered(0, 0, 1, 1), 0);
 }
 
+TEST(ScalingLabel, SaysWhatBrokeScaled) {
+  Scene scene;
+  scene.bodies.resize(2);
+  scene.bodies[0].name = "pane";
+  std::vector<BodyView> bodies(2);
+  bodies[0].tets = bodies[1].tets = 1;
+  bodies[1].scene_body = 1;
+  Frame frame;
+  frame.bodies = bodies;
+  EXPECT_FALSE(scaling_label(scene, frame, 0.9f));
+  bodies[0].broke_scaled.emplace().factor = 1.0 / 16;
+  const std::optional<ui::PictureLabel> label = scaling_label(scene, frame, 0.9f);
+  ASSERT_TRUE(label);
+  EXPECT_EQ(label->text, "pane broke at E/256, σ/16");
+  EXPECT_EQ(label->y, 0.9f);
+  bodies[1].broke_scaled.emplace().factor = 0.5;
+  EXPECT_EQ(scaling_label(scene, frame, 0.9f)->text, "2 bodies broke scaled, down to E/256, σ/16");
+  scene.bodies.clear();  // edited, while the world is of before
+  EXPECT_TRUE(scaling_label(scene, frame, 0.9f));
+}
+
 class LegendCornerTest : public ::testing::Test {
  protected:
   /// What share of its card the legend covers of the scene's first picture.

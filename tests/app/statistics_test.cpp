@@ -110,6 +110,36 @@ TEST(Statistics, SumsAndLargestValuesOverSteps) {
   EXPECT_NEAR(stats["ms"]["step"]["p99"].get<double>(), 99, 0.51);
 }
 
+/// Of pieces that broke scaled long before the last step.
+TEST(Statistics, WhatBrokeScaledIsCountedAtTheEnd) {
+  ScaledImpact slow, slower;
+  slow.factor = 0.5;
+  slower.factor = 0.25;
+  std::vector<BodyView> bodies(4);
+  for (BodyView& body : bodies) body.tets = 1;
+  for (int i = 0; i < 4; ++i) bodies[static_cast<std::size_t>(i)].id = BodyId(i);
+  bodies[1].broke_scaled = slow;
+  bodies[2].broke_scaled = slower;
+  bodies[3].scene_body = 1;
+  std::vector<CrackEvent> events(3);
+  for (CrackEvent& event : events) event.body = BodyId(1);
+  events[0].scaled = slow;
+  events[1].scaled = slower;
+  Frame frame;
+  frame.bodies = bodies;
+  frame.crack_events = events;
+  const RunStatistics statistics(Frame(), 0.01, 1);
+  const Json stats = Json::parse(statistics.json(frame, 0));
+  ASSERT_EQ(stats["broke_scaled"].size(), 1u);
+  const Json& broken = stats["broke_scaled"][0];
+  EXPECT_EQ(broken["scene_body"], 0);
+  EXPECT_EQ(broken["pieces"], 2);
+  EXPECT_EQ(broken["cracks"], 2);
+  EXPECT_EQ(broken["factor"], 0.25);
+  EXPECT_TRUE(stats["scaled_impacts"].empty());
+  EXPECT_NE(statistics.summary(frame, 0).find("broke scaled: 2 pieces of body 0, at E/16, σ/4"), std::string::npos);
+}
+
 TEST(Statistics, FileIsReplacedAsAWhole) {
   const std::filesystem::path path = test_file("out.json", "old");
   replace_file(path, "new");

@@ -71,6 +71,7 @@ void add(const std::string& name, const Scene& scene, int steps) {
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
   for (const auto& [name, steps] : {std::pair{"arch", 100},
+                                    {"bear_shot", 50},
                                     {"block_stack", 60},
                                     {"brick_wall", 60},
                                     {"bridge", 110},
@@ -81,7 +82,6 @@ int main(int argc, char** argv) {
                                     {"plate_drop", 60},
                                     {"plate_with_hole", 20},
                                     {"remeshed_plate", 40},
-                                    {"spot_shot", 50},
                                     {"three_point_bending", 40},
                                     {"vase_shot", 40},
                                     {"wall_large", 60},

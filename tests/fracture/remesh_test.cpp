@@ -4,12 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <deque>
-#include <filesystem>
 #include <set>
 
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/mesh_report.h"
 #include "sim/mesh/read_mesh.h"
+#include "tests/irregular_soup.h"
 #include "tests/moving_mesh.h"
 
 namespace griffith {
@@ -73,10 +73,7 @@ NodeId node_nearest(const Remeshable& body, const Vec3& place) {
 std::vector<std::pair<TetSoup, double>> soups_with_sizes() {
   std::vector<std::pair<TetSoup, double>> soups;
   for (BoxPattern pattern : kPatterns) soups.emplace_back(make_box(Vec3(2, 1, 1), Vec3::Constant(0.4), pattern), 0.4);
-  for (const char* name : {"tets/duck.1.node", "tets/materialblock.1.ele", "tets/octopus-low.mesh"}) {
-    const std::filesystem::path path = std::filesystem::path(GRIFFITH_SOURCE_DIR) / "../shared/data" / name;
-    if (!std::filesystem::exists(path)) continue;
-    TetSoup soup = read_mesh(path);
+  for (TetSoup soup : {testing::irregular_soup(), read_mesh(GRIFFITH_SOURCE_DIR "/scenes/meshes/voussoir.msh")}) {
     const MeshReport report = prepare(soup);
     soups.emplace_back(std::move(soup), std::cbrt(6 * report.volume / report.tets));
   }

@@ -63,8 +63,7 @@ std::vector<Scene> shipped_scenes() {
       paths.push_back(entry.path());
   std::ranges::sort(paths);
   std::vector<Scene> scenes;
-  for (const fs::path& path : paths)
-    if (check_scene(path).empty()) scenes.push_back(read_scene(path));
+  for (const fs::path& path : paths) scenes.push_back(read_scene(path));
   return scenes;
 }
 

@@ -3,11 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "sim/mesh/box_mesh.h"
 #include "sim/mesh/mesh_report.h"
-#include "sim/mesh/read_mesh.h"
+#include "tests/irregular_soup.h"
 #include "tests/moving_mesh.h"
 
 namespace griffith {
@@ -27,12 +25,7 @@ std::vector<TetSoup> soups() {
   std::vector<TetSoup> soups;
   for (BoxPattern pattern : {BoxPattern::kuhn, BoxPattern::five_tet, BoxPattern::bcc})
     soups.push_back(make_box(Vec3(2, 1, 1), Vec3::Constant(0.5), pattern));
-  for (const char* name : {"tets/materialblock.1.ele", "tets/octopus-low.mesh"}) {
-    const std::filesystem::path path = std::filesystem::path(GRIFFITH_SOURCE_DIR) / "../shared/data" / name;
-    if (!std::filesystem::exists(path)) continue;
-    soups.push_back(read_mesh(path));
-    prepare(soups.back());
-  }
+  soups.push_back(testing::irregular_soup());
   return soups;
 }
 

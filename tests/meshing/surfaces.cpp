@@ -15,9 +15,6 @@ fs::path test_folder() {
   return folder;
 }
 
-fs::path shared_surface(const std::string& name) {
-  const fs::path path = fs::path(GRIFFITH_SOURCE_DIR) / ".." / "shared" / "data" / "surfaces" / name;
-  return fs::exists(path) ? path : fs::path();
-}
+fs::path shipped_surface(const std::string& name) { return fs::path(GRIFFITH_SOURCE_DIR) / "scenes" / "meshes" / name; }
 
 }  // namespace griffith::testing

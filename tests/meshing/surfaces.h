@@ -89,7 +89,7 @@ inline void write_off(const TriangleSurface& surface, const std::filesystem::pat
 /// An empty folder of the running test's own.
 std::filesystem::path test_folder();
 
-/// A surface that other projects ship, where it is on this machine: empty otherwise.
-std::filesystem::path shared_surface(const std::string& name);
+/// A surface of the scenes that come with the program.
+std::filesystem::path shipped_surface(const std::string& name);
 
 }  // namespace griffith::testing

@@ -99,6 +99,111 @@ TEST_F(GlassTest, AFaceWithoutItsOppositeAbsorbsNothing) {
   }
 }
 
+/// The sheet with its back as far before the square behind it [m]; that is 1 m behind its front.
+DrawScene sheet_before_square(const Camera& camera, float gap) { return sheet(camera, {0.55f, 0.8f, 0.7f}, 1 - gap); }
+
+RenderOptions without_shadows(RenderOptions how) {
+  how.shadows = false;
+  return how;
+}
+
+/// Which of two faces in one place is before the other is chance, from pixel to pixel.
+TEST_F(GlassTest, HasNoHolesWhereItLiesOnSomething) {
+  for (const int samples : {1, 4}) {
+    const RenderOptions how = without_shadows(clear_options(samples));
+    const Image close = picture(sheet_before_square(camera(), 1e-3f), how);
+    for (const float gap : {1e-6f, 0.0f, -1e-6f, -0.2f}) {
+      const Image there = picture(sheet_before_square(camera(), gap), how);
+      EXPECT_EQ(off_fraction(there, close), 0) << gap << " m, " << samples << " samples";
+      EXPECT_EQ(renderer_->id_at(kWidth / 2, kHeight / 2), kFront);
+    }
+  }
+}
+
+constexpr int kRim = 2;  // pixels
+
+/// Whether an id is, or is not, that of all pixels around one that is not near the picture's edge.
+bool all_around(const IdImage& ids, int x, int y, std::int32_t id, bool is) {
+  for (int row = y - kRim; row <= y + kRim; ++row)
+    for (int column = x - kRim; column <= x + kRim; ++column)
+      if ((ids.ids[static_cast<std::size_t>(row * ids.width + column)] == id) != is) return false;
+  return true;
+}
+
+/// A slab on the ground, seen aslant, its lower face within the rounding of the ground.
+TEST_F(GlassTest, HasNoHolesOnTheGround) {
+  const auto slab = [](float bottom) {
+    DrawScene scene;
+    scene.ground = Ground{0};
+    const std::array<Vector3f, 8> c = {Vector3f(-1, bottom, -1), {-1, bottom, 1}, {1, bottom, 1}, {1, bottom, -1},
+                                       Vector3f(-1, 0.05f, -1),  {-1, 0.05f, 1},  {1, 0.05f, 1},  {1, 0.05f, -1}};
+    for (const auto& face :
+         {std::array{4, 5, 6, 7}, {3, 2, 1, 0}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}})
+      for (const int i : {0, 1, 2, 0, 2, 3}) scene.surface.positions.push_back(c[face[i]]);
+    scene.surface.flags.assign(12, kClear);
+    scene.surface.ids.assign(12, kFront);
+    scene.surface.colors.assign(12, {0.55f, 0.8f, 0.7f});
+    scene.surface.clear_depth = 0.03f;
+    return scene;
+  };
+  const RenderOptions how = without_shadows(clear_options());
+  DrawScene bare = slab(0);
+  bare.surface = {};
+  const Image ground = picture(bare, how), above = picture(slab(1e-4f), how);
+  for (const float bottom : {-1e-4f, 1e-6f, 0.0f, -1e-6f}) {
+    const Image lying = picture(slab(bottom), how);
+    const IdImage ids = renderer_->ids();
+    int inside = 0, holes = 0, off = 0;
+    for (int y = kRim; y + kRim < kHeight; ++y)
+      for (int x = kRim; x + kRim < kWidth; ++x) {
+        if (!all_around(ids, x, y, kFront, true)) continue;
+        ++inside;
+        holes += lying.pixel(x, y)[0] > ground.pixel(x, y)[0] - 20;
+        off += std::abs(lying.pixel(x, y)[0] - above.pixel(x, y)[0]) > 4;
+      }
+    EXPECT_GT(inside, 2500);
+    EXPECT_EQ(holes, 0) << bottom << ": pixels that do not show its colour";
+    EXPECT_EQ(off, 0) << bottom;
+  }
+}
+
+/// The slab's faces are turned against the line of sight, so that it bends the look at what is behind.
+TEST_F(GlassTest, WhatStandsBeforeItIsSeenOnce) {
+  const Camera eye = {{0, 0, 3}, {0, 0, 0}, 40};
+  DrawScene scene;
+  scene.background = {{0.2f, 0.4f, 0.6f}, {0.2f, 0.4f, 0.6f}};
+  const auto square = [&](const Vector3f& middle, const Vector3f& x, const Vector3f& y, bool clear, const Rgb& color) {
+    for (const auto& [a, b] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}})
+      scene.surface.positions.push_back(middle + static_cast<float>(a) * x + static_cast<float>(b) * y);
+    for (int i = 0; i < 2; ++i) {
+      scene.surface.flags.push_back(clear ? kClear : 0);
+      scene.surface.colors.push_back(color);
+      scene.surface.ids.push_back(clear ? kFront : kBehind);
+    }
+  };
+  const Vector3f across(1, 0, 1), up(0, 1, 0);  // turned by 45 degrees
+  square({0, 0, -0.5f}, across, up, true, {0.5f, 0.8f, 0.8f});
+  square({0, 0, -0.6f}, across, -up, true, {0.5f, 0.8f, 0.8f});
+  for (const int samples : {1, 4}) {
+    const RenderOptions how = without_shadows(clear_options(samples));
+    const Image bare = picture(scene, how);
+    const Surface kept = scene.surface;
+    square({0, 0, 1}, {0.1f, 0, 0}, {0, 0.2f, 0}, false, {0.9f, 0.1f, 0.1f});
+    const Image with = picture(scene, how);
+    const IdImage ids = renderer_->ids();
+    int covered = 0;
+    for (int y = kRim; y + kRim < kHeight; ++y)
+      for (int x = kRim; x + kRim < kWidth; ++x) {
+        const bool beside = all_around(ids, x, y, kBehind, false);
+        covered += !beside;
+        for (std::size_t i = 0; i < (beside ? 3 : 0); ++i)
+          EXPECT_NEAR(with.pixel(x, y)[i], bare.pixel(x, y)[i], 1) << x << ", " << y;
+      }
+    EXPECT_GT(covered, 100);
+    scene.surface = kept;
+  }
+}
+
 TEST_F(GlassTest, SeamsInItsFacesAreNotSeen) {
   const DrawScene whole = sheet(camera(), {0.55f, 0.8f, 0.7f}, 0.1f);
   DrawScene parted = whole;

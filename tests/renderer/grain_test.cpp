@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "tests/renderer/renderer_fixture.h"
 
@@ -113,6 +114,39 @@ TEST_F(GrainTest, WhatIsSmallerThanAPixelFadesAway) {
     fine.materials[0].grain_size = 1e-3f;
     EXPECT_EQ(off_fraction(plain, drawn(fine)), 0) << int(grain);
   }
+}
+
+/// Standard deviation over mean of green within the middle half of what is drawn of the triangle.
+double contrast(const Image& image) {
+  std::vector<double> values;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      bool inside = true;
+      for (int i = 0; i < 9; ++i) {
+        const int column = x + i % 3 - 1, row = y + i / 3 - 1;
+        inside &=
+            column >= 0 && row >= 0 && column < image.width && row < image.height && image.pixel(column, row)[1] > 0;
+      }
+      if (inside) values.push_back(image.pixel(x, y)[1]);
+    }
+  double mean = 0, square = 0;
+  for (const double value : values) mean += value / static_cast<double>(values.size());
+  for (const double value : values) square += (value - mean) * (value - mean) / static_cast<double>(values.size());
+  return std::sqrt(square) / mean;
+}
+
+/// Faces that are seen aslant show the grain of those that are seen straight.
+TEST_F(GrainTest, IsSeenOnFacesThatAreTurnedAway) {
+  const auto seen_at = [](float degrees) {
+    const float angle = degrees * 0.017453293f, away = 9;
+    return Camera{{away * std::sin(angle), 0.8f, away * std::cos(angle)}, {0, 0.8f, 0}, 14};
+  };
+  EmbeddedSurface surface = broken_triangle(Grain::crystals);
+  surface.materials[0].grain_size = 0.05f;
+  const double straight = contrast(drawn_from(surface, seen_at(0)));
+  EXPECT_GT(straight, 0.1);
+  for (const float degrees : {45.0f, 60.0f, 70.0f, 75.0f})
+    EXPECT_GT(contrast(drawn_from(surface, seen_at(degrees))), 0.5 * straight) << degrees;
 }
 
 /// From afar a body is about as bright as from near: the mean of a grain's colours is that of its material.

@@ -10,6 +10,7 @@
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/motion_phase.h"
+#include "sim/world/scaled_breaks.h"
 #include "sim/world/setup/build_world.h"
 #include "sim/world/shock/shock_phase.h"
 #include "sim/world/step_counters.h"
@@ -229,6 +230,89 @@ TEST(Similarity, WhatIsScaledIsTold) {
   EXPECT_EQ(impact->tets, 50);
   EXPECT_EQ(reason(*impact).find("50 tetrahedra would take "), 0u) << reason(*impact);
   EXPECT_GT(impact->microsteps, impact->affordable);
+}
+
+/// A pane that a ball breaks while it is scaled.
+Scene scaled_pane() {
+  Scene scene = struck(Vec3(1, 1, 0.1), 0.1, 5, 15);
+  scene.simulation.step_budget = 1;
+  return scene;
+}
+
+/// The body and those that it broke off, itself first.
+std::vector<BodyId> line_of(const Frame& frame, BodyId body) {
+  std::vector<BodyId> line;
+  for (; body.valid(); body = frame.bodies[body].parent) line.push_back(body);
+  return line;
+}
+
+/// The least factor of the cracks of a body itself; 1: none was scaled.
+double least_of_own_cracks(const Frame& frame, BodyId body) {
+  double least = 1;
+  for (const CrackEvent& event : frame.crack_events)
+    if (event.body == body && event.scaled) least = std::min(least, event.scaled->factor);
+  return least;
+}
+
+TEST(Similarity, WhatBrokeScaledIsMarkedForEver) {
+  World world(scaled_pane());
+  while (world.frame().time < 1.0) world.step();
+  const Frame frame = world.frame();
+  ASSERT_GT(frame.fragments, 5);
+  double least = 1;
+  int marked = 0;
+  for (const BodyView& body : frame.bodies) {
+    EXPECT_FALSE(body.scaled) << "no shock runs any more";
+    double least_of_line = 1;
+    for (const BodyId id : line_of(frame, body.id))
+      least_of_line = std::min(least_of_line, least_of_own_cracks(frame, id));
+    const double factor = body.broke_scaled ? body.broke_scaled->factor : 1;
+    EXPECT_LE(factor, least_of_own_cracks(frame, body.id)) << "body " << body.id.index();
+    EXPECT_GE(factor, least_of_line) << "body " << body.id.index();
+    least = std::min(least, factor);
+    marked += body.broke_scaled.has_value();
+  }
+  EXPECT_LT(least, 1);
+  EXPECT_EQ(marked, static_cast<int>(frame.bodies.size())) << "all came from what broke scaled";
+  const std::vector<ScaledBreak> breaks = scaled_breaks(frame);
+  ASSERT_EQ(breaks.size(), 1u);
+  EXPECT_EQ(breaks[0].pieces, marked);
+  EXPECT_EQ(breaks[0].least.factor, least);
+}
+
+TEST(Similarity, WhatBreaksUnderItsFullStiffnessIsNotMarked) {
+  Scene scene = scaled_pane();
+  scene.simulation.step_budget = 1e6;
+  World world(scene);
+  while (world.frame().time < 0.1) world.step();
+  EXPECT_GT(world.frame().fragments, 0);
+  EXPECT_TRUE(scaled_breaks(world.frame()).empty());
+  for (const CrackEvent& event : world.frame().crack_events) EXPECT_FALSE(event.scaled);
+}
+
+/// The budget asks for far less than what the speed of the impact, the strength or the least factor allow.
+TEST(Similarity, WhatKeepsTheFactorIsTold) {
+  const auto limit_of = [](double speed, double strength) {
+    Scene scene = struck(Vec3(1, 1, 0.1), 0.1, 5, speed);
+    scene.bodies[0].material.tensile_strength = strength;
+    scene.simulation.step_budget = 0.1;
+    World world(scene);
+    while (!world.frame().bodies[0].scaled && world.frame().time < 1) world.step();
+    return world.frame().bodies[0].scaled.value_or(ScaledImpact());
+  };
+  const Material material = scaled_pane().bodies[0].material;
+  const double wave_speed = std::sqrt(material.young_modulus / material.density);
+  const ScaledImpact slow = limit_of(2, 1e6), fast = limit_of(60, 1e6),
+                     strong = limit_of(20, 0.002 * material.young_modulus);
+  EXPECT_EQ(slow.limit, ScalingLimit::least);
+  EXPECT_EQ(slow.factor, 1.0 / 16);
+  EXPECT_EQ(fast.limit, ScalingLimit::speed);
+  EXPECT_NEAR(fast.factor, 5 * 60 / wave_speed, 0.02);
+  EXPECT_EQ(strong.limit, ScalingLimit::strain);
+  EXPECT_NEAR(strong.factor, 0.1, 1e-9);
+  EXPECT_NE(reason(fast).find("too fast"), std::string::npos) << reason(fast);
+  EXPECT_EQ(scale_text(slow), "E/256, σ/16");
+  EXPECT_EQ(scale_text(strong), "E/100, σ/10");
 }
 
 /// A light and stiff box between the ground and a heavy ball: its pieces rattle far faster than the step.

@@ -22,9 +22,19 @@ std::string why_whole(const Frame& frame, bool fracture) {
   return "a crack that opened close by relieves it first, or all its elements lie on one side of the plane.";
 }
 
-std::string scaled_text(const ScaledImpact& impact) {
-  return "Shown at " + format_quantity(100 * impact.factor * impact.factor, "", 2) + " % of its stiffness, " +
-         format_quantity(1 / impact.factor, "", 2) + " times slower: " + reason(impact) + ".";
+/// `what`: "Broke", "Its piece broke" or "Shown".
+std::string scaled_text(const std::string& what, const ScaledImpact& impact) {
+  return " " + what + " at " + scale_text(impact) + ", " + format_quantity(1 / impact.factor, "", 2) +
+         " times slower: " + reason(impact) + ".";
+}
+
+/// What stood in for the material when the node broke, now, or when its piece broke; empty where nothing did.
+std::string scaling_note(const NodeReport& report, const Frame& frame, bool broke) {
+  const BodyView& body = frame.bodies[report.body];
+  if (broke)
+    if (const auto& scaled = frame.crack_events[report.events.back()].scaled) return scaled_text("Broke", *scaled);
+  if (body.scaled) return scaled_text("Shown", *body.scaled);
+  return body.broke_scaled ? scaled_text("Its piece broke", *body.broke_scaled) : "";
 }
 
 std::string breaking(const CrackEvent& event, const char* unit) {
@@ -137,6 +147,13 @@ Verdict bare_verdict(const NodeState& state, const NodeReport& report, const Fra
 
 }  // namespace
 
+std::string stand_in_text(const ScaledImpact& impact) {
+  return "As a material of " + format_quantity(impact.young_modulus, "Pa", 3) + " with a strength of " +
+         format_quantity(impact.tensile_strength, "Pa", 3) + " it breaks at the speed at which it should, " +
+         format_quantity(1 / impact.factor, "", 2) + " times slower: " + reason(impact) +
+         ". A larger step_budget scales less.";
+}
+
 const char* load_unit(const Material& material) {
   return material.criterion == FractureCriterion::separation_force ? "N" : "Pa";
 }
@@ -176,9 +193,7 @@ NodeState node_state(const NodeReport& report, const Frame& frame, const std::op
 Verdict verdict_on(const NodeReport& report, const Frame& frame, bool fracture, const std::optional<Stop>& stop) {
   const NodeState state = node_state(report, frame, stop);
   Verdict verdict = bare_verdict(state, report, frame, fracture);
-  std::optional<ScaledImpact> scaled = frame.bodies[report.body].scaled;
-  if (verdict.kind == Verdict::Kind::broke && state.crack->scaled) scaled = state.crack->scaled;
-  if (scaled) verdict.text += " " + scaled_text(*scaled);
+  verdict.text += scaling_note(report, frame, verdict.kind == Verdict::Kind::broke);
   return verdict;
 }
 

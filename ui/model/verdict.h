@@ -44,6 +44,9 @@ struct Verdict {
 Verdict verdict_on(const NodeReport& report, const Frame& frame, bool fracture,
                    const std::optional<Stop>& stop = std::nullopt);
 
+/// What stood in for the material of what broke while it was scaled, and why: "As a material of 273 MPa ...".
+std::string stand_in_text(const ScaledImpact& impact);
+
 /// "Pa" or "N", what the load and resistance of a material are measured in.
 const char* load_unit(const Material& material);
 /// The load that is compared with the resistance [load_unit].

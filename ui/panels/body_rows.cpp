@@ -10,6 +10,7 @@ void add(BodyRow& row, const BodyView& piece) {
   ++(piece.asleep ? row.asleep : piece.rigid ? row.rigid : row.elastic);
   row.tets += piece.tets;
   row.mass += piece.mass;
+  keep_least(row.broke_scaled, piece.broke_scaled);
 }
 
 /// Compares names: numbers in them count as numbers, so that "brick 2" comes before "brick 10".
@@ -27,6 +28,8 @@ bool comes_before(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
+
+std::string BodyRow::mark() const { return broke_scaled ? scale_text(*broke_scaled) : ""; }
 
 std::vector<BodyRow> body_rows(const Scene& scene, const Frame& frame) {
   std::vector<BodyRow> rows(scene.bodies.size());
@@ -78,8 +81,9 @@ bool holds_text(std::string_view text, std::string_view part) {
 }
 
 void filter_rows(std::vector<BodyRow>& rows, std::string_view text) {
-  std::erase_if(rows,
-                [text](const BodyRow& row) { return !holds_text(row.name, text) && !holds_text(row.state(), text); });
+  std::erase_if(rows, [text](const BodyRow& row) {
+    return !holds_text(row.name, text) && !holds_text(row.state(), text) && !holds_text(row.mark(), text);
+  });
 }
 
 }  // namespace griffith::ui

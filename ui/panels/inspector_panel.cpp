@@ -133,6 +133,9 @@ void element_rows(const Panel& panel, TetId tet) {
             palette::kText);
   value_row(panel, "Its elements", std::to_string(body.tets), palette::kText);
   value_row(panel, "Speed", format_quantity(body.velocity.norm(), "m/s", 3), palette::kText);
+  if (!body.broke_scaled) return;
+  value_row(panel, "Piece broke at", scale_text(*body.broke_scaled), palette::kWarning);
+  tooltip(stand_in_text(*body.broke_scaled));
 }
 
 }  // namespace

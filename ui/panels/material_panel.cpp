@@ -2,6 +2,8 @@
 #include <array>
 #include <vector>
 
+#include "sim/world/scaled_breaks.h"
+#include "ui/model/verdict.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/field_range.h"
 #include "ui/widgets/number_field.h"
@@ -190,6 +192,16 @@ void damping_rows(Panel& panel, Material& material) {
              &Material::mass_damping);
 }
 
+/// That what the sliders say is not what broke.
+void scaled_row(Panel& panel) {
+  for (const ScaledBreak& broken : scaled_breaks(panel.input.frame)) {
+    if (broken.scene_body != panel.state.selected_body) continue;
+    value_row(panel, "Broke at", scale_text(broken.least), palette::kWarning);
+    tag_last_item(panel.tags, "material/broke_scaled", scale_text(broken.least));
+    tooltip(stand_in_text(broken.least));
+  }
+}
+
 }  // namespace
 
 void draw_material_panel(Panel& panel) {
@@ -200,6 +212,7 @@ void draw_material_panel(Panel& panel) {
   heading(panel, ("Material of " + body.name).c_str());
   Material material = body.material;
   preset_row(panel, material);
+  scaled_row(panel);
   number_row(panel, material,
              {"young_modulus", "Young's modulus", 1e3, 1e12, true,
               "E: stiffness. Click to type a value with its unit, such as 20 GPa."},

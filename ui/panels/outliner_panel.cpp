@@ -55,7 +55,7 @@ float widest(const std::vector<BodyRow>& rows, Text text) {
 void begin_columns(const Panel& panel, const std::vector<BodyRow>& rows) {
   const float scale = ui_scale(panel), line = ImGui::GetTextLineHeight(), arrow = ImGui::GetFontSize();
   const float gap = 2 * ImGui::GetStyle().CellPadding.x;
-  const float name = line + 8 * scale + widest(rows, [](const BodyRow& row) { return row.name; });
+  const float name = line + 8 * scale + widest(rows, [](const BodyRow& row) { return row.name + "  " + row.mark(); });
   float room = ImGui::GetContentRegionAvail().x - std::min(name, 130 * scale) - line - 2 * gap;
   ImGui::TableSetupScrollFreeze(0, 1);
   ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch);
@@ -152,7 +152,9 @@ void filter_row(Panel& panel) {
   std::array<char, 64>& text = panel.state.body_filter;
   ImGui::InputTextWithHint("##filter", "name or state", text.data(), text.size());
   tag_last_item(panel.tags, "bodies/filter", text.data());
-  tooltip("Lists what has this in its name or is so: elastic, rigid or asleep; fixed, pressure, ...");
+  tooltip(
+      "Lists what has this in its name or is so: elastic, rigid or asleep; E/ where it broke scaled; fixed, pressure, "
+      "...");
   ImGui::SameLine();
   add_button(panel, button);
 }

@@ -8,6 +8,7 @@
 
 #include "ui/model/entry_choice.h"
 #include "ui/model/units.h"
+#include "ui/model/verdict.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -60,10 +61,12 @@ ImU32 state_color(const BodyRow& row) {
 
 void row_tooltip(const OutlinerRow& row) {
   if (row.entry.kind != EntryKind::body) return tooltip(row.name + (row.note.empty() ? "" : ": " + row.note));
-  tooltip(row.name + ": " + std::to_string(row.body.tets) + " tetrahedra, " + mass_text(row.body.mass) + "; " +
-          std::to_string(row.body.elastic) + " elastic, " + std::to_string(row.body.rigid) + " rigid, " +
-          std::to_string(row.body.asleep) +
-          " asleep.\nRigid: moves as a whole until something strikes it; asleep: lies still and costs nothing.");
+  tooltip(
+      row.name + ": " + std::to_string(row.body.tets) + " tetrahedra, " + mass_text(row.body.mass) + "; " +
+      std::to_string(row.body.elastic) + " elastic, " + std::to_string(row.body.rigid) + " rigid, " +
+      std::to_string(row.body.asleep) +
+      " asleep.\nRigid: moves as a whole until something strikes it; asleep: lies still and costs nothing." +
+      (row.body.broke_scaled ? "\nBroke at " + row.body.mark() + ". " + stand_in_text(*row.body.broke_scaled) : ""));
 }
 
 /// What can be done with the chosen entries, on a right click.
@@ -130,14 +133,16 @@ void draw_name(const Panel& panel, const OutlinerRow& row, float width, bool hid
   const ImVec2 start = {low.x + (is_part_of_body(row.entry.kind) ? 16 : 4) * scale, (low.y + high.y - line) / 2};
   ImDrawList* list = ImGui::GetWindowDrawList();
   const bool is_body = row.entry.kind == EntryKind::body;
-  const float room = is_body ? start.x - low.x + line + 4 * scale : 0;
+  const std::string mark = row.body.mark();
+  const float gap = 8 * scale, marked = mark.empty() ? 0 : ImGui::CalcTextSize(mark.c_str()).x + gap;
+  const float room = is_body ? start.x - low.x + line + 4 * scale + marked : 0;
   if (!is_body) list->PushClipRect(low, high);
   draw_icon(list, icon_of(row.entry.kind), {start.x + line / 2, (low.y + high.y) / 2}, 0.8f * line, palette::kTextDim);
   const std::string name = is_body ? fitted(row.name, width - room) : row.name;
   const ImVec2 place = {start.x + line + 4 * scale, start.y};
   list->AddText(place, hidden ? palette::kTextDim : palette::kText, name.c_str());
-  const float end = place.x + ImGui::CalcTextSize(name.c_str()).x + 8 * scale;
-  list->AddText({end, start.y}, palette::kTextDim, row.note.c_str());
+  const float end = place.x + ImGui::CalcTextSize(name.c_str()).x + gap;
+  list->AddText({end, start.y}, is_body ? palette::kWarning : palette::kTextDim, (is_body ? mark : row.note).c_str());
   if (!is_body) list->PopClipRect();
 }
 
@@ -176,6 +181,7 @@ void camera_cell(Panel& panel, const OutlinerRow& row) {
 void body_cells(Panel& panel, const OutlinerRow& row, bool hidden) {
   text_cell(state_color(row.body), std::string(row.body.state()));
   if (row.body.pieces() > 0) tag_last_item(panel.tags, row.tag + "/state", std::string(row.body.state()));
+  if (row.body.broke_scaled) tag_last_item(panel.tags, row.tag + "/broke_scaled", row.body.mark());
   text_cell(row.body.pieces() > 1 ? palette::kAccent : palette::kTextDim, std::to_string(row.body.pieces()));
   text_cell(palette::kTextDim, std::to_string(row.body.tets));
   text_cell(palette::kTextDim, mass_text(row.body.mass));

@@ -45,7 +45,7 @@ OutlinerRow row_of(const Scene& scene, const SceneEntry& entry) {
 bool matches(const OutlinerRow& row, std::string_view filter) {
   const std::string_view name = row.name;
   return holds_text(has_name(row.entry.kind) ? name : name.substr(0, name.rfind(' ')), filter) ||
-         holds_text(row.note, filter) || holds_text(row.body.state(), filter);
+         holds_text(row.note, filter) || holds_text(row.body.state(), filter) || holds_text(row.body.mark(), filter);
 }
 
 /// The body's row and those of its supports and loads: all where it matches, else those that do, below it.

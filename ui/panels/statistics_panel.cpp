@@ -3,12 +3,15 @@
 #include <cstdio>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "sim/mesh/number_text.h"
+#include "sim/world/scaled_breaks.h"
 #include "sim/world/step_counters.h"
 #include "ui/model/energy_share.h"
 #include "ui/model/overlap.h"
 #include "ui/model/units.h"
+#include "ui/model/verdict.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
@@ -26,6 +29,17 @@ void trouble_row(const Panel& panel, const char* label, int value, ImU32 color, 
   tooltip(cure);
 }
 
+/// Lasts from the first crack of a scaled body on; there is none without.
+void broke_scaled_row(const Panel& panel) {
+  const std::vector<ScaledBreak> breaks = scaled_breaks(panel.input.frame);
+  if (breaks.empty()) return;
+  int pieces = 0;
+  for (const ScaledBreak& broken : breaks) pieces += broken.pieces;
+  const auto least = std::ranges::min_element(breaks, {}, [](const ScaledBreak& one) { return one.least.factor; });
+  value_row(panel, "Broke scaled", count_text(pieces) + " pieces, " + scale_text(least->least), palette::kWarning);
+  tooltip(stand_in_text(least->least));
+}
+
 void mesh_rows(const Panel& panel) {
   const Frame& frame = panel.input.frame;
   heading(panel, "Simulation");
@@ -34,13 +48,7 @@ void mesh_rows(const Panel& panel) {
   count_row(panel, "Pieces", frame.bodies.size());
   count_row(panel, "Fragments", static_cast<std::size_t>(std::max(frame.fragments, 0)));
   count_row(panel, "Crack events", frame.crack_events.size());
-}
-
-/// What stood in for the material of the slowest body, and why.
-std::string slowest_text(const ScaledImpact& impact) {
-  return "As a material of " + format_quantity(impact.young_modulus, "Pa", 3) + " with a strength of " +
-         format_quantity(impact.tensile_strength, "Pa", 3) +
-         " the struck body breaks at the speed at which it should: " + reason(impact) + ".";
+  broke_scaled_row(panel);
 }
 
 void scaled_row(const Panel& panel) {
@@ -49,7 +57,7 @@ void scaled_row(const Panel& panel) {
   const auto count = std::ranges::count_if(bodies, [](const BodyView& body) { return body.scaled.has_value(); });
   const auto slowest = std::ranges::min_element(bodies, {}, factor);
   trouble_row(panel, "Scaled bodies", static_cast<int>(count), palette::kWarning,
-              count > 0 ? slowest_text(*slowest->scaled).c_str()
+              count > 0 ? stand_in_text(*slowest->scaled).c_str()
                         : "Their waves would have taken more microsteps than step_budget leaves.");
 }
 

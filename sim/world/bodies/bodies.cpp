@@ -192,6 +192,7 @@ void assign_pieces(WorldState& world, BodyId id, std::vector<std::vector<TetId>>
     piece.parent = id;
     piece.scene_body = world.bodies[id].scene_body;
     piece.scaled = world.bodies[id].scaled;
+    piece.broke_scaled = world.bodies[id].broke_scaled;
     piece.shock = world.bodies[id].shock;
     piece.shock_ended = world.bodies[id].shock_ended;
     piece.tets = std::move(pieces[i]);

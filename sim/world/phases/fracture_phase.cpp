@@ -155,6 +155,7 @@ bool crack(WorldState& world, NodeId node, Opened& opened) {
   date_open_faces(world, result.changed_tets);
   opened.parted.insert(opened.parted.end(), result.changed_tets.begin(), result.changed_tets.end());
   world.report.supports_torn += event.torn_off;
+  keep_least(world.bodies[event.body].broke_scaled, event.scaled);
   world.crack_events.push_back(std::move(event));
   return true;
 }

@@ -42,18 +42,26 @@ constexpr double kCeiling = 20, kSpentFraction = 0.1;
 /// Of the work left, what a stretch is planned to take.
 constexpr double kPlanned = 0.4;
 
+/// The least f, and what asks for it.
+struct LeastFactor {
+  double factor = 0;
+  ScalingLimit limit = ScalingLimit::least;
+};
+
 /// `least`: for what is slow and strains little.
-double min_factor(const WorldState& world, const Body& body, double least) {
+LeastFactor min_factor(const WorldState& world, const Body& body, double least) {
   const Material& material = world.material_of(body);
   // Flow has its own pace; strains without stress are of whole elements, which scaled quadratic ones would need at
   // corners.
-  if (material.yield_strength || !body.edges.empty()) return 1;
+  if (material.yield_strength || !body.edges.empty()) return {1};
   const double window = shock_window(world, body);
-  if (is_pulsed(world, body, {world.time - window, world.time + window})) return 1;
+  if (is_pulsed(world, body, {world.time - window, world.time + window})) return {1};
   const double speed = std::max(body.shock->impact_speed, inner_speed(world, body)),
                for_speed = speed / (kImpactFraction * bar_wave_speed(material)),
                for_strain = material.tensile_strength / (kMaxStrain * material.young_modulus);
-  return std::clamp(std::max(for_speed, for_strain), least, 1.0);
+  const LeastFactor needed = for_speed > for_strain ? LeastFactor{for_speed, ScalingLimit::speed}
+                                                    : LeastFactor{for_strain, ScalingLimit::strain};
+  return needed.factor > least ? LeastFactor{std::min(needed.factor, 1.0), needed.limit} : LeastFactor{least};
 }
 
 /// Where a body is, to tell its deformation from: a free one where it fits best, one that swings about its pivot, any
@@ -216,7 +224,8 @@ std::vector<int> groups_in_shock(const WorldState& world, double duration) {
 
 /// What the bodies of a group ask for.
 struct GroupDemand {
-  double min_factor = 0, least_factor = 0, similarity = 1;
+  LeastFactor usual;  ///< with breaking speeds as they are
+  double least_factor = 0, similarity = 1;
   double highest_frequency = 0, least_frequency = 0;  ///< as they are; with stiffness relieved [rad/s]
   std::optional<ScaledImpact> scaled;                 ///< of the slowest
 
@@ -225,8 +234,13 @@ struct GroupDemand {
   double factor(double affordable, double ceiling) const {
     return std::max(least_factor, std::min(usual_factor(affordable), ceiling / relieved_frequency(affordable)));
   }
-  double usual_factor(double affordable) const {
-    return std::max(min_factor, std::min(affordable / highest_frequency, similarity));
+  double usual_factor(double affordable) const { return std::max(usual.factor, wanted_factor(affordable)); }
+  double wanted_factor(double affordable) const { return std::min(affordable / highest_frequency, similarity); }
+  /// Reason for the user. `budget`: of the whole step.
+  ScaledImpact told(double affordable, const ScaledImpact& budget) const {
+    ScaledImpact impact = affordable / highest_frequency < similarity ? budget : scaled.value_or(budget);
+    if (usual_factor(affordable) > wanted_factor(affordable)) impact.limit = usual.limit;
+    return impact;
   }
   /// The highest that elements keep [rad/s].
   double relieved_frequency(double affordable) const {
@@ -246,8 +260,9 @@ std::vector<GroupDemand> group_demands(const WorldState& world, const std::vecto
   for (const Body& body : world.bodies) {
     if (!body.shock) continue;
     GroupDemand& demand = demands[groups[body.scene_body]];
-    demand.min_factor = std::max(demand.min_factor, min_factor(world, body, kMinFactor));
-    demand.least_factor = std::max(demand.least_factor, min_factor(world, body, kLeastFactor));
+    const LeastFactor usual = min_factor(world, body, kMinFactor);
+    if (usual.factor > demand.usual.factor) demand.usual = usual;
+    demand.least_factor = std::max(demand.least_factor, min_factor(world, body, kLeastFactor).factor);
     demand.highest_frequency = std::max(demand.highest_frequency, body.shock->frequency);
     demand.least_frequency = std::max(demand.least_frequency, least_frequency(world, body));
     if (body.shock->similarity >= demand.similarity) continue;
@@ -271,10 +286,10 @@ void choose_similarity(WorldState& world, double left) {
   const double frequency = is_too_much ? demand.highest_frequency * available / work : unlimited;
   const double ceiling =
       is_too_much ? demand.highest_frequency * kPlanned * work_left(world) / (followed * work) : unlimited;
-  ScaledImpact told;
-  told.tets = demand.tets;
-  told.microsteps = demand.microsteps;
-  told.affordable = available / demand.work_of_microstep();
+  ScaledImpact budget_told;
+  budget_told.tets = demand.tets;
+  budget_told.microsteps = demand.microsteps;
+  budget_told.affordable = available / demand.work_of_microstep();
   const std::vector<int> groups = groups_in_shock(world, left);
   const std::vector<GroupDemand> demands = group_demands(world, groups);
   for (Body& body : world.bodies) {
@@ -282,7 +297,7 @@ void choose_similarity(WorldState& world, double left) {
     const GroupDemand& group = demands[groups[body.scene_body]];
     const double factor = group.factor(frequency, ceiling);
     if (factor < body.shock->similarity) {
-      body.scaled = frequency / group.highest_frequency < group.similarity ? told : group.scaled;
+      body.scaled = group.told(frequency, budget_told);
       set_similarity(world, body, factor);
     }
     body.shock->frequency =
