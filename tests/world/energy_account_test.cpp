@@ -324,17 +324,19 @@ Scene spinning_block(double young_modulus, double stiffness_damping, double spin
   return scene;
 }
 
+// What does not close is of second order in the strain that the spin makes, some 2 % and 0.2 %.
 TEST(EnergyAccount, OfASpinningPieceCloses) {
-  for (const double damping : {0.0, 1e-4, 1e-2}) {
-    World world(spinning_block(1e7, damping, 20));
-    for (int i = 0; i < 60; ++i) {
-      world.step();
-      const EnergyAccount energy = world.frame().energy;
-      ASSERT_LT(fraction_unaccounted(energy), 2e-4) << "damping " << damping << " s, step " << i;
-      EXPECT_GE(energy.material_damping, 0);
-      EXPECT_EQ(energy.limited, 0);
+  for (const auto& [young_modulus, tolerance] : {std::pair(1e7, 2e-3), std::pair(1e8, 2e-5)})
+    for (const double damping : {0.0, 1e-4, 1e-2}) {
+      World world(spinning_block(young_modulus, damping, 20));
+      for (int i = 0; i < 30; ++i) {
+        world.step();
+        const EnergyAccount energy = world.frame().energy;
+        ASSERT_LT(fraction_unaccounted(energy), tolerance) << "damping " << damping << " s, step " << i;
+        EXPECT_GE(energy.material_damping, 0);
+        EXPECT_EQ(energy.limited, 0);
+      }
     }
-  }
 }
 
 TEST(EnergyAccount, ASpinningPieceKeepsItsEnergyOnceItsShapeHasSettled) {

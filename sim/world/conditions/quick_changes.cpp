@@ -32,26 +32,67 @@ double stress_by(const WorldState& world, const PlacedLoad& placed, const Body& 
   return 0;
 }
 
-bool is_quick(const WorldState& world, const Body& body, double stress) {
-  return stress >= kQuickFraction * min_breaking_stress(world, body, false);
-}
+/// True if a change begins before the end of a span and ends at its start or later.
+bool touches(const TimeSpan& change, const TimeSpan& span) { return change.from < span.to && change.to >= span.from; }
 
-/// Collects the changes that touch a span.
+/// What comes or goes of the stress in a body, about that by the load that changes, while a wave crosses it [Pa].
+struct StressChange {
+  TimeSpan time;
+  double stress = 0;
+};
+
+/// The changes of bodies.
 class Changes {
  public:
-  Changes(const WorldState& world, const TimeSpan& span) : world_(world), span_(span) {}
+  explicit Changes(const WorldState& world) : world_(world), of_bodies_(world.bodies.size()) {}
 
-  bool touches(const TimeSpan& time) const { return time.from < span_.to && time.to >= span_.from; }
-  void add(const Body& body, const TimeSpan& time, double stress) {
-    if (touches(time) && is_quick(world_, body, stress)) found_.push_back({body.id, time});
+  void add(const Body& body, const TimeSpan& time, double stress) { of_bodies_[body.id].push_back({time, stress}); }
+
+  /// Those that touch a span and are quick, with all others that begin while a wave crosses the body.
+  std::vector<QuickChange> quick(const TimeSpan& span) const {
+    std::vector<QuickChange> found;
+    for (const Body& body : world_.bodies)
+      for (const StressChange& change : of_bodies_[body.id])
+        if (touches(change.time, span) && is_quick(body, change)) found.push_back({body.id, change.time});
+    return found;
   }
-  std::vector<QuickChange> found() { return std::move(found_); }
 
  private:
+  bool is_quick(const Body& body, const StressChange& change) const {
+    const double transit = body.extent / wave_speed(world_, body);
+    double stress = 0;
+    for (const StressChange& other : of_bodies_[body.id])
+      if (std::abs(other.time.from - change.time.from) < transit) stress += other.stress;
+    return stress >= kQuickFraction * min_breaking_stress(world_, body, false);
+  }
+
   const WorldState& world_;
-  const TimeSpan& span_;
-  std::vector<QuickChange> found_;
+  std::vector<std::vector<StressChange>> of_bodies_;
 };
+
+/// When a load grows, and when it ends [s].
+TimeSpan growth_of(const Load& load) {
+  const double full = load.start + load.ramp;
+  return {load.start, load.duration ? std::min(full, load.start + *load.duration) : full};
+}
+double end_of_duration(const Load& load) {
+  return load.duration ? load.start + *load.duration : std::numeric_limits<double>::infinity();
+}
+
+/// When a prescribed support stops [s].
+double stop_of(const Support& support) { return support.stop.value_or(std::numeric_limits<double>::infinity()); }
+
+bool anything_changes(const WorldState& world, const TimeSpan& span) {
+  return std::ranges::any_of(world.loads,
+                             [&](const PlacedLoad& placed) {
+                               return touches(growth_of(placed.load), span) ||
+                                      touches(end_of_duration(placed.load), span);
+                             }) ||
+         std::ranges::any_of(world.supports, [&](const PlacedSupport& placed) {
+           return placed.support.kind == SupportKind::prescribed &&
+                  (touches(0, span) || touches(stop_of(placed.support), span));
+         });
+}
 
 /// A static start knows the loads that act from the first.
 bool is_there_at_start(const WorldState& world, const Load& load, const Body& body) {
@@ -60,43 +101,39 @@ bool is_there_at_start(const WorldState& world, const Load& load, const Body& bo
 
 void add_changes(const WorldState& world, const PlacedLoad& placed, Changes& changes) {
   const Load& load = placed.load;
-  const double end = load.duration ? load.start + *load.duration : std::numeric_limits<double>::infinity();
-  const TimeSpan growth(load.start, std::min(load.start + load.ramp, end));
-  if (!changes.touches(growth) && !changes.touches(end)) return;
+  const TimeSpan growth = growth_of(load);
   const double reached = load.ramp > 0 ? growth.duration() / load.ramp : 1;
   for (const BodyId id : bodies_under(world, placed)) {
     const Body& body = world.bodies[id];
     const double stress = stress_by(world, placed, body), transit = body.extent / wave_speed(world, body);
     if (!is_there_at_start(world, load, body))
       changes.add(body, growth, load.ramp > transit ? stress * transit / load.ramp : reached * stress);
-    changes.add(body, end, reached * stress);
+    if (load.duration) changes.add(body, end_of_duration(load), reached * stress);
   }
 }
 
 /// A support that starts or stops sends a wave of stress ρ c v into the body.
 void add_changes(const WorldState& world, const PlacedSupport& placed, Changes& changes) {
-  const Support& support = placed.support;
-  if (support.kind != SupportKind::prescribed) return;
-  const TimeSpan stop = support.stop.value_or(std::numeric_limits<double>::infinity());
-  if (!changes.touches(0) && !changes.touches(stop)) return;
+  if (placed.support.kind != SupportKind::prescribed) return;
   std::vector<BodyId> held;
   for (const TetCorner& corner : placed.corners) held.push_back(world.elements.bodies[corner.tet]);
   sort_unique(held);
   for (const BodyId id : held) {
     const Body& body = world.bodies[id];
-    const double stress = world.material_of(body).density * wave_speed(world, body) * support.velocity.norm();
+    const double stress = world.material_of(body).density * wave_speed(world, body) * placed.support.velocity.norm();
     changes.add(body, 0, stress);
-    changes.add(body, stop, stress);
+    if (placed.support.stop) changes.add(body, stop_of(placed.support), stress);
   }
 }
 
 }  // namespace
 
 std::vector<QuickChange> quick_changes(const WorldState& world, const TimeSpan& span) {
-  Changes changes(world, span);
+  if (!anything_changes(world, span)) return {};
+  Changes changes(world);
   for (const PlacedLoad& placed : world.loads) add_changes(world, placed, changes);
   for (const PlacedSupport& placed : world.supports) add_changes(world, placed, changes);
-  return changes.found();
+  return changes.quick(span);
 }
 
 bool is_pulsed(const WorldState& world, const Body& body, const TimeSpan& span) {
