@@ -41,13 +41,13 @@ Eigen::Matrix<double, 30, 30> ten_node_stiffness(const ElasticLaw& law, const Re
 }
 
 /// A block held at its left end, with forces on its corners alone.
-struct QuadraticBlock {
+struct HeldBlock {
   ElasticBox body;
   TetEdges topology;
   std::vector<QuadraticState> states;
   std::vector<Vec3> offsets;
 
-  QuadraticBlock() : body(make_box(Vec3(2, 1, 1), Vec3(0.5, 1, 1), BoxPattern::five_tet), 1e9) {
+  HeldBlock() : body(make_box(Vec3(2, 1, 1), Vec3(0.5, 1, 1), BoxPattern::five_tet), 1e9) {
     add_edges(body.mesh, body.tets, topology);
     states.resize(body.tets.size());
     offsets.resize(topology.ends.size(), Vec3::Zero());
@@ -113,7 +113,7 @@ struct QuadraticBlock {
 };
 
 TEST(QuadraticStaticSolve, IsThatOfTenNodeTetrahedra) {
-  QuadraticBlock block;
+  HeldBlock block;
   const StaticReport report = block.solve();
   EXPECT_TRUE(report.converged);
   const Eigen::Matrix3Xd exact = block.ten_node_displacements();
@@ -131,7 +131,7 @@ TEST(QuadraticStaticSolve, IsThatOfTenNodeTetrahedra) {
 }
 
 TEST(QuadraticStaticSolve, ReactionsBalanceTheLoads) {
-  QuadraticBlock block;
+  HeldBlock block;
   const StaticReport report = block.solve();
   Vec3 sum = Vec3::Zero();
   double size = 0;
