@@ -9,14 +9,42 @@ namespace griffith::app {
 namespace {
 
 /// The arrays that a frame does not hold in the form that a file wants; they live as long as the fields that show them.
+/// Points are the nodes, then the middles of the edges of quadratic tets.
 struct ExportArrays {
-  std::vector<Vec3> displacements, separation_directions;
+  std::vector<Vec3> positions, displacements, velocities, reactions, separation_directions;
+  std::vector<std::array<std::int32_t, 6>> middles;
   std::vector<double> separation_stresses, resistances, utilizations, von_mises;
   std::vector<std::int32_t> bodies, scene_bodies;
 };
 
+/// Appends to values of nodes the means of edges' ends.
+template <class T>
+void append_means(const Frame& frame, std::vector<T>& values) {
+  for (const auto& [a, b] : frame.edges.ends) values.push_back(0.5 * (values[a] + values[b]));
+}
+
+void append_middles(const Frame& frame, ExportArrays& arrays) {
+  const auto nodes = static_cast<std::int32_t>(arrays.positions.size());
+  for (std::vector<Vec3>* values :
+       {&arrays.positions, &arrays.displacements, &arrays.velocities, &arrays.reactions, &arrays.separation_directions})
+    append_means(frame, *values);
+  for (std::vector<double>* values : {&arrays.separation_stresses, &arrays.resistances, &arrays.utilizations})
+    append_means(frame, *values);
+  for (std::size_t i = 0; i < frame.edges.offsets.size(); ++i) {
+    arrays.positions[nodes + i] += frame.edges.offsets[i];
+    arrays.displacements[nodes + i] += frame.edges.offsets[i];
+  }
+  for (const std::array<EdgeId, 6>& edges : frame.elements.edges) {
+    std::array<std::int32_t, 6>& of_tet = arrays.middles.emplace_back();
+    for (int i = 0; i < 6; ++i) of_tet[i] = edges[i].valid() ? nodes + edges[i].index() : -1;
+  }
+}
+
 ExportArrays arrays_of(const Frame& frame) {
   ExportArrays arrays;
+  arrays.positions.assign(frame.nodes.positions.begin(), frame.nodes.positions.end());
+  arrays.velocities.assign(frame.nodes.velocities.begin(), frame.nodes.velocities.end());
+  arrays.reactions.assign(frame.nodes.reactions.begin(), frame.nodes.reactions.end());
   for (std::size_t i = 0; i < frame.nodes.positions.size(); ++i) {
     const NodeSeparation& separation = frame.nodes.separations[i];
     arrays.displacements.push_back(frame.nodes.positions[i] - frame.nodes.rest_positions[i]);
@@ -31,6 +59,7 @@ ExportArrays arrays_of(const Frame& frame) {
     arrays.bodies.push_back(body.index());
     arrays.scene_bodies.push_back(frame.bodies[body].scene_body);
   }
+  if (!frame.edges.ends.empty()) append_middles(frame, arrays);
   return arrays;
 }
 
@@ -41,8 +70,8 @@ void export_vtu(const std::filesystem::path& path, const Frame& frame) {
   const auto ids = [](const std::vector<std::int32_t>& values) { return std::span<const std::int32_t>(values); };
   VtuFields fields;
   fields.per_node = {{"displacement [m]", vectors(arrays.displacements)},
-                     {"velocity [m/s]", frame.nodes.velocities},
-                     {"reaction [N]", frame.nodes.reactions},
+                     {"velocity [m/s]", vectors(arrays.velocities)},
+                     {"reaction [N]", vectors(arrays.reactions)},
                      {"separation_stress [Pa]", doubles(arrays.separation_stresses)},
                      {"resistance [Pa or N]", doubles(arrays.resistances)},
                      {"utilization", doubles(arrays.utilizations)},
@@ -51,7 +80,7 @@ void export_vtu(const std::filesystem::path& path, const Frame& frame) {
                     {"von_mises [Pa]", doubles(arrays.von_mises)},
                     {"body", ids(arrays.bodies)},
                     {"scene_body", ids(arrays.scene_bodies)}};
-  write_vtu(path, frame.nodes.positions, frame.elements.tets, fields);
+  write_vtu(path, arrays.positions, frame.elements.tets, fields, arrays.middles);
 }
 
 void export_gmsh(const std::filesystem::path& path, const Frame& frame) {

@@ -26,8 +26,12 @@ struct VtuFields {
 /// Writes a VTK XML unstructured grid (.vtu, raw appended, little-endian, uncompressed): exact to the last bit. Tensors
 /// have nine components, row by row. Each field must have as many values as there are nodes or tets. The file is
 /// written beside `path` and renamed; throws InputError when that fails.
+///   middles   per tet: which of the positions are in the middle of its edges, as kTetEdges, for a quadratic cell, or
+///   -1
+///             for a linear one; empty: all are linear
 void write_vtu(const std::filesystem::path& path, std::span<const Vec3> positions,
-               std::span<const std::array<NodeId, 4>> tets, const VtuFields& fields = {});
+               std::span<const std::array<NodeId, 4>> tets, const VtuFields& fields = {},
+               std::span<const std::array<std::int32_t, 6>> middles = {});
 
 /// Writes Gmsh MSH 2.2 as text, with as many digits as read back exactly; all tets belong to physical group 1. Files
 /// are replaced as by write_vtu().

@@ -1,3 +1,4 @@
+#include <array>
 #include <bit>
 #include <cassert>
 #include <type_traits>
@@ -73,14 +74,21 @@ class VtuFile {
   std::string xml_, data_;
 };
 
-void add_cells(VtuFile& file, std::span<const std::array<NodeId, 4>> tets) {
+void add_cells(VtuFile& file, std::span<const std::array<NodeId, 4>> tets,
+               std::span<const std::array<std::int32_t, 6>> middles) {
+  constexpr std::uint8_t kTetra = 10, kQuadraticTetra = 24;
+  constexpr std::array<int, 6> kOrder = {0, 3, 1, 2, 4, 5};  // of the edges, after the corners
   std::vector<std::int32_t> connectivity, offsets;
+  std::vector<std::uint8_t> types(tets.size(), kTetra);
   connectivity.reserve(4 * tets.size());
-  for (const auto& tet : tets) {
-    for (const NodeId corner : tet) connectivity.push_back(corner.index());
+  for (std::size_t i = 0; i < tets.size(); ++i) {
+    for (const NodeId corner : tets[i]) connectivity.push_back(corner.index());
+    if (!middles.empty() && middles[i][0] >= 0) {
+      for (const int edge : kOrder) connectivity.push_back(middles[i][edge]);
+      types[i] = kQuadraticTetra;
+    }
     offsets.push_back(static_cast<std::int32_t>(connectivity.size()));
   }
-  const std::vector<std::uint8_t> types(tets.size(), 10);  // VTK_TETRA
   file.line("<Cells>");
   file.add_array<std::int32_t>("connectivity", 1, connectivity);
   file.add_array<std::int32_t>("offsets", 1, offsets);
@@ -91,7 +99,8 @@ void add_cells(VtuFile& file, std::span<const std::array<NodeId, 4>> tets) {
 }  // namespace
 
 void write_vtu(const std::filesystem::path& path, std::span<const Vec3> positions,
-               std::span<const std::array<NodeId, 4>> tets, const VtuFields& fields) {
+               std::span<const std::array<NodeId, 4>> tets, const VtuFields& fields,
+               std::span<const std::array<std::int32_t, 6>> middles) {
   VtuFile file;
   file.line("<?xml version=\"1.0\"?>");
   file.line("<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">");
@@ -105,7 +114,7 @@ void write_vtu(const std::filesystem::path& path, std::span<const Vec3> position
   file.line("</CellData>\n<Points>");
   file.add_array<double>("Points", 3, {positions.empty() ? nullptr : positions[0].data(), 3 * positions.size()});
   file.line("</Points>");
-  add_cells(file, tets);
+  add_cells(file, tets, middles);
   file.line("</Piece>\n</UnstructuredGrid>");
   replace_file(path, std::move(file).take());
 }

@@ -39,7 +39,8 @@ struct StaticProblem {
 struct StaticSettings {
   double relative_residual = 1e-10;
   int max_newton_steps = 60;
-  int max_iterations = 1000;  ///< of conjugate gradients for a Newton step; a sparse factorisation takes over after
+  int max_iterations = 1000;  ///< of conjugate gradients for a Newton step, 20 times as many for large quadratic
+                              ///< bodies; a sparse factorisation takes over after
   std::function<bool()> given_up = {};  ///< asked again and again: the answer is not wanted any more
 };
 

@@ -30,6 +30,7 @@ void change_bodies(WorldState& world, int scene_body) {
     if (body.scene_body != scene_body) continue;
     if (body.shock) end_shock(world, body);
     for (NodeId node : body.nodes) world.nodes.masses[node] = node_mass(world, node);
+    for (EdgeId edge : body.edges) world.edges.masses[edge] = edge_mass(world, edge);
     rebuild_body(world, body);
     const Material& material = world.material_of(body);
     world.contact_world.set_surface(body.proxy, {material.friction, material.restitution});

@@ -49,6 +49,22 @@ TEST(ExportFrameFields, EveryFieldIsThere) {
     EXPECT_NE(text.str().find('"' + std::string(name) + '"'), std::string::npos) << name;
 }
 
+TEST(ExportFrameFields, QuadraticTetsAreQuadraticCells) {
+  Scene scene;
+  BodyDescription block;
+  block.shape = BoxShape{Vec3(1, 1, 1), Vec3::Ones(), BoxPattern::five_tet};
+  block.elements = ElementOrder::quadratic;
+  scene.bodies = {block};
+  const World world(scene);
+  export_frame(output("quadratic.vtu"), world.frame());
+  std::stringstream text;
+  text << std::ifstream(output("quadratic.vtu"), std::ios::binary).rdbuf();
+  const std::size_t points = world.frame().nodes.positions.size() + world.frame().edges.ends.size();
+  EXPECT_EQ(points, 8u + 18u);
+  EXPECT_NE(text.str().find("NumberOfPoints=\"26\" NumberOfCells=\"5\""), std::string::npos);
+  EXPECT_NE(text.str().find(std::string(5, '\x18')), std::string::npos) << "VTK_QUADRATIC_TETRA";
+}
+
 TEST(ExportFrameFields, AnotherEndingIsRefused) {
   EXPECT_THROW(check_export_path("wall.obj"), InputError);
   EXPECT_NO_THROW(check_export_path("wall.vtu"));

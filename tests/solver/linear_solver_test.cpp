@@ -71,7 +71,7 @@ TEST(ConjugateGradient, AgreesWithADenseSolve) {
   body.assemble(system, {.dt = 0.01});
   NodeVectors positions(3, system.nodes().size());
   for (Eigen::Index i = 0; i < positions.cols(); ++i) positions.col(i) = body.positions[system.nodes()[i]];
-  RigidModePreconditioner preconditioner(system.matrix(), 60);
+  RigidModePreconditioner preconditioner(system.matrix(), system.matrix().rows(), 60);
   preconditioner.update(system.matrix(), positions);
   const NodeVectors b = random_vectors(random, static_cast<int>(positions.cols()));
   NodeVectors x = NodeVectors::Zero(3, b.cols());
@@ -103,7 +103,7 @@ TEST(Preconditioner, IsSymmetric) {
   body.assemble(system, {.dt = 0.01});
   NodeVectors positions(3, system.nodes().size());
   for (Eigen::Index i = 0; i < positions.cols(); ++i) positions.col(i) = body.positions[system.nodes()[i]];
-  RigidModePreconditioner preconditioner(system.matrix(), 60);
+  RigidModePreconditioner preconditioner(system.matrix(), system.matrix().rows(), 60);
   preconditioner.update(system.matrix(), positions);
   EXPECT_GT(preconditioner.aggregate_count(), 2);
   for (int i = 0; i < 20; ++i) {
@@ -128,7 +128,7 @@ TEST(Preconditioner, IsBlockJacobiWhereTheCoarseMatrixCannotBeFactored) {
     return system.gather(body.positions);
   };
   const NodeVectors positions = assemble(1);
-  RigidModePreconditioner preconditioner(system.matrix(), 20);
+  RigidModePreconditioner preconditioner(system.matrix(), system.matrix().rows(), 20);
   preconditioner.update(system.matrix(), positions);
   const NodeVectors r = random_vectors(random, static_cast<int>(positions.cols()));
   NodeVectors sound, z, again;
@@ -156,7 +156,8 @@ TEST(Preconditioner, ReusesItsFactorsAtNoCostWhereLittleMoves) {
     ElasticSystem system = body.system();
     body.assemble(system, step);
     NodeVectors positions = system.gather(body.positions);
-    RigidModePreconditioner kept(system.matrix(), 20), renewed(system.matrix(), 20);
+    RigidModePreconditioner kept(system.matrix(), system.matrix().rows(), 20),
+        renewed(system.matrix(), system.matrix().rows(), 20);
     kept.update(system.matrix(), positions);
     // Turned a little and strained more than brittle bodies bear.
     const Mat3 turn = Eigen::AngleAxisd(2e-4, random.direction()).toRotationMatrix();

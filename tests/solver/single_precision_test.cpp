@@ -20,7 +20,9 @@ struct LargeProblem {
   NodeVectors b;
 
   LargeProblem(const Vec3& size, double element_size, double young_modulus)
-      : body(size, element_size, young_modulus), system(assembled(body)), preconditioner(system.matrix(), 20) {
+      : body(size, element_size, young_modulus),
+        system(assembled(body)),
+        preconditioner(system.matrix(), system.matrix().rows(), 20) {
     NodeVectors positions = system.gather(body.positions);
     preconditioner.update(system.matrix(), positions);
     RandomValues random(7);

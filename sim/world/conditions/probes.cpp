@@ -104,13 +104,21 @@ struct Sample {
   double utilization = 0, separation_stress = 0, eigenvalue = 0;
 };
 
+/// Cauchy stress of a tet at one of its corners [Pa].
+Mat3 corner_stress(const Frame& frame, const TetCorner& corner) {
+  const bool is_quadratic = !frame.elements.edges.empty() && frame.elements.edges[corner.tet][0].valid();
+  if (!is_quadratic) return frame.elements.stresses[corner.tet];
+  const ElementState& state = frame.elements.quadratic_states[corner.tet].corners[corner.corner];
+  return cauchy_stress(state.frame, state.stress);
+}
+
 Mat3 stress_at(const ProbedNode& probed, NodeId node, const Frame& frame) {
   Mat3 sum = Mat3::Zero();
   double volume = 0;
   for (const TetCorner& corner : probed.star) {
     if (node_at(frame.elements.tets, corner) != node) continue;
     const double part = frame.elements.rest_elements[corner.tet].volume;
-    sum += part * frame.elements.stresses[corner.tet];
+    sum += part * corner_stress(frame, corner);
     volume += part;
   }
   return sum / volume;

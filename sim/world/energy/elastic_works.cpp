@@ -4,8 +4,9 @@
 #include <array>
 
 #include "sim/core/parallel.h"
+#include "sim/core/tet_edge_corners.h"
 #include "sim/elasticity/eigenvalues.h"
-#include "sim/elasticity/quadratic_stiffness.h"
+#include "sim/elasticity/stiffness.h"
 #include "sim/world/corners.h"
 
 namespace griffith {
@@ -101,15 +102,27 @@ FourWorks works_of(const ElasticLaw& law, const FourStarts& starts) {
   return works;
 }
 
-/// x·K x of a quadratic tet, a column of x a corner or edge.
-double stiffness_product(const ElasticLaw& law, const RestElement& rest, const ElementState& mean,
-                         const Eigen::Matrix<double, 3, 10>& x) {
-  double product = 0;
-  for (int i = 0; i < 10; ++i) {
-    const QuadraticStiffnessRow row = quadratic_stiffness_row(law, rest, mean, i);
-    for (int j = 0; j < 10; ++j) product += x.col(i).dot(row.block(j) * x.col(j));
+/// x·K x of a quadratic tet, x what its corners move by and `edges` what its offsets do: with
+/// y_v,i = x_i + 4 w_vi the displacements that corner v would see linearly, it is, with K of the linear
+/// tet, (Σ_v y_v·K y_v + Σ y_v·K Σ y_v) / 20.
+double stiffness_product(const ElasticLaw& law, const RestElement& rest, const ElementState& mean, const Corners& x,
+                         const EdgeVectors& edges) {
+  std::array<Corners, 5> seen = {x, x, x, x, Corners::Zero()};
+  for (int edge = 0; edge < 6; ++edge) {
+    const auto [i, j] = kTetEdges[edge];
+    seen[i].col(j) += 4 * edges.col(edge);
+    seen[j].col(i) += 4 * edges.col(edge);
   }
-  return product;
+  for (int v = 0; v < 4; ++v) seen[4] += seen[v];
+  double product = 0;
+  for (int i = 0; i < 4; ++i) {
+    const StiffnessRow row = stiffness_row(law, rest, mean, i);
+    for (int j = 0; j < 4; ++j) {
+      const Mat3 block = row.block(j);
+      for (const Corners& y : seen) product += y.col(i).dot(block * y.col(j));
+    }
+  }
+  return product / 20;
 }
 
 ElasticWorks quadratic_works(const WorldState& world, const Body& body, double dt) {
@@ -121,14 +134,11 @@ ElasticWorks quadratic_works(const WorldState& world, const Body& body, double d
     for (int i = begin; i < end; ++i) {
       const TetId tet = body.tets[i];
       const RestElement& rest = world.elements.rest_elements[tet];
-      Eigen::Matrix<double, 3, 10> way, forces;
-      way << corners_of(world.mesh, tet, start.solved_velocities),
-          edges_of(world.tet_edges, tet, start.solved_edge_velocities);
-      way *= dt;
+      const Corners way = dt * corners_of(world.mesh, tet, start.solved_velocities);
+      const EdgeVectors bending = dt * edges_of(world.tet_edges, tet, start.solved_edge_velocities);
       const QuadraticForces acting = quadratic_forces(rest, world.elements.quadratic_states[tet]);
-      forces << acting.corners, acting.edges;
-      first[i] = -forces.cwiseProduct(way).sum();
-      change[i] = stiffness_product(law, rest, world.elements.states[tet], way);
+      first[i] = -acting.corners.cwiseProduct(way).sum() - acting.edges.cwiseProduct(bending).sum();
+      change[i] = stiffness_product(law, rest, world.elements.states[tet], way, bending);
     }
   });
   ElasticWorks sum;
