@@ -105,8 +105,11 @@ void ShockRun::add_elements(const Body& body, const Mat3& turn) {
   }
   ElasticLaw law = law_in_shock(world_, body);  // of stress; forces are those of E′ = f² E
   law.lambda *= body.shock->similarity, law.mu *= body.shock->similarity;
-  const double limit = body.shock->similarity * body.shock->frequency;
-  solid_.add_body(law, world_.material_of(body).density, tets, rest_elements, offsets, limit);
+  const double density = world_.material_of(body).density;
+  const bool remeshed = world_.model->scene.bodies[body.scene_body].remeshing;  // its elements are new ones
+  const double limit =
+      remeshed ? frequency_limits(law, density, rest_elements).usual : body.shock->similarity * body.shock->frequency;
+  solid_.add_body(law, density, tets, rest_elements, offsets, limit);
   const int first = solid_.slot(solid_.body_count() - 1, 0);
   tets_.resize(solid_.tet_slots());
   for (std::size_t i = 0; i < body.tets.size(); ++i) {
