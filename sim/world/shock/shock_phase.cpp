@@ -176,7 +176,8 @@ bool is_dust(const WorldState& world, const Body& body) {
   if (body.tets.size() >= kFew || body.supported() || world.model->scene.bodies[body.scene_body].remeshing)
     return false;
   const Material& material = world.material_of(body);
-  const double limit = world.model->frequency_limits[body.scene_body].usual * bar_wave_speed(material);
+  double limit = world.model->frequency_limits[body.scene_body].usual * bar_wave_speed(material);
+  if (body.shock) limit = std::min(limit, body.shock->frequency);
   std::vector<RestElement> rest_elements;
   for (const TetId tet : body.tets) rest_elements.push_back(world.elements.rest_elements[tet]);
   constexpr double kRounding = 1e-6;

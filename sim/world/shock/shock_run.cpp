@@ -235,12 +235,37 @@ void ShockRun::write_back() {
     world_.nodes.velocities[nodes_[i]] = sound ? solid_.velocity(i) : Vec3::Zero();
     world_.report.non_finite_values += !sound;
   }
+  for (int slot = 0; slot < static_cast<int>(tets_.size()); ++slot)
+    if (tets_[slot].valid() && solid_.stiffness(slot) == 0) place_loose_corners(tets_[slot]);
   for (int slot = 0; slot < static_cast<int>(tets_.size()); ++slot) {
     if (!tets_[slot].valid() || !solid_.is_relieved(slot)) continue;
     const TetId tet = tets_[slot];
     const ElementModel model = world_.material_of(world_.bodies[world_.elements.bodies[tet]]).element_model;
     const Corners corners = corners_of(world_.mesh, tet, world_.nodes.positions);
     let_sliver_yield(tet, element_deformation(model, world_.elements.rest_elements[tet], corners).strain);
+  }
+}
+
+/// Whether no element exerts any force on a node.
+bool ShockRun::is_loose(NodeId node) const {
+  return std::ranges::all_of(world_.mesh->stars[node],
+                             [&](TetId tet) { return solid_.stiffness(slot_of_tet_[tet]) == 0; });
+}
+
+/// A corner that nothing holds to an element without stiffness has flown on its own: it goes where it would be if the
+/// element had moved with the face opposite.
+void ShockRun::place_loose_corners(TetId tet) {
+  const auto& corners = world_.mesh->tets[tet];
+  for (int loose = 0; loose < 4; ++loose) {
+    if (!is_loose(corners[loose])) continue;
+    std::array<NodeId, 3> face;
+    for (int i = 0; i < 3; ++i) face[i] = corners[kTetFaces[loose][i]];
+    if (std::ranges::any_of(face, [&](NodeId node) { return is_loose(node); })) continue;
+    const Placement placement = placement_of(world_, face);
+    Vec3 velocity = Vec3::Zero();
+    for (const NodeId node : face) velocity += world_.nodes.velocities[node] / 3;
+    world_.nodes.positions[corners[loose]] = placement.to_world(world_.mesh->rest_positions[corners[loose]]);
+    world_.nodes.velocities[corners[loose]] = velocity;
   }
 }
 
