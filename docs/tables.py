@@ -12,6 +12,7 @@ import concurrent.futures
 import csv
 import dataclasses
 import json
+import math
 import os
 import pathlib
 import re
@@ -93,7 +94,7 @@ def struck_plate(speed, step, budget, shot):
 def impact(speed, step, budget):
     factor, pieces, area = 1, 0, 0
     for shot in range(SHOTS):
-        stats, account = Program.simulate(struck_plate(speed, step, budget, shot), -(-.05 // step))
+        stats, account = Program.simulate(struck_plate(speed, step, budget, shot), math.ceil(.05 / step - 1e-9))
         factor = min([factor] + [scaled['factor'] for scaled in stats['scaled_impacts']])
         pieces += stats['bodies'] / SHOTS
         area += account['crack_area'] / SHOTS

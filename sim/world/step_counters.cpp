@@ -15,7 +15,7 @@ constexpr StepCounter kCounters[] = {
     {"microstep_work", "Work of microsteps", "ms",
      "Most of any step, counted as time on a usual core: elements, contacts, checks for overload and cracks. A step "
      "does "
-     "at most 20 times step_budget.",
+     "at most 20 times step_budget, or 50 ms.",
      kLargest, kNone, &StepReport::microstep_work},
     {"impacts", "Impacts", "", "Bodies that something struck so hard that waves run in them since.", kSum, kNone,
      &StepReport::impacts},

@@ -11,7 +11,7 @@
 namespace griffith {
 namespace {
 
-constexpr double kCeiling = 20;  ///< in budgets
+constexpr double kCeiling = 50;  ///< of small budgets [ms of a usual core]
 
 /// A cube whose corners are pushed towards the faces opposite them in every tenth tet, which makes those flat.
 TetSoup cube_with_slivers() {
@@ -50,13 +50,12 @@ Scene thrown_cube(double budget) {
 }
 
 TEST(WorkCeiling, HoldsInEveryStepAndIsTold) {
-  const Scene scene = thrown_cube(0.5);
-  World world(scene, GivenMeshes{{"cube", cube_with_slivers()}});
+  World world(thrown_cube(0.1), GivenMeshes{{"cube", cube_with_slivers()}});
   StepReport total;
   for (int step = 0; step < 30; ++step) {
     world.step();
     const Frame frame = world.frame();
-    EXPECT_LE(frame.report.microstep_work, 1.05 * kCeiling * scene.simulation.step_budget) << step;
+    EXPECT_LE(frame.report.microstep_work, 1.05 * kCeiling) << step;
     EXPECT_EQ(frame.report.non_finite_values, 0);
     add_step(frame.report, total);
   }
@@ -69,11 +68,12 @@ TEST(WorkCeiling, HoldsInEveryStepAndIsTold) {
 TEST(WorkCeiling, CutsNothingWhereTheBudgetIsLarge) {
   World world(thrown_cube(1000), GivenMeshes{{"cube", cube_with_slivers()}});
   StepReport total;
-  for (int step = 0; step < 6; ++step) {
+  for (int step = 0; step < 2; ++step) {
     world.step();
     add_step(world.frame().report, total);
   }
-  EXPECT_GT(total.cracks, 0);
+  EXPECT_GT(world.frame().crack_events.size(), 100u);
+  EXPECT_GT(total.microstep_work, kCeiling) << "a small budget would have cut it short";
   EXPECT_EQ(total.unfinished_shocks, 0);
 }
 
@@ -82,7 +82,7 @@ TEST(WorkCeiling, TheNumberOfThreadsChangesNoBit) {
   std::vector<std::uint64_t> hashes;
   for (const int threads : {1, 2, 4}) {
     const ThreadLimit limit(threads);
-    World world(thrown_cube(0.5), GivenMeshes{{"cube", cube_with_slivers()}});
+    World world(thrown_cube(0.1), GivenMeshes{{"cube", cube_with_slivers()}});
     for (int step = 0; step < 6; ++step) world.step();
     hashes.push_back(world.state_hash());
   }

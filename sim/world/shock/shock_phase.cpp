@@ -176,6 +176,22 @@ double highest_frequency(const WorldState& world, const Body& body) {
   return highest_frequency(law, material.density, rest_elements, limit);
 }
 
+/// Whether a free piece has so few elements that a relieved one among them would be too much of it: it moves as a rigid
+/// one, as a single element does.
+bool is_dust(const WorldState& world, const Body& body) {
+  constexpr std::size_t kFew = 50;
+  if (body.tets.size() >= kFew || body.supported() || world.model->scene.bodies[body.scene_body].remeshing)
+    return false;
+  const Material& material = world.material_of(body);
+  double limit = world.model->frequency_limits[body.scene_body].usual * bar_wave_speed(material);
+  if (body.shock) limit = std::min(limit, body.shock->frequency);
+  std::vector<RestElement> rest_elements;
+  for (const TetId tet : body.tets) rest_elements.push_back(world.elements.rest_elements[tet]);
+  constexpr double kRounding = 1e-6;
+  return std::ranges::max(element_frequencies(elastic_law(material), material.density, rest_elements)) >
+         (1 + kRounding) * limit;
+}
+
 }  // namespace
 
 bool in_shock(const WorldState& world) {
@@ -210,7 +226,7 @@ bool suits_microsteps(const WorldState& world, const Body& body, double impact_s
   constexpr double kMaxFrequency = 200;  // in bar wave speeds over the mean edge length
   const Material& material = world.material_of(body);
   const double wave_speed = bar_wave_speed(material);
-  return material.tensile_strength < kMaxStrain * material.young_modulus &&
+  return material.tensile_strength < kMaxStrain * material.young_modulus && !is_dust(world, body) &&
          std::max(impact_speed, inner_speed(world, body)) < kMaxMach * wave_speed &&
          highest_frequency(world, body) * body.element_size < kMaxFrequency * wave_speed;
 }
@@ -364,6 +380,12 @@ std::vector<shock::Obstacle> obstacles_of_shock(const WorldState& world, double 
   return obstacles;
 }
 
+void end_shock(WorldState& world, Body& body) {
+  end_similarity(world, body);
+  body.shock.reset();
+  body.shock_ended = world.time;
+}
+
 bool run_shock(WorldState& world, std::vector<shock::Obstacle> obstacles, double duration, double max_work) {
   read_back_velocities(world, obstacles);
   const ObstacleAccount account(world, obstacles);
@@ -372,13 +394,12 @@ bool run_shock(WorldState& world, std::vector<shock::Obstacle> obstacles, double
   for (const shock::Obstacle& obstacle : run.obstacles()) place_obstacle(world, obstacle);
   account.book(world, run.obstacles());
   run.finish(duration);
+  for (Body& body : world.bodies) {
+    if (!body.shock || !is_dust(world, body)) continue;
+    end_shock(world, body);
+    stop_vibration(world, body);
+  }
   return true;
-}
-
-void end_shock(WorldState& world, Body& body) {
-  end_similarity(world, body);
-  body.shock.reset();
-  body.shock_ended = world.time;
 }
 
 void leave_shock(WorldState& world) {

@@ -37,8 +37,9 @@ constexpr double kMinFraction = 1.0 / 8;
 constexpr double kMaxStrain = 0.02;
 /// A shock that this share of the budget left can follow to its end is followed as it is.
 constexpr double kFractionOfOneShock = 0.5;
-/// Work of a step's microsteps at most, in budgets, and what of it is too little to go on with.
-constexpr double kCeiling = 20, kSpentFraction = 0.1;
+/// Work of a step's microsteps at most, in budgets, but not less than the least [µs]: a small budget asks for scaling,
+/// not for less than that leaves. And the share of it that is too little to go on with.
+constexpr double kCeiling = 20, kLeastCeiling = 5e4, kSpentFraction = 0.005;
 /// Of the work left, what a stretch is planned to take.
 constexpr double kPlanned = 0.4;
 
@@ -130,6 +131,11 @@ double unlimited_stretch(const WorldState& world, double left) {
   return std::min(left, std::max({kShortest * time_step, time_step - left, time_to_follow(world), as_last_step}));
 }
 
+/// Work of a step's microsteps at most [µs of a usual core].
+double ceiling_of(const WorldState& world) {
+  return std::max(kLeastCeiling, 1e3 * kCeiling * world.model->scene.simulation.step_budget);
+}
+
 double microsteps_left(const WorldState& world) {
   constexpr double kPerMillisecond = 1e4, kMost = 1e9;
   return std::min(kPerMillisecond * world.model->scene.simulation.step_budget, kMost) - world.report.microsteps;
@@ -182,13 +188,10 @@ double time_to_follow(const WorldState& world) {
   return until;
 }
 
-double work_left(const WorldState& world) {
-  return 1e3 * kCeiling * world.model->scene.simulation.step_budget - world.scratch.microstep_work;
-}
+double work_left(const WorldState& world) { return ceiling_of(world) - world.scratch.microstep_work; }
 
 bool is_spent(const WorldState& world) {
-  return microsteps_left(world) < 1 ||
-         work_left(world) < 1e3 * kSpentFraction * world.model->scene.simulation.step_budget;
+  return microsteps_left(world) < 1 || work_left(world) < kSpentFraction * ceiling_of(world);
 }
 
 double expected_work(const WorldState& world, double stretch) { return demand_of(world, stretch).work(); }

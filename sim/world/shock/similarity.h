@@ -46,7 +46,7 @@ double shock_window(const WorldState& world, const Body& body);
 /// Until the waves of all bodies in shock have been followed, if nothing new happens; 0 without any [s].
 double time_to_follow(const WorldState& world);
 
-/// Work that microsteps may still do in this step, at most 20 times its budget [µs of a usual core].
+/// Work that microsteps may still do in this step, at most 20 times its budget or 50 ms [µs of a usual core].
 double work_left(const WorldState& world);
 
 /// Whether microsteps have done all that they may in this step: work, or 10,000 of them a millisecond of the budget.
