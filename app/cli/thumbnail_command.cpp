@@ -6,6 +6,7 @@
 #include "app/render/thumbnail.h"
 #include "app/shared/scene_files.h"
 #include "renderer/egl_context.h"
+#include "sim/core/error.h"
 #include "sim/core/replace_file.h"
 #include "sim/scene/scene_reader.h"
 
@@ -72,7 +73,8 @@ Command add_thumbnail(CLI::App& program) {
             } else if (options->scenes.size() == 1 && !options->output.empty()) {
               write_thumbnail(options->scenes.front(), options->output);
             } else {
-              throw CLI::ValidationError("-o", "takes one scene and a file; --ship takes several scenes");
+              throw InputError("the command thumbnail", "has no place to write to",
+                               "write one scene and -o FILE, or --ship and any number of scenes");
             }
             return kDone;
           }};

@@ -14,7 +14,7 @@ constexpr double kNewest = 0.1;
 
 // How long a window that nothing moves in waits before it draws work that goes on, pictures that come and the text
 // cursor [s].
-constexpr double kWorkPause = 1.0 / 30, kPicturePause = 0.1, kCursorPause = 0.2;
+constexpr double kWorkPause = 1.0 / 30, kPicturePause = 0.1, kCursorPause = 0.4;
 
 /// What steps may take of the time of a frame before the rest goes on in the background.
 std::chrono::duration<double> time_for_steps(double elapsed) {

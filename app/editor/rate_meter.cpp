@@ -6,7 +6,6 @@ namespace griffith::app {
 namespace {
 
 constexpr double kSeconds = 2;
-constexpr std::size_t kFewest = 4;
 
 }  // namespace
 
@@ -14,7 +13,7 @@ void RateMeter::add(double elapsed, double amount) {
   now_ += std::max(elapsed, 0.0);
   if (amount <= 0) return;
   portions_.push_back({now_, portions_.back().total + amount});
-  while (portions_.size() > kFewest + 1 && portions_[1].time <= now_ - kSeconds) portions_.pop_front();
+  while (portions_.size() > 2 && portions_[1].time <= now_ - kSeconds) portions_.pop_front();
 }
 
 double RateMeter::rate() const {

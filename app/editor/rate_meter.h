@@ -4,8 +4,8 @@
 
 namespace griffith::app {
 
-/// Rate of something that comes in portions: the mean over the last two seconds or, where portions take longer, over
-/// the last four of them. Knows no clock but what it is told.
+/// Rate of something that comes in portions: the mean over the last two seconds or, where a portion takes longer, over
+/// the last one. Knows no clock but what it is told.
 class RateMeter {
  public:
   /// `elapsed` [s] went by, at the end of which `amount` came; 0: nothing did.

@@ -112,7 +112,7 @@ void read_command(Words& words, ScriptLine& line) {
   if (!info)
     words.fail("names no command: \"" + name + "\"", "the palette (Ctrl+P) and docs/scripts.md have their names");
   line.command.id = info->id;
-  const bool needed = info->menu == ui::Menu::none;  // what menus show asks for what it lacks
+  const bool needed = info->menu == ui::Menu::none && !info->with_path;  // others ask for what they lack
   if (!needed && words.empty()) return;
   if (info->argument == ui::CommandArgument::none && !words.empty())
     words.fail("has \"" + words.take("") + "\" behind " + name + ", which takes no argument", "leave it out");

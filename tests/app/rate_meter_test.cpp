@@ -45,6 +45,16 @@ TEST(RateMeter, FollowsAChangeWithinSeconds) {
   EXPECT_NEAR(meter.rate(), 0.1, 0.01);
 }
 
+TEST(RateMeter, IsThatOfTheLastPortionWhereItTookLong) {
+  RateMeter meter;  // 20 steps in a frame, then steps of nine seconds
+  meter.add(1, 20);
+  for (int step = 0; step < 3; ++step) {
+    for (int i = 1; i < 90; ++i) meter.add(0.1, 0);
+    meter.add(0.1, 1);
+    EXPECT_NEAR(meter.rate(), 1.0 / 9, 0.001);
+  }
+}
+
 TEST(RateMeter, WhatStopsGoesToNothing) {
   RateMeter meter;
   EXPECT_EQ(meter.rate(), 0);
