@@ -35,6 +35,7 @@ struct SimulateOptions {
   std::filesystem::path export_pieces;  ///< folder for the last frame's bodies as .obj; empty: none
   std::filesystem::path outcomes;       ///< JSON of how it came out; empty: none
   std::filesystem::path record;         ///< recording of the run; empty: none
+  bool pack_outside = false;            ///< also files from outside the scene's folder, into the recording
   int threads = 1;                      ///< in use, for the report
 };
 
@@ -56,7 +57,7 @@ void simulate(const SimulateOptions& options) {
   std::optional<EnergyTable> energy;
   if (!options.energy.empty()) energy.emplace(world.frame());
   std::optional<Recording> recording;
-  if (!options.record.empty()) recording = begin_recording(world);
+  if (!options.record.empty()) recording = begin_recording(world, outside_files(options.pack_outside));
   Shards shards;
   if (!options.export_pieces.empty()) shards = Shards(world.frame(), scene);
   RunTally tally;
@@ -85,7 +86,7 @@ void simulate(const SimulateOptions& options) {
   if (!options.outcomes.empty())
     outputs.write([&] { replace_file(options.outcomes, record_json({outcomes_of(frame, tally), {}})); });
   if (options.stats.empty()) {
-    std::printf("%s", statistics.summary(frame, world.state_hash()).c_str());
+    print("%s", statistics.summary(frame, world.state_hash()).c_str());
   } else {
     outputs.write([&] { replace_file(options.stats, statistics.json(frame, world.state_hash())); });
   }
@@ -121,10 +122,11 @@ Command add_simulate(CLI::App& program) {
   command
       ->add_option("--outcomes", options->outcomes, "Write how it came out as JSON: pieces, masses, cracks, energies")
       ->type_name("FILE");
-  command
-      ->add_option("--record", options->record,
-                   "Write the run with all files of its scene and hashes of every step, for griffith replay")
-      ->type_name("FILE");
+  CLI::Option* record =
+      command->add_option("--record", options->record,
+                          "Write the run with all files of its scene and hashes of every step, for griffith replay");
+  record->type_name("FILE");
+  add_pack_outside(*command, options->pack_outside)->needs(record);
   add_threads(*command);
   command->footer(
       "Examples:\n"

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/recording/assets.h"
 #include "sim/recording/file_tree.h"
 #include "sim/recording/versions.h"
 #include "sim/scene/scene.h"
@@ -35,8 +36,8 @@ struct Recording {
 };
 
 /// A recording of no steps yet: to be called before the first. Reads all files that the scene is built from. Throws
-/// InputError for one that cannot be read any more.
-Recording begin_recording(const World& world);
+/// InputError for one that cannot be read any more, or is outside the scene's folder and not asked for.
+Recording begin_recording(const World& world, OutsideFiles outside = OutsideFiles::refuse);
 /// The present branch of a timeline that began with the start of its world. Throws as begin_recording().
 Recording record(const Timeline& timeline);
 
