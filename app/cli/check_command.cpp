@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/output/output.h"
 #include "app/shared/scene_warnings.h"
 #include "app/shared/scene_world.h"
 #include "sim/core/error.h"
@@ -15,8 +16,8 @@ namespace {
 void warn_of(const std::vector<InputError>& findings) {
   constexpr std::size_t kMaximum = 20;
   for (std::size_t i = 0; i < std::min(findings.size(), kMaximum); ++i)
-    std::fprintf(stderr, "warning: %s\n", findings[i].what());
-  if (findings.size() > kMaximum) std::fprintf(stderr, "warning: and %zu more\n", findings.size() - kMaximum);
+    print_error("warning: %s\n", printable(findings[i].what()).c_str());
+  if (findings.size() > kMaximum) print_error("warning: and %zu more\n", findings.size() - kMaximum);
 }
 
 std::vector<InputError> all_in_file(const std::filesystem::path& path, std::vector<InputError> findings) {
@@ -44,11 +45,11 @@ int count_problems(const std::vector<std::filesystem::path>& scenes, std::span<c
   int count = 0;
   for (const std::filesystem::path& path : scenes) {
     const std::vector<InputError> problems = problems_of(path, settings);
-    for (const InputError& problem : problems) std::fprintf(stderr, "%s\n", problem.what());
-    if (problems.empty()) std::printf("%s: good\n", path.c_str());
+    for (const InputError& problem : problems) print_error("%s\n", printable(problem.what()).c_str());
+    if (problems.empty()) print("%s: good\n", path.c_str());
     count += static_cast<int>(problems.size());
   }
-  if (count > 0) std::fprintf(stderr, "%d %s\n", count, count == 1 ? "problem" : "problems");
+  if (count > 0) print_error("%d %s\n", count, count == 1 ? "problem" : "problems");
   return count;
 }
 

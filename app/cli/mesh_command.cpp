@@ -58,16 +58,15 @@ void make_mesh(const MeshOptions& options) {
   if (!options.report.empty()) check_replaceable(options.report);
   const SurfaceMesh mesh = fill(options);
   for (const std::string& finding : mesh.findings)
-    std::fprintf(stderr, "warning: %s: %s\n", options.surface.c_str(), finding.c_str());
+    print_error("warning: %s: %s\n", options.surface.c_str(), finding.c_str());
   const MeshQuality quality = mesh_quality(mesh.soup);
   Outputs outputs;
   outputs.write([&] { write_mesh(options.output, mesh.soup); });
   if (!options.report.empty())
     outputs.write([&] { replace_file(options.report, mesh_statistics_json(mesh, quality)); });
-  std::printf("surface          %d triangles, %d shell%s, %.6g m3\nmethod           %s%s\n%s",
-              mesh.surface_report.triangles, mesh.surface_report.shells, mesh.surface_report.shells == 1 ? "" : "s",
-              mesh.surface_report.volume, method_name(mesh.method), mesh.from_cache ? ", made before" : "",
-              quality_text(quality).c_str());
+  print("surface          %d triangles, %d shell%s, %.6g m3\nmethod           %s%s\n%s", mesh.surface_report.triangles,
+        mesh.surface_report.shells, mesh.surface_report.shells == 1 ? "" : "s", mesh.surface_report.volume,
+        method_name(mesh.method), mesh.from_cache ? ", made before" : "", quality_text(quality).c_str());
   outputs.finish();
 }
 

@@ -26,8 +26,8 @@ ExitCode extract(const ReplayOptions& options) {
     throw InputError(options.extract.string(), "is not empty", "name a new folder: nothing is replaced");
   const Recording recording = read_recording(options.recording);
   write_files(files_of(recording), options.extract);
-  std::printf("%s: %lld steps; open %s in the editor\n", options.extract.c_str(),
-              static_cast<long long>(recording.steps()), (options.extract / "scene.json").c_str());
+  print("%s: %lld steps; open %s in the editor\n", options.extract.c_str(), static_cast<long long>(recording.steps()),
+        (options.extract / "scene.json").c_str());
   return kDone;
 }
 
@@ -42,7 +42,7 @@ ExitCode replay(const ReplayOptions& options) {
       progress.update(static_cast<int>(replay.world().frame().step));
     }
   }
-  std::fputs(replay_report(recording, replay).c_str(), stdout);
+  print("%s", replay_report(recording, replay).c_str());
   return replay.difference() ? kFailed : kDone;
 }
 

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "app/output/csv_field.h"
 #include "program.h"
 #include "sim/scene/scene_writer.h"
 #include "sim/world/conditions/probes.h"
@@ -43,6 +44,21 @@ TEST(ProbeTable, HasAHeadingAndARowAFrameWithEveryBit) {
   EXPECT_EQ(step, 1);
   EXPECT_EQ(time, world.frame().time);
   EXPECT_EQ((std::vector{x, y, z}), values);
+}
+
+TEST(CsvField, IsNeverAFormula) {
+  EXPECT_EQ(csv_field("=cmd|' /C calc'!A0"), "'=cmd|' /C calc'!A0");
+  for (const char* text : {"+1+1", "-1+1", "@SUM(A1)", "\tx", "=1"})
+    EXPECT_EQ(csv_field(text)[csv_field(text)[0] == '"'], '\'') << text;
+  EXPECT_EQ(csv_field("=a,b"), "\"'=a,b\"");
+  for (const char* number : {"-5", "+1.5", "-1e-9"}) EXPECT_EQ(csv_field(number), number);
+}
+
+TEST(ProbeTable, ANameIsNoFormula) {
+  Scene scene = probed_wall();
+  scene.probes[0].name = "=cmd|' /C calc'!A0";
+  const ProbeTable table(World(scene), "wall.json");
+  EXPECT_THAT(table.csv(), StartsWith("step,time [s],'=cmd|"));
 }
 
 TEST(ProbeTable, IsWrittenByTheProgram) {
