@@ -50,9 +50,10 @@ std::optional<std::string_view> escaped(char c) {
       return "&quot;";
     case '\'':
       return "&#39;";
+    case '\r':
+      return "&#13;";
     case '\t':
     case '\n':
-    case '\r':
       return std::nullopt;
     default:
       return (c >= 0 && c < ' ') || c == 0x7F ? std::optional(kReplacement) : std::nullopt;

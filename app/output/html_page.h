@@ -16,7 +16,7 @@ struct Utf8Character {
 Utf8Character first_character(std::string_view text);
 
 /// Text as HTML and XML show it, between tags and in quoted attributes. What neither may hold, control characters and
-/// bytes that are not UTF-8, becomes U+FFFD.
+/// bytes that are not UTF-8, becomes U+FFFD; a carriage return, by which a terminal writes over a line, its number.
 std::string escape_markup(std::string_view text);
 
 /// Bytes as base64 with padding (RFC 4648), on one line.

@@ -273,6 +273,7 @@ std::vector<WorldInput> read_inputs(Document& document, std::string_view text) {
 constexpr std::int64_t kMaxBytes = 16 << 20;
 
 Document document_of_file(const std::filesystem::path& path) {
+  if (path.empty()) throw InputError("the scene", "has no path", "name its file");
   Document document;
   document.file = path.generic_string();
   document.folder = std::filesystem::absolute(path).lexically_normal().parent_path();

@@ -76,6 +76,14 @@ TEST(ProbeTable, ASceneWithoutProbesIsBadInput) {
   EXPECT_THAT(outcome.output, HasSubstr("small_wall.json#/probes"));
 }
 
+TEST(CheckCommand, SaysFirstWhatALargeSceneTakes) {
+  const auto scene = test_file("large.json", R"({"version": 1, "bodies": [{"name": "block", "position": [0, 3, 0],
+      "shape": {"box": {"size": [5, 5, 5], "element_size": 0.11}}}]})");
+  const Outcome outcome = run_program("check " + scene.string());
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.output, ::testing::ContainsRegex("^about 4[0-9][0-9] thousand tetrahedra .*GB"));
+}
+
 TEST(CheckCommand, WarnsOfALoadThatActsOnNothingAndCallsTheSceneGood) {
   Scene scene = small_wall();
   scene.bodies[0].loads.push_back({SphereRegion{Vec3(0, 99, 0), 1}});

@@ -170,6 +170,8 @@ TEST(SceneReader, ALinkToAMeshDoesNotLeadOutOfItsFolder) {
 }
 
 TEST(SceneReader, WhatIsNoReadableFileIsNamed) {
+  EXPECT_THROW(read_scene(""), InputError);
+  EXPECT_EQ(check_scene("").size(), 1u);
   for (const std::string path : {"no/such.json", GRIFFITH_SOURCE_DIR "/scenes", "/dev/null"}) {
     const auto problems = check_scene(path);
     ASSERT_EQ(problems.size(), 1u);
