@@ -9,7 +9,7 @@
 
 #include "app/cli/command_line.h"
 #include "app/study/sweep_runs.h"
-#include "sim/recording/assets.h"
+#include "sim/recording/recording.h"
 #include "sim/scene/scene_setting.h"
 
 namespace griffith::app {

@@ -13,6 +13,7 @@
 #include <system_error>
 #include <utility>
 
+#include "sim/core/descriptor.h"
 #include "sim/core/error.h"
 
 namespace griffith {
@@ -62,12 +63,14 @@ TemporaryFolder::TemporaryFolder() {
   if (mkdtemp(name.data()) == nullptr)
     throw InputError(name, "cannot be made: " + std::generic_category().message(errno), kRemedy);
   path_ = name;
-  lock_ = lock_of(path_);
+  const Descriptor lock = lock_of(path_);
+  lock_ = fcntl(lock.number(), F_DUPFD_CLOEXEC, 0);  // keeps the lock
 }
 
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;
   fs::remove_all(path_, ignored);
+  if (lock_ >= 0) close(lock_);
 }
 
 }  // namespace griffith

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-#include "sim/core/descriptor.h"
 #include "sim/core/termination_hold.h"
 
 namespace griffith {
@@ -24,7 +23,7 @@ class TemporaryFolder {
  private:
   TerminationHold hold_;
   std::filesystem::path path_;
-  Descriptor lock_{-1};  ///< tells others that the folder is in use
+  int lock_ = -1;  ///< descriptor whose lock tells others that the folder is in use; -1: none
 };
 
 }  // namespace griffith

@@ -1,15 +1,12 @@
 #pragma once
 
 #include "sim/recording/file_tree.h"
+#include "sim/recording/recording.h"
 #include "sim/scene/scene.h"
 #include "sim/world/setup/given_meshes.h"
 #include "sim/world/world.h"
 
 namespace griffith {
-
-/// Files that a scene names, but that are not in its folder or below once links are resolved: who passes the recording
-/// on may not know that they are in it.
-enum class OutsideFiles { refuse, pack };
 
 /// A scene whose paths lead to `files` alone, each below a folder of its own, "assets/1/wall.msh".
 struct SceneWithAssets {

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "sim/recording/assets.h"
 #include "sim/recording/file_tree.h"
 #include "sim/recording/versions.h"
 #include "sim/scene/scene.h"
@@ -34,6 +33,10 @@ struct Recording {
 
   std::int64_t steps() const { return std::ssize(hashes) - 1; }
 };
+
+/// Files that a scene names, but that are not in its folder or below once links are resolved: who passes the recording
+/// on may not know that they are in it.
+enum class OutsideFiles { refuse, pack };
 
 /// A recording of no steps yet: to be called before the first. Reads all files that the scene is built from. Throws
 /// InputError for one that cannot be read any more, or is outside the scene's folder and not asked for.
