@@ -28,7 +28,7 @@ void bench(BenchOptions options) {
     throw InputError("bench", "there is no folder of scenes here or above the program", "name the scenes to be timed");
   const TerminationHold hold;
   const std::vector<BenchResult> results = run_bench(definition, [&hold] { return hold.requested(); });
-  std::printf("%s", bench_table(results).c_str());
+  print("%s", bench_table(results).c_str());
   std::fflush(stdout);  // a signal that was held ends the program below
   if (!options.json.empty()) replace_file(options.json, bench_json(definition, results));
 }

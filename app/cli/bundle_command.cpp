@@ -6,13 +6,14 @@
 
 #include "app/cli/commands.h"
 #include "app/output/bug_report.h"
+#include "app/output/open_world.h"
+#include "app/output/output.h"
 #include "app/output/replay_report.h"
 #include "app/output/statistics.h"
 #include "app/picture/draw_scene_from_frame.h"
 #include "app/picture/picture_options.h"
 #include "app/picture/scene_camera.h"
 #include "app/shared/progress.h"
-#include "app/shared/scene_world.h"
 #include "renderer/egl_context.h"
 #include "renderer/renderer.h"
 #include "sim/core/replace_file.h"
@@ -26,6 +27,7 @@ namespace {
 struct BundleOptions {
   std::filesystem::path input, output;
   std::optional<int> frames;  ///< of a scene; 60 if not given
+  bool pack_outside = false;  ///< also files from outside the scene's folder
   int threads = 1;
 };
 
@@ -52,8 +54,8 @@ Recording recorded_run(const BundleOptions& options, ReportParts& parts) {
   const Scene scene = read_scene(options.input);
   const World first = open_world(scene, options.input);
   World world = first;
-  Recording recording = begin_recording(world);
-  for (const InputError& finding : world.findings()) parts.log += std::string("warning: ") + finding.what() + "\n";
+  Recording recording = begin_recording(world, outside_files(options.pack_outside));
+  for (const InputError& finding : world.findings()) parts.log += "warning: " + printable(finding.what()) + "\n";
   RunStatistics statistics(world.frame(), scene.simulation.time_step, options.threads);
   const int frames = options.frames.value_or(60);
   try {
@@ -97,8 +99,8 @@ void bundle(const BundleOptions& options) {
   Recording recording = recorded ? replayed(options, parts) : recorded_run(options, parts);
   add_report(recording, parts);
   write_recording(recording, options.output);
-  std::printf("%s: %lld steps%s\n%s", options.output.c_str(), static_cast<long long>(recording.steps()),
-              parts.picture ? ", with a picture of the last" : ", without a picture", parts.log.c_str());
+  print("%s: %lld steps%s\n%s", options.output.c_str(), static_cast<long long>(recording.steps()),
+        parts.picture ? ", with a picture of the last" : ", without a picture", parts.log.c_str());
 }
 
 }  // namespace
@@ -112,6 +114,7 @@ Command add_bundle(CLI::App& program) {
       ->check(CLI::Range(0, kMaxFrames))
       ->type_name("N");
   command->add_option("-o,--output", options->output, "Bug report to write")->required()->type_name("FILE");
+  add_pack_outside(*command, options->pack_outside);
   add_threads(*command);
   command->footer(
       "Examples:\n"

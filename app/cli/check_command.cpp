@@ -3,6 +3,8 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/output/open_world.h"
+#include "app/output/output.h"
 #include "app/shared/scene_warnings.h"
 #include "app/shared/scene_world.h"
 #include "sim/core/error.h"
@@ -31,11 +33,11 @@ int count_problems(const std::vector<std::filesystem::path>& scenes, std::span<c
   int count = 0;
   for (const std::filesystem::path& path : scenes) {
     const std::vector<InputError> problems = problems_of(path, settings);
-    for (const InputError& problem : problems) std::fprintf(stderr, "%s\n", problem.what());
-    if (problems.empty()) std::printf("%s: good\n", path.c_str());
+    for (const InputError& problem : problems) print_error("%s\n", printable(problem.what()).c_str());
+    if (problems.empty()) print("%s: good\n", path.c_str());
     count += static_cast<int>(problems.size());
   }
-  if (count > 0) std::fprintf(stderr, "%d %s\n", count, count == 1 ? "problem" : "problems");
+  if (count > 0) print_error("%d %s\n", count, count == 1 ? "problem" : "problems");
   return count;
 }
 

@@ -11,6 +11,7 @@
 #include <memory>
 #include <new>
 #include <optional>
+#include <sstream>
 #include <vector>
 
 #include "app/cli/commands.h"
@@ -62,6 +63,15 @@ void require_scene(const std::filesystem::path& scene, const std::vector<Command
                    "the commands are " + names_of(commands) + "; --help describes them");
 }
 
+/// Prints what CLI11 makes of the arguments, which hold names of files; its exit code.
+int tell(const CLI::App& program, const CLI::Error& error) {
+  std::ostringstream output, problems;
+  const int code = program.exit(error, output, problems);
+  print("%s", output.str().c_str());
+  print_error("%s", problems.str().c_str());
+  return code;
+}
+
 /// The message that CLI11 makes for --help, --version and bad usage; nothing where the arguments are good.
 std::optional<ExitCode> parse(CLI::App& program, int argc, const char* const* argv, const EditorOptions& editor,
                               const std::vector<Command>& commands) {
@@ -70,10 +80,10 @@ std::optional<ExitCode> parse(CLI::App& program, int argc, const char* const* ar
     return std::nullopt;
   } catch (const CLI::ExtrasError& error) {
     if (program.get_subcommands().empty()) require_scene(editor.scene, commands);
-    program.exit(error);
+    tell(program, error);
     return kBadInput;
   } catch (const CLI::ParseError& error) {
-    return program.exit(error) == 0 ? kDone : kBadInput;
+    return tell(program, error) == 0 ? kDone : kBadInput;
   }
 }
 
@@ -147,6 +157,10 @@ std::vector<SceneSetting> settings(const std::vector<std::string>& texts) {
   return settings;
 }
 
+CLI::Option* add_pack_outside(CLI::App& command, bool& pack) {
+  return command.add_flag("--pack-outside", pack, "Pack files of the scene from outside its folder, too");
+}
+
 int run(int argc, const char* const* argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // a file beyond the shell's limit is an error like a full disk
   try {
@@ -157,10 +171,10 @@ int run(int argc, const char* const* argv) {
     explain(error);
     return kBadInput;
   } catch (const std::bad_alloc&) {
-    std::fputs("griffith: the memory does not suffice\n  take larger elements or fewer bodies\n", stderr);
+    print_error("griffith: the memory does not suffice\n  take larger elements or fewer bodies\n");
     return kFailed;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "griffith: %s\n", error.what());
+    print_error("griffith: %s\n", error.what());
     return kFailed;
   }
 }

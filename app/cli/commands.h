@@ -9,6 +9,7 @@
 
 #include "app/cli/command_line.h"
 #include "app/study/sweep_runs.h"
+#include "sim/recording/recording.h"
 #include "sim/scene/scene_setting.h"
 
 namespace griffith::app {
@@ -32,6 +33,10 @@ int thread_count(const CLI::App& command);
 void add_settings(CLI::App& command, std::vector<std::string>& texts);
 /// The settings in "POINTER=VALUE" texts of --set. Throws InputError.
 std::vector<SceneSetting> settings(const std::vector<std::string>& texts);
+
+/// Adds --pack-outside, without which a recording takes no files from outside the scene's folder.
+CLI::Option* add_pack_outside(CLI::App& command, bool& pack);
+inline OutsideFiles outside_files(bool pack) { return pack ? OutsideFiles::pack : OutsideFiles::refuse; }
 
 /// Adds --jobs, --time-limit and --memory-limit. `effort` outlives the command.
 void add_effort(CLI::App& command, Effort& effort);

@@ -6,10 +6,10 @@
 #include "app/bake/run_baker.h"
 #include "app/cli/commands.h"
 #include "app/export/export_bake.h"
+#include "app/output/open_world.h"
 #include "app/output/output.h"
 #include "app/render/frame_list.h"
 #include "app/shared/progress.h"
-#include "app/shared/scene_world.h"
 #include "sim/core/replace_file.h"
 #include "sim/recording/replay.h"
 #include "sim/scene/scene_reader.h"
@@ -81,9 +81,9 @@ std::string counted(std::size_t count, const std::string& thing) {
 void print_written(const std::filesystem::path& path, const Bake& bake, std::size_t bytes) {
   const auto is_projectile = [](const BakedThing& thing) { return thing.scene_body < 0; };
   const auto projectiles = static_cast<std::size_t>(std::ranges::count_if(bake.things, is_projectile));
-  std::printf("%s: %s, %s, %s, %.1f MB\n", path.c_str(), counted(bake.things.size() - projectiles, "piece").c_str(),
-              counted(projectiles, "projectile").c_str(), counted(bake.times.size(), "frame").c_str(),
-              static_cast<double>(bytes) / 1e6);
+  print("%s: %s, %s, %s, %.1f MB\n", path.c_str(), counted(bake.things.size() - projectiles, "piece").c_str(),
+        counted(projectiles, "projectile").c_str(), counted(bake.times.size(), "frame").c_str(),
+        static_cast<double>(bytes) / 1e6);
 }
 
 void export_run(const ExportOptions& options) {

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/output/output.h"
 #include "app/study/find_report.h"
 #include "sim/core/replace_file.h"
 
@@ -31,7 +32,7 @@ bool run_find(const FindOptions& options) {
   if (!options.report.empty()) check_replaceable(options.report);
   const Find search = make_find(options.definition, options.effort);
   const Trials trials = find(search, options.effort);
-  std::fputs(find_text(search, trials).c_str(), stdout);
+  print("%s", find_text(search, trials).c_str());
   if (!options.report.empty()) replace_file(options.report, find_json(search, trials));
   return !holding_intervals(trials).empty();
 }

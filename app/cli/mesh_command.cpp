@@ -56,8 +56,7 @@ SurfaceMesh fill(const MeshOptions& options) {
 }
 
 void warn_of(const std::vector<std::string>& findings, const MeshOptions& options) {
-  for (const std::string& finding : findings)
-    std::fprintf(stderr, "warning: %s: %s\n", options.input.c_str(), finding.c_str());
+  for (const std::string& finding : findings) print_error("warning: %s: %s\n", options.input.c_str(), finding.c_str());
 }
 
 /// Writes the mesh and the report that are asked for.
@@ -78,9 +77,8 @@ void describe_tets(const MeshOptions& options) {
   const MeshQuality quality = mesh_quality(soup);
   Outputs outputs;
   write_outputs(options, soup, mesh_statistics_json(found, quality), outputs);
-  std::printf(
-      "tetrahedra       nothing to fill; a scene takes the file as the shape {\"mesh\": {\"path\": \"%s\"}}\n%s",
-      options.input.filename().c_str(), quality_text(quality).c_str());
+  print("tetrahedra       nothing to fill; a scene takes the file as the shape {\"mesh\": {\"path\": \"%s\"}}\n%s",
+        options.input.filename().c_str(), quality_text(quality).c_str());
   outputs.finish();
 }
 
@@ -93,10 +91,9 @@ void make_mesh(const MeshOptions& options) {
   const MeshQuality quality = mesh_quality(mesh.soup);
   Outputs outputs;
   write_outputs(options, mesh.soup, mesh_statistics_json(mesh, quality), outputs);
-  std::printf("surface          %d triangles, %d shell%s, %.6g m3\nmethod           %s%s\n%s",
-              mesh.surface_report.triangles, mesh.surface_report.shells, mesh.surface_report.shells == 1 ? "" : "s",
-              mesh.surface_report.volume, method_name(mesh.method), mesh.from_cache ? ", made before" : "",
-              quality_text(quality).c_str());
+  print("surface          %d triangles, %d shell%s, %.6g m3\nmethod           %s%s\n%s", mesh.surface_report.triangles,
+        mesh.surface_report.shells, mesh.surface_report.shells == 1 ? "" : "s", mesh.surface_report.volume,
+        method_name(mesh.method), mesh.from_cache ? ", made before" : "", quality_text(quality).c_str());
   outputs.finish();
 }
 

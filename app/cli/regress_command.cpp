@@ -79,12 +79,11 @@ int print_results(const std::filesystem::path& suite, const std::vector<PictureR
   for (const PictureResult& result : results) {
     if (result.status == PictureStatus::passed) continue;
     ++failed;
-    std::printf("%s: %s: %s\n", status_name(result.status), result.name.c_str(), result.reason.c_str());
+    print("%s: %s: %s\n", status_name(result.status), result.name.c_str(), result.reason.c_str());
   }
-  std::printf("%zu pictures, %d not as accepted\n", results.size(), failed);
+  print("%zu pictures, %d not as accepted\n", results.size(), failed);
   if (failed > 0)
-    std::printf("to accept them: %s [NAME...]\n",
-                shell_command({"griffith", "regress", suite.string(), "--accept"}).c_str());
+    print("to accept them: %s [NAME...]\n", shell_command({"griffith", "regress", suite.string(), "--accept"}).c_str());
   return failed;
 }
 
@@ -111,15 +110,15 @@ ExitCode accept_results(const SuiteRun& run, const std::vector<PictureResult>& r
     if (result.status == PictureStatus::passed) continue;
     if (result.status == PictureStatus::error) {
       ++errors;
-      std::printf("not accepted: %s: %s\n", result.name.c_str(), result.reason.c_str());
+      print("not accepted: %s: %s\n", result.name.c_str(), result.reason.c_str());
       continue;
     }
     accept_picture(run.suite, drawn_by(result), result.name, run.drawn);
-    std::printf("accepted %s\n", result.name.c_str());
+    print("accepted %s\n", result.name.c_str());
     ++accepted;
   }
-  std::printf("%d %s accepted into %s; look at them before you commit them\n", accepted,
-              accepted == 1 ? "picture" : "pictures", (run.suite / kGoldenFolder).c_str());
+  print("%d %s accepted into %s; look at them before you commit them\n", accepted,
+        accepted == 1 ? "picture" : "pictures", (run.suite / kGoldenFolder).c_str());
   return errors == 0 ? kDone : kFailed;
 }
 
@@ -133,20 +132,20 @@ void write_reports(const RegressOptions& options, const std::vector<PictureResul
       if (row.name == kGoldensOf) goldens_of = ", compared with golden pictures of " + *row.golden;
   }
   heading.renderer += goldens_of;
-  if (!goldens_of.empty()) std::printf("drawn by %s\n", heading.renderer.c_str());
+  if (!goldens_of.empty()) print("drawn by %s\n", heading.renderer.c_str());
   Outputs outputs;
   outputs.write([&] { replace_file(options.report, report_html(heading, results)); });
   if (!options.junit.empty())
     outputs.write([&] { replace_file(options.junit, junit_xml(options.suite.string(), results)); });
   outputs.finish();
-  std::printf("report: %s\n", options.report.c_str());
+  print("report: %s\n", options.report.c_str());
 }
 
 void tell_unused(const SuiteRun& run, const std::vector<PictureResult>& results) {
   for (const PictureResult& result : results) {
     if (result.status == PictureStatus::error) continue;
     for (const std::string& name : unused_goldens(run.suite, drawn_by(result), suite_jobs(run.suite, {})))
-      std::fprintf(stderr, "warning: no job draws the golden picture %s; remove its files\n", name.c_str());
+      print_error("warning: no job draws the golden picture %s; remove its files\n", name.c_str());
     return;
   }
 }

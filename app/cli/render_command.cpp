@@ -116,14 +116,14 @@ void render_pictures(const RenderOptions& options, const RenderJob& job, const s
   const std::string explanation =
       render_job(job, scene, is_numbered(options), [&](const RenderedPicture& picture) { writer.write(picture); });
   writer.finish();
-  std::fputs(explanation.c_str(), stdout);
+  print("%s", explanation.c_str());
 }
 
 void render(const RenderOptions& options) {
   check_arguments(options);
   const std::vector<RenderJob> jobs = jobs_of(options);
   const render::EglContext context(options.egl_device);
-  std::fprintf(stderr, "Graphics: %s (%s)\n", context.renderer().c_str(), context.origin().c_str());
+  print_error("Graphics: %s (%s)\n", context.renderer().c_str(), context.origin().c_str());
   for (const RenderJob& job : jobs) render_pictures(options, job, context.renderer());
 }
 

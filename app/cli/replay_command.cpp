@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/output/open_world.h"
 #include "app/output/output.h"
 #include "app/output/replay_report.h"
 #include "app/shared/progress.h"
-#include "app/shared/scene_world.h"
 #include "sim/core/error.h"
 #include "sim/recording/replay.h"
 
@@ -27,8 +27,8 @@ ExitCode extract(const ReplayOptions& options) {
     throw InputError(options.extract.string(), "is not empty", "name a new folder: nothing is replaced");
   const Recording recording = read_recording(options.recording);
   write_files(files_of(recording), options.extract);
-  std::printf("%s: %lld steps; open %s in the editor\n", options.extract.c_str(),
-              static_cast<long long>(recording.steps()), (options.extract / "scene.json").c_str());
+  print("%s: %lld steps; open %s in the editor\n", options.extract.c_str(), static_cast<long long>(recording.steps()),
+        (options.extract / "scene.json").c_str());
   return kDone;
 }
 
@@ -44,7 +44,7 @@ ExitCode replay(const ReplayOptions& options) {
       progress.update(static_cast<int>(replay.world().frame().step));
     }
   }
-  std::fputs(replay_report(recording, replay).c_str(), stdout);
+  print("%s", replay_report(recording, replay).c_str());
   return replay.difference() ? kFailed : kDone;
 }
 

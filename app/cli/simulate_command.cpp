@@ -8,11 +8,11 @@
 #include "app/output/energy_table.h"
 #include "app/output/export_frame.h"
 #include "app/output/export_pieces.h"
+#include "app/output/open_world.h"
 #include "app/output/output.h"
 #include "app/output/probe_table.h"
 #include "app/output/statistics.h"
 #include "app/shared/progress.h"
-#include "app/shared/scene_world.h"
 #include "app/study/run_record.h"
 #include "sim/core/replace_file.h"
 #include "sim/recording/recording.h"
@@ -35,6 +35,7 @@ struct SimulateOptions {
   std::filesystem::path export_pieces;  ///< folder for the last frame's bodies as .obj; empty: none
   std::filesystem::path outcomes;       ///< JSON of how it came out; empty: none
   std::filesystem::path record;         ///< recording of the run; empty: none
+  bool pack_outside = false;            ///< also files from outside the scene's folder, into the recording
   int threads = 1;                      ///< in use, for the report
 };
 
@@ -56,7 +57,7 @@ void simulate(const SimulateOptions& options) {
   std::optional<EnergyTable> energy;
   if (!options.energy.empty()) energy.emplace(world.frame());
   std::optional<Recording> recording;
-  if (!options.record.empty()) recording = begin_recording(world);
+  if (!options.record.empty()) recording = begin_recording(world, outside_files(options.pack_outside));
   Shards shards;
   if (!options.export_pieces.empty()) shards = Shards(world.frame(), scene);
   RunStatistics statistics(world.frame(), scene.simulation.time_step, options.threads);
@@ -83,7 +84,7 @@ void simulate(const SimulateOptions& options) {
   if (!options.outcomes.empty())
     outputs.write([&] { replace_file(options.outcomes, record_json({outcomes_of(frame, statistics.tally()), {}})); });
   if (options.stats.empty()) {
-    std::printf("%s", statistics.summary(frame, world.state_hash()).c_str());
+    print("%s", statistics.summary(frame, world.state_hash()).c_str());
   } else {
     outputs.write([&] { replace_file(options.stats, statistics.json(frame, world.state_hash())); });
   }
@@ -119,10 +120,11 @@ Command add_simulate(CLI::App& program) {
   command
       ->add_option("--outcomes", options->outcomes, "Write how it came out as JSON: pieces, masses, cracks, energies")
       ->type_name("FILE");
-  command
-      ->add_option("--record", options->record,
-                   "Write the run with all files of its scene and hashes of every step, for griffith replay")
-      ->type_name("FILE");
+  CLI::Option* record =
+      command->add_option("--record", options->record,
+                          "Write the run with all files of its scene and hashes of every step, for griffith replay");
+  record->type_name("FILE");
+  add_pack_outside(*command, options->pack_outside)->needs(record);
   add_threads(*command);
   command->footer(
       "Examples:\n"

@@ -31,11 +31,11 @@ struct SweepOptions {
 void write_job_list(const Sweep& sweep, const SweepOptions& options) {
   replace_file(options.job_list, job_list(sweep));
   if (sweep.picture_frame) fs::create_directories(sweep.picture_file(0).parent_path());
-  std::printf("%s: %zu jobs, one a line\n  here: parallel < %s\n", options.job_list.c_str(), sweep.size(),
-              options.job_list.c_str());
-  std::printf("  Slurm: sbatch --array=1-%zu --wrap 'sed -n \"${SLURM_ARRAY_TASK_ID}p\" %s | sh'\n", sweep.size(),
-              options.job_list.c_str());
-  std::printf("then the same command without --list-jobs makes what is missing, the table and the page\n");
+  print("%s: %zu jobs, one a line\n  here: parallel < %s\n", options.job_list.c_str(), sweep.size(),
+        options.job_list.c_str());
+  print("  Slurm: sbatch --array=1-%zu --wrap 'sed -n \"${SLURM_ARRAY_TASK_ID}p\" %s | sh'\n", sweep.size(),
+        options.job_list.c_str());
+  print("then the same command without --list-jobs makes what is missing, the table and the page\n");
 }
 
 void say_where_it_stands(const Sweep& sweep, const std::vector<std::optional<RunRecord>>& records) {
@@ -44,9 +44,9 @@ void say_where_it_stands(const Sweep& sweep, const std::vector<std::optional<Run
     made += record ? 1 : 0;
     failed += record && !record->error.empty() ? 1 : 0;
   }
-  std::printf("%zu of %zu runs are made", made, sweep.size());
-  if (failed > 0) std::printf(", %zu of them failed (--retry makes those again)", failed);
-  std::printf("\n%s\n%s\n", (sweep.folder / "outcomes.csv").c_str(), (sweep.folder / "index.html").c_str());
+  print("%zu of %zu runs are made", made, sweep.size());
+  if (failed > 0) print(", %zu of them failed (--retry makes those again)", failed);
+  print("\n%s\n%s\n", (sweep.folder / "outcomes.csv").c_str(), (sweep.folder / "index.html").c_str());
 }
 
 /// Makes what is missing, then the table and the page of what is there.
@@ -58,12 +58,12 @@ void carry_out(const Sweep& sweep, const SweepOptions& options) {
   std::string note;
   if (sweep.picture_frame && !options.collect) note = make_missing_pictures(sweep, records, options.effort, cancelled);
   if (hold.requested()) {
-    std::fprintf(stderr, "interrupted: %zu of %zu runs are to be made; the same command goes on\n",
-                 missing_runs(sweep).size(), sweep.size());
+    print_error("interrupted: %zu of %zu runs are to be made; the same command goes on\n", missing_runs(sweep).size(),
+                sweep.size());
     return;
   }
   if (!note.empty()) note = "Pictures are missing: " + note;
-  if (!note.empty()) std::fprintf(stderr, "%s\n", note.c_str());
+  if (!note.empty()) print_error("%s\n", note.c_str());
   replace_file(sweep.folder / "outcomes.csv", outcome_csv(sweep, records));
   replace_file(sweep.folder / "index.html", sweep_page(sweep, records, note));
   say_where_it_stands(sweep, records);

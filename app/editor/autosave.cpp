@@ -6,13 +6,14 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
-#include <iterator>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "app/shared/scene_files.h"
 #include "sim/core/error.h"
 #include "sim/core/replace_file.h"
 #include "sim/scene/scene_reader.h"
@@ -23,37 +24,73 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kScene[] = "scene.json", kOrigin[] = "origin";
-constexpr char kMark[] = "edits-";
+constexpr char kScene[] = "scene.json";
+constexpr char kOldOrigin[] = "origin";  ///< earlier versions wrote it, too
+constexpr std::string_view kMark = "edits-";
+constexpr std::size_t kRandomLength = 6;
 
 fs::path prefix_beside(const fs::path& file) {
-  return fs::absolute(file).parent_path() / ("." + file.filename().string() + "." + kMark);
+  return fs::absolute(file).parent_path() / ("." + file.filename().string() + "." + std::string(kMark));
+}
+
+/// The "edits-XXXXXX" that the name of a copy ends with; empty for any other name.
+std::string_view mark_in(std::string_view name) {
+  const std::size_t length = kMark.size() + kRandomLength;
+  if (name.size() < length) return {};
+  const std::string_view mark = name.substr(name.size() - length);
+  const bool whole = mark.size() == name.size() || (name.starts_with('.') && name[name.size() - length - 1] == '.');
+  const bool random = std::ranges::all_of(mark.substr(kMark.size()), [](unsigned char c) { return std::isalnum(c); });
+  return whole && random && mark.starts_with(kMark) ? mark : std::string_view();
+}
+
+/// The scene file that a copy is of, which its own name tells: what is written in a folder may come from elsewhere.
+/// Empty when it had none.
+fs::path origin_of(const fs::path& copy) {
+  const std::string name = copy.filename().string();
+  const std::size_t mark = mark_in(name).size();
+  return mark == name.size() ? fs::path() : copy.parent_path() / name.substr(1, name.size() - mark - 2);
 }
 
 /// The link in `states` to a copy beside a scene.
-fs::path link_to(const fs::path& copy, const fs::path& states) {
-  const std::string name = copy.filename().string();
-  return states / name.substr(name.rfind(kMark));
+fs::path link_to(const fs::path& copy, const fs::path& states) { return states / mark_in(copy.filename().string()); }
+
+/// True if it is a folder with the name and the scene of a copy, and no link is among them.
+bool is_copy(const fs::path& folder) {
+  std::error_code ignored;
+  return !mark_in(folder.filename().string()).empty() &&
+         fs::symlink_status(folder, ignored).type() == fs::file_type::directory &&
+         fs::symlink_status(folder / kScene, ignored).type() == fs::file_type::regular;
 }
 
+/// Removes what the program wrote there, and the folder unless something else is in it.
 void remove_copy(const LockedFolder& copy, const fs::path& states) {
   std::error_code ignored;
   if (const fs::path link = link_to(copy.path(), states); fs::is_symlink(link, ignored)) fs::remove(link, ignored);
-  fs::remove_all(copy.path(), ignored);
+  for (const char* name : {kScene, kOldOrigin}) fs::remove(copy.path() / name, ignored);
+  remove_stale_files(copy.path());
+  fs::remove(copy.path(), ignored);
 }
 
-/// What stands in `folder` under a name that begins like `prefix`'s; links are followed, broken
-/// ones removed, save where the folder of the copy is away: a drive that is not there now.
-void collect(const fs::path& prefix, std::vector<fs::path>& copies) {
-  std::error_code error;
-  for (fs::directory_iterator entry(prefix.parent_path(), error), end; !error && entry != end; entry.increment(error)) {
-    if (!entry->path().filename().string().starts_with(prefix.filename().string())) continue;
-    std::error_code ignored;
-    const fs::path copy = entry->is_symlink(ignored) ? fs::read_symlink(entry->path(), ignored) : entry->path();
-    if (fs::is_regular_file(copy / kScene, ignored)) {
+/// Adds the copies beside a scene. Links are not followed: whoever wrote the scene may have put them there.
+void collect_beside(const fs::path& file, std::vector<fs::path>& copies) {
+  const fs::path scene = fs::absolute(file);
+  for (const fs::path& path : files_in(scene.parent_path()))
+    if (is_copy(path) && origin_of(path) == scene) copies.push_back(path);
+}
+
+/// Adds the copies of the user's folder for states, and those beside scenes that its links lead to. Removes broken
+/// links, save where the folder of the copy is away: a drive that is not there now.
+void collect_known(const fs::path& states, std::vector<fs::path>& copies) {
+  std::error_code ignored;
+  for (const fs::path& path : files_in(states)) {
+    const std::string name = path.filename().string();
+    if (mark_in(name) != name) continue;
+    const bool is_link = fs::is_symlink(path, ignored);
+    const fs::path copy = is_link ? fs::read_symlink(path, ignored) : path;
+    if (is_copy(copy) && link_to(copy, states) == path) {
       copies.push_back(copy);
-    } else if (entry->is_symlink(ignored) && fs::is_directory(copy.parent_path(), ignored)) {
-      fs::remove(entry->path(), ignored);
+    } else if (is_link && fs::is_directory(copy.parent_path(), ignored)) {
+      fs::remove(path, ignored);
     }
   }
 }
@@ -61,13 +98,6 @@ void collect(const fs::path& prefix, std::vector<fs::path>& copies) {
 fs::file_time_type time_of(const fs::path& copy) {
   std::error_code ignored;
   return fs::last_write_time(copy / kScene, ignored);
-}
-
-/// The scene file that a copy is of; empty when it had none.
-fs::path origin_of(const fs::path& copy) {
-  std::ifstream stream(copy / kOrigin, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  return text.empty() ? fs::path() : (copy / text).lexically_normal();
 }
 
 }  // namespace
@@ -93,8 +123,14 @@ std::optional<LockedFolder> LockedFolder::take(const fs::path& path) {
 void Autosave::write(const Scene& scene, const fs::path& file) {
   std::error_code ignored;
   if (own_ && (own_file_ != file || !fs::is_directory(own_->path(), ignored))) remove();
-  if (!own_) begin_copy(file);
-  write_scene(scene, own_->path() / kScene);
+  const bool is_new = !own_;
+  if (is_new) begin_copy(file);
+  try {
+    write_scene(scene, own_->path() / kScene);
+  } catch (const InputError&) {
+    if (is_new) remove();  // leaves no empty folder
+    throw;
+  }
   // Only now: others remove links to copies that hold nothing.
   if (!file.empty() && !states_.empty())
     fs::create_directory_symlink(own_->path(), link_to(own_->path(), states_), ignored);
@@ -106,14 +142,7 @@ void Autosave::begin_copy(const fs::path& file) {
                      "set HOME or XDG_STATE_HOME, or save it");
   std::error_code ignored;
   if (!states_.empty()) fs::create_directories(states_, ignored);
-  LockedFolder copy = LockedFolder::make(file.empty() ? states_ / kMark : prefix_beside(file));
-  try {
-    replace_file(copy.path() / kOrigin, file.empty() ? "" : "../" + file.filename().string());
-  } catch (const InputError&) {
-    remove_copy(copy, states_);
-    throw;
-  }
-  own_ = std::move(copy);
+  own_ = LockedFolder::make(file.empty() ? states_ / kMark : prefix_beside(file));
   own_file_ = file;
 }
 
@@ -124,14 +153,14 @@ void Autosave::remove() {
 
 bool Autosave::find(const fs::path& file) {
   std::vector<fs::path> copies;
-  if (!file.empty()) collect(prefix_beside(file), copies);
+  if (!file.empty()) collect_beside(file, copies);
   return take_newest(std::move(copies));
 }
 
 bool Autosave::find_any(const fs::path& file) {
   std::vector<fs::path> copies;
-  if (!states_.empty()) collect(states_ / kMark, copies);
-  if (!file.empty()) collect(prefix_beside(file), copies);
+  if (!states_.empty()) collect_known(states_, copies);
+  if (!file.empty()) collect_beside(file, copies);
   return take_newest(std::move(copies));
 }
 

@@ -36,7 +36,8 @@ struct LeftEdits {
 
 /// Keeps a copy of edits that are not saved: for a scene with a file in the folder `.NAME.edits-XXXXXX` beside it, for
 /// others in the user's folder for states. Instances of the program know their copies apart by locks, and leave those
-/// of others that run alone.
+/// of others that run alone. What stands beside a scene may come from elsewhere with it: links there are not followed,
+/// the name of a copy alone tells whose it is, and nothing is removed but what the program wrote.
 class Autosave {
  public:
   /// `states`: the user's folder for states; also holds links to all copies beside scenes. Empty: there is none.

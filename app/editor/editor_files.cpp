@@ -4,6 +4,7 @@
 #include "app/editor/editor.h"
 #include "app/editor/starting_scene.h"
 #include "app/shared/scene_files.h"
+#include "sim/core/replace_file.h"
 #include "sim/scene/scene_reader.h"
 #include "sim/scene/scene_writer.h"
 
@@ -79,6 +80,7 @@ void Editor::quit() {
 }
 
 void Editor::keep_edits_safe(const fs::path& states) {
+  remove_stale_files(states);
   recent_ = RecentFiles(states);
   remember_file();
   autosave_.emplace(states);

@@ -4,6 +4,7 @@
 #include "app/editor/curve_table.h"
 #include "app/editor/editor.h"
 #include "app/output/bug_report.h"
+#include "app/output/output.h"
 #include "app/shared/scene_files.h"
 #include "sim/core/file_path.h"
 #include "sim/core/replace_file.h"
@@ -39,7 +40,7 @@ std::string log_text(const std::vector<ui::LogLine>& lines) {
     const char* level = line.level == ui::LogLevel::info      ? ""
                         : line.level == ui::LogLevel::warning ? "warning: "
                                                               : "error: ";
-    text += level + line.text + "\n";
+    text += level + printable(line.text) + "\n";
   }
   return text;
 }

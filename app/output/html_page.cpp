@@ -50,39 +50,40 @@ std::optional<std::string_view> escaped(char c) {
       return "&quot;";
     case '\'':
       return "&#39;";
+    case '\r':
+      return "&#13;";
     case '\t':
     case '\n':
-    case '\r':
       return std::nullopt;
     default:
       return (c >= 0 && c < ' ') || c == 0x7F ? std::optional(kReplacement) : std::nullopt;
   }
 }
 
-/// The number of bytes of the character that `text` begins with; 0 when it is not UTF-8 or none that XML may hold.
-std::size_t character_length(std::string_view text) {
+}  // namespace
+
+Utf8Character first_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
   const std::uint8_t first = byte(0);
-  if (first < 0x80) return 1;
+  if (first < 0x80) return {1, first};
   const std::size_t length = first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : first < 0xF5 ? 4 : 0;
-  if (length == 0 || length > text.size()) return 0;
+  if (length == 0 || length > text.size()) return {};
   std::uint32_t code = first & (0x7F >> length);
   for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return 0;
+    if ((byte(i) & 0xC0) != 0x80) return {};
     code = code << 6 | (byte(i) & 0x3F);
   }
   constexpr std::array<std::uint32_t, 5> kSmallest = {0, 0, 0x80, 0x800, 0x10000};
   const bool is_surrogate = code >= 0xD800 && code < 0xE000, is_character = code != 0xFFFE && code != 0xFFFF;
-  return code >= kSmallest[length] && code < 0x110000 && !is_surrogate && is_character ? length : 0;
+  return code >= kSmallest[length] && code < 0x110000 && !is_surrogate && is_character ? Utf8Character{length, code}
+                                                                                       : Utf8Character{};
 }
-
-}  // namespace
 
 std::string escape_markup(std::string_view text) {
   std::string result;
   result.reserve(text.size());
   while (!text.empty()) {
-    const std::size_t length = character_length(text);
+    const std::size_t length = first_character(text).length;
     if (length == 0) {
       result += kReplacement;
     } else if (const auto replacement = escaped(text[0])) {

@@ -1,12 +1,22 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace griffith::app {
 
+/// A character of UTF-8.
+struct Utf8Character {
+  std::size_t length = 0;  ///< of its bytes; 0: none, or one that XML may not hold
+  std::uint32_t code = 0;
+};
+/// The character that `text`, which is not empty, begins with.
+Utf8Character first_character(std::string_view text);
+
 /// Text as HTML and XML show it, between tags and in quoted attributes. What neither may hold, control characters and
-/// bytes that are not UTF-8, becomes U+FFFD.
+/// bytes that are not UTF-8, becomes U+FFFD; a carriage return, by which a terminal writes over a line, its number.
 std::string escape_markup(std::string_view text);
 
 /// Bytes as base64 with padding (RFC 4648), on one line.

@@ -2,18 +2,87 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdarg>
+#include <cstdint>
 #include <cstdio>
 #include <span>
 #include <system_error>
 
+#include "app/output/html_page.h"
 #include "sim/core/replace_file.h"
 
 namespace griffith::app {
 
+namespace {
+
+std::string formatted(const char* format, std::va_list arguments) {
+  std::va_list again;
+  va_copy(again, arguments);
+  std::string text(static_cast<std::size_t>(std::max(std::vsnprintf(nullptr, 0, format, again), 0)), '\0');
+  va_end(again);
+  std::vsnprintf(text.data(), text.size() + 1, format, arguments);
+  return text;
+}
+
+/// Line breaks are the program's own: print() makes columns and paragraphs of several.
+void print_lines(std::FILE* file, std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    std::fputs(printable(text.substr(0, end)).c_str(), file);
+    if (end == std::string_view::npos) return;
+    std::fputc('\n', file);
+    text.remove_prefix(end + 1);
+  }
+}
+
+/// Characters that no terminal shows, but obeys: C0, DEL, C1, and marks that reorder or hide what is beside them.
+bool is_control(std::uint32_t code) {
+  return code < 0x20 || (code >= 0x7F && code < 0xA0) || (code >= 0x200B && code <= 0x200F) ||
+         (code >= 0x2028 && code <= 0x202E) || (code >= 0x2060 && code <= 0x206F) || code == 0xFEFF;
+}
+
+std::string escape_of(std::string_view bytes) {
+  std::string text;
+  for (const unsigned char byte : bytes) {
+    char escape[8];
+    std::snprintf(escape, sizeof escape, "\\x%02x", byte);
+    text += escape;
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+  std::string shown;
+  while (!text.empty()) {
+    const Utf8Character character = first_character(text);
+    const std::string_view bytes = text.substr(0, std::max<std::size_t>(character.length, 1));
+    shown += character.length == 0 || is_control(character.code) ? escape_of(bytes) : std::string(bytes);
+    text.remove_prefix(bytes.size());
+  }
+  return shown;
+}
+
+void print(const char* format, ...) {
+  std::va_list arguments;
+  va_start(arguments, format);
+  print_lines(stdout, formatted(format, arguments));
+  va_end(arguments);
+}
+
+void print_error(const char* format, ...) {
+  std::va_list arguments;
+  va_start(arguments, format);
+  print_lines(stderr, formatted(format, arguments));
+  va_end(arguments);
+}
+
 void explain(const InputError& error) {
-  std::fprintf(stderr, "griffith: %s: %s\n", error.where().c_str(), error.problem().c_str());
-  if (!error.remedy().empty()) std::fprintf(stderr, "  %s\n", error.remedy().c_str());
+  print_error("griffith: %s: %s\n", printable(error.where()).c_str(), printable(error.problem()).c_str());
+  if (!error.remedy().empty()) print_error("  %s\n", printable(error.remedy()).c_str());
 }
 
 void save_picture(const std::filesystem::path& path, const render::Image& image) {
@@ -26,6 +95,7 @@ void check_folder(const std::filesystem::path& folder) {
   while (!std::filesystem::exists(there, error) && there.has_relative_path()) there = there.parent_path();
   if (!std::filesystem::is_directory(there, error) || access(there.c_str(), W_OK | X_OK) != 0)
     throw InputError(folder.string(), "is no folder and cannot be made one", "name a folder that may be written to");
+  remove_stale_files(folder);
 }
 
 void check_stdout() {

@@ -12,6 +12,7 @@
 #include "sim/core/error.h"
 #include "sim/core/file_content.h"
 #include "sim/core/read_file.h"
+#include "sim/scene/json_document.h"
 
 namespace griffith::app {
 namespace {
@@ -46,8 +47,11 @@ JobOutcome draw_job(const SuiteRun& run, const RenderJob& job, const std::functi
 }
 
 void read_record(const fs::path& path, RegressionPicture& picture) {
-  const nlohmann::ordered_json json = nlohmann::ordered_json::parse(read_file(path), nullptr, false);
-  if (!json.is_object()) throw InputError(path.string(), "is no record of a picture", "--accept makes it anew");
+  constexpr std::int64_t kMaxBytes = 16 << 20;
+  std::vector<InputError> problems;
+  const Json json = parse_json(read_file(path, kMaxBytes), path.string(), problems);
+  if (!problems.empty() || !json.is_object())
+    throw InputError(path.string(), "is no record of a picture", "--accept makes it anew");
   for (const auto& [name, value] : json.items()) {
     if (name == "state_hash" && value.is_string()) {
       picture.state_hash = hash_from_text(value.get<std::string>());

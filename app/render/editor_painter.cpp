@@ -3,10 +3,10 @@
 
 #include "app/editor/editor.h"
 #include "app/editor/imgui_context_owner.h"
+#include "app/output/open_world.h"
 #include "app/render/painter.h"
 #include "app/render/picture_maker.h"
 #include "app/render/picture_text.h"
-#include "app/shared/scene_world.h"
 #include "renderer/target.h"
 
 namespace griffith::app {

@@ -42,12 +42,11 @@ PictureWriter::PictureWriter(PictureOutput output, const RenderJob& job, double 
       job_(job),
       frames_per_second_(output_.frames_per_second > 0 ? output_.frames_per_second
                                                        : app::frames_per_second(job, time_step)),
-      sheet_(sheet_columns(job)) {
-  if (!output_.folder.empty()) fs::create_directories(output_.folder);
-}
+      sheet_(sheet_columns(job)) {}
 
 void PictureWriter::write(const RenderedPicture& picture) {
   if (!output_.folder.empty()) {
+    fs::create_directories(output_.folder);  // only now: a run that fails leaves no empty one
     const fs::path stem = output_.folder / picture.name;
     save_picture(stem.string() + ".png", picture.image);
     if (output_.records) {

@@ -1,6 +1,6 @@
+#include "app/output/open_world.h"
 #include "app/render/painter.h"
 #include "app/render/picture_maker.h"
-#include "app/shared/scene_world.h"
 
 namespace griffith::app {
 namespace {

@@ -110,12 +110,18 @@ void read_job(const Place& place, RenderJob& job) {
   }
 }
 
+/// Of the name of a file: what has a meaning in shells, in pages or for a terminal.
+bool is_awkward(unsigned char c) { return c < ' ' || c == 0x7F || c == '"' || c == '\'' || c == '`' || c == '\\'; }
+
 /// What a job that reads well may still lack.
 void check_job(const Place& place, const RenderJob& job, std::set<std::string>& names) {
   if (job.scene.empty()) place.report("lacks \"scene\"", "add it: the scene file, from this file's folder on");
   if (job.name.empty()) place.report("lacks \"name\"", "add it: pictures are named by it");
   if (job.name.find('/') != std::string::npos || job.name.starts_with("."))
     place.report("has the name \"" + job.name + "\", which files cannot have", "leave out slashes and a leading dot");
+  if (std::ranges::any_of(job.name, is_awkward))
+    place.report("has the name \"" + job.name + "\", which shells and pages cannot show as it is",
+                 "leave out quotes, backslashes and control characters");
   if (job.name.ends_with(".ids"))
     place.report("has the name \"" + job.name + "\", which stands for the ids of pictures", "leave out .ids");
   if (!job.name.empty() && !names.insert(job.name).second)

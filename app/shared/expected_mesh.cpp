@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -64,7 +65,34 @@ struct Estimate {
   }
 };
 
+/// The volume of a shape [m³]; 0 for files.
+struct Volume {
+  double operator()(const BoxShape& box) const { return box.size.prod(); }
+  double operator()(const NotchedBeamShape& beam) const { return beam.size.prod(); }
+  double operator()(const PlateWithHoleShape& plate) const { return plate.size.prod(); }
+  double operator()(const CylinderShape& of) const { return kPi * of.radius * of.radius * of.length; }
+  double operator()(const DiscShape& of) const { return kPi * of.radius * of.radius * of.thickness; }
+  double operator()(const SphereShape& of) const { return 4 * kPi / 3 * std::pow(of.radius, 3); }
+  double operator()(const MeshFileShape&) const { return 0; }
+  double operator()(const SurfaceShape&) const { return 0; }
+};
+
+/// The volume of a splinter of the pattern [m³]; infinite for radial ones, which are few, and for files.
+double splinter_volume(const SplinterPattern& pattern) {
+  if (const auto* voronoi = std::get_if<VoronoiSplinters>(&pattern))
+    return std::pow(voronoi->size, 3) * voronoi->elongation;
+  if (const auto* bricks = std::get_if<BrickSplinters>(&pattern)) return (bricks->size.array() + bricks->mortar).prod();
+  return std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
+
+double expected_splinters(const Scene& scene) {
+  double sum = 0;
+  for (const BodyDescription& body : scene.bodies)
+    if (body.splinters) sum += std::visit(Volume(), body.shape) / splinter_volume(*body.splinters);
+  return sum;
+}
 
 double expected_tets(const Scene& scene, const Monitor& monitor) {
   double sum = 0;

@@ -10,4 +10,8 @@ namespace griffith::app {
 /// says so.
 double expected_tets(const Scene& scene, const Monitor& monitor = {});
 
+/// About how many splinters the Voronoi and brick patterns will cut the bodies into; those of files, and of bodies from
+/// files, do not count.
+double expected_splinters(const Scene& scene);
+
 }  // namespace griffith::app

@@ -39,6 +39,10 @@ StageProgress::~StageProgress() {
   if (shown_) std::fprintf(stderr, "\r\033[K");
 }
 
+void StageProgress::note(const std::string& line) {
+  std::fprintf(stderr, "%s%s\n", shown_ ? "\r\033[K" : "", line.c_str());
+}
+
 void StageProgress::enter(std::string_view stage) {
   if (shown_) std::fprintf(stderr, "\r\033[K%.*s ...", static_cast<int>(stage.size()), stage.data());
 }

@@ -37,6 +37,8 @@ class StageProgress {
   StageProgress& operator=(const StageProgress&) = delete;
 
   void enter(std::string_view stage);
+  /// Prints a line of the program's own that stays, also where stderr is no terminal.
+  void note(const std::string& line);
 
  private:
   bool shown_;

@@ -2,18 +2,11 @@
 
 #include <cmath>
 
+#include "app/output/csv_field.h"
 #include "sim/mesh/number_text.h"
 
 namespace griffith::app {
 namespace {
-
-/// A field of CSV (RFC 4180).
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string field = "\"";
-  for (const char c : text) field += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return field + "\"";
-}
 
 void append_row(std::string& csv, const Sweep& sweep, std::size_t run, const RunRecord& record) {
   csv += std::to_string(run + 1);

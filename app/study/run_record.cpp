@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/core/error.h"
+#include "sim/scene/json_document.h"
 
 namespace griffith::app {
 namespace {
@@ -42,13 +43,14 @@ std::string record_json(const RunRecord& record) {
 }
 
 RunRecord record_from_json(const std::string& text, const std::string& where) {
-  const Record json = Record::parse(text, nullptr, false);
+  std::vector<InputError> problems;
+  const Record json = parse_json(text, where, problems);
   RunRecord record;
-  if (json.is_object() && json.contains("error") && json["error"].is_string()) {
+  if (problems.empty() && json.is_object() && json.contains("error") && json["error"].is_string()) {
     record.error = json["error"];
     return record;
   }
-  if (!json.is_object() || !json.contains("outcomes") || !json["outcomes"].is_object())
+  if (!problems.empty() || !json.is_object() || !json.contains("outcomes") || !json["outcomes"].is_object())
     throw InputError(where, "is no record of a run", "remove it, and the run is made again");
   for (const OutcomeKind& kind : outcome_kinds()) record.outcomes.push_back(outcome_in(json["outcomes"], kind, where));
   return record;

@@ -11,6 +11,7 @@
 #include "sim/core/hash_bytes.h"
 #include "sim/core/read_file.h"
 #include "sim/core/replace_file.h"
+#include "sim/scene/json_document.h"
 
 namespace griffith::app {
 namespace {
@@ -34,7 +35,10 @@ fs::path plan_file(const Sweep& sweep) { return sweep.folder / "plan.json"; }
 
 void require_same(const Sweep& sweep, const Definition& mine) {
   const std::string where = plan_file(sweep).string();
-  const Definition theirs = Definition::parse(read_file(plan_file(sweep)), nullptr, false);
+  constexpr std::int64_t kMaxBytes = 16 << 20;
+  std::vector<InputError> problems;
+  const Definition theirs = parse_json(read_file(plan_file(sweep), kMaxBytes), where, problems);
+  if (!problems.empty()) throw problems.front();
   for (const auto& [key, value] : mine.items()) {
     if (theirs.is_object() && theirs.contains(key) && theirs[key] == value) continue;
     const std::string there = theirs.is_object() && theirs.contains(key) ? theirs[key].dump() : "missing";
@@ -61,6 +65,7 @@ FolderLock::FolderLock(const fs::path& folder)
 
 void take_up(const Sweep& sweep) {
   make_folder(sweep.folder / "runs");
+  remove_stale_files(sweep.folder / "runs");
   const Definition definition = definition_json(sweep.definition);
   std::error_code error;
   if (fs::exists(plan_file(sweep), error)) return require_same(sweep, definition);

@@ -74,6 +74,8 @@ std::string make_missing_pictures(const Sweep& sweep, const std::vector<std::opt
       problem = "run " + std::to_string(runs[i] + 1) + ": " + failure_text(outcome, effort.limits);
   };
   work_side_by_side(runs.size(), effort.jobs, work, stop);
+  std::error_code ignored;
+  fs::remove(sweep.picture_file(0).parent_path(), ignored);  // where it is empty
   return problem;
 }
 

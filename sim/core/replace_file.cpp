@@ -1,12 +1,17 @@
 #include "sim/core/replace_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/random.h>
 #include <sys/stat.h>
 
+#include <cstdint>
 #include <cstdio>
+#include <ctime>
 #include <optional>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "sim/core/descriptor.h"
 #include "sim/core/error.h"
@@ -75,14 +80,32 @@ bool write_all(int file, std::string_view content) {
   return true;
 }
 
+constexpr std::string_view kFreshStart = ".griffith_";
+constexpr std::size_t kFreshDigits = 16;
+
 /// A name that nobody can have put something under before.
 fs::path fresh_name(const fs::path& folder) {
   std::uint64_t random = 0;
   while (getrandom(&random, sizeof random, 0) != sizeof random) {
   }
-  char name[40];
-  std::snprintf(name, sizeof name, ".griffith_%016llx", static_cast<unsigned long long>(random));
-  return folder / name;
+  char digits[kFreshDigits + 1];
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(random));
+  return folder / std::string(kFreshStart).append(digits);
+}
+
+bool is_fresh_name(std::string_view name) {
+  return name.size() == kFreshStart.size() + kFreshDigits && name.starts_with(kFreshStart) &&
+         name.find_first_not_of("0123456789abcdef", kFreshStart.size()) == std::string_view::npos;
+}
+
+/// True if nobody writes the file: it is this user's, a minute old, and its lock can be had.
+bool is_stale(const fs::path& path) {
+  constexpr std::time_t kSeconds = 60;
+  const Descriptor file(open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  struct stat status {};
+  return file.is_open() && fstat(file.number(), &status) == 0 && S_ISREG(status.st_mode) && status.st_nlink == 1 &&
+         status.st_uid == geteuid() && std::time(nullptr) - status.st_mtime > kSeconds &&
+         flock(file.number(), LOCK_EX | LOCK_NB) == 0;
 }
 
 /// Owner, group and mode of the old file, as far as they may be given away.
@@ -99,6 +122,7 @@ bool write_new(const fs::path& beside, const Target& target, std::string_view co
   constexpr int kFlags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
   Descriptor file(open(beside.c_str(), kFlags, target.old ? 0600 : 0666));
   if (!file.is_open()) return false;
+  flock(file.number(), LOCK_EX | LOCK_NB);  // by which others tell that it is not stale
   if (target.old) keep_ownership(file.number(), *target.old);
   return write_all(file.number(), content) && (!target.old || reaches_disk(file.number())) && file.close();
 }
@@ -126,6 +150,17 @@ void replace_file(const fs::path& path, std::string_view content) {
   if (!written) fail(path, errno);
 }
 
-void check_replaceable(const fs::path& path) { writable_target(path); }
+void remove_stale_files(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> stale;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    if (is_fresh_name(entry->path().filename().string()) && is_stale(entry->path())) stale.push_back(entry->path());
+  for (const fs::path& path : stale) unlink(path.c_str());
+}
+
+void check_replaceable(const fs::path& path) {
+  const Target target = writable_target(path);
+  if (!target.direct) remove_stale_files(folder_of(target.path));
+}
 
 }  // namespace griffith

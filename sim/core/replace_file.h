@@ -12,8 +12,12 @@ namespace griffith {
 /// file.
 void replace_file(const std::filesystem::path& path, std::string_view content);
 
+/// Removes what replace_file() left in a folder where the program was killed: files of this user with the names that it
+/// gives, which nobody holds and that are older than a minute.
+void remove_stale_files(const std::filesystem::path& folder);
+
 /// Throws the InputError that replace_file() would throw, as far as that can be told before: to be called before long
-/// work whose result goes there.
+/// work whose result goes there. Removes stale files there.
 void check_replaceable(const std::filesystem::path& path);
 
 }  // namespace griffith

@@ -7,7 +7,8 @@
 namespace griffith {
 
 /// A new folder for temporary files, gone with its contents at the end, also when the program is asked to end meanwhile
-/// (by SIGINT, SIGTERM or SIGHUP). Throws InputError when none can be made.
+/// (by SIGINT, SIGTERM or SIGHUP). One that was killed leaves its folder to the next, which removes it. Throws
+/// InputError when none can be made.
 class TemporaryFolder {
  public:
   TemporaryFolder();
@@ -22,6 +23,7 @@ class TemporaryFolder {
  private:
   TerminationHold hold_;
   std::filesystem::path path_;
+  int lock_ = -1;  ///< descriptor whose lock tells others that the folder is in use; -1: none
 };
 
 }  // namespace griffith

@@ -9,22 +9,35 @@
 #include <span>
 
 #include "sim/core/error.h"
+#include "sim/core/file_path.h"
 #include "sim/geometry/polygon.h"
 #include "sim/meshing/surface_objects.h"
 
 namespace griffith {
 namespace {
 
-/// Knows regular files alone: to open a pipe that a surface names for its materials or buffers could wait for ever.
-class RegularFiles : public Assimp::DefaultIOSystem {
+/// Knows the surface itself and regular files in its folder or below: whoever made the surface may name any file for
+/// its buffers, and to open a pipe could wait for ever.
+class FilesOfSurface : public Assimp::DefaultIOSystem {
  public:
+  explicit FilesOfSurface(std::filesystem::path surface) : surface_(std::move(surface)) {}
+
   bool Exists(const char* file) const override {
     std::error_code ignored;
     return std::filesystem::is_regular_file(file, ignored);
   }
   Assimp::IOStream* Open(const char* file, const char* mode) override {
-    return Exists(file) ? Assimp::DefaultIOSystem::Open(file, mode) : nullptr;
+    if (!Exists(file)) return nullptr;
+    const bool allowed = file == surface_ || is_within(surface_.parent_path(), file);
+    if (!allowed) refused_ = file;
+    return allowed ? Assimp::DefaultIOSystem::Open(file, mode) : nullptr;
   }
+  /// The last file that was there, but elsewhere; empty if there was none.
+  const std::string& refused() const { return refused_; }
+
+ private:
+  std::filesystem::path surface_;
+  std::string refused_;
 };
 
 /// Assimp catches std::bad_alloc as it does its own errors.
@@ -113,9 +126,13 @@ void require_known_vertices(const aiScene& scene, const std::filesystem::path& p
 
 std::vector<SurfaceObject> import_objects(const std::filesystem::path& path) {
   Assimp::Importer importer;
-  importer.SetIOHandler(new RegularFiles);  // the importer owns it
+  auto* const files = new FilesOfSurface(path);
+  importer.SetIOHandler(files);  // the importer owns it
   const aiScene* scene = importer.ReadFile(path.string(), 0);
   rethrow_bad_alloc(importer);
+  if (scene == nullptr && !files->refused().empty())
+    throw InputError(path.string(), "needs the file \"" + files->refused() + "\", which is outside its folder",
+                     "put it beside the surface: what a surface names is read from its folder alone");
   if (scene == nullptr || scene->mRootNode == nullptr)
     throw InputError(path.string(), std::string("cannot be read: ") + importer.GetErrorString(),
                      "check that the file's content is what its ending says");

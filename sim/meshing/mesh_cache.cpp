@@ -100,6 +100,7 @@ void write_cache_entry(const fs::path& path, const FilledSurface& filled) {
   const std::uint64_t sum = hash_bytes(content);
   std::error_code ignored;
   fs::create_directories(path.parent_path(), ignored);
+  remove_stale_files(path.parent_path());
   try {
     replace_file(path, std::string(kFormat).append(bytes_of(std::span(&sum, 1))) + content);
   } catch (const InputError&) {

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
+#include <cstring>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 
+#include "sim/core/error.h"
 #include "sim/core/file_path.h"
 #include "sim/core/read_file.h"
 #include "sim/mesh/read_mesh.h"
@@ -31,28 +35,54 @@ std::set<std::string> all_found(const std::string& text, const std::regex& patte
   return found;
 }
 
+/// The JSON in the first chunk of a binary glTF file, behind its header; empty where there is none.
+std::string json_of_glb(const std::string& content) {
+  constexpr std::size_t kHeader = 20, kLengthAt = 12;
+  std::uint32_t length = 0;
+  if (content.size() < kHeader) return {};
+  std::memcpy(&length, content.data() + kLengthAt, sizeof length);
+  return content.substr(kHeader, length);
+}
+
+/// The files that buffers and images of glTF name; those that hold their data themselves name none.
+std::set<std::string> uris_in(const std::string& gltf) {
+  const auto json = nlohmann::json::parse(gltf, nullptr, false);
+  std::set<std::string> uris;
+  for (const char* kind : {"buffers", "images"}) {
+    if (!json.is_object() || !json.contains(kind) || !json[kind].is_array()) continue;
+    for (const auto& item : json[kind])
+      if (item.is_object() && item.contains("uri") && item["uri"].is_string())
+        if (const auto uri = item["uri"].get<std::string>(); !uri.starts_with("data:")) uris.insert(uri);
+  }
+  return uris;
+}
+
 /// Files beside `file` that it needs or names; some may be missing.
 std::set<std::string> named_in(const fs::path& file, const std::string& content) {
-  static const std::regex kUri("\"uri\"\\s*:\\s*\"([^\":]{1,200})\""), kMaterials("mtllib[ \\t]+([^\\r\\n]{1,200})");
+  static const std::regex kMaterials("mtllib[ \\t]+([^\\r\\n]{1,200})");
   const std::string kind = lower_case(file.extension().string());
   if (kind == ".node") return {file.stem().string() + ".ele"};
   if (kind == ".ele") return {file.stem().string() + ".node"};
-  if (kind == ".gltf") return all_found(content, kUri);
+  if (kind == ".gltf") return uris_in(content);
+  if (kind == ".glb") return uris_in(json_of_glb(content));
   if (kind == ".obj") return all_found(content.substr(0, 10'000), kMaterials);
   return {};
 }
 
-/// What stands beside the file and below its folder. A recording takes nothing from elsewhere.
+/// True if it is a file in the folder of `file` or below, also once links are resolved: what a surface names elsewhere
+/// is not read for it either.
 bool is_beside(const fs::path& file, const std::string& name) {
   const fs::path plain = fs::path(name).lexically_normal();
   std::error_code ignored;
   return plain.is_relative() && !plain.empty() && *plain.begin() != ".." &&
-         fs::is_regular_file(file.parent_path() / plain, ignored);
+         fs::is_regular_file(file.parent_path() / plain, ignored) &&
+         is_within(file.parent_path(), file.parent_path() / plain);
 }
 
 class AssetCollector {
  public:
-  AssetCollector(fs::path folder, FileTree& files) : folder_(std::move(folder)), files_(files) {}
+  AssetCollector(fs::path folder, OutsideFiles outside, FileTree& files)
+      : folder_(std::move(folder)), outside_(outside), files_(files) {}
 
   /// Takes the file or folder in; the path that leads to it from now on. `filled`: null for what is no surface.
   fs::path add(const fs::path& path, const TetSoup* filled) {
@@ -65,7 +95,7 @@ class AssetCollector {
     std::error_code ignored;
     if (fs::is_directory(source, ignored)) {
       for (const char* name : {"verts.csv", "tets.csv"})
-        files_[known->second.string() + "/" + name] = read_file(source / name);
+        files_[known->second.string() + "/" + name] = content_of(source / name);
     } else {
       add_file(source, folder);
     }
@@ -75,28 +105,40 @@ class AssetCollector {
 
  private:
   void add_file(const fs::path& source, const std::string& folder) {
-    const std::string content = read_file(source);
+    const std::string content = content_of(source);
     for (const std::string& name : named_in(source, content))
       if (is_beside(source, name))
         files_[folder + fs::path(name).lexically_normal().generic_string()] = read_file(source.parent_path() / name);
     files_[folder + source.filename().string()] = content;
   }
 
+  /// A scene without a folder came from no file: whoever made it named the files.
+  std::string content_of(const fs::path& file) const {
+    std::error_code ignored;
+    const bool outside = fs::exists(file, ignored) && !is_within(folder_, file);
+    if (outside && !folder_.empty() && outside_ == OutsideFiles::refuse)
+      throw InputError(file.string(),
+                       "is outside the scene's folder " + folder_.string() + ", and is not packed unasked",
+                       "copy it into that folder and name it there, or pack it with --pack-outside");
+    return read_file(file);
+  }
+
   fs::path folder_;
+  OutsideFiles outside_;
   FileTree& files_;
   std::map<std::pair<fs::path, const TetSoup*>, fs::path> added_;
 };
 
 }  // namespace
 
-SceneWithAssets collect_assets(const World& world) {
+SceneWithAssets collect_assets(const World& world, OutsideFiles outside) {
   SceneWithAssets result{world.scene(), {}};
   Scene& scene = result.scene;
   std::map<const fs::path*, const TetSoup*> filled;
   for (std::size_t i = 0; i < scene.bodies.size(); ++i)
     if (auto* surface = std::get_if<SurfaceShape>(&scene.bodies[i].shape))
       filled[&surface->path] = world.filled_surface(static_cast<int>(i));
-  AssetCollector collector(scene.folder, result.files);
+  AssetCollector collector(scene.folder, outside, result.files);
   for (fs::path* path : paths_in(scene)) *path = collector.add(*path, filled[path]);
   scene.folder.clear();
   scene.schema.clear();

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <memory>
+#include <ranges>
 #include <system_error>
+#include <vector>
 
 #include "sim/core/error.h"
 #include "sim/core/replace_file.h"
@@ -30,12 +32,35 @@ void check(int result, archive* archive, const std::string& where) {
   if (result < ARCHIVE_WARN) fail(archive, where);
 }
 
-/// Whether a path, without "." in it, stays below the folder that it starts at.
+/// True if any file system can hold it and any terminal show it.
+bool is_plain_name(const fs::path& part) {
+  constexpr std::size_t kLongestName = 255;
+  const std::string name = part.string();
+  const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7F; };
+  return name.size() <= kLongestName && std::ranges::none_of(name, is_control);
+}
+
+/// Whether a path, without "." in it, stays below the folder that it starts at, under names that can be.
 bool stays_below(const std::string& path) {
   constexpr std::size_t kLongest = 1000;
   const fs::path plain(path);
   const auto leads_up = [](const fs::path& part) { return part == ".." || part == "." || part.empty(); };
-  return !path.empty() && path.size() < kLongest && plain.is_relative() && std::ranges::none_of(plain, leads_up);
+  return !path.empty() && path.size() < kLongest && plain.is_relative() && std::ranges::none_of(plain, leads_up) &&
+         std::ranges::all_of(plain, is_plain_name);
+}
+
+/// Throws where a file would have to be a folder as well.
+void require_tree(const FileTree& files, const std::string& where) {
+  for (const auto& [path, content] : files)
+    for (fs::path above = fs::path(path).parent_path(); !above.empty(); above = above.parent_path())
+      if (files.contains(above.generic_string()))
+        throw InputError(where, "holds \"" + above.generic_string() + "\" both as a file and as a folder", kOtherFile);
+}
+
+/// Bytes that an archive of a size may unpack to: files of runs shrink some ten times, at most a hundred.
+std::int64_t most_unpacked(std::size_t packed) {
+  constexpr std::int64_t kAlways = 64 << 20, kMostTimes = 1000;
+  return std::clamp(kMostTimes * static_cast<std::int64_t>(packed), kAlways, kMaxTreeBytes);
 }
 
 void add_file(archive* writer, const std::string& path, const std::string& content, const std::string& where) {
@@ -63,7 +88,8 @@ std::string content_of_entry(archive* reader, std::int64_t allowed, const std::s
     check(result, reader, where);
     if (offset != std::ssize(content)) throw InputError(where, "holds a file with gaps", kOtherFile);
     if (std::ssize(content) + static_cast<std::int64_t>(size) > allowed)
-      throw InputError(where, "holds more than a gigabyte", kOtherFile);
+      throw InputError(where, "unpacks to more than a file of its size can hold, or to more than a gigabyte",
+                       kOtherFile);
     content.append(static_cast<const char*>(block), size);
   }
   return content;
@@ -78,6 +104,16 @@ std::string path_of_entry(archive_entry* entry, const std::string& where) {
   if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry) || archive_entry_symlink(entry))
     throw InputError(where, "holds \"" + path + "\", which is no regular file", kOtherFile);
   return path;
+}
+
+/// Makes a folder with those above it; adds to `made` what was not there.
+void make_folder(const fs::path& folder, std::vector<fs::path>& made) {
+  std::error_code error;
+  if (folder.empty() || fs::is_directory(folder, error)) return;
+  make_folder(folder.parent_path(), made);
+  if (fs::create_directory(folder, error)) return made.push_back(folder);
+  throw InputError(folder.string(), "cannot be made a folder: " + error.message(),
+                   "name a folder that may be written to");
 }
 
 }  // namespace
@@ -104,7 +140,7 @@ FileTree unpack_files(const std::string& archive, const std::string& where) {
   check(archive_read_support_filter_zstd(reader.get()), reader.get(), where);
   check(archive_read_open_memory(reader.get(), archive.data(), archive.size()), reader.get(), where);
   FileTree files;
-  std::int64_t left = kMaxTreeBytes;
+  std::int64_t left = most_unpacked(archive.size());
   std::size_t entries = 0;
   archive_entry* entry = nullptr;
   for (int result; (result = archive_read_next_header(reader.get(), &entry)) != ARCHIVE_EOF;) {
@@ -117,18 +153,22 @@ FileTree unpack_files(const std::string& archive, const std::string& where) {
     if (!files.emplace(path, std::move(content)).second)
       throw InputError(where, "holds \"" + path + "\" twice", kOtherFile);
   }
+  require_tree(files, where);
   return files;
 }
 
 void write_files(const FileTree& files, const fs::path& folder) {
-  for (const auto& [path, content] : files) {
-    const fs::path file = folder / path;
-    std::error_code error;
-    fs::create_directories(file.parent_path(), error);
-    if (error)
-      throw InputError(file.parent_path().string(), "cannot be made a folder: " + error.message(),
-                       "name a folder that may be written to");
-    replace_file(file, content);
+  std::vector<fs::path> made;
+  try {
+    for (const auto& [path, content] : files) {
+      make_folder((folder / path).parent_path(), made);
+      replace_file(folder / path, content);
+      made.push_back(folder / path);
+    }
+  } catch (const InputError&) {
+    std::error_code ignored;
+    for (const fs::path& path : std::views::reverse(made)) fs::remove(path, ignored);
+    throw;
   }
 }
 

@@ -37,7 +37,8 @@ bool take_number(std::string_view& row, Whole& number, int base) {
 
 bool read_row(std::string_view row, std::size_t step, StateHashes& hashes) {
   std::size_t number = 0;
-  if (!take_number(row, number, 10) || number != step) return false;
+  constexpr std::size_t kDigits = 16;
+  if (!take_number(row, number, 10) || number != step || row.size() != hashes.size() * (kDigits + 1) - 1) return false;
   for (std::uint64_t& hash : hashes)
     if (row.empty() || !take_number(row, hash, 16)) return false;
   return row.empty();

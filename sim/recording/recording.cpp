@@ -69,8 +69,8 @@ void require_possible(const Recording& recording, const std::string& where) {
 
 }  // namespace
 
-Recording begin_recording(const World& world) {
-  SceneWithAssets assets = collect_assets(world);
+Recording begin_recording(const World& world, OutsideFiles outside) {
+  SceneWithAssets assets = collect_assets(world, outside);
   return {std::move(assets.scene), std::move(assets.files), {}, {world.state_hashes()}, versions_here(), {}};
 }
 

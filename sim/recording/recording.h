@@ -34,9 +34,13 @@ struct Recording {
   std::int64_t steps() const { return std::ssize(hashes) - 1; }
 };
 
+/// Files that a scene names, but that are not in its folder or below once links are resolved: who passes the recording
+/// on may not know that they are in it.
+enum class OutsideFiles { refuse, pack };
+
 /// A recording of no steps yet: to be called before the first. Reads all files that the scene is built from. Throws
-/// InputError for one that cannot be read any more.
-Recording begin_recording(const World& world);
+/// InputError for one that cannot be read any more, or is outside the scene's folder and not asked for.
+Recording begin_recording(const World& world, OutsideFiles outside = OutsideFiles::refuse);
 /// The present branch of a timeline that began with the start of its world. Throws as begin_recording().
 Recording record(const Timeline& timeline);
 

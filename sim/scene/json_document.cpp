@@ -9,6 +9,10 @@ namespace {
 
 constexpr std::size_t kMaxDepth = 64;
 constexpr std::size_t kMaxLine = 110;
+/// A few characters of text can take a hundred bytes of memory: what is read is limited while it is read. An array or
+/// object weighs as much as so many plain values.
+constexpr std::size_t kMaxWeight = 20'000'000, kStructureWeight = 8;
+constexpr std::size_t kMaxDuplicates = 1000;
 
 /// The parser's message without its number and without the position that stands in the error's place already.
 std::string plain_message(std::string message) {
@@ -41,7 +45,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
     Level& level = levels_.back();
     level.duplicate = !level.keys.insert(key).second;
     level.key = std::move(key);
-    if (level.duplicate) {
+    if (level.duplicate && problems_.size() < kMaxDuplicates) {
       problems_.emplace_back(json_place(file_, json_pointer(pointer(levels_.size() - 1), level.key)), "appears twice",
                              "keep one of the two");
     }
@@ -77,7 +81,16 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
       return false;
     }
     levels_.push_back({.value = std::move(value), .keys = {}, .key = {}});
-    return true;
+    return weigh(kStructureWeight);
+  }
+
+  bool weigh(std::size_t weight) {
+    weight_ += weight;
+    if (weight_ <= kMaxWeight) return true;
+    problems_.emplace_back(json_place(file_, pointer(std::min<std::size_t>(levels_.size(), 2))),
+                           "brings the file to more values than any scene or run has",
+                           "is it the file that was meant?");
+    return false;
   }
 
   bool close() {
@@ -87,6 +100,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   }
 
   bool add(Json value) {
+    if (!value.is_structured() && !weigh(1)) return false;
     if (levels_.empty()) {
       root_ = std::move(value);
     } else if (Level& level = levels_.back(); level.value.is_array()) {
@@ -109,6 +123,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   const std::string& file_;
   std::vector<InputError>& problems_;
   std::vector<Level> levels_;
+  std::size_t weight_ = 0;
   Json root_;
 };
 

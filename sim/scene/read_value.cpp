@@ -47,11 +47,35 @@ void read_vector(const Place& place, Eigen::Matrix<double, N, 1, Options>& value
   value = vector;
 }
 
-/// What has to be there for the mesh at `path`: itself, or both files of a folder.
+/// What has to be there for the mesh at `path`: itself, both files of a folder, or both of TetGen's pair.
 std::vector<std::filesystem::path> files_of_mesh(const std::filesystem::path& path) {
   std::error_code ignored;
-  if (!std::filesystem::is_directory(path, ignored)) return {path};
-  return {path / "verts.csv", path / "tets.csv"};
+  if (std::filesystem::is_directory(path, ignored)) return {path / "verts.csv", path / "tets.csv"};
+  const std::filesystem::path ending = path.extension();
+  if (ending != ".node" && ending != ".ele") return {path};
+  return {std::filesystem::path(path).replace_extension(".node"),
+          std::filesystem::path(path).replace_extension(".ele")};
+}
+
+/// False, and reported, where no regular file is there or a link leads out of its folder to one: a path says where it
+/// leads, a link that came with a scene does not.
+bool is_usable(const Place& place, MeshPath kind, const std::filesystem::path& file) {
+  std::error_code ignored;
+  const std::string shown = "\"" + file.generic_string() + "\"";
+  const std::string names = "names the " + std::string(kind.what) + " " + place.json.dump() + ", but ";
+  if (!std::filesystem::exists(file, ignored)) {
+    place.report(names + "there is no " + shown,
+                 "put it there or correct the path, which starts at the scene file's folder");
+  } else if (!std::filesystem::is_regular_file(file, ignored)) {
+    place.report(names + shown + " is no regular file",
+                 "put it there or correct the path, which starts at the scene file's folder");
+  } else if (!is_within(file.parent_path(), file)) {
+    place.report(names + shown + " is a link that leads out of its folder",
+                 "name the file that it leads to, or put a copy in place of the link");
+  } else {
+    return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -158,15 +182,8 @@ void read(const Place& place, std::filesystem::path& value, MeshPath kind) {
   if (place.document.problems.size() > before) return;
   value = text;
   if (!place.document.look_for_meshes) return;
-  for (const auto& tried : files_of_mesh(file_path(place.document.folder, value))) {
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(tried, ignored)) continue;
-    const bool there = std::filesystem::exists(tried, ignored);
-    place.report("names the " + std::string(kind.what) + " \"" + text + "\", but " + (there ? "" : "there is no ") +
-                     "\"" + tried.generic_string() + "\"" + (there ? " is no regular file" : ""),
-                 "put it there or correct the path, which starts at the scene file's folder");
-    return;
-  }
+  for (const auto& tried : files_of_mesh(file_path(place.document.folder, value)))
+    if (!is_usable(place, kind, tried)) return;
 }
 
 }  // namespace griffith

@@ -119,9 +119,9 @@ void check_names(const Place& place, const std::vector<T>& items) {
 template <class T>
 void read(const Place& place, std::vector<T>& items, Parts parts) {
   // A kilobyte each, before anything is made of them; inputs of a long run may be many.
-  constexpr std::size_t kMaxItems = std::is_same_v<T, WorldInput> ? 1'000'000 : 10'000;
+  constexpr std::size_t kMaxItems = std::is_same_v<T, WorldInput> ? 250'000 : 10'000;
   if (!place.json.is_array()) return place.reject("an array [ ... ]");
-  constexpr const char* kTooMany = kMaxItems == 10'000 ? "has more than 10,000 items" : "has more than 1,000,000 items";
+  constexpr const char* kTooMany = kMaxItems == 10'000 ? "has more than 10,000 items" : "has more than 250,000 items";
   if (place.json.size() > kMaxItems) return place.report(kTooMany, "take fewer");
   items.assign(place.json.size(), T{});
   for (std::size_t i = 0; i < items.size(); ++i) {
@@ -273,6 +273,7 @@ std::vector<WorldInput> read_inputs(Document& document, std::string_view text) {
 constexpr std::int64_t kMaxBytes = 16 << 20;
 
 Document document_of_file(const std::filesystem::path& path) {
+  if (path.empty()) throw InputError("the scene", "has no path", "name its file");
   Document document;
   document.file = path.generic_string();
   document.folder = std::filesystem::absolute(path).lexically_normal().parent_path();

@@ -232,6 +232,19 @@ TEST_F(EditorFiles, WhatACrashLeftCanBeKeptOrDiscarded) {
   EXPECT_EQ(ui::shown_dialog(editor_.state()), ui::Dialog::none);
 }
 
+TEST_F(EditorFiles, WhatALinkBesideASceneLeadsToIsNoneOfItsEdits) {
+  const fs::path users = test_folder() / "users", own = small_wall_file();
+  fs::create_directories(users);
+  fs::copy_file(own, users / "scene.json");
+  fs::create_directory_symlink(users, test_folder() / ".small_wall.json.edits-a1b2c3");
+  editor_.keep_edits_safe(states());
+  editor_.open(own);
+  wait_for_work();
+  EXPECT_TRUE(editor_.state().left_edits.empty());
+  editor_.execute({.id = ui::CommandId::discard_copy});
+  EXPECT_TRUE(fs::exists(users / "scene.json"));
+}
+
 TEST_F(EditorFiles, OpeningASceneAsksForWhatWasLeftBesideIt) {
   const fs::path own = small_wall_file();
   leave_edits(small_wall(), own);
@@ -279,6 +292,75 @@ TEST_F(EditorFiles, ACopyThatFailedIsTriedAgain) {
   fs::rename(test_folder() / "moved", own.parent_path());
   editor_.autosave(62);
   EXPECT_EQ(copies_in(own.parent_path()), 1);
+}
+
+/// A folder of the user's that holds a scene and more, elsewhere than the scene that is opened.
+fs::path folder_of_the_users() {
+  const fs::path folder = test_folder() / "users";
+  fs::create_directories(folder);
+  fs::copy_file(small_wall_file(), folder / "scene.json", fs::copy_options::overwrite_existing);
+  std::ofstream(folder / "notes.txt") << "a year's work";
+  return folder;
+}
+
+TEST(Autosave, LinksBesideASceneAreNotFollowed) {
+  const fs::path users = folder_of_the_users(), file = small_wall_file();
+  for (const char* name : {".small_wall.json.edits-a1b2c3", ".small_wall.json.edits-", ".small_wall.json.edits-a"}) {
+    const fs::path link = file.parent_path() / name;
+    fs::create_directory_symlink(users, link);
+    Autosave autosave(test_folder() / "states");
+    EXPECT_FALSE(autosave.find(file)) << name;
+    EXPECT_FALSE(autosave.find_any(file)) << name;
+    EXPECT_TRUE(fs::is_symlink(link)) << name;
+    fs::remove(link);
+  }
+  EXPECT_TRUE(fs::exists(users / "notes.txt"));
+}
+
+TEST(Autosave, LinksAmongTheStatesLeadToCopiesAlone) {
+  const fs::path states = test_folder() / "states", users = folder_of_the_users();
+  fs::create_directories(states);
+  fs::create_directory_symlink(users, states / "edits-a1b2c3");
+  Autosave autosave(states);
+  EXPECT_FALSE(autosave.find_any(""));
+  EXPECT_TRUE(fs::exists(users / "scene.json"));
+  EXPECT_TRUE(fs::exists(users / "notes.txt"));
+}
+
+TEST(Autosave, DiscardingRemovesWhatTheProgramWroteAlone) {
+  const fs::path file = small_wall_file(), copy = file.parent_path() / ".small_wall.json.edits-a1b2c3";
+  fs::remove_all(copy);
+  fs::create_directories(copy);
+  fs::copy_file(file, copy / "scene.json");
+  std::ofstream(copy / "notes.txt") << "a year's work";
+  Autosave autosave(test_folder() / "states");
+  ASSERT_TRUE(autosave.find(file));
+  autosave.remove_found();
+  EXPECT_FALSE(fs::exists(copy / "scene.json"));
+  EXPECT_EQ(text_of(copy / "notes.txt"), "a year's work");
+  EXPECT_FALSE(autosave.find(file));
+}
+
+TEST(Autosave, ACopyNeitherReadsNorWritesThroughALink) {
+  const fs::path users = folder_of_the_users(), file = small_wall_file();
+  const fs::path copy = file.parent_path() / ".small_wall.json.edits-a1b2c3";
+  fs::remove_all(copy);
+  fs::create_directories(copy);
+  fs::create_symlink(users / "scene.json", copy / "scene.json");
+  EXPECT_FALSE(Autosave(test_folder() / "states").find(file));
+}
+
+TEST(Autosave, TheNameOfACopyTellsWhoseItIs) {
+  const fs::path file = small_wall_file(), copy = file.parent_path() / ".small_wall.json.edits-a1b2c3";
+  fs::remove_all(copy);
+  fs::create_directories(copy);
+  fs::copy_file(file, copy / "scene.json");
+  std::ofstream(copy / "origin") << "../../elsewhere/thesis.json";
+  Autosave autosave(test_folder() / "states");
+  ASSERT_TRUE(autosave.find(file));
+  EXPECT_EQ(autosave.found_edits().file, file) << "a save goes nowhere else";
+  autosave.remove_found();
+  EXPECT_FALSE(fs::exists(copy));
 }
 
 TEST(Autosave, ACopyThatCannotBeReadIsToldAndStays) {

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "app/output/csv_field.h"
 #include "program.h"
 #include "sim/scene/scene_writer.h"
 #include "sim/world/conditions/probes.h"
@@ -45,6 +46,21 @@ TEST(ProbeTable, HasAHeadingAndARowAFrameWithEveryBit) {
   EXPECT_EQ((std::vector{x, y, z}), values);
 }
 
+TEST(CsvField, IsNeverAFormula) {
+  EXPECT_EQ(csv_field("=cmd|' /C calc'!A0"), "'=cmd|' /C calc'!A0");
+  for (const char* text : {"+1+1", "-1+1", "@SUM(A1)", "\tx", "=1"})
+    EXPECT_EQ(csv_field(text)[csv_field(text)[0] == '"'], '\'') << text;
+  EXPECT_EQ(csv_field("=a,b"), "\"'=a,b\"");
+  for (const char* number : {"-5", "+1.5", "-1e-9"}) EXPECT_EQ(csv_field(number), number);
+}
+
+TEST(ProbeTable, ANameIsNoFormula) {
+  Scene scene = probed_wall();
+  scene.probes[0].name = "=cmd|' /C calc'!A0";
+  const ProbeTable table(World(scene), "wall.json");
+  EXPECT_THAT(table.csv(), StartsWith("step,time [s],'=cmd|"));
+}
+
 TEST(ProbeTable, IsWrittenByTheProgram) {
   const auto scene = test_folder() / "probed.json", csv = test_folder() / "probed.csv";
   write_scene(probed_wall(), scene);
@@ -58,6 +74,14 @@ TEST(ProbeTable, ASceneWithoutProbesIsBadInput) {
   const Outcome outcome = run_program("simulate --frames 1 " + small_wall_file().string() + " --probes a.csv");
   EXPECT_EQ(outcome.code, 2);
   EXPECT_THAT(outcome.output, HasSubstr("small_wall.json#/probes"));
+}
+
+TEST(CheckCommand, SaysFirstWhatALargeSceneTakes) {
+  const auto scene = test_file("large.json", R"({"version": 1, "bodies": [{"name": "block", "position": [0, 3, 0],
+      "shape": {"box": {"size": [5, 5, 5], "element_size": 0.11}}}]})");
+  const Outcome outcome = run_program("check " + scene.string());
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.output, ::testing::ContainsRegex("^about 4[0-9][0-9] thousand tetrahedra .*GB"));
 }
 
 TEST(CheckCommand, WarnsOfALoadThatActsOnNothingAndCallsTheSceneGood) {

@@ -62,6 +62,8 @@ TEST(RenderJobs, ProblemsNameTheirPlace) {
       {R"({"pictures": [{"scene": "x"}]})", "#/pictures/0"},
       {R"({"pictures": [{"name": "a"}]})", "#/pictures/0"},
       {R"({"pictures": [{"name": "a/b", "scene": "x"}]})", "#/pictures/0"},
+      {R"({"pictures": [{"name": "a\u001b[2J", "scene": "x"}]})", "#/pictures/0"},
+      {R"({"pictures": [{"name": "a'b", "scene": "x"}]})", "#/pictures/0"},
       {R"({"pictures": [{"name": "a", "scene": "x", "frame": 3}]})", "#/pictures/0/frame"},
       {R"({"pictures": [{"name": "a", "scene": "x", "frames": [1.5]}]})", "#/pictures/0/frames"},
       {R"({"pictures": [{"name": "a", "scene": "x", "frames": true}]})", "#/pictures/0/frames"},

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "app/output/output.h"
 #include "program.h"
 #include "sim/recording/recording.h"
 
@@ -129,6 +130,57 @@ TEST(RecordingCommand, AReplayThatIsInterruptedLeavesNothing) {
   EXPECT_EQ(outcome.code, 130) << outcome.output;
   EXPECT_TRUE(std::filesystem::is_empty(temporary));
   EXPECT_FALSE(std::filesystem::exists(report));
+}
+
+TEST(RecordingCommand, FilesFromOutsideTheScenesFolderArePackedOnlyWhenAskedFor) {
+  const auto folder = test_folder() / "scene";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  test_file("tet.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+  const auto scene = test_file("scene/scene.json", R"({"version": 1, "bodies": [{"shape": {"surface":
+      {"path": "../tet.off", "method": "volumetric", "element_size": 0.5}}}]})");
+  const std::string file = quoted(folder / "run.tar.zst");
+  EXPECT_EQ(run_program("simulate " + quoted(scene) + " --frames 1").code, 0) << "what the user opens is read";
+  for (const std::string& command : {"simulate " + quoted(scene) + " --frames 1 --record " + file,
+                                     "bundle " + quoted(scene) + " --frames 1 -o " + file}) {
+    const Outcome refused = run_program(command);
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_THAT(refused.output, HasSubstr("outside the scene's folder"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "run.tar.zst"));
+    EXPECT_EQ(run_program(command + " --pack-outside").code, 0);
+    EXPECT_TRUE(std::filesystem::remove(folder / "run.tar.zst"));
+  }
+}
+
+TEST(RecordingCommand, UnpackingThatFailsLeavesNothing) {
+  Recording recording = read_recording(recorded_wall(2));
+  recording.extras["x"] = "a file";
+  recording.extras["x/y"] = "and a folder";
+  const auto file = test_folder() / "odd.tar.zst", folder = test_folder() / "unpacked";
+  std::filesystem::remove_all(folder);
+  write_recording(recording, file);
+  const Outcome outcome = run_program("replay " + quoted(file) + " --extract " + quoted(folder));
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.output, HasSubstr("both as a file and as a folder"));
+  EXPECT_FALSE(std::filesystem::exists(folder));
+}
+
+TEST(Printing, NothingFromAFileReachesTheTerminalAsItIs) {
+  EXPECT_EQ(printable("a\x1b[2Jb\x7f\n"), "a\\x1b[2Jb\\x7f\\x0a");
+  EXPECT_EQ(printable("Mauerwerk ä€😀"), "Mauerwerk ä€😀");
+  EXPECT_EQ(printable("\xff\xc2\x9b\xe2\x80\xae"), "\\xff\\xc2\\x9b\\xe2\\x80\\xae") << "no UTF-8, C1, right to left";
+  const auto scene =
+      test_file("odd.json", R"({"version": 1, "bodies": [{"name": "a\u001b]0;b\u0007\nc", "shape": {"box": {}}},
+      {"name": "a\u001b]0;b\u0007\nc", "shape": {"box": {}}, "no\u001b[31m": 1}], "gr\u001b[2Javity": 1})");
+  const auto script = test_file("odd.script", "click \x1b[2Jnothing\nlo\x1b[31mok\n");
+  for (const std::string& command :
+       {"check " + quoted(scene), "simulate --frames 1 " + quoted(scene), "script " + quoted(script),
+        "simulate --frames 1 " + quoted("/tmp/\x1b[2J"), quoted("\x1b[2J")}) {
+    const Outcome outcome = run_program(command);
+    EXPECT_EQ(outcome.code, 2) << command;
+    EXPECT_EQ(outcome.output.find('\x1b'), std::string::npos) << command;
+    EXPECT_EQ(outcome.output.find('\a'), std::string::npos) << command;
+  }
 }
 
 TEST(RecordingCommand, ADiskThatIsFullLeavesNoHalfRecording) {

@@ -228,12 +228,42 @@ class RandomActions : public EditorTest {
   void issue_any_command() {
     const std::span<const ui::CommandInfo> registry = ui::command_registry();
     const ui::CommandInfo& info = registry[static_cast<std::size_t>(below(registry.size()))];
-    if (info.id == ui::CommandId::open) return;
     editor_.execute({.id = info.id,
-                     .path = info.id == ui::CommandId::save ? "any.json" : "any.tar.zst",
+                     .path = any_path(),
                      .step = below(20),
-                     .cursor = {below(100) / 100.0, below(100) / 100.0}});
+                     .cursor = {below(100) / 100.0, below(100) / 100.0},
+                     .discard_edits = below(2) == 0,
+                     .replace = below(2) == 0});
     draw();
+  }
+
+  /// Of what is opened, saved, recorded or exported: some are there, some are damaged, some cannot be.
+  std::filesystem::path any_path() {
+    const std::filesystem::path paths[] = {
+        "any.json",
+        "any.tar.zst",
+        "any.glb",
+        "any.usda",
+        "any.html",
+        "any.csv",
+        "any.png",
+        "any.script",
+        "",
+        ".",
+        "no/such/any.json",
+        small_wall_file(),
+        test_file("cut.json", R"({"version": 1, "bodies": [{)"),
+        test_file("odd.json", R"({"version": 1, "bodies": [{"shape": {"mesh": {"path": "cut.json"}}}]})"),
+        test_file("box.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")};
+    return paths[below(std::size(paths))];
+  }
+
+  /// Nothing that was meant to be temporary is left, and no file is cut short.
+  static void check_files() {
+    for (const auto& entry : std::filesystem::directory_iterator(".")) {
+      EXPECT_FALSE(entry.path().filename().string().starts_with(".griffith_")) << entry.path();
+      EXPECT_FALSE(entry.is_regular_file() && entry.file_size() == 0) << entry.path();
+    }
   }
 
   void press_any_key() {
@@ -306,6 +336,7 @@ TEST_F(RandomActions, LeaveAnEditorThatWorks) {
     ASSERT_FALSE(editor_.tags().empty());
     for (const Vec3& position : editor_.frame().nodes.positions) ASSERT_TRUE(position.allFinite()) << "action " << i;
     ASSERT_TRUE(check_scene_text(scene_to_json(editor_.scene()), "scene").empty()) << "action " << i;
+    check_files();
   }
   editor_.execute({.id = ui::CommandId::new_scene, .discard_edits = true});
   draw(2);

@@ -1,6 +1,8 @@
 #include "sim/core/replace_file.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 
@@ -9,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "sim/core/descriptor.h"
 #include "sim/core/error.h"
 #include "test_folder.h"
 
@@ -45,6 +48,25 @@ TEST(ReplaceFile, KeepsTheModeOfTheOldFileAndGivesANewOneTheUsualOne) {
   EXPECT_EQ(mode_of(folder / "new"), 0640u);
   EXPECT_EQ(text_of(old), "new");
   EXPECT_EQ(files_in(folder), 2);
+}
+
+TEST(ReplaceFile, WhatAKilledProgramLeftGoesWithTheNextCheck) {
+  const fs::path folder = empty_folder();
+  const auto old_file = [&](const std::string& name) {
+    const fs::path file = written(folder / name, "left");
+    fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(1));
+    return file;
+  };
+  const fs::path stale = old_file(".griffith_0123456789abcdef"), used = old_file(".griffith_00000000000000aa");
+  const fs::path young = written(folder / ".griffith_00000000000000bb", "young");
+  const fs::path users = old_file(".griffith_notes"), linked = folder / ".griffith_00000000000000cc";
+  fs::create_symlink(users, linked);
+  const Descriptor lock(open(used.c_str(), O_RDONLY));
+  ASSERT_EQ(flock(lock.number(), LOCK_EX | LOCK_NB), 0);
+  check_replaceable(folder / "result");
+  EXPECT_FALSE(fs::exists(stale));
+  for (const fs::path& kept : {used, young, users}) EXPECT_TRUE(fs::exists(kept)) << kept;
+  EXPECT_TRUE(fs::is_symlink(linked));
 }
 
 TEST(ReplaceFile, TouchesNothingThatLiesBesideIt) {

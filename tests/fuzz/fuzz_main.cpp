@@ -10,10 +10,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr char kTargets[] =
+    "scene, mesh, surface, cells, points, cache, recording, jobs, suite, sweep, script or command";
+
 Targets make_targets(const std::string& wanted) {
   Targets all;
   for (const auto make : {make_scene_target, make_mesh_target, make_surface_target, make_cells_target,
-                          make_points_target, make_cache_target, make_recording_target}) {
+                          make_points_target, make_cache_target, make_recording_target, make_jobs_target,
+                          make_suite_target, make_sweep_target, make_script_target, make_command_target}) {
     auto target = make();
     if (wanted.empty() || wanted == target->name()) all.push_back(std::move(target));
   }
@@ -56,7 +60,7 @@ int run(int argc, char** argv) {
   app.add_option("--seconds", campaign.seconds, "No input begins after them");
   app.add_option("--jobs", campaign.jobs, "Processes at once")->check(CLI::Range(1, 256));
   app.add_option("--threads", campaign.threads, "Threads of the simulation in each process")->check(CLI::Range(1, 256));
-  app.add_option("--target", target, "scene, mesh, surface, cells, points, cache or recording alone");
+  app.add_option("--target", target, std::string(kTargets) + " alone");
   app.add_option("--findings", campaign.findings, "Folder for inputs that fail");
   app.add_option("--most-findings", campaign.max_findings, "A job ends after so many different ones");
   app.add_flag("!--as-they-are", campaign.minimize, "Saves inputs that fail without making them smaller");
@@ -71,7 +75,7 @@ int run(int argc, char** argv) {
   const Targets targets = make_targets(target);
   const bool one = targets.size() == 1;
   if (targets.empty() || (!single.empty() && !one)) {
-    std::fprintf(stderr, "--target: scene, mesh, surface, cells, points, cache or recording\n");
+    std::fprintf(stderr, "--target: %s\n", kTargets);
     return 2;
   }
   if (!single.empty()) return replay(*targets.front(), single, campaign.limits) ? 0 : 1;

@@ -31,9 +31,9 @@ const char* name_of(Failure::Kind kind);
 
 /// What a child process tells its parent, in memory that both share.
 struct Report {
-  std::atomic<std::uint64_t> input{0};          ///< the one in hand
-  std::atomic<double> processor_seconds{0};     ///< of the child, when it took that input in hand
-  std::atomic<std::uint64_t> outcomes[8][3]{};  ///< by target and outcome
+  std::atomic<std::uint64_t> input{0};           ///< the one in hand
+  std::atomic<double> processor_seconds{0};      ///< of the child, when it took that input in hand
+  std::atomic<std::uint64_t> outcomes[16][3]{};  ///< by target and outcome
   std::atomic<int> failure{-1};
   char message[1000] = {};
 };

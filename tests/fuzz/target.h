@@ -45,5 +45,10 @@ std::unique_ptr<Target> make_cells_target();
 std::unique_ptr<Target> make_points_target();
 std::unique_ptr<Target> make_cache_target();
 std::unique_ptr<Target> make_recording_target();
+std::unique_ptr<Target> make_jobs_target();
+std::unique_ptr<Target> make_suite_target();
+std::unique_ptr<Target> make_sweep_target();
+std::unique_ptr<Target> make_script_target();
+std::unique_ptr<Target> make_command_target();
 
 }  // namespace griffith::fuzz

@@ -257,6 +257,23 @@ TEST(ReadSurface, APipeThatASurfaceNamesForItsMaterialsIsPassedOver) {
   EXPECT_EQ(read_surface_objects(path, {}, ProcessLimits{5, std::int64_t{2} << 30}).size(), 1u);
 }
 
+TEST(ReadSurface, BuffersOutsideTheSurfacesFolderAreRefused) {
+  const auto root = test_folder() / "elsewhere", folder = root / "scene";
+  std::filesystem::remove_all(root);
+  std::filesystem::create_directories(folder);
+  std::string text = gltf_of(box_surface(Vec3::Zero(), Vec3(1, 2, 3)), root, Vec3::Zero());
+  const auto named = [&](const std::string& uri) {
+    std::string changed = text;
+    return written(folder / "box.gltf", changed.replace(changed.find("box.bin"), 7, uri));
+  };
+  EXPECT_THAT(message_of(named("../box.bin")), HasSubstr("outside its folder (put it beside the surface"));
+  std::filesystem::create_symlink("../box.bin", folder / "link.bin");
+  EXPECT_THAT(message_of(named("link.bin")), HasSubstr("outside its folder"));
+  std::filesystem::create_directories(folder / "below");
+  std::filesystem::rename(root / "box.bin", folder / "below/box.bin");
+  EXPECT_EQ(message_of(named("below/box.bin")), "");
+}
+
 TEST(ReadSurface, CanBeCancelled) {
   Monitor monitor;
   monitor.cancelled = [] { return true; };

@@ -117,6 +117,52 @@ TEST(DamagedRecording, FilesOfThisMachineAreNotReadForIt) {
   }
 }
 
+TEST(DamagedRecording, NoNameIsBothAFileAndAFolder) {
+  for (const FileTree& files :
+       {FileTree{{"x", "1"}, {"x/y", "2"}}, FileTree{{"a/x", "1"}, {"a/x-", ""}, {"a/x/y/z", "2"}}})
+    EXPECT_THROW(unpack_files(pack_files(files, "run"), "run"), InputError);
+}
+
+TEST(DamagedRecording, NamesThatNoFolderCanHoldOrNoTerminalShowAreRefused) {
+  for (const std::string& name :
+       {std::string(256, 'x'), "a/" + std::string(300, 'x'), std::string("a\x1b[2J"), std::string("a\nb")})
+    EXPECT_THROW(unpack_files(pack_files({{name, "x"}}, "run"), "run"), InputError) << name;
+  EXPECT_NO_THROW(unpack_files(pack_files({{std::string(255, 'x'), "x"}}, "run"), "run"));
+}
+
+TEST(DamagedRecording, ASmallArchiveDoesNotUnpackToALargeOne) {
+  const std::string zeros = pack_files({{"assets/1/zeros", std::string(200 << 20, '\0')}}, "run");
+  ASSERT_LT(zeros.size(), 100'000u);
+  EXPECT_THROW(unpack_files(zeros, "run"), InputError);
+}
+
+/// `count` times "{}".
+std::string empty_objects(int count) {
+  std::string list = "[{}";
+  for (int i = 1; i < count; ++i) list += ",{}";
+  return list + "]";
+}
+
+TEST(DamagedRecording, ListsOfNothingAreRefusedWhileTheyAreRead) {
+  FileTree files = files_of(small_recording());
+  files["inputs.json"] = empty_objects(15'000'000);
+  EXPECT_THAT(problem_of(files), HasSubstr("more values than"));
+  files["inputs.json"] = "{\"version\": 1, \"inputs\": " + empty_objects(300'000) + "}";
+  EXPECT_THAT(problem_of(files), HasSubstr("more than 250,000 items"));
+  files["inputs.json"] = "{\"version\": 1, \"inputs\": " + empty_objects(200'000) + "}";
+  EXPECT_THAT(problem_of(files), HasSubstr("/inputs/0"));
+}
+
+TEST(DamagedRecording, WhatCannotBeWrittenWholeLeavesNothing) {
+  const auto folder = empty_folder();
+  EXPECT_THROW(write_files({{"a/b/c", "1"}, {"a/b/c/d", "2"}}, folder / "new/run"), InputError);
+  EXPECT_FALSE(std::filesystem::exists(folder / "new"));
+  written(folder / "there", "mine");
+  EXPECT_THROW(write_files({{"a", "1"}, {"there/b", "2"}}, folder), InputError);
+  EXPECT_EQ(text_of(folder / "there"), "mine");
+  EXPECT_EQ(files_in(folder), 1);
+}
+
 TEST(DamagedRecording, AnythingElseIsNoRecording) {
   const auto folder = empty_folder();
   for (const std::string& content : {std::string(), std::string("{}"), std::string(5000, 'x'), std::string(5000, '\0')})

@@ -65,6 +65,62 @@ TEST(Recording, HoldsWhatFilesNameBesideThem) {
   EXPECT_EQ(recording.assets.size(), 3u) << "nothing from elsewhere";
 }
 
+/// The error of a recording of the scene; empty where it is made.
+std::string refusal(const Scene& scene, OutsideFiles outside = OutsideFiles::refuse) {
+  const World world(scene);
+  try {
+    begin_recording(world, outside);
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST(Recording, FilesFromOutsideTheScenesFolderArePackedOnlyWhenAskedFor) {
+  const auto root = empty_folder(), folder = root / "scene";
+  std::filesystem::create_directories(folder);
+  Scene scene = recorded_scenes(root)[3].scene;
+  EXPECT_EQ(refusal(scene), "");
+  scene.folder = folder;
+  for (const std::string& path : {std::string("../wall.node"), (root / "wall.node").string()}) {
+    std::get<MeshFileShape>(scene.bodies[0].shape).path = path;
+    EXPECT_NE(refusal(scene).find("--pack-outside"), std::string::npos) << path;
+    EXPECT_EQ(refusal(scene, OutsideFiles::pack), "") << path;
+  }
+  for (const char* name : {"wall.node", "wall.ele"}) std::filesystem::create_symlink(root / name, folder / name);
+  std::get<MeshFileShape>(scene.bodies[0].shape).path = "wall.node";
+  EXPECT_NE(refusal(scene).find("--pack-outside"), std::string::npos) << "a link";
+  scene.folder.clear();
+  std::get<MeshFileShape>(scene.bodies[0].shape).path = root / "wall.node";
+  EXPECT_EQ(refusal(scene), "") << "who made a scene without a file chose its meshes";
+}
+
+TEST(Recording, WhatLinksBesideASurfaceLeadToIsNotPacked) {
+  const auto root = empty_folder(), folder = root / "scene";
+  std::filesystem::create_directories(folder);
+  std::filesystem::create_directories(root / "outside");
+  written(root / "outside/secret", "newmtl secret\n");
+  std::filesystem::create_symlink("../outside/secret", folder / "materials.mtl");
+  std::filesystem::create_directory_symlink("../outside", folder / "sub");
+  std::string text = "mtllib materials.mtl\nmtllib sub/secret\n";
+  const TriangleSurface box = box_surface(Vec3(-1, -1, -0.25), Vec3(1, 1, 0.25));
+  for (const Vec3& p : box.points)
+    text += "v " + std::to_string(p.x()) + " " + std::to_string(p.y()) + " " + std::to_string(p.z()) + "\n";
+  for (const auto& [a, b, c] : box.triangles)
+    text += "f " + std::to_string(a + 1) + " " + std::to_string(b + 1) + " " + std::to_string(c + 1) + "\n";
+  written(folder / "block.obj", text);
+  SurfaceShape shape;
+  shape.path = "block.obj";
+  shape.meshing.element_size = 0.5;
+  Scene scene = struck_wall();
+  scene.folder = folder;
+  scene.bodies[0].shape = shape;
+  const Recording recording = begin_recording(World(scene));
+  for (const auto& [name, content] : recording.assets)
+    EXPECT_EQ(content.find("newmtl secret"), std::string::npos) << name;
+  EXPECT_EQ(recording.assets.size(), 2u) << "the surface and what filled it";
+}
+
 TEST(Recording, AFileThatIsGoneIsNamed) {
   const auto folder = empty_folder();
   const World world(recorded_scenes(folder)[3].scene);

@@ -145,7 +145,33 @@ TEST(SceneReader, AMissingMeshIsNamedWithThePathThatWasTried) {
   }
 }
 
+TEST(SceneReader, ALinkToAMeshDoesNotLeadOutOfItsFolder) {
+  namespace fs = std::filesystem;
+  const fs::path root = fs::path(::testing::TempDir()) / "griffith_scene_links", folder = root / "scene";
+  fs::remove_all(root);
+  fs::create_directories(folder / "pair");
+  for (const char* name : {"secret", "scene/near.msh", "near.node"}) std::ofstream(root / name) << "secret";
+  fs::create_symlink("../secret", folder / "far.msh");
+  fs::create_symlink("near.msh", folder / "link.msh");
+  for (const char* name : {"pair/verts.csv", "half.ele"}) fs::create_symlink(root / "secret", folder / name);
+  for (const char* name : {"pair/tets.csv", "half.node"}) std::ofstream(folder / name) << "0";
+  const auto problem = [&](const std::string& path) {
+    const std::string mesh = R"({"version": 1, "bodies": [{"shape": {"mesh": {"path": ")" + path + "\"}}}]}";
+    try {
+      return scene_from_json(mesh, "doc", folder), std::string();
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  for (const char* path : {"far.msh", "pair", "half.node"})
+    EXPECT_THAT(problem(path), HasSubstr("a link that leads out of its folder")) << path;
+  for (const char* path : {"near.msh", "link.msh", "../scene/near.msh"}) EXPECT_EQ(problem(path), "") << path;
+  EXPECT_EQ(problem((folder / "near.msh").string()), "") << "a path says where it leads";
+}
+
 TEST(SceneReader, WhatIsNoReadableFileIsNamed) {
+  EXPECT_THROW(read_scene(""), InputError);
+  EXPECT_EQ(check_scene("").size(), 1u);
   for (const std::string path : {"no/such.json", GRIFFITH_SOURCE_DIR "/scenes", "/dev/null"}) {
     const auto problems = check_scene(path);
     ASSERT_EQ(problems.size(), 1u);
@@ -263,6 +289,12 @@ TEST(SceneReader, OfCountlessProblemsTheFirstAreTold) {
   const auto problems = problems_of("{\"version\": 1, \"bodies\": " + list_of(9000, "0") + "}");
   EXPECT_EQ(problems.size(), 1001u);
   EXPECT_THAT(problems.back().problem(), HasSubstr("more problems"));
+}
+
+TEST(SceneReader, MoreValuesThanAnySceneHasAreRefused) {
+  std::string text = "{\"version\": 1, \"bodies\": [[]";
+  for (int i = 0; i < 3'000'000; ++i) text += ",[]";
+  EXPECT_THAT(problems_of(text + "]}").at(0).problem(), HasSubstr("more values than"));
 }
 
 TEST(SceneReader, RefusesAbsurdNestingAndAcceptsManyFields) {
