@@ -52,18 +52,18 @@ double usual_limit(std::vector<double> slivers, std::size_t elements) {
   return slivers[relieved];
 }
 
-/// Frequency above which elements have as much of the volume as may be relieved [rad/s].
+/// Frequency above which there are as many elements, or as much of the volume, as may be relieved [rad/s].
 double least_limit(std::span<const RestElement> rest_elements, std::span<const double> frequencies) {
   std::vector<std::size_t> order(rest_elements.size());
   std::iota(order.begin(), order.end(), 0);
   std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
     return frequencies[a] != frequencies[b] ? frequencies[a] > frequencies[b] : a < b;
   });
-  double left = 0;
-  for (const RestElement& rest : rest_elements) left += kRelievedVolume * rest.volume;
+  double volume = 0, count = kSliverFraction * static_cast<double>(rest_elements.size());
+  for (const RestElement& rest : rest_elements) volume += kRelievedVolume * rest.volume;
   for (const std::size_t element : order) {
-    left -= rest_elements[element].volume;
-    if (left < 0) return frequencies[element];
+    volume -= rest_elements[element].volume;
+    if (volume < 0 || --count < 0) return frequencies[element];
   }
   return 0;
 }
@@ -93,17 +93,6 @@ FrequencyLimits frequency_limits(const ElasticLaw& law, double density, std::spa
   limits.usual = std::max(sound, usual_limit(std::move(slivers), rest_elements.size()));
   limits.least = std::min(limits.usual, least_limit(rest_elements, frequencies));
   return limits;
-}
-
-double highest_frequency(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements,
-                         double limit) {
-  const double speed = wave_speed_of(law, density);
-  double highest = 0;
-  for (const RestElement& rest : rest_elements) {
-    const double frequency = element_frequency(law, density, rest);
-    highest = std::max(highest, is_sliver(rest, frequency, speed) ? std::min(frequency, limit) : frequency);
-  }
-  return highest;
 }
 
 }  // namespace griffith

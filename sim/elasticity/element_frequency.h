@@ -14,14 +14,10 @@ std::vector<double> element_frequencies(const ElasticLaw& law, double density,
 /// Frequencies that elements of a body keep at most, so that a few do not set the microstep of all [rad/s].
 struct FrequencyLimits {
   double usual = 0;  ///< for slivers alone: 2 % of the elements lie above it at most
-  double least = 0;  ///< for all, where the budget falls short: 0.1 % of the volume lies above it at most
+  double least = 0;  ///< where the budget falls short: 2 % of the elements and 0.1 % of the volume at most
 };
 
-/// Limits for a body with these elements, and for all its pieces.
+/// Limits for a body with these elements. `density`: [kg/m³].
 FrequencyLimits frequency_limits(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements);
-
-/// Highest frequency of these elements, where slivers have none above `limit` [rad/s].
-double highest_frequency(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements,
-                         double limit);
 
 }  // namespace griffith

@@ -125,6 +125,7 @@ bool move_within_ceiling(WorldState& world, double stretch) {
   if (kUncertainty * expected_work(world, stretch) < max_work)
     return move_along(world, stretch, std::numeric_limits<double>::infinity());
   const WorldState before = world;
+  world.elements.states.edit(), world.elements.stresses.edit();  // no longer shared: bodies write side by side
   if (move_along(world, stretch, max_work)) return true;
   const double work = world.scratch.microstep_work, overhead = world.shock_overhead;
   world = before;

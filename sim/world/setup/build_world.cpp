@@ -119,14 +119,6 @@ Pieces add_bodies(WorldState& world, int scene_body, TetId first_tet, const Shap
   return {first, world.bodies.size(), shape};
 }
 
-/// Of the elements of a scene body, over its bar wave's speed [1/m].
-FrequencyLimits frequency_limits_of(const WorldState& world, int scene_body, TetId first_tet) {
-  Material material = world.materials[scene_body];
-  material.density = material.young_modulus;
-  const auto& rest_elements = *world.elements.rest_elements;
-  return frequency_limits(elastic_law(material), material.density, std::span(rest_elements).subspan(first_tet.index()));
-}
-
 /// Adds all that a scene says of a body, but for what follows from it.
 Pieces add_scene_body(Model& model, WorldState& world, int scene_body, const ShapeMesh& shape, const Monitor& monitor) {
   const BodyDescription& description = model.scene.bodies[scene_body];
@@ -145,7 +137,6 @@ Pieces add_scene_body(Model& model, WorldState& world, int scene_body, const Sha
   for (const TetId tet : IdRange<TetId>(first_tet.index(), world.mesh->tet_count())) tets.push_back(tet);
   const double quarter = mean_element_size(world.elements.rest_elements, tets) / 4;
   model.min_edges.push_back(description.minimum_element_size > 0 ? description.minimum_element_size : quarter);
-  model.frequency_limits.push_back(frequency_limits_of(world, scene_body, first_tet));
   return add_bodies(world, scene_body, first_tet, shape);
 }
 

@@ -160,40 +160,6 @@ void place_obstacle(WorldState& world, const shock::Obstacle& obstacle) {
 
 }  // namespace
 
-namespace {
-
-/// Highest frequency of the body's elements under the full stiffness, slivers relieved [rad/s]. What slivers have at
-/// most belongs to all pieces of a scene body, or to the elements that remeshing has made of them.
-double highest_frequency(const WorldState& world, const Body& body) {
-  const Material& material = world.material_of(body);
-  const ElasticLaw law = elastic_law(material);
-  std::vector<RestElement> rest_elements;
-  for (const TetId tet : body.tets) rest_elements.push_back(world.elements.rest_elements[tet]);
-  if (!body.edges.empty()) return shock::highest_quadratic_frequency(law, material.density, rest_elements);
-  const double limit = world.model->scene.bodies[body.scene_body].remeshing
-                           ? frequency_limits(law, material.density, rest_elements).usual
-                           : world.model->frequency_limits[body.scene_body].usual * bar_wave_speed(material);
-  return highest_frequency(law, material.density, rest_elements, limit);
-}
-
-/// Whether a free piece has so few elements that a relieved one among them would be too much of it: it moves as a rigid
-/// one, as a single element does.
-bool is_dust(const WorldState& world, const Body& body) {
-  constexpr std::size_t kFew = 50;
-  if (body.tets.size() >= kFew || body.supported() || world.model->scene.bodies[body.scene_body].remeshing)
-    return false;
-  const Material& material = world.material_of(body);
-  double limit = world.model->frequency_limits[body.scene_body].usual * bar_wave_speed(material);
-  if (body.shock) limit = std::min(limit, body.shock->frequency);
-  std::vector<RestElement> rest_elements;
-  for (const TetId tet : body.tets) rest_elements.push_back(world.elements.rest_elements[tet]);
-  constexpr double kRounding = 1e-6;
-  return std::ranges::max(element_frequencies(elastic_law(material), material.density, rest_elements)) >
-         (1 + kRounding) * limit;
-}
-
-}  // namespace
-
 bool in_shock(const WorldState& world) {
   return std::ranges::any_of(world.bodies, [](const Body& body) { return body.shock.has_value(); });
 }
@@ -205,7 +171,7 @@ void enter_shock(WorldState& world, Body& body, double impact_speed) {
   world.elements.allow_strains();
   for (const NodeId node : body.nodes) world.nodes.overloads[node].last = OverloadHistory::kNever;
   if (impact_speed > 0) ++world.report.impacts;
-  body.shock = Shock{world.time, impact_speed, highest_frequency(world, body)};
+  body.shock = Shock{world.time, impact_speed, frequency_limits(world, body).usual};
 }
 
 namespace {
@@ -226,9 +192,9 @@ bool suits_microsteps(const WorldState& world, const Body& body, double impact_s
   constexpr double kMaxFrequency = 200;  // in bar wave speeds over the mean edge length
   const Material& material = world.material_of(body);
   const double wave_speed = bar_wave_speed(material);
-  return material.tensile_strength < kMaxStrain * material.young_modulus && !is_dust(world, body) &&
+  return material.tensile_strength < kMaxStrain * material.young_modulus &&
          std::max(impact_speed, inner_speed(world, body)) < kMaxMach * wave_speed &&
-         highest_frequency(world, body) * body.element_size < kMaxFrequency * wave_speed;
+         frequency_limits(world, body).usual * body.element_size < kMaxFrequency * wave_speed;
 }
 
 /// Whether a body that strikes another, and is not hurt itself, must deform too: as a rigid one it would strike up to
@@ -348,6 +314,8 @@ double next_stretch(WorldState& world, double left) {
   enter_struck_bodies(world, stretch);
   enter_driven_bodies(world, stretch);
   if (!in_shock(world)) return left;
+  for (Body& body : world.bodies)
+    if (body.shock) limit_frequency(world, body);
   choose_similarity(world, left);
   return stretch_of_shock(world, left);
 }
@@ -394,11 +362,6 @@ bool run_shock(WorldState& world, std::vector<shock::Obstacle> obstacles, double
   for (const shock::Obstacle& obstacle : run.obstacles()) place_obstacle(world, obstacle);
   account.book(world, run.obstacles());
   run.finish(duration);
-  for (Body& body : world.bodies) {
-    if (!body.shock || !is_dust(world, body)) continue;
-    end_shock(world, body);
-    stop_vibration(world, body);
-  }
   return true;
 }
 

@@ -45,8 +45,9 @@ void ShockRun::build(std::vector<shock::Obstacle> obstacles) {
   const std::vector<Vec3> external = steady_forces();
   double size = 0;
   min_speed_ = std::numeric_limits<double>::infinity();
-  for (const Body& body : world_.bodies) {
+  for (Body& body : world_.bodies) {
     if (!body.shock) continue;
+    if (rebuild_) limit_frequency(world_, body);  // cuts have made other elements
     add_body(body, external);
     size += body.element_size;
     min_speed_ = std::min(min_speed_, std::max(damage_speed(world_, body), min_impact_speed(world_)));
@@ -118,11 +119,8 @@ void ShockRun::add_elements(const Body& body, const Mat3& turn) {
   }
   ElasticLaw law = law_in_shock(world_, body);  // of stress; forces are those of E′ = f² E
   law.lambda *= body.shock->similarity, law.mu *= body.shock->similarity;
-  const double density = world_.material_of(body).density;
-  const bool remeshed = world_.model->scene.bodies[body.scene_body].remeshing;  // its elements are new ones
-  const double limit =
-      remeshed ? frequency_limits(law, density, rest_elements).usual : body.shock->similarity * body.shock->frequency;
-  solid_.add_body(law, density, tets, rest_elements, offsets, limit, edges);
+  solid_.add_body(law, world_.material_of(body).density, tets, rest_elements, offsets,
+                  body.shock->similarity * body.shock->frequency, edges);
   const int first = solid_.slot(solid_.body_count() - 1, 0);
   tets_.resize(solid_.tet_slots());
   for (std::size_t i = 0; i < body.tets.size(); ++i) {
@@ -259,37 +257,12 @@ void ShockRun::write_back() {
     world_.edges.offsets[edges_[i]] = sound ? solid_.edge_offset(i) : Vec3::Zero();
     world_.edges.velocities[edges_[i]] = sound ? solid_.edge_velocity(i) : Vec3::Zero();
   }
-  for (int slot = 0; slot < static_cast<int>(tets_.size()); ++slot)
-    if (tets_[slot].valid() && solid_.stiffness(slot) == 0) place_loose_corners(tets_[slot]);
   for (int slot = 0; slot < static_cast<int>(tets_.size()); ++slot) {
     if (!tets_[slot].valid() || !solid_.is_relieved(slot)) continue;
     const TetId tet = tets_[slot];
     const ElementModel model = world_.material_of(world_.bodies[world_.elements.bodies[tet]]).element_model;
     const Corners corners = corners_of(world_.mesh, tet, world_.nodes.positions);
     let_sliver_yield(tet, element_deformation(model, world_.elements.rest_elements[tet], corners).strain);
-  }
-}
-
-/// Whether no element exerts any force on a node.
-bool ShockRun::is_loose(NodeId node) const {
-  return std::ranges::all_of(world_.mesh->stars[node],
-                             [&](TetId tet) { return solid_.stiffness(slot_of_tet_[tet]) == 0; });
-}
-
-/// A corner that nothing holds to an element without stiffness has flown on its own: it goes where it would be if the
-/// element had moved with the face opposite.
-void ShockRun::place_loose_corners(TetId tet) {
-  const auto& corners = world_.mesh->tets[tet];
-  for (int loose = 0; loose < 4; ++loose) {
-    if (!is_loose(corners[loose])) continue;
-    std::array<NodeId, 3> face;
-    for (int i = 0; i < 3; ++i) face[i] = corners[kTetFaces[loose][i]];
-    if (std::ranges::any_of(face, [&](NodeId node) { return is_loose(node); })) continue;
-    const Placement placement = placement_of(world_, face);
-    Vec3 velocity = Vec3::Zero();
-    for (const NodeId node : face) velocity += world_.nodes.velocities[node] / 3;
-    world_.nodes.positions[corners[loose]] = placement.to_world(world_.mesh->rest_positions[corners[loose]]);
-    world_.nodes.velocities[corners[loose]] = velocity;
   }
 }
 

@@ -95,8 +95,6 @@ class ShockRun {
   void let_sliver_yield(TetId tet, const Mat3& strain);
   Mat3 elastic_strain(TetId tet, const Mat3& strain) const;
   void write_back();
-  bool is_loose(NodeId node) const;
-  void place_loose_corners(TetId tet);
   void begin_account();
   void book_account();
   double work() const;

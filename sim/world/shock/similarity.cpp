@@ -162,6 +162,21 @@ ElasticLaw law_in_shock(const WorldState& world, const Body& body) {
   return law;
 }
 
+FrequencyLimits frequency_limits(const WorldState& world, const Body& body) {
+  const Material& material = world.material_of(body);
+  std::vector<RestElement> rest_elements;
+  for (const TetId tet : body.tets) rest_elements.push_back(world.elements.rest_elements[tet]);
+  const ElasticLaw law = elastic_law(material);
+  if (body.edges.empty()) return frequency_limits(law, material.density, rest_elements);
+  const double highest = shock::highest_quadratic_frequency(law, material.density, rest_elements);
+  return {highest, highest};  // quadratic elements are not relieved of stiffness
+}
+
+void limit_frequency(const WorldState& world, Body& body) {
+  const auto [usual, least] = frequency_limits(world, body);
+  body.shock->frequency = std::clamp(body.shock->frequency, least, usual);
+}
+
 double inner_speed(const WorldState& world, const Body& body) {
   double fastest = 0;
   for (const NodeId node : body.nodes)
@@ -253,9 +268,7 @@ struct GroupDemand {
 
 /// Highest frequency of a body in shock once its smallest and flattest elements have lost stiffness [rad/s].
 double least_frequency(const WorldState& world, const Body& body) {
-  const double now = body.shock->frequency;
-  if (world.model->scene.bodies[body.scene_body].remeshing) return now;
-  return std::min(now, world.model->frequency_limits[body.scene_body].least * bar_wave_speed(world.material_of(body)));
+  return std::min(body.shock->frequency, frequency_limits(world, body).least);
 }
 
 std::vector<GroupDemand> group_demands(const WorldState& world, const std::vector<int>& groups) {

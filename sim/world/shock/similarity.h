@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/elasticity/element_frequency.h"
 #include "sim/world/world_state.h"
 
 /// Dynamic similarity of bodies in shock, for impacts that would take more microsteps than the budget leaves. With
@@ -11,6 +12,13 @@ namespace griffith {
 /// A body's elasticity as its stress follows from its strain now: that of the material times f, so that stress counts
 /// against the full strength.
 ElasticLaw law_in_shock(const WorldState& world, const Body& body);
+
+/// Frequencies that elements of the body keep at most under the full stiffness.
+FrequencyLimits frequency_limits(const WorldState& world, const Body& body);
+
+/// Gives a body in shock, which may be a piece by now, the frequency that belongs to its elements, no higher than what
+/// was left to it before but for its least.
+void limit_frequency(const WorldState& world, Body& body);
 
 /// Lessens f of bodies in shock where what is to be followed of their shocks would exceed the budget, `left` [s]
 /// before the end of the step.
