@@ -19,8 +19,8 @@ struct QuickChange {
 /// the stress that it makes grows or falls by a tenth of what breaks the body while a wave crosses that.
 std::vector<QuickChange> quick_changes(const WorldState& world, const TimeSpan& span);
 
-/// True if what acts on a body changes quickly more than once within `span`: its waves are those of a pulse, which has a
-/// length of its own.
+/// True if what acts on a body changes quickly more than once within `span`: its waves are those of a pulse, which has
+/// a length of its own.
 bool is_pulsed(const WorldState& world, const Body& body, const TimeSpan& span);
 
 }  // namespace griffith
