@@ -18,6 +18,7 @@
 #include "sim/core/temporary_folder.h"
 #include "sim/recording/recording.h"
 #include "sim/scene/scene_reader.h"
+#include "sim/world/world.h"
 #include "tests/fuzz/mutate_bytes.h"
 #include "tests/fuzz/mutate_json.h"
 #include "tests/fuzz/small_scenes.h"
