@@ -9,6 +9,7 @@
 
 #include "sim/geometry/connected_groups.h"
 #include "sim/shock/element_block.h"
+#include "sim/shock/solid.h"
 #include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/conditions/quick_changes.h"
