@@ -80,7 +80,7 @@ TEST(InputQueue, AValueIsTypedBetweenTwoFrames) {
   window.click("material/young_modulus", 1);
   window.type("20 GPa");
   window.tap(kEnter);
-  EXPECT_LE(window.draw_all(), 13);
+  EXPECT_LE(window.draw_all(), 12);
   EXPECT_EQ(window.ui.history.scene().bodies[0].material.young_modulus, 20e9);
   EXPECT_TRUE(window.ui.commands.empty());
 }

@@ -35,8 +35,6 @@ class UiDriver {
   /// Types text into what has the focus, then Enter.
   void type(const std::string& text);
   void press_key(int key, bool ctrl = false, bool shift = false);
-  /// Draws frames until all events of `queue` are played.
-  void play();
   /// What was asked for so far.
   std::vector<CommandId> issued() const;
   /// What decides whether commands make sense now.
@@ -51,6 +49,7 @@ class UiDriver {
 
  private:
   /// Draws the frames that what was done takes.
+  void play();
 
   std::vector<Material> materials_;
 };

@@ -1,13 +1,13 @@
 #include "ui/dialogs/dialog_window.h"
 #include "ui/dialogs/dialogs.h"
-#include "ui/widgets/number_field.h"
+#include "ui/widgets/number_slider.h"
 #include "ui/widgets/widgets.h"
 
 namespace griffith::ui {
 namespace {
 
 void preference_row(Panel& panel, const char* tag, const char* label, const Numbers& numbers, double& value) {
-  quantity_row(panel, {.tag = tag, .label = label, .numbers = numbers, .logarithmic = true}, value);
+  number_slider(panel, {.tag = tag, .label = label, .numbers = numbers, .logarithmic = true}, value);
 }
 
 /// The size is taken when the mouse is let go: the slider would run away from it.

@@ -1,6 +1,6 @@
 #include "ui/dialogs/dialog_window.h"
 #include "ui/dialogs/dialogs.h"
-#include "ui/widgets/number_field.h"
+#include "ui/widgets/widgets.h"
 
 namespace griffith::ui {
 

@@ -5,7 +5,7 @@
 #include "ui/dialogs/dialog_window.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/widgets/field_range.h"
-#include "ui/widgets/number_field.h"
+#include "ui/widgets/number_slider.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -48,7 +48,7 @@ void draw_surface_dialog(Panel& panel) {
                                request.path.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   const bool left = escape_left_untyped();
   tag_last_item(panel.tags, "surface/path", request.path.data());
-  quantity_row(panel,
+  number_slider(panel,
                 {.tag = "surface/scale",
                  .label = "Metres per unit",
                  .numbers = range_of<SurfaceShape>("scale"),
@@ -59,7 +59,7 @@ void draw_surface_dialog(Panel& panel) {
   method_row(panel, request.method);
   checkbox(panel, "surface/automatic_size", "Element size from the size of the surface", request.automatic_size);
   if (!request.automatic_size)
-    quantity_row(panel,
+    number_slider(panel,
                   {.tag = "surface/element_size",
                    .label = "Element size",
                    .numbers = range_of<SurfaceShape>("element_size"),

@@ -25,7 +25,6 @@
 #include "ui/model/selection.h"
 #include "ui/model/stop.h"
 #include "ui/model/time_view.h"
-#include "ui/model/units.h"
 
 namespace griffith::ui {
 
@@ -131,20 +130,6 @@ struct Caption {
 };
 
 /// What the editor itself remembers: nothing of it is part of the scene, nothing of it influences results of a step.
-/// A number field that is being typed into or dragged.
-struct NumberEntry {
-  std::string tag = {};                   ///< of the field; empty: none
-  SiPrefix prefix = {};                   ///< in which it shows its number meanwhile
-  std::string row_unit = {};              ///< of a number in a row of several, which keeps its unit; else empty
-  bool typing = false;                    ///< it is a text box, and not held by the mouse
-  std::string text = {};                  ///< being typed
-  std::string first_text = {};            ///< what typing began with, which stands for the value itself
-  int frames = 0;                         ///< drawn since typing began
-  double start = 0;                       ///< value at which a drag began
-  double way = 0;                         ///< of the drag, as fine as it was [pixels]
-  bool dragged = false, changed = false;  ///< the mouse has moved; so has the value
-};
-
 struct EditorState {
   bool running = false;
   Breakpoints breakpoints;
@@ -206,9 +191,9 @@ struct EditorState {
   std::size_t log_seen = 0;              ///< so many of the lines are older than the last thing that the user did
   std::size_t log_passed = 0;            ///< and so many are older than the state of the simulation that is shown
   std::array<char, 512> path_text = {};  ///< being typed in the open dialog
-  NumberEntry number_entry;
-  std::vector<std::string> number_tags, last_number_tags;  ///< of number fields in this picture, and in the last one
-  std::string opened_number;                               ///< tag of the one that is to be opened for typing
+  std::string typed_tag;                 ///< the number field being typed into
+  std::array<char, 64> typed_text = {};
+  int typed_frames = 0;  ///< drawn since typing began
 };
 
 /// Whether work goes on, something waits for it, or steps that were asked for are being made.

@@ -8,7 +8,7 @@
 namespace griffith::ui {
 namespace {
 
-// Frames until the keyboard is where a click or Tab led it, and where Enter or Escape left it.
+// Frames until the keyboard is where a click led it, and where Enter, Escape or Tab left it.
 constexpr int kFramesToFocus = 3, kFramesToLeave = 2;
 
 bool is_modifier(int key) { return key >= key::kFirstModifier && key <= key::kLastModifier; }
@@ -73,15 +73,11 @@ void InputQueue::tell(const Event& event, ImGuiIO& io, Seen& seen) {
       io.KeysDown[event.code] = event.down;
       seen.changed_keys[static_cast<std::size_t>(event.code)] = true;
       if (!event.down || is_modifier(event.code)) return;
-      if (io.WantTextInput && event.code == key::kTab) {
-        frames_to_focus_ = kFramesToFocus + 1;  // the next field may be drawn before this one
-      } else if (io.WantTextInput && !is_text_key(event.code)) {
-        frames_to_focus_ = kFramesToLeave;
-      }
+      if (io.WantTextInput && !is_text_key(event.code)) frames_to_focus_ = kFramesToLeave;
       break;
     case Kind::button:
       io.MouseDown[event.code] = event.down;
-      frames_to_focus_ = kFramesToFocus;  // some fields open when the button is pressed, others when it is released
+      if (event.down) frames_to_focus_ = kFramesToFocus;
       break;
     case Kind::move:
       place_ = event.place;

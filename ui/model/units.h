@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -19,14 +18,6 @@ struct SiPrefix {
 /// The prefix that brings |value| into [1, 1000), from n to T. 0 and values below the table get none.
 /// Units that take no prefix ("", "s", "-") and those in which a prefix is not customary ("kg/m³", "m/s") get none.
 SiPrefix si_prefix(double value, std::string_view unit);
-
-/// All prefixes, the smallest first.
-std::span<const SiPrefix> si_prefixes();
-/// True for units that are customary with prefixes.
-bool takes_prefix(std::string_view unit);
-
-/// `value` with that prefix: 15e6 with the prefix G, "Pa" gives "0.015 GPa".
-std::string format_quantity(double value, std::string_view unit, const SiPrefix& prefix, int digits);
 
 /// `value` with `digits` significant digits, prefix and unit: 15e9, "Pa" gives "15 GPa".
 std::string format_quantity(double value, std::string_view unit, int digits = 4);
@@ -46,8 +37,8 @@ std::string clamped_note(double typed, const Numbers& numbers);
 /// The components of a unit vector: "0.71, 0.00, -0.71".
 std::string direction_text(const Vec3& direction);
 
-/// Reads "20 GPa", "20G", "2e10 Pa" or "2*30 + 1 mm" back into the unit without prefix. Bare numbers are in the unit
-/// with the prefix `bare`, but for factors and divisors. Nothing where the text is no number of that unit.
-std::optional<double> parse_quantity(std::string_view text, std::string_view unit, const SiPrefix& bare = {});
+/// Reads "20 GPa", "20G", "2e10 Pa" or "2e10" back into the unit without prefix, which is that of a bare number.
+/// Nothing where the text isn't a number of that unit.
+std::optional<double> parse_quantity(std::string_view text, std::string_view unit);
 
 }  // namespace griffith::ui

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "ui/dialogs/dialogs.h"
 #include "ui/panels/panels.h"
@@ -150,7 +149,6 @@ void draw_center(Panel& panel, const Layout& layout, float docks_height) {
 std::vector<Command> draw_editor(const EditorInput& input, EditorState& state, EditHistory& history, WidgetTags& tags) {
   std::vector<Command> commands;
   tags.clear();
-  state.last_number_tags = std::exchange(state.number_tags, {});
   Panel panel{input, state, history, tags, commands};
   const bool had_error = state.error.has_value();
   const std::int64_t revision = history.revision();

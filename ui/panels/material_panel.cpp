@@ -6,7 +6,7 @@
 #include "ui/model/verdict.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/field_range.h"
-#include "ui/widgets/number_field.h"
+#include "ui/widgets/number_slider.h"
 #include "ui/widgets/style.h"
 
 namespace griffith::ui {
@@ -31,11 +31,11 @@ const Material* original_of(const Scene& scene, const Material& material) {
   return nullptr;
 }
 
-/// A property of the material as a row.
+/// A property of the material as a slider.
 struct Row {
   const char* name;  ///< in a scene file
   const char* label;
-  double low = 0, high = 0;  ///< ends of the bar, within what a file takes; 0, 0: all of that
+  double low = 0, high = 0;  ///< ends of the slider, within what a file takes; 0, 0: all of that
   bool logarithmic = false;
   const char* tooltip = "";
 };
@@ -49,7 +49,7 @@ void number_row(Panel& panel, Material& material, const Row& row, double& value,
                        .logarithmic = row.logarithmic,
                        .original = original};
   if (row.low < row.high) field.low = row.low, field.high = row.high;
-  const Edit edit = quantity_row(panel, field, value);
+  const Edit edit = number_slider(panel, field, value);
   keep(panel, edit, std::string("Set ") + row.label, material);
 }
 
@@ -215,7 +215,7 @@ void draw_material_panel(Panel& panel) {
   scaled_row(panel);
   number_row(panel, material,
              {"young_modulus", "Young's modulus", 1e3, 1e12, true,
-              "E: stiffness. Click to type a value with its unit, such as 20 GPa."},
+              "E: stiffness. Right-click to type a value with its unit, such as 20 GPa."},
              &Material::young_modulus);
   number_row(panel, material,
              {"poisson_ratio", "Poisson ratio", 0, 0, false,

@@ -6,7 +6,7 @@
 #include "ui/panels/panels.h"
 #include "ui/widgets/field_range.h"
 #include "ui/widgets/field_widgets.h"
-#include "ui/widgets/number_field.h"
+#include "ui/widgets/number_slider.h"
 
 namespace griffith::ui {
 namespace {
@@ -36,11 +36,11 @@ std::string name_of(const std::vector<Choice>& all, const std::optional<Projecti
   return std::holds_alternative<SurfaceProjectile>(*shape) ? kSurface : "Hull";
 }
 
-/// A logarithmic row for the field `name` of a burst (or its box), from `low` to `high`.
+/// A logarithmic slider for the field `name` of a burst (or its box), from `low` to `high`.
 template <class T>
 void number_row(Panel& panel, const char* tag, const char* label, const char* name, double low, double high,
                 double& value) {
-  quantity_row(
+  number_slider(
       panel, {.tag = tag, .label = label, .numbers = range_of<T>(name), .low = low, .high = high, .logarithmic = true},
       value);
 }
@@ -71,13 +71,13 @@ void shape_rows(Panel& panel, ProjectileBurst& shot) {
   constexpr std::array kTurns = {"projectile/turn_x", "projectile/turn_y", "projectile/turn_z"};
   constexpr std::array kLabels = {"Turn about x", "Turn about y", "Turn about z"};
   for (std::size_t i = 0; i < 3; ++i)
-    quantity_row(panel,
-                 {.tag = kTurns[i],
-                  .label = kLabels[i],
-                  .numbers = range_of<ProjectileBurst>("rotation_degrees"),
-                  .low = -180,
-                  .high = 180},
-                 shot.rotation_degrees[static_cast<Eigen::Index>(i)]);
+    number_slider(panel,
+                  {.tag = kTurns[i],
+                   .label = kLabels[i],
+                   .numbers = range_of<ProjectileBurst>("rotation_degrees"),
+                   .low = -180,
+                   .high = 180},
+                  shot.rotation_degrees[static_cast<Eigen::Index>(i)]);
 }
 
 /// What the scene's burst says by a density is tuned as one: the mass then follows the size.
@@ -133,8 +133,8 @@ void draw_projectile_panel(Panel& panel) {
   shape_rows(panel, shot);
   number_row<ProjectileBurst>(panel, "projectile/speed", "Speed", "speed", 0.1, 1000, shot.speed);
   mass_rows(panel, shot);
-  integer_row(panel, "projectile/count", "Burst", shot.count, range_of<ProjectileBurst>("count"),
-              "Projectiles in a row.");
+  integer_row(panel, "projectile/count", "Burst", shot.count, range_of<ProjectileBurst>("count"));
+  field_tooltip(panel, "projectile/count", "Projectiles in a row.");
   if (shot.count > 1) {
     number_row<ProjectileBurst>(panel, "projectile/interval", "Interval", "interval", 1e-2, 5, shot.interval);
   }

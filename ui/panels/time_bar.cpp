@@ -4,7 +4,7 @@
 #include <string>
 
 #include "ui/panels/panels.h"
-#include "ui/widgets/number_field.h"
+#include "ui/widgets/number_slider.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -163,7 +163,7 @@ float button_room(const char* text) {
 void limit_field(Panel& panel, const char* tag, const Numbers& numbers, const char* meaning, double& value) {
   ImGui::SameLine();
   ImGui::SetNextItemWidth(90 * ui_scale(panel));
-  quantity_box(panel, {.tag = tag, .label = {}, .numbers = numbers, .tooltip = meaning}, value);
+  number_drag(panel, {.tag = tag, .label = {}, .numbers = numbers, .tooltip = meaning}, value);
 }
 
 void breakpoint_fields(Panel& panel) {

@@ -7,7 +7,7 @@
 #include "ui/model/view_layers.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/field_range.h"
-#include "ui/widgets/number_field.h"
+#include "ui/widgets/number_slider.h"
 #include "ui/widgets/widgets.h"
 
 namespace griffith::ui {
@@ -49,7 +49,7 @@ void range_rows(Panel& panel) {
     const auto end = static_cast<Eigen::Index>(i);
     row_label(panel, kLabels[i]);
     Vec2 wanted = range;
-    const Edit edit = quantity_box(panel, {.tag = kTags[i], .label = kLabels[i], .numbers = numbers}, wanted[end]);
+    const Edit edit = number_drag(panel, {.tag = kTags[i], .label = kLabels[i], .numbers = numbers}, wanted[end]);
     if (!edit.changed) continue;
     if (wanted[0] < wanted[1])
       range = wanted;
@@ -74,13 +74,13 @@ void range_part(Panel& panel) {
   if (always) tooltip("Automatic colours of what has a sign part at 0. Choose others for another range.");
 }
 
-/// A row for a field of the view, from `low` to `high`, or over all that it takes.
+/// A slider for a field of the view, from `low` to `high`, or over all that it takes.
 void view_row(Panel& panel, const std::string& name, const char* label, double& value, double low = 0, double high = 0,
               bool logarithmic = false) {
   NumberField field = {
       .tag = "view/" + name, .label = label, .numbers = range_of<ViewSettings>(name), .logarithmic = logarithmic};
   if (low < high) field.low = low, field.high = high;
-  quantity_row(panel, field, value);
+  number_slider(panel, field, value);
 }
 
 /// Turns the slice to an axis, or to face the eye; it stays where it cuts the middle of the bodies.
@@ -108,13 +108,13 @@ void slice_rows(Panel& panel) {
   SlicePlane& slice = *panel.state.view.slice;
   const Vec3 normal = slice.normal.normalized(), middle = 0.5 * (panel.input.low + panel.input.high);
   const double reach = 0.5 * normal.cwiseAbs().dot(panel.input.high - panel.input.low);
-  quantity_row(panel,
-               {.tag = "view/slice_offset",
-                .label = "Offset",
-                .numbers = range_of<SlicePlane>("offset"),
-                .low = normal.dot(middle) - reach,
-                .high = normal.dot(middle) + reach},
-               slice.offset);
+  number_slider(panel,
+                {.tag = "view/slice_offset",
+                 .label = "Offset",
+                 .numbers = range_of<SlicePlane>("offset"),
+                 .low = normal.dot(middle) - reach,
+                 .high = normal.dot(middle) + reach},
+                slice.offset);
 }
 
 void element_rows(Panel& panel) {
@@ -158,7 +158,8 @@ void layer_rows(Panel& panel) {
   view_row(panel, "glyph_scale", "Size of signs", panel.state.view.glyph_scale, 0.1, 10, true);
   if (!shows_layer(panel.state.view, ViewLayer::fracture_planes)) return;
   integer_row(panel, "view/fracture_planes", "Planes of last", panel.state.view.fracture_planes,
-              range_of<ViewSettings>("fracture_planes"), "Of how many cracks the plane is shown, newest first.");
+              range_of<ViewSettings>("fracture_planes"));
+  field_tooltip(panel, "view/fracture_planes", "Of how many cracks the plane is shown, newest first.");
 }
 
 /// Whether a view shows tetrahedra, not splinters, shards or surfaces of files: values belong to tetrahedra.

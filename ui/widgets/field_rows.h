@@ -4,7 +4,6 @@
 #include <cmath>
 #include <concepts>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,7 +27,6 @@ class FieldRows {
   /// The rows of all fields of `value`, which is edited.
   template <class T>
   void show(T& value) {
-    describe(largest_, value);
     describe(*this, value);
     if (!edit_.changed) return;
     drop_idle_fields(value);
@@ -40,10 +38,7 @@ class FieldRows {
 
   template <class T, class Values>
   void field(std::string_view name, T& member, const Values& values, std::string_view description) {
-    if (std::ranges::find(hidden_, name) != hidden_.end()) return;
-    FieldRow shown = row(name, description);
-    if constexpr (std::is_same_v<Values, Numbers>) shown.scale = largest_.of(values.unit);
-    draw(shown, member, values);
+    if (std::ranges::find(hidden_, name) == hidden_.end()) draw(row(name, description), member, values);
   }
 
   template <class T, class Variant, class Values, class Projection = std::identity>
@@ -70,30 +65,6 @@ class FieldRows {
   const std::string& edited() const { return edited_; }
 
  private:
-  /// The archive that finds the largest component of all vectors of a unit, so that their rows show one prefix.
-  struct Largest {
-    std::map<std::string_view, double> by_unit;
-
-    double of(std::string_view unit) const {
-      const auto found = by_unit.find(unit);
-      return found == by_unit.end() ? 0 : found->second;
-    }
-    template <class T, class Values>
-    void field(std::string_view, const T& member, const Values& values, std::string_view) {
-      note(member, values);
-    }
-    template <int N, int Options>
-    void note(const Eigen::Matrix<double, N, 1, Options>& vector, const Numbers& numbers) {
-      double& largest = by_unit[numbers.unit];
-      largest = std::max(largest, vector.cwiseAbs().maxCoeff());
-    }
-    template <class T, class Values>
-    void note(const T&, const Values&) {}
-    template <class Held, class... Anything>
-    void alternative(Anything&&...) {}
-    void require(bool, std::string_view, const char*, const char*) {}
-  };
-
   /// The archive that looks for the first rule that a value breaks.
   struct Rules {
     std::string problem;
@@ -255,7 +226,6 @@ class FieldRows {
   }
 
   Panel& panel_;
-  Largest largest_;
   std::string tag_;
   std::vector<std::string_view> hidden_;
   std::string edited_, edited_tag_, problem_;

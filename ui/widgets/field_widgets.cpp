@@ -8,13 +8,13 @@
 #include <cstdio>
 #include <optional>
 
-#include "ui/widgets/number_field.h"
+#include "ui/widgets/number_slider.h"
 #include "ui/widgets/style.h"
 
 namespace griffith::ui {
 namespace {
 
-NumberField field_of(const FieldRow& row, const Numbers& numbers) {
+NumberField number_field(const FieldRow& row, const Numbers& numbers) {
   return {.tag = row.tag, .label = row.label, .numbers = numbers, .tooltip = row.description};
 }
 
@@ -25,18 +25,8 @@ std::string label_with_unit(const FieldRow& row, const SiPrefix& prefix, const N
   return unit.empty() ? label : label + " [" + unit + "]";
 }
 
-/// The prefix of a row of several numbers, and of those beside it: while one of them is edited it stays.
-SiPrefix row_prefix(const EditorState& state, const FieldRow& row, const Numbers& numbers,
-                    std::span<const double> components) {
-  const std::string_view unit = unit_symbol(numbers), part = std::string_view(row.tag).substr(0, row.tag.rfind('/'));
-  const NumberEntry& entry = state.number_entry;
-  if (!entry.tag.empty() && entry.row_unit == unit && is_within(entry.tag, part)) return entry.prefix;
-  double largest = row.scale;
-  for (const double component : components) largest = std::max(largest, std::abs(component));
-  return si_prefix(largest, unit);
-}
-
-/// A text box over the rest of the row; `finished` when it was left, or Enter pressed. A right click begins to type.
+/// A text box over the rest of the row; `finished` when it was left, or Enter pressed. A right click begins to type, as
+/// in fields of numbers.
 Edit text_box(Panel& panel, const FieldRow& row, std::string& value, ImGuiInputTextFlags flags = 0) {
   std::string text = value;
   const bool entered = ImGui::InputText(("##" + row.tag).c_str(), &text, flags | ImGuiInputTextFlags_AutoSelectAll);
@@ -78,15 +68,19 @@ std::string list_text(const std::vector<int>& values) {
 
 Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, double& value) {
   row_label(panel, row.label.c_str());
-  return quantity_box(panel, field_of(row, numbers), value);
+  return number_drag(panel, number_field(row, numbers), value);
 }
 
 Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, int& value) {
-  return integer_row(panel, row.tag.c_str(), row.label.c_str(), value, numbers, row.description);
+  const Edit edit = integer_row(panel, row.tag.c_str(), row.label.c_str(), value, numbers);
+  field_tooltip(panel, row.tag, row.description);
+  return edit;
 }
 
 Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, std::span<double> components) {
-  const SiPrefix prefix = row_prefix(panel.state, row, numbers, components);
+  double largest = 0;
+  for (const double component : components) largest = std::max(largest, std::abs(component));
+  const SiPrefix prefix = si_prefix(largest, unit_symbol(numbers));
   wide_row_label(panel, label_with_unit(row, prefix, numbers).c_str());
   const float gap = 3 * ui_scale(panel), count = static_cast<float>(components.size());
   const float width = (ImGui::GetContentRegionAvail().x - (count - 1) * gap) / count;
@@ -94,9 +88,9 @@ Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, std::
   for (std::size_t i = 0; i < components.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, gap);
     ImGui::SetNextItemWidth(width);
-    NumberField field = field_of({row.tag + "/" + std::to_string(i), row.label, row.description}, numbers);
+    NumberField field = number_field({row.tag + "/" + std::to_string(i), row.label, row.description}, numbers);
     field.prefix = prefix;
-    const Edit of_part = quantity_box(panel, field, components[i]);
+    const Edit of_part = number_drag(panel, field, components[i]);
     edit.changed |= of_part.changed;
     edit.finished |= of_part.finished;
   }

@@ -16,7 +16,6 @@ struct FieldRow {
   std::string tag;          ///< "body/position"
   std::string label;        ///< "Position"
   std::string description;  ///< for the tooltip
-  double scale = 0;         ///< largest number of the rows beside this one that share its unit
 };
 
 /// "point_force" as "point force", and as the label "Point force".
@@ -25,6 +24,7 @@ std::string label_of(std::string_view name);
 
 // A row each. They keep values within what the field takes; what they are given may lie beyond.
 
+/// Drag it, or right-click to type a value with its unit.
 Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, double& value);
 Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, int& value);
 /// The components side by side, each as a number.

@@ -167,6 +167,22 @@ bool checkbox(Panel& panel, const char* tag, const char* label, bool& value) {
   return toggled;
 }
 
+Edit integer_row(Panel& panel, const char* tag, const char* label, int& value, const Numbers& numbers) {
+  row_label(panel, label);
+  const std::string item = "##" + std::string(tag);
+  Edit edit;
+  int wanted = value;
+  ImGui::InputInt(item.c_str(), &wanted, 1, 10);
+  edit.finished = ImGui::IsItemDeactivatedAfterEdit();
+  const int taken = std::clamp(wanted, static_cast<int>(numbers.minimum), static_cast<int>(numbers.maximum));
+  if (wanted != value) panel.state.field_note = {};
+  if (taken != wanted) panel.state.field_note = {tag, clamped_note(wanted, numbers)};
+  edit.changed = taken != value;
+  value = taken;
+  tag_last_item(panel.tags, tag, std::to_string(value));
+  return edit;
+}
+
 bool text_button(Panel& panel, const char* tag, const char* label, float width) {
   const bool clicked = ImGui::Button(label, {width, 0});
   tag_last_item(panel.tags, tag, label);

@@ -64,6 +64,9 @@ int combo_row(Panel& panel, const char* tag, const char* label, std::span<const 
 /// A check box with its label. True when it was toggled.
 bool checkbox(Panel& panel, const char* tag, const char* label, bool& value);
 
+/// A whole number with minus and plus.
+Edit integer_row(Panel& panel, const char* tag, const char* label, int& value, const Numbers& numbers);
+
 /// A plain button over the full width, or as wide as its text. True when clicked.
 bool text_button(Panel& panel, const char* tag, const char* label, float width = 0);
 
