@@ -158,13 +158,13 @@ TEST(NumberFields, ADragIsRelativeAndFine) {
   testing::RandomValues random(11);
   for (const auto& [low, high] : {std::pair(1.0, 1e13), std::pair(-1e6, 1e6), std::pair(0.0, 1e6)}) {
     for (int i = 0; i < 200; ++i) {
-      const double value = std::pow(10, random.index(6)) * (1 + random.index(900) / 100.0);
+      const double value = std::pow(10, random.index(5)) * (1 + random.index(900) / 100.0);
       const DragStart start = {.value = value, .numbers = between(low, high, "m")};
       EXPECT_EQ(dragged_number(start, 0), value);
       double last = value;
       for (int moved = 1; moved < 60; ++moved) {
         const double now = dragged_number(start, moved), finer = dragged_number(start, 0.1 * moved, {.fine = true});
-        if (value < 0.5 * high) EXPECT_GT(now, last) << value;
+        EXPECT_GE(now, last) << value;
         EXPECT_LE(now - last, 0.0101 * last) << value << " at " << moved;
         EXPECT_LE(finer - value, 0.11 * (now - value) + 2e-3 * value);
         last = now;
