@@ -33,7 +33,7 @@ TEST(EditorLayout, WidgetsLieOnTheScreenAndHaveDifferentNames) {
   EXPECT_GT(names.size(), 40u);
 }
 
-TEST(EditorLayout, ADragOfASliderIsOneEdit) {
+TEST(EditorLayout, ADragOfANumberIsOneEdit) {
   UiDriver ui(two_walls());
   const Material before = material(ui);
   ui.drag("material/young_modulus", 30);
@@ -45,8 +45,8 @@ TEST(EditorLayout, ADragOfASliderIsOneEdit) {
   EXPECT_EQ(ui.history.scene(), two_walls());
 }
 
-TEST(EditorLayout, EveryMaterialSliderStaysInItsRange) {
-  for (const float dx : {-2000.0f, 2000.0f}) {
+TEST(EditorLayout, EveryMaterialNumberStaysInItsRange) {
+  for (const float dx : {-9000.0f, 9000.0f}) {
     UiDriver ui(two_walls());
     for (const char* tag : {"material/young_modulus", "material/poisson_ratio", "material/density",
                             "material/tensile_strength", "material/fracture_toughness"}) {
@@ -70,7 +70,7 @@ TEST(EditorLayout, ValuesCanBeTypedWithTheirUnit) {
   EXPECT_DOUBLE_EQ(material(ui).young_modulus, 20e6);
   EXPECT_EQ(ui.value("material/young_modulus"), "20 MPa");
   ui.click("material/young_modulus", 1);
-  ui.type("35e6");
+  ui.type("35");
   EXPECT_DOUBLE_EQ(material(ui).young_modulus, 35e6);
   EXPECT_EQ(ui.history.entries().size(), 2u);
 }

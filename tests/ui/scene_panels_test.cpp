@@ -66,7 +66,7 @@ TEST(ScenePanels, ATypedNumberIsOneEdit) {
   UiDriver ui(two_walls());
   open(ui, {"body"});
   ui.click("body/position/1", 1);
-  ui.type("250 cm");  // no unit of ours
+  ui.type("250 ells");  // no unit of ours
   EXPECT_EQ(ui.history.scene(), two_walls());
   ui.click("body/position/1", 1);
   ui.type("2.5 m");
@@ -77,16 +77,20 @@ TEST(ScenePanels, ATypedNumberIsOneEdit) {
   EXPECT_EQ(ui.history.scene(), two_walls());
 }
 
-TEST(ScenePanels, ABareNumberIsInTheUnitItselfWhateverPrefixTheRowShows) {
+TEST(ScenePanels, ABareNumberIsInTheUnitThatItsRowShows) {
   Scene scene = two_walls();
   std::get<BoxShape>(scene.bodies[0].shape).size = Vec3(1.2, 0.25, 0.4);
+  scene.bodies[0].position = Vec3(0.01, 0, 0);
   UiDriver ui(scene);
   open(ui, {"body", "body/shape"});
-  ui.click("body/shape/box/size/1", 1);
+  ui.click("body/shape/box/size/1");
   ui.type("0.1");
-  ui.click("body/shape/box/size/0", 1);
-  ui.type("0.1");
-  EXPECT_EQ(std::get<BoxShape>(ui.history.scene().bodies[0].shape).size, Vec3(0.1, 0.1, 0.4));
+  EXPECT_EQ(std::get<BoxShape>(ui.history.scene().bodies[0].shape).size, Vec3(1.2, 0.1, 0.4));
+  EXPECT_NE(find_tag(ui.tags, "label/Position [mm]"), nullptr);
+  EXPECT_EQ(ui.value("body/position/0"), "10");
+  ui.click("body/position/1");
+  ui.type("604");
+  EXPECT_EQ(ui.history.scene().bodies[0].position, Vec3(0.01, 0.604, 0));
 }
 
 TEST(ScenePanels, ARowOfNumbersHasOnePrefix) {
@@ -109,7 +113,7 @@ TEST(ScenePanels, WhatANumberTakesInAFileItTakesInItsPanel) {
   open(ui, {"body"});
   const Numbers place = range_of<BodyDescription>("position");
   ui.click("body/position/0", 1);
-  ui.type("1e6");
+  ui.type("1e6 m");
   EXPECT_EQ(ui.history.scene().bodies[0].position.x(), place.maximum);
   EXPECT_EQ(find_tag(ui.tags, "field_note"), nullptr);
   ui.click("body/position/0", 1);

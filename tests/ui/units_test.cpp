@@ -1,11 +1,10 @@
-#include "ui/model/units.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
 #include "sim/mesh/number_text.h"
+#include "ui/model/quantity_parser.h"
 
 namespace griffith::ui {
 namespace {
@@ -22,7 +21,7 @@ TEST(Units, ValuesReadLikeEngineersWriteThem) {
   EXPECT_EQ(format_quantity(-3e6, "Pa"), "-3 MPa");
 }
 
-TEST(Units, TypedTextIsReadWithPrefixAndUnitAndABareNumberInTheUnitItself) {
+TEST(Units, TypedTextIsReadWithPrefixAndUnit) {
   EXPECT_DOUBLE_EQ(parse_quantity("20 GPa", "Pa").value(), 20e9);
   EXPECT_DOUBLE_EQ(parse_quantity(" 20G ", "Pa").value(), 20e9);
   EXPECT_DOUBLE_EQ(parse_quantity("2e10 Pa", "Pa").value(), 2e10);
@@ -30,6 +29,32 @@ TEST(Units, TypedTextIsReadWithPrefixAndUnitAndABareNumberInTheUnitItself) {
   EXPECT_DOUBLE_EQ(parse_quantity("5 m", "m").value(), 5);
   EXPECT_DOUBLE_EQ(parse_quantity("5 mm", "m").value(), 5e-3);
   EXPECT_DOUBLE_EQ(parse_quantity("+3 uN", "N").value(), 3e-6);
+}
+
+TEST(Units, ABareNumberIsInTheUnitShown) {
+  const SiPrefix milli = si_prefix(0.01, "m"), mega = si_prefix(2e6, "Pa");
+  EXPECT_EQ(parse_quantity("604", "m", milli), 0.604);
+  EXPECT_EQ(parse_quantity("9", "m", milli), 0.009);
+  EXPECT_EQ(parse_quantity("3", "Pa", mega), 3e6);
+  EXPECT_EQ(parse_quantity("3 Pa", "Pa", mega), 3);
+  EXPECT_EQ(parse_quantity("0.5 m", "m", milli), 0.5);
+}
+
+TEST(Units, ArithmeticMixesUnits) {
+  const SiPrefix milli = si_prefix(0.01, "m");
+  EXPECT_DOUBLE_EQ(parse_quantity("2*30+1 mm", "m", milli).value(), 0.061);
+  EXPECT_DOUBLE_EQ(parse_quantity("2*30+1 mm", "m").value(), 60.001);
+  EXPECT_DOUBLE_EQ(parse_quantity("2*30+1", "m", milli).value(), 0.061);
+  EXPECT_DOUBLE_EQ(parse_quantity("(4-1) cm / 2", "m").value(), 0.015);
+  EXPECT_DOUBLE_EQ(parse_quantity("1 m / 3", "m", milli).value(), 1.0 / 3);
+  EXPECT_DOUBLE_EQ(parse_quantity("3 m / 1 mm", "-").value_or(0), 0) << "no lengths in a ratio";
+  EXPECT_DOUBLE_EQ(parse_quantity("2 - -3", "").value(), 5);
+  EXPECT_DOUBLE_EQ(parse_quantity("-(1+2)*2", "").value(), -6);
+  EXPECT_DOUBLE_EQ(parse_quantity("36 km/h", "m/s").value(), 10);
+  EXPECT_DOUBLE_EQ(parse_quantity("3 m/s / 2", "m/s").value(), 1.5);
+  EXPECT_DOUBLE_EQ(parse_quantity("2.5 g/cm3", "kg/m³").value(), 2500);
+  for (const char* text : {"1 m * 2 m", "1 / 2 m", "1/0", "(1", "1)", "2*", "1 2", "mm", "1 m m"})
+    EXPECT_FALSE(parse_quantity(text, "m", milli)) << text;
 }
 
 TEST(Units, TextOfAnotherKindIsNotRead) {

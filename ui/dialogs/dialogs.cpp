@@ -13,14 +13,15 @@ namespace {
 
 constexpr char kWorkTitle[] = "Working";
 
-constexpr std::array<std::pair<const char*, const char*>, 8> kMouseHelp = {{
-    {"Left drag", "turn about the target"},
-    {"Shift + drag, middle drag", "move the picture"},
-    {"Wheel", "come closer, go away"},
+constexpr std::array<std::pair<const char*, const char*>, 9> kMouseHelp = {{
+    {"Left drag", "orbit"},
+    {"Shift + drag, middle drag", "pan"},
+    {"Wheel", "zoom"},
     {"Click", "inspect a node and its element, select the body"},
     {"Ctrl + drag", "move the slice plane"},
     {"Right click in the view", "fire the projectile there; hold the button to see its arc first"},
-    {"Right click on a number", "type a value, such as 20 GPa"},
+    {"Click on a number", "type a value: 20, 20 GPa, 2*30+1 mm; Tab goes on, Escape reverts"},
+    {"Drag a number", "change it; Shift: finely, Ctrl: to round values"},
     {"Drop a file", "open a scene"},
 }};
 

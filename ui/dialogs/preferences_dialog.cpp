@@ -1,16 +1,16 @@
 #include "ui/dialogs/dialog_window.h"
 #include "ui/dialogs/dialogs.h"
-#include "ui/widgets/number_slider.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/widgets.h"
 
 namespace griffith::ui {
 namespace {
 
 void preference_row(Panel& panel, const char* tag, const char* label, const Numbers& numbers, double& value) {
-  number_slider(panel, {.tag = tag, .label = label, .numbers = numbers, .logarithmic = true}, value);
+  number_field_row(panel, {.tag = tag, .label = label, .numbers = numbers}, value);
 }
 
-/// The size is taken when the mouse is let go: the slider would run away from it.
+/// The size is taken when the mouse is let go: the field would run away from it.
 void scale_row(Panel& panel) {
   EditorState& state = panel.state;
   if (state.wanted_scale == 0) state.wanted_scale = state.preferences.ui_scale;

@@ -1,6 +1,6 @@
 #include "ui/dialogs/dialog_window.h"
 #include "ui/dialogs/dialogs.h"
-#include "ui/widgets/widgets.h"
+#include "ui/widgets/number_field.h"
 
 namespace griffith::ui {
 
@@ -8,11 +8,12 @@ void draw_steps_dialog(Panel& panel) {
   constexpr Numbers kCounts = between(1, kMaxAskedSteps, "");
   std::optional<int>& count = panel.state.asked_steps;
   if (!begin_dialog(panel, "Make steps", count.has_value(), 420)) return;
-  integer_row(panel, "steps/count", "Steps", *count, kCounts);
+  number_field_row(panel, {.tag = "steps/count", .label = "Steps", .numbers = kCounts}, *count);
   hint(panel, "As fast as they can be made; Space stops before.");
   ImGui::Spacing();
   const float width = 120 * ui_scale(panel);
-  const bool made = text_button(panel, "steps/make", "Make them", width) || ImGui::IsKeyPressed(key::kEnter, false);
+  const bool made = text_button(panel, "steps/make", "Make them", width) ||
+                    (ImGui::IsKeyPressed(key::kEnter, false) && panel.state.field_note.tag.empty());
   ImGui::SameLine();
   const bool cancelled = text_button(panel, "steps/cancel", "Cancel", width) || escape_pressed();
   if (made) issue(panel, {.id = CommandId::make_steps, .step = *count});

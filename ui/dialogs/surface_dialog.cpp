@@ -5,7 +5,7 @@
 #include "ui/dialogs/dialog_window.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/widgets/field_range.h"
-#include "ui/widgets/number_slider.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -48,25 +48,16 @@ void draw_surface_dialog(Panel& panel) {
                                request.path.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   const bool left = escape_left_untyped();
   tag_last_item(panel.tags, "surface/path", request.path.data());
-  number_slider(panel,
-                {.tag = "surface/scale",
-                 .label = "Metres per unit",
-                 .numbers = range_of<SurfaceShape>("scale"),
-                 .low = 1e-6,
-                 .high = 1e3,
-                 .logarithmic = true},
-                request.scale);
+  number_field_row(panel,
+                   {.tag = "surface/scale", .label = "Metres per unit", .numbers = range_of<SurfaceShape>("scale")},
+                   request.scale);
   method_row(panel, request.method);
   checkbox(panel, "surface/automatic_size", "Element size from the size of the surface", request.automatic_size);
   if (!request.automatic_size)
-    number_slider(panel,
-                  {.tag = "surface/element_size",
-                   .label = "Element size",
-                   .numbers = range_of<SurfaceShape>("element_size"),
-                   .low = 1e-3,
-                   .high = 100,
-                   .logarithmic = true},
-                  request.element_size);
+    number_field_row(
+        panel,
+        {.tag = "surface/element_size", .label = "Element size", .numbers = range_of<SurfaceShape>("element_size")},
+        request.element_size);
   hint(panel,
        "TetGen keeps every triangle of the surface; the volumetric method takes open and crossing surfaces too.");
   ImGui::Spacing();

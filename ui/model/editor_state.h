@@ -16,6 +16,7 @@
 #include "ui/model/comparison.h"
 #include "ui/model/edit_history.h"
 #include "ui/model/gizmo.h"
+#include "ui/model/number_edit.h"
 #include "ui/model/painted_region.h"
 #include "ui/model/preferences.h"
 #include "ui/model/run_curves.h"
@@ -191,9 +192,7 @@ struct EditorState {
   std::size_t log_seen = 0;              ///< so many of the lines are older than the last thing that the user did
   std::size_t log_passed = 0;            ///< and so many are older than the state of the simulation that is shown
   std::array<char, 512> path_text = {};  ///< being typed in the open dialog
-  std::string typed_tag;                 ///< the number field being typed into
-  std::array<char, 64> typed_text = {};
-  int typed_frames = 0;  ///< drawn since typing began
+  NumberEdit number;                     ///< the number field being dragged or typed into
 };
 
 /// Whether work goes on, something waits for it, or steps that were asked for are being made.

@@ -9,7 +9,7 @@ namespace griffith::ui {
 namespace {
 
 // Frames until the keyboard is where a click led it, and where Enter, Escape or Tab left it.
-constexpr int kFramesToFocus = 3, kFramesToLeave = 2;
+constexpr int kFramesToFocus = 3, kFramesToLeave = 3;
 
 bool is_modifier(int key) { return key >= key::kFirstModifier && key <= key::kLastModifier; }
 
@@ -77,7 +77,7 @@ void InputQueue::tell(const Event& event, ImGuiIO& io, Seen& seen) {
       break;
     case Kind::button:
       io.MouseDown[event.code] = event.down;
-      if (event.down) frames_to_focus_ = kFramesToFocus;
+      frames_to_focus_ = kFramesToFocus;  // a number opens when the button is let go
       break;
     case Kind::move:
       place_ = event.place;

@@ -1,9 +1,9 @@
 #include "ui/model/units.h"
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 namespace griffith::ui {
 namespace {
@@ -11,27 +11,31 @@ namespace {
 constexpr std::array<SiPrefix, 8> kPrefixes = {
     {{1e-9, "n"}, {1e-6, "µ"}, {1e-3, "m"}, {1, ""}, {1e3, "k"}, {1e6, "M"}, {1e9, "G"}, {1e12, "T"}}};
 
+/// As it is typed where the keyboard has no dot for products.
+std::string_view spelled_plainly(std::string_view unit) { return unit == "Pa·√m" ? "Pa√m" : unit; }
+
 bool takes_prefix(std::string_view unit) {
   return unit == "Pa" || unit == "N" || unit == "J" || unit == "m" || unit == "Pa·√m" || unit == "Hz";
 }
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
+/// Other spellings, and other units of the same kind.
+struct OtherUnit {
+  std::string_view unit, spelling;
+  double factor;  ///< units in one of the other
+};
 
-/// The factor that `suffix` ("GPa", "G", "Pa", "u") stands for.
-std::optional<double> suffix_factor(std::string_view suffix, std::string_view unit) {
-  if (suffix == unit) return 1.0;
-  for (const SiPrefix& prefix : kPrefixes) {
-    const bool micro = prefix.symbol == "µ" && suffix.starts_with("u");
-    if (!takes_prefix(unit) || prefix.symbol.empty() || !(micro || suffix.starts_with(prefix.symbol))) continue;
-    const std::string_view rest = suffix.substr(micro ? 1 : prefix.symbol.size());
-    if (rest.empty() || rest == unit) return prefix.factor;
-  }
-  return std::nullopt;
-}
+constexpr std::array kOtherUnits =
+    std::to_array<OtherUnit>({{"m", "cm", 1e-2},        {"m", "in", 0.0254},
+                              {"m", "ft", 0.3048},      {"m³", "m3", 1},
+                              {"s", "ms", 1e-3},        {"s", "µs", 1e-6},
+                              {"s", "us", 1e-6},        {"s", "min", 60},
+                              {"ms", "s", 1e3},         {"kg", "g", 1e-3},
+                              {"kg", "t", 1e3},         {"kg/m³", "kg/m3", 1},
+                              {"kg/m³", "g/cm³", 1e3},  {"kg/m³", "g/cm3", 1e3},
+                              {"m/s", "km/h", 1 / 3.6}, {"m/s²", "m/s2", 1},
+                              {"Pa", "bar", 1e5},       {"Pa", "psi", 6894.757293168},
+                              {"°", "deg", 1},          {"°", "rad", 180 / std::numbers::pi},
+                              {"MB", "GB", 1000}});
 
 }  // namespace
 
@@ -58,11 +62,23 @@ std::string format_number(double value, const SiPrefix& prefix, int digits) {
 }
 
 std::string format_quantity(double value, std::string_view unit, int digits) {
-  const SiPrefix prefix = si_prefix(value, unit);
-  std::string text = format_number(value, prefix, digits);
-  if (unit.empty() || unit == "-") return text;
-  if (unit != "°") text += ' ';
-  return text.append(prefix.symbol).append(unit);
+  return format_quantity(value, unit, si_prefix(value, unit), digits);
+}
+
+std::string format_quantity(double value, std::string_view unit, const SiPrefix& prefix, int digits) {
+  return with_unit(format_number(value, prefix, digits), unit, prefix);
+}
+
+std::string with_unit(std::string number, std::string_view unit, const SiPrefix& prefix) {
+  if (unit.empty() || unit == "-") return number;
+  if (unit != "°") number += ' ';
+  return number.append(prefix.symbol).append(unit);
+}
+
+std::string exact_number(double value, const SiPrefix& prefix) {
+  std::array<char, 64> number;
+  std::snprintf(number.data(), number.size(), "%.12g", value / prefix.factor);
+  return number.data();
 }
 
 std::string direction_text(const Vec3& direction) {
@@ -89,17 +105,22 @@ std::string clamped_note(double typed, const Numbers& numbers) {
          " and was set to it: " + range_text_with_prefix(numbers) + " is possible.";
 }
 
-std::optional<double> parse_quantity(std::string_view text, std::string_view unit) {
-  text = trimmed(text);
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || !std::isfinite(number)) return std::nullopt;
-  const std::string_view suffix = trimmed(text.substr(static_cast<std::size_t>(end - text.data())));
-  if (suffix.empty()) return number;
-  const std::optional<double> factor = suffix_factor(suffix, unit);
-  if (!factor) return std::nullopt;
-  return number * *factor;
+UnitSpelling unit_at(std::string_view text, std::string_view unit) {
+  UnitSpelling longest;
+  const auto offer = [&](const std::string& spelling, double factor) {
+    if (spelling.size() > longest.length && text.starts_with(spelling)) longest = {spelling.size(), factor};
+  };
+  offer(std::string(unit), 1);
+  for (const SiPrefix& prefix : kPrefixes) {
+    if (!takes_prefix(unit)) break;
+    for (const std::string_view end : {std::string_view(), unit, spelled_plainly(unit)}) {
+      offer(std::string(prefix.symbol).append(end), prefix.factor);
+      if (prefix.factor == 1e-6) offer(std::string("u").append(end), prefix.factor);
+    }
+  }
+  for (const OtherUnit& other : kOtherUnits)
+    if (other.unit == unit) offer(std::string(other.spelling), other.factor);
+  return longest;
 }
 
 }  // namespace griffith::ui

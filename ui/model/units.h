@@ -22,6 +22,15 @@ SiPrefix si_prefix(double value, std::string_view unit);
 /// `value` with `digits` significant digits, prefix and unit: 15e9, "Pa" gives "15 GPa".
 std::string format_quantity(double value, std::string_view unit, int digits = 4);
 
+/// The same with a prefix that is given.
+std::string format_quantity(double value, std::string_view unit, const SiPrefix& prefix, int digits = 4);
+
+/// `number` with the prefix and the unit behind it: "15 GPa", "30°", "0.5".
+std::string with_unit(std::string number, std::string_view unit, const SiPrefix& prefix);
+
+/// `value` as a number of prefixed units with 12 digits, but no zeros at the end: to be edited and read back.
+std::string exact_number(double value, const SiPrefix& prefix);
+
 /// `value` as a number of prefixed units, without them: 15e6 with the prefix G gives "0.015".
 std::string format_number(double value, const SiPrefix& prefix, int digits = 4);
 
@@ -37,8 +46,14 @@ std::string clamped_note(double typed, const Numbers& numbers);
 /// The components of a unit vector: "0.71, 0.00, -0.71".
 std::string direction_text(const Vec3& direction);
 
-/// Reads "20 GPa", "20G", "2e10 Pa" or "2e10" back into the unit without prefix, which is that of a bare number.
-/// Nothing where the text isn't a number of that unit.
-std::optional<double> parse_quantity(std::string_view text, std::string_view unit);
+/// A unit that a text begins with.
+struct UnitSpelling {
+  std::size_t length = 0;  ///< of its spelling [bytes]; 0: there is none
+  double factor = 1;       ///< that it stands for
+};
+
+/// The longest spelling of `unit`, with a prefix or without, or of another unit of its kind, at the start of `text`:
+/// "mm", "cm", "in" for "m"; "GPa", "G", "bar" for "Pa".
+UnitSpelling unit_at(std::string_view text, std::string_view unit);
 
 }  // namespace griffith::ui

@@ -6,7 +6,7 @@
 #include "ui/model/verdict.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/field_range.h"
-#include "ui/widgets/number_slider.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/style.h"
 
 namespace griffith::ui {
@@ -31,25 +31,23 @@ const Material* original_of(const Scene& scene, const Material& material) {
   return nullptr;
 }
 
-/// A property of the material as a slider.
+/// A property of the material.
 struct Row {
   const char* name;  ///< in a scene file
   const char* label;
-  double low = 0, high = 0;  ///< ends of the slider, within what a file takes; 0, 0: all of that
-  bool logarithmic = false;
   const char* tooltip = "";
+  double usual = 0;  ///< magnitude in usual materials, of what may be 0 and is no ratio
 };
 
 void number_row(Panel& panel, Material& material, const Row& row, double& value,
                 std::optional<double> original = std::nullopt) {
-  NumberField field = {.tag = std::string("material/") + row.name,
-                       .label = row.label,
-                       .numbers = range_of<Material>(row.name),
-                       .tooltip = row.tooltip,
-                       .logarithmic = row.logarithmic,
-                       .original = original};
-  if (row.low < row.high) field.low = row.low, field.high = row.high;
-  const Edit edit = number_slider(panel, field, value);
+  const NumberField field = {.tag = std::string("material/") + row.name,
+                             .label = row.label,
+                             .numbers = range_of<Material>(row.name),
+                             .tooltip = row.tooltip,
+                             .original = original,
+                             .usual = row.usual};
+  const Edit edit = number_field_row(panel, field, value);
   keep(panel, edit, std::string("Set ") + row.label, material);
 }
 
@@ -122,8 +120,8 @@ void library_rows(Panel& panel, const Material& material) {
                 "The scene keeps this material under the name, for its other bodies too; it is saved with the scene.");
   if (entered && name[0] != 0) keep_as(panel, material, name.data());
   if (std::ranges::find(scene.materials, material.name, &Material::name) == scene.materials.end()) return;
-  if (!text_button(panel, "material/forget", ("Forget " + material.name).c_str())) return;
-  panel.history.change("Forget material " + material.name, [&](Scene& changed) {
+  if (!text_button(panel, "material/forget", ("Delete preset " + material.name).c_str())) return;
+  panel.history.change("Delete preset " + material.name, [&](Scene& changed) {
     std::erase_if(changed.materials, [&](const Material& own) { return own.name == material.name; });
   });
   panel.history.finish();
@@ -142,18 +140,18 @@ void fracture_rows(Panel& panel, Material& material) {
   criterion_row(panel, material);
   if (material.criterion == FractureCriterion::separation_force) {
     number_row(panel, material,
-               {"separation_toughness", "Sep. toughness", 1, 1e12, true,
+               {"separation_toughness", "Sep. toughness",
                 "τ: a node separates when the largest eigenvalue of its separation tensor exceeds it. Depends on the "
                 "element size."},
                &Material::separation_toughness);
     return;
   }
   number_row(panel, material,
-             {"tensile_strength", "Tensile strength", 1, 1e10, true,
+             {"tensile_strength", "Tensile strength",
               "A node separates when its mesh-independent separation stress exceeds it."},
              &Material::tensile_strength);
   number_row(panel, material,
-             {"fracture_toughness", "Toughness K_Ic", 1, 1e9, true,
+             {"fracture_toughness", "Toughness K_Ic",
               "Lowers the resistance at the front of a crack: small values let a crack, once started, run."},
              &Material::fracture_toughness);
 }
@@ -174,21 +172,18 @@ void yield_rows(Panel& panel, Material& material) {
     keep(panel, {true, true}, "Set yielding", material);
   }
   if (!material.yield_strength) return;
-  number_row(panel, material,
-             {"yield_strength", "Yield strength", 1, 1e10, true, "The von Mises stress above which it flows."},
+  number_row(panel, material, {"yield_strength", "Yield strength", "The von Mises stress above which it flows."},
              *material.yield_strength);
-  number_row(panel, material,
-             {"plastic_limit", "Plastic limit", 0, 0, false, "The norm of the plastic strain at which flow ends."},
+  number_row(panel, material, {"plastic_limit", "Plastic limit", "The norm of the plastic strain at which flow ends."},
              &Material::plastic_limit);
 }
 
 void damping_rows(Panel& panel, Material& material) {
-  number_row(panel, material, {"friction", "Friction", 0, 2}, &Material::friction);
+  number_row(panel, material, {"friction", "Friction"}, &Material::friction);
   number_row(panel, material, {"restitution", "Restitution"}, &Material::restitution);
-  number_row(panel, material,
-             {"stiffness_damping", "Damping β", 0, 1e-2, false, "Rayleigh's β: damps fast vibrations."},
+  number_row(panel, material, {"stiffness_damping", "Damping β", "Rayleigh's β: damps fast vibrations.", 1e-4},
              &Material::stiffness_damping);
-  number_row(panel, material, {"mass_damping", "Damping α", 0, 10, false, "Rayleigh's α: damps all motion."},
+  number_row(panel, material, {"mass_damping", "Damping α", "Rayleigh's α: damps all motion."},
              &Material::mass_damping);
 }
 
@@ -213,15 +208,15 @@ void draw_material_panel(Panel& panel) {
   Material material = body.material;
   preset_row(panel, material);
   scaled_row(panel);
+  number_row(
+      panel, material,
+      {"young_modulus", "Young's modulus", "E: stiffness. Drag it, or click and type a value: 20, 20 GPa, 2*10 GPa."},
+      &Material::young_modulus);
   number_row(panel, material,
-             {"young_modulus", "Young's modulus", 1e3, 1e12, true,
-              "E: stiffness. Right-click to type a value with its unit, such as 20 GPa."},
-             &Material::young_modulus);
-  number_row(panel, material,
-             {"poisson_ratio", "Poisson ratio", 0, 0, false,
+             {"poisson_ratio", "Poisson ratio",
               "ν: sideways contraction over extension. 0.5 would be incompressible and is out of reach."},
              &Material::poisson_ratio);
-  number_row(panel, material, {"density", "Density", 1, 25000, true, "ρ"}, &Material::density);
+  number_row(panel, material, {"density", "Density", "ρ"}, &Material::density);
   fracture_rows(panel, material);
   element_model_row(panel, material);
   yield_rows(panel, material);

@@ -6,7 +6,7 @@
 #include "ui/panels/panels.h"
 #include "ui/widgets/field_range.h"
 #include "ui/widgets/field_widgets.h"
-#include "ui/widgets/number_slider.h"
+#include "ui/widgets/number_field.h"
 
 namespace griffith::ui {
 namespace {
@@ -36,13 +36,22 @@ std::string name_of(const std::vector<Choice>& all, const std::optional<Projecti
   return std::holds_alternative<SurfaceProjectile>(*shape) ? kSurface : "Hull";
 }
 
-/// A logarithmic slider for the field `name` of a burst (or its box), from `low` to `high`.
+/// A number for the field `name` of a burst.
 template <class T>
-void number_row(Panel& panel, const char* tag, const char* label, const char* name, double low, double high,
-                double& value) {
-  number_slider(
-      panel, {.tag = tag, .label = label, .numbers = range_of<T>(name), .low = low, .high = high, .logarithmic = true},
-      value);
+void number_row(Panel& panel, const char* tag, const char* label, const char* name, double& value) {
+  number_field_row(panel, {.tag = tag, .label = label, .numbers = range_of<T>(name)}, value);
+}
+
+/// Sides of a box, in one unit.
+void size_rows(Panel& panel, Vec3& size) {
+  constexpr std::array kSides = {"width", "height", "depth"}, kLabels = {"Width", "Height", "Depth"};
+  const std::string tag = "projectile/size/";
+  const SiPrefix prefix = shared_prefix(panel.state, tag, size.maxCoeff(), "m");
+  for (std::size_t i = 0; i < kSides.size(); ++i)
+    number_field_row(
+        panel,
+        {.tag = tag + kSides[i], .label = kLabels[i], .numbers = range_of<BoxProjectile>("size"), .prefix = prefix},
+        size[static_cast<Eigen::Index>(i)]);
 }
 
 /// Which surface it is; its convex hull is what flies.
@@ -51,7 +60,7 @@ void surface_rows(Panel& panel, SurfaceProjectile& surface) {
              {"projectile/path", "Surface",
               ".obj, .stl, .ply, .off, .gltf or .glb: the convex hull flies. Enter takes the path."},
              panel.history.scene().folder, surface.path);
-  number_row<SurfaceProjectile>(panel, "projectile/scale", "Metres a unit", "scale", 1e-3, 10, surface.scale);
+  number_row<SurfaceProjectile>(panel, "projectile/scale", "Metres a unit", "scale", surface.scale);
 }
 
 void shape_rows(Panel& panel, ProjectileBurst& shot) {
@@ -60,33 +69,24 @@ void shape_rows(Panel& panel, ProjectileBurst& shot) {
   for (const Choice& choice : all) names.push_back(choice.name);
   const int chosen = combo_row(panel, "projectile/shape", "Shape", names, name_of(all, shot.shape));
   if (chosen >= 0) shot.shape = all[static_cast<std::size_t>(chosen)].shape;
-  if (!shot.shape)
-    return number_row<ProjectileBurst>(panel, "projectile/radius", "Radius", "radius", 5e-3, 5, shot.radius);
-  if (auto* box = std::get_if<BoxProjectile>(&*shot.shape)) {
-    number_row<BoxProjectile>(panel, "projectile/width", "Width", "size", 5e-3, 5, box->size.x());
-    number_row<BoxProjectile>(panel, "projectile/height", "Height", "size", 5e-3, 5, box->size.y());
-    number_row<BoxProjectile>(panel, "projectile/depth", "Depth", "size", 5e-3, 5, box->size.z());
-  }
+  if (!shot.shape) return number_row<ProjectileBurst>(panel, "projectile/radius", "Radius", "radius", shot.radius);
+  if (auto* box = std::get_if<BoxProjectile>(&*shot.shape)) size_rows(panel, box->size);
   if (auto* surface = std::get_if<SurfaceProjectile>(&*shot.shape)) surface_rows(panel, *surface);
   constexpr std::array kTurns = {"projectile/turn_x", "projectile/turn_y", "projectile/turn_z"};
   constexpr std::array kLabels = {"Turn about x", "Turn about y", "Turn about z"};
   for (std::size_t i = 0; i < 3; ++i)
-    number_slider(panel,
-                  {.tag = kTurns[i],
-                   .label = kLabels[i],
-                   .numbers = range_of<ProjectileBurst>("rotation_degrees"),
-                   .low = -180,
-                   .high = 180},
-                  shot.rotation_degrees[static_cast<Eigen::Index>(i)]);
+    number_field_row(panel,
+                     {.tag = kTurns[i], .label = kLabels[i], .numbers = range_of<ProjectileBurst>("rotation_degrees")},
+                     shot.rotation_degrees[static_cast<Eigen::Index>(i)]);
 }
 
 /// What the scene's burst says by a density is tuned as one: the mass then follows the size.
 void mass_rows(Panel& panel, ProjectileBurst& shot) {
   constexpr double kDensityOfSteel = 7850;
   if (shot.density) {
-    number_row<ProjectileBurst>(panel, "projectile/density", "Density", "density", 1, 3e4, *shot.density);
+    number_row<ProjectileBurst>(panel, "projectile/density", "Density", "density", *shot.density);
   } else {
-    number_row<ProjectileBurst>(panel, "projectile/mass", "Mass", "mass", 1e-3, 1e5, shot.mass);
+    number_row<ProjectileBurst>(panel, "projectile/mass", "Mass", "mass", shot.mass);
   }
   bool by_density = shot.density.has_value();
   if (!checkbox(panel, "projectile/by_density", "Mass by density", by_density)) return;
@@ -131,12 +131,16 @@ void draw_projectile_panel(Panel& panel) {
   ProjectileBurst& shot = panel.state.shot;
   preset_row(panel, shot);
   shape_rows(panel, shot);
-  number_row<ProjectileBurst>(panel, "projectile/speed", "Speed", "speed", 0.1, 1000, shot.speed);
+  number_row<ProjectileBurst>(panel, "projectile/speed", "Speed", "speed", shot.speed);
   mass_rows(panel, shot);
-  integer_row(panel, "projectile/count", "Burst", shot.count, range_of<ProjectileBurst>("count"));
-  field_tooltip(panel, "projectile/count", "Projectiles in a row.");
+  number_field_row(panel,
+                   {.tag = "projectile/count",
+                    .label = "Burst",
+                    .numbers = range_of<ProjectileBurst>("count"),
+                    .tooltip = "Projectiles in a row."},
+                   shot.count);
   if (shot.count > 1) {
-    number_row<ProjectileBurst>(panel, "projectile/interval", "Interval", "interval", 1e-2, 5, shot.interval);
+    number_row<ProjectileBurst>(panel, "projectile/interval", "Interval", "interval", shot.interval);
   }
   hint(panel, "Right-click in the view, or press F, to fire at the cursor.");
   if (!panel.state.last_shot) return;

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "ui/panels/panels.h"
-#include "ui/widgets/number_slider.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -160,10 +160,11 @@ float button_room(const char* text) {
 }
 
 /// A number that belongs to a check box.
-void limit_field(Panel& panel, const char* tag, const Numbers& numbers, const char* meaning, double& value) {
+void limit_field(Panel& panel, const char* tag, const Numbers& numbers, const char* meaning, double& value,
+                 bool whole = false) {
   ImGui::SameLine();
   ImGui::SetNextItemWidth(90 * ui_scale(panel));
-  number_drag(panel, {.tag = tag, .label = {}, .numbers = numbers, .tooltip = meaning}, value);
+  number_field(panel, {.tag = tag, .label = {}, .numbers = numbers, .tooltip = meaning, .whole = whole}, value);
 }
 
 void breakpoint_fields(Panel& panel) {
@@ -181,7 +182,7 @@ void breakpoint_fields(Panel& panel) {
               points.utilization);
   checkbox(panel, "time/break/on_pieces", "the pieces come to be", points.on_pieces);
   double pieces = points.pieces;
-  limit_field(panel, "time/break/pieces", between(1, 1e6), "A whole number.", pieces);
+  limit_field(panel, "time/break/pieces", between(1, 1e6), "A whole number.", pieces, true);
   points.pieces = static_cast<int>(std::lround(pieces));
   checkbox(panel, "time/break/on_energy", "more energy is unaccounted for than", points.on_energy);
   limit_field(panel, "time/break/energy", between(0, 1), "Of the energy that the step turns over.", points.energy);

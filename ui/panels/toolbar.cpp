@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "ui/panels/panels.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/style.h"
 #include "ui/widgets/widgets.h"
 
@@ -23,20 +24,18 @@ void simulation_buttons(Panel& panel) {
 }
 
 /// 0.1 to 100 % of real time.
-void speed_slider(Panel& panel) {
+void speed_field(Panel& panel) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextColored(as_vec4(palette::kTextDim), "Speed");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(150 * ui_scale(panel));
   double percent = 100 * panel.state.speed;
-  const double low = 0.1, high = 100;
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g %%%%", percent);
-  ImGui::SliderScalar("##speed", ImGuiDataType_Double, &percent, &low, &high, text,
-                      ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_NoRoundToFormat | ImGuiSliderFlags_AlwaysClamp);
-  panel.state.speed = std::clamp(percent, low, high) / 100;
-  tag_last_item(panel.tags, "toolbar/speed", text);
-  tooltip("Slow motion: simulated time against real time. The time step stays; fewer steps are made a second.");
+  const NumberField field = {
+      .tag = "toolbar/speed",
+      .label = {},
+      .numbers = between(0.1, 100, "%"),
+      .tooltip = "Slow motion: simulated time against real time. The time step stays; fewer steps are made a second."};
+  if (number_field(panel, field, percent).changed) panel.state.speed = percent / 100;
 }
 
 void clock(const Panel& panel) {
@@ -107,7 +106,7 @@ void times(const Panel& panel, float end) {
 void draw_toolbar(Panel& panel) {
   simulation_buttons(panel);
   gap(panel, 18);
-  speed_slider(panel);
+  speed_field(panel);
   gap(panel, 22);
   clock(panel);
   const float button = 1.25f * ImGui::GetFrameHeight(), spacing = ImGui::GetStyle().ItemSpacing.x;

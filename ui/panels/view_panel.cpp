@@ -7,7 +7,7 @@
 #include "ui/model/view_layers.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/field_range.h"
-#include "ui/widgets/number_slider.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/widgets.h"
 
 namespace griffith::ui {
@@ -44,12 +44,18 @@ void range_rows(Panel& panel) {
   Vec2& range = *panel.state.view.range;
   Numbers numbers = range_of<ViewSettings>("range");
   if (panel.input.legend) numbers.unit = panel.input.legend->unit;
+  const SiPrefix prefix = shared_prefix(panel.state, "view/range_", range.cwiseAbs().maxCoeff(), unit_symbol(numbers));
   constexpr std::array kTags = {"view/range_minimum", "view/range_maximum"}, kLabels = {"From", "To"};
   for (std::size_t i = 0; i < 2; ++i) {
     const auto end = static_cast<Eigen::Index>(i);
-    row_label(panel, kLabels[i]);
     Vec2 wanted = range;
-    const Edit edit = number_drag(panel, {.tag = kTags[i], .label = kLabels[i], .numbers = numbers}, wanted[end]);
+    const Edit edit = number_field_row(panel,
+                                       {.tag = kTags[i],
+                                        .label = kLabels[i],
+                                        .numbers = numbers,
+                                        .prefix = prefix,
+                                        .beside = range.cwiseAbs().maxCoeff()},
+                                       wanted[end]);
     if (!edit.changed) continue;
     if (wanted[0] < wanted[1])
       range = wanted;
@@ -74,13 +80,9 @@ void range_part(Panel& panel) {
   if (always) tooltip("Automatic colours of what has a sign part at 0. Choose others for another range.");
 }
 
-/// A slider for a field of the view, from `low` to `high`, or over all that it takes.
-void view_row(Panel& panel, const std::string& name, const char* label, double& value, double low = 0, double high = 0,
-              bool logarithmic = false) {
-  NumberField field = {
-      .tag = "view/" + name, .label = label, .numbers = range_of<ViewSettings>(name), .logarithmic = logarithmic};
-  if (low < high) field.low = low, field.high = high;
-  number_slider(panel, field, value);
+/// A number of the view.
+void view_row(Panel& panel, const std::string& name, const char* label, double& value) {
+  number_field_row(panel, {.tag = "view/" + name, .label = label, .numbers = range_of<ViewSettings>(name)}, value);
 }
 
 /// Turns the slice to an axis, or to face the eye; it stays where it cuts the middle of the bodies.
@@ -106,15 +108,11 @@ void slice_rows(Panel& panel) {
     panel.state.view.slice->offset *= -1;
   }
   SlicePlane& slice = *panel.state.view.slice;
-  const Vec3 normal = slice.normal.normalized(), middle = 0.5 * (panel.input.low + panel.input.high);
-  const double reach = 0.5 * normal.cwiseAbs().dot(panel.input.high - panel.input.low);
-  number_slider(panel,
-                {.tag = "view/slice_offset",
-                 .label = "Offset",
-                 .numbers = range_of<SlicePlane>("offset"),
-                 .low = normal.dot(middle) - reach,
-                 .high = normal.dot(middle) + reach},
-                slice.offset);
+  const double reach = 0.5 * slice.normal.normalized().cwiseAbs().dot(panel.input.high - panel.input.low);
+  number_field_row(
+      panel,
+      {.tag = "view/slice_offset", .label = "Offset", .numbers = range_of<SlicePlane>("offset"), .beside = reach},
+      slice.offset);
 }
 
 void element_rows(Panel& panel) {
@@ -127,11 +125,11 @@ void element_rows(Panel& panel) {
   const int chosen =
       combo_row(panel, "view/elements", "Elements", styles, styles[static_cast<std::size_t>(view.elements)]);
   if (chosen >= 0) view.elements = static_cast<ElementStyle>(chosen);
-  view_row(panel, "deformation_scale", "Deformation", view.deformation_scale, 0, 1000);
-  view_row(panel, "explode", "Explode", view.explode, 0, 5);
+  view_row(panel, "deformation_scale", "Deformation", view.deformation_scale);
+  view_row(panel, "explode", "Explode", view.explode);
   view_row(panel, "opacity", "Opacity", view.opacity);
   slice_rows(panel);
-  view_row(panel, "edge_width", "Edge width", view.edge_width, 0, 0, true);
+  view_row(panel, "edge_width", "Edge width", view.edge_width);
 }
 
 void layer_entry(Panel& panel, std::size_t index) {
@@ -155,11 +153,14 @@ void layer_rows(Panel& panel) {
     tag_last_item(panel.tags, "view/layers", text);
   }
   if (count == 0) return;
-  view_row(panel, "glyph_scale", "Size of signs", panel.state.view.glyph_scale, 0.1, 10, true);
+  view_row(panel, "glyph_scale", "Size of signs", panel.state.view.glyph_scale);
   if (!shows_layer(panel.state.view, ViewLayer::fracture_planes)) return;
-  integer_row(panel, "view/fracture_planes", "Planes of last", panel.state.view.fracture_planes,
-              range_of<ViewSettings>("fracture_planes"));
-  field_tooltip(panel, "view/fracture_planes", "Of how many cracks the plane is shown, newest first.");
+  number_field_row(panel,
+                   {.tag = "view/fracture_planes",
+                    .label = "Planes of last",
+                    .numbers = range_of<ViewSettings>("fracture_planes"),
+                    .tooltip = "Of how many cracks the plane is shown, newest first."},
+                   panel.state.view.fracture_planes);
 }
 
 /// Whether a view shows tetrahedra, not splinters, shards or surfaces of files: values belong to tetrahedra.

@@ -64,7 +64,7 @@ void draw_hints(const Panel& panel, ImVec2 corner, ImVec2 end) {
   const Fonts& fonts = panel.input.fonts;
   const float scale = ui_scale(panel), size = fonts.small->FontSize, margin = 14 * scale;
   std::string text =
-      "drag: turn      shift+drag: move      wheel: zoom      click: inspect      right click: fire, hold it: aim";
+      "drag: orbit      shift+drag: pan      wheel: zoom      click: inspect      right click: fire, hold it: aim";
   if (panel.state.gizmo_drag || panel.state.region_drag) text = "ctrl: round steps      esc: leave it as it was";
   if (panel.state.paint_regions)
     text = "drag over the body: paint      ctrl: take off      beside it: turn      T: done";

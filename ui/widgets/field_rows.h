@@ -13,6 +13,7 @@
 #include "sim/scene/scene_fields.h"
 #include "ui/widgets/field_widgets.h"
 #include "ui/widgets/kind_fields.h"
+#include "ui/widgets/number_field.h"
 
 namespace griffith::ui {
 
@@ -22,11 +23,12 @@ class FieldRows {
  public:
   /// Tags begin with `tag`; fields named in `hidden` get no row.
   FieldRows(Panel& panel, std::string tag, std::vector<std::string_view> hidden = {})
-      : panel_(panel), tag_(std::move(tag)), hidden_(std::move(hidden)) {}
+      : panel_(panel), tag_(std::move(tag)), units_{tag_, panel.state.number}, hidden_(std::move(hidden)) {}
 
   /// The rows of all fields of `value`, which is edited.
   template <class T>
   void show(T& value) {
+    describe(units_, value);
     describe(*this, value);
     if (!edit_.changed) return;
     drop_idle_fields(value);
@@ -65,6 +67,45 @@ class FieldRows {
   const std::string& edited() const { return edited_; }
 
  private:
+  /// The unit of all vectors that take the same numbers, as position and target of a camera do.
+  struct SharedUnit {
+    Numbers numbers;
+    double largest = 0;   ///< of their components
+    bool edited = false;  ///< one of them is
+  };
+
+  /// The archive that finds these units.
+  struct SharedUnits {
+    std::string tag;
+    const NumberEdit& edit;
+    std::vector<SharedUnit> found = {};
+
+    template <int N, int Options>
+    void field(std::string_view name, Eigen::Matrix<double, N, 1, Options>& vector, const Numbers& numbers,
+               std::string_view) {
+      SharedUnit& unit = of(numbers);
+      unit.largest = std::max(unit.largest, vector.cwiseAbs().maxCoeff());
+      unit.edited |= is_within(edit.tag, tag + "/" + std::string(name));
+    }
+    template <class T, class Values>
+    void field(std::string_view, T&, const Values&, std::string_view) {}
+    template <class Fixed, class... Anything>
+    void alternative(Anything&&...) {}
+    void require(bool, std::string_view, const char*, const char*) {}
+
+    SharedUnit& of(const Numbers& numbers) {
+      for (SharedUnit& unit : found)
+        if (unit.numbers.unit == numbers.unit && unit.numbers.minimum == numbers.minimum &&
+            unit.numbers.maximum == numbers.maximum)
+          return unit;
+      return found.emplace_back(SharedUnit{numbers});
+    }
+    SiPrefix prefix(const Numbers& numbers) {
+      const SharedUnit& unit = of(numbers);
+      return unit.edited ? edit.prefix : si_prefix(unit.largest, unit_symbol(numbers));
+    }
+  };
+
   /// The archive that looks for the first rule that a value breaks.
   struct Rules {
     std::string problem;
@@ -107,8 +148,11 @@ class FieldRows {
   }
   void draw(const FieldRow& row, std::vector<Vec3>& points, const Numbers& numbers) {
     if (!begin_part(panel_, row, std::to_string(points.size()))) return;
+    double largest = 0;
+    for (const Vec3& point : points) largest = std::max(largest, point.cwiseAbs().maxCoeff());
+    const SiPrefix prefix = shared_prefix(panel_.state, row.tag + "/", largest, unit_symbol(numbers));
     for (std::size_t i = 0; i < points.size(); ++i)
-      draw({row.tag + "/" + std::to_string(i), "Number " + std::to_string(i + 1), ""}, points[i], numbers);
+      draw({row.tag + "/" + std::to_string(i), "Number " + std::to_string(i + 1), ""}, points[i], numbers, prefix);
     const bool removed = text_button(panel_, (row.tag + "/remove").c_str(), ("Remove the last##" + row.tag).c_str());
     const bool added = text_button(panel_, (row.tag + "/add").c_str(), ("Add##" + row.tag).c_str());
     if (removed && !points.empty()) points.pop_back();
@@ -118,8 +162,13 @@ class FieldRows {
   }
   template <int N, int Options>
   void draw(const FieldRow& row, Eigen::Matrix<double, N, 1, Options>& vector, const Numbers& numbers) {
+    draw(row, vector, numbers, units_.prefix(numbers));
+  }
+  template <int N, int Options>
+  void draw(const FieldRow& row, Eigen::Matrix<double, N, 1, Options>& vector, const Numbers& numbers,
+            const SiPrefix& prefix) {
     Eigen::Matrix<double, N, 1, Options> wanted = vector;
-    Edit edit = draw_field(panel_, row, numbers, std::span<double>(wanted.data(), N));
+    Edit edit = draw_field(panel_, row, numbers, std::span<double>(wanted.data(), N), prefix);
     const FieldRow first{row.tag + "/0", row.label, row.description};
     if (edit.changed && numbers.nonzero && wanted.isZero(0)) {
       panel_.state.field_note = {first.tag, "Not all components can be 0: it stays as it was."};
@@ -227,6 +276,7 @@ class FieldRows {
 
   Panel& panel_;
   std::string tag_;
+  SharedUnits units_;
   std::vector<std::string_view> hidden_;
   std::string edited_, edited_tag_, problem_;
   Edit edit_;

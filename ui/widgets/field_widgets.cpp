@@ -8,13 +8,13 @@
 #include <cstdio>
 #include <optional>
 
-#include "ui/widgets/number_slider.h"
+#include "ui/widgets/number_field.h"
 #include "ui/widgets/style.h"
 
 namespace griffith::ui {
 namespace {
 
-NumberField number_field(const FieldRow& row, const Numbers& numbers) {
+NumberField number_field_of(const FieldRow& row, const Numbers& numbers) {
   return {.tag = row.tag, .label = row.label, .numbers = numbers, .tooltip = row.description};
 }
 
@@ -67,30 +67,28 @@ std::string list_text(const std::vector<int>& values) {
 }  // namespace
 
 Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, double& value) {
-  row_label(panel, row.label.c_str());
-  return number_drag(panel, number_field(row, numbers), value);
+  return number_field_row(panel, number_field_of(row, numbers), value);
 }
 
 Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, int& value) {
-  const Edit edit = integer_row(panel, row.tag.c_str(), row.label.c_str(), value, numbers);
-  field_tooltip(panel, row.tag, row.description);
-  return edit;
+  return number_field_row(panel, number_field_of(row, numbers), value);
 }
 
-Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, std::span<double> components) {
-  double largest = 0;
-  for (const double component : components) largest = std::max(largest, std::abs(component));
-  const SiPrefix prefix = si_prefix(largest, unit_symbol(numbers));
+Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, std::span<double> components,
+                const SiPrefix& prefix) {
   wide_row_label(panel, label_with_unit(row, prefix, numbers).c_str());
   const float gap = 3 * ui_scale(panel), count = static_cast<float>(components.size());
   const float width = (ImGui::GetContentRegionAvail().x - (count - 1) * gap) / count;
+  NumberField field = number_field_of(row, numbers);
+  field.prefix = prefix;
+  field.names_unit = false;
+  for (const double component : components) field.beside = std::max(field.beside, std::abs(component));
   Edit edit;
   for (std::size_t i = 0; i < components.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, gap);
     ImGui::SetNextItemWidth(width);
-    NumberField field = number_field({row.tag + "/" + std::to_string(i), row.label, row.description}, numbers);
-    field.prefix = prefix;
-    const Edit of_part = number_drag(panel, field, components[i]);
+    field.tag = row.tag + "/" + std::to_string(i);
+    const Edit of_part = number_field(panel, field, components[i]);
     edit.changed |= of_part.changed;
     edit.finished |= of_part.finished;
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/scene/field.h"
+#include "ui/model/units.h"
 #include "ui/widgets/widgets.h"
 
 namespace griffith::ui {
@@ -24,11 +25,11 @@ std::string label_of(std::string_view name);
 
 // A row each. They keep values within what the field takes; what they are given may lie beyond.
 
-/// Drag it, or right-click to type a value with its unit.
 Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, double& value);
 Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, int& value);
-/// The components side by side, each as a number.
-Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, std::span<double> components);
+/// The components side by side, each as a number; the label names the unit of all, which has that prefix.
+Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, std::span<double> components,
+                const SiPrefix& prefix);
 /// Whole numbers between commas.
 Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, std::vector<int>& values);
 Edit draw_field(Panel& panel, const FieldRow& row, Flag, bool& value);

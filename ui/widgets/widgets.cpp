@@ -140,8 +140,9 @@ bool begin_combo(const char* item, const char* preview) {
 }
 
 void close_on_escape() {
-  const bool pressed_last_frame = ImGui::GetIO().KeysDownDurationPrev[key::kEscape] == 0;
-  if (pressed_last_frame) ImGui::CloseCurrentPopup();
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool pressed_last_frame = io.KeysDownDurationPrev[key::kEscape] == 0, was_typing = io.WantTextInput;
+  if (pressed_last_frame && !was_typing) ImGui::CloseCurrentPopup();
 }
 
 int combo_row(Panel& panel, const char* tag, const char* label, std::span<const std::string> entries,
@@ -165,22 +166,6 @@ bool checkbox(Panel& panel, const char* tag, const char* label, bool& value) {
   const bool toggled = ImGui::Checkbox(label, &value);
   tag_last_item(panel.tags, tag, value ? "on" : "off");
   return toggled;
-}
-
-Edit integer_row(Panel& panel, const char* tag, const char* label, int& value, const Numbers& numbers) {
-  row_label(panel, label);
-  const std::string item = "##" + std::string(tag);
-  Edit edit;
-  int wanted = value;
-  ImGui::InputInt(item.c_str(), &wanted, 1, 10);
-  edit.finished = ImGui::IsItemDeactivatedAfterEdit();
-  const int taken = std::clamp(wanted, static_cast<int>(numbers.minimum), static_cast<int>(numbers.maximum));
-  if (wanted != value) panel.state.field_note = {};
-  if (taken != wanted) panel.state.field_note = {tag, clamped_note(wanted, numbers)};
-  edit.changed = taken != value;
-  value = taken;
-  tag_last_item(panel.tags, tag, std::to_string(value));
-  return edit;
 }
 
 bool text_button(Panel& panel, const char* tag, const char* label, float width) {

@@ -45,7 +45,7 @@ void hint(const Panel& panel, const std::string& text);
 void field_tooltip(const Panel& panel, std::string_view tag, std::string_view text);
 
 /// Closes the list or menu that is being drawn, a frame after Escape was pressed: so long the dialog around it sees
-/// that the key was meant for something within.
+/// that the key was meant for something within. Where a text was being typed, the key was meant for that.
 void close_on_escape();
 
 /// Begins the list of a combo, up to ImGui::EndCombo(), where it is open; Escape closes it.
@@ -63,9 +63,6 @@ int combo_row(Panel& panel, const char* tag, const char* label, std::span<const 
 
 /// A check box with its label. True when it was toggled.
 bool checkbox(Panel& panel, const char* tag, const char* label, bool& value);
-
-/// A whole number with minus and plus.
-Edit integer_row(Panel& panel, const char* tag, const char* label, int& value, const Numbers& numbers);
 
 /// A plain button over the full width, or as wide as its text. True when clicked.
 bool text_button(Panel& panel, const char* tag, const char* label, float width = 0);

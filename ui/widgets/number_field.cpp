@@ -1,0 +1,266 @@
+#include "ui/widgets/number_field.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "ui/model/number_drag.h"
+#include "ui/model/quantity_parser.h"
+#include "ui/widgets/style.h"
+
+namespace griffith::ui {
+namespace {
+
+using Kind = NumberEdit::Kind;
+
+/// A number field as it stands in this frame.
+struct Place {
+  ImRect box;
+  ImGuiID id = 0;
+};
+
+std::string_view unit_of(const NumberField& field) { return unit_symbol(field.numbers); }
+
+/// "mm", or "" for a ratio.
+std::string shown_unit(const NumberField& field, const SiPrefix& prefix) {
+  return std::string(prefix.symbol).append(unit_of(field));
+}
+
+SiPrefix prefix_of(const NumberEdit& edit, const NumberField& field, double value) {
+  if (edit.is_of(field.tag)) return edit.prefix;
+  return field.prefix.value_or(si_prefix(value, unit_of(field)));
+}
+
+/// The number with as many digits as there is room for, and its unit where no row names it.
+std::string shown_text(const NumberField& field, double value, const SiPrefix& prefix, float width) {
+  if (field.whole) return std::to_string(std::llround(value));
+  if (field.names_unit) return format_quantity(value, unit_of(field), prefix);
+  const float room = width - 2 * ImGui::GetStyle().FramePadding.x;
+  for (int digits = 5; digits > 1; --digits) {
+    const std::string text = format_number(value, prefix, digits);
+    if (ImGui::CalcTextSize(text.c_str()).x <= room) return text;
+  }
+  return fitted(format_number(value, prefix, 1), room);
+}
+
+void begin_edit(NumberEdit& edit, Kind kind, const NumberField& field, double value) {
+  const SiPrefix prefix = prefix_of(edit, field, value);
+  edit = {.kind = kind, .tag = field.tag, .start = value, .prefix = prefix, .drawn_frame = ImGui::GetFrameCount()};
+}
+
+/// The item takes the keyboard in this frame, as ImGui's own number fields do when they turn into text.
+void begin_typing(NumberEdit& edit, const NumberField& field, double value, ImGuiID id) {
+  begin_edit(edit, Kind::typed, field, value);
+  edit.opened_text = exact_number(value, edit.prefix);
+  if (field.names_unit) edit.opened_text = with_unit(edit.opened_text, unit_of(field), edit.prefix);
+  std::snprintf(edit.text.data(), edit.text.size(), "%s", edit.opened_text.c_str());
+  edit.opened_time = ImGui::GetTime();
+  edit.opened_frame = ImGui::GetFrameCount();
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  context.NavActivateId = context.NavActivateInputId = id;
+  context.NavActivateFlags = ImGuiActivateFlags_PreferInput;
+}
+
+/// The typed text as a number; else the problem with it.
+std::optional<double> read_typed(const NumberEdit& edit, const NumberField& field, std::string& problem) {
+  const std::string text = edit.text.data(), unit = shown_unit(field, edit.prefix);
+  const std::optional<double> parsed = parse_quantity(text, unit_of(field), edit.prefix);
+  if (parsed && (!field.whole || *parsed == std::round(*parsed))) return parsed;
+  problem = "\"" + text + "\" is not a " + (field.whole ? "whole number" : "number") +
+            (unit.empty() ? "" : " of " + unit) + ". " + range_text_with_prefix(field.numbers) + " is possible.";
+  return std::nullopt;
+}
+
+/// What the text would be taken for: "= 100 mm".
+std::string meaning(const NumberEdit& edit, const NumberField& field) {
+  std::string problem;
+  const std::optional<double> parsed = read_typed(edit, field, problem);
+  if (!parsed) return problem;
+  const double taken = std::clamp(*parsed, field.numbers.minimum, field.numbers.maximum);
+  const std::string shown = "= " + with_unit(exact_number(taken, edit.prefix), unit_of(field), edit.prefix);
+  return taken == *parsed ? shown : shown + ": " + range_text_with_prefix(field.numbers) + " is possible.";
+}
+
+/// Takes what was typed; a note tells what is not taken for what it was.
+Edit take_typed(Panel& panel, const NumberField& field, double& value) {
+  const NumberEdit edit = std::exchange(panel.state.number, {});
+  if (edit.text.data() == edit.opened_text) return {};
+  panel.state.field_note = {};
+  std::string problem;
+  const std::optional<double> parsed = read_typed(edit, field, problem);
+  if (!parsed) {
+    panel.state.field_note = {field.tag, problem + " The value stays."};
+    return {};
+  }
+  const double wanted = std::clamp(*parsed, field.numbers.minimum, field.numbers.maximum);
+  if (wanted != *parsed) panel.state.field_note = {field.tag, clamped_note(*parsed, field.numbers)};
+  const bool changed = wanted != value;
+  value = wanted;
+  return {changed, changed};
+}
+
+/// Chooses the whole text again where the second click of a double click lands in it.
+void choose_all_on_double_click(const NumberEdit& edit, const Place& place) {
+  constexpr double kLongest = 0.6;  // [s]
+  constexpr int kFrames = 6;        // where frames take long, clicks come as late as they
+  const bool soon =
+      ImGui::GetTime() - edit.opened_time < kLongest || ImGui::GetFrameCount() - edit.opened_frame <= kFrames;
+  if (!soon || !ImGui::IsMouseClicked(0) || !place.box.Contains(ImGui::GetIO().MousePos)) return;
+  if (ImGuiInputTextState* text = ImGui::GetInputTextState(place.id)) {
+    text->SelectAll();
+    text->SelectedAllMouseLock = true;
+  }
+}
+
+/// The text box that stands in the number's place while a value is typed.
+Edit typed_entry(Panel& panel, const NumberField& field, const Place& place, double& value) {
+  NumberEdit& edit = panel.state.number;
+  const bool entered = ImGui::TempInputText(place.box, place.id, ("##" + field.tag).c_str(), edit.text.data(),
+                                            static_cast<int>(edit.text.size()),
+                                            ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  choose_all_on_double_click(edit, place);
+  tag_last_item(panel.tags, field.tag, edit.text.data());
+  if (ImGui::GetActiveID() == place.id && ImGui::IsKeyPressed(key::kTab)) {
+    ImGui::ClearActiveID();
+  } else if (!entered && ImGui::GetActiveID() == place.id) {
+    const std::string text = meaning(edit, field);
+    draw_bubble(text, palette::kAccent);
+    tag_last_item(panel.tags, "typed_meaning", text);
+    return {};
+  }
+  if (!ImGui::IsKeyPressed(key::kEscape, false)) return take_typed(panel, field, value);
+  edit = {};
+  return {};
+}
+
+void draw_number(const Place& place, const std::string& text, bool lit) {
+  const bool held = ImGui::GetActiveID() == place.id;
+  const ImU32 color = ImGui::GetColorU32(held  ? ImGuiCol_FrameBgActive
+                                         : lit ? ImGuiCol_FrameBgHovered
+                                               : ImGuiCol_FrameBg);
+  ImGui::RenderNavHighlight(place.box, place.id);
+  ImGui::RenderFrame(place.box.Min, place.box.Max, color, true, ImGui::GetStyle().FrameRounding);
+  ImGui::RenderTextClipped(place.box.Min, place.box.Max, text.c_str(), nullptr, nullptr, {0.5f, 0.5f});
+}
+
+/// Where the mouse has led the number that it holds. Nothing happens until it has gone some way: that is a click still.
+Edit drag_on(Panel& panel, const NumberField& field, double& value) {
+  NumberEdit& edit = panel.state.number;
+  const ImGuiIO& io = ImGui::GetIO();
+  const float threshold = 3 * ui_scale(panel), way = io.MousePos.x - io.MouseClickedPos[0].x;
+  const DragPace pace = {.fine = io.KeyShift, .coarse = io.KeyCtrl};
+  if (edit.kind == Kind::dragged) {
+    edit.moved += static_cast<double>(io.MouseDelta.x) * pace.factor();
+  } else if (std::abs(way) > threshold) {
+    edit.kind = Kind::dragged;
+    edit.moved = static_cast<double>(way - std::copysign(threshold, way)) * pace.factor();
+  }
+  if (edit.kind != Kind::dragged) return {};
+  const double wanted = dragged_number({.value = edit.start,
+                                        .numbers = field.numbers,
+                                        .whole = field.whole,
+                                        .beside = field.beside,
+                                        .usual = field.usual},
+                                       edit.moved, pace);
+  const bool changed = wanted != value;
+  value = wanted;
+  return {changed, false};
+}
+
+Edit revert_drag(NumberEdit& edit, double& value) {
+  ImGui::ClearActiveID();
+  const double start = std::exchange(edit, {}).start;
+  const bool changed = value != start;
+  value = start;
+  return {changed, true};
+}
+
+/// What the mouse does to a number that is not typed into.
+Edit held_number(Panel& panel, const NumberField& field, const Place& place, double& value, bool& opens) {
+  NumberEdit& edit = panel.state.number;
+  bool hovered = false, held = false;
+  const bool clicked = ImGui::ButtonBehavior(place.box, place.id, &hovered, &held);
+  if (hovered || held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  if (ImGui::IsItemActivated()) begin_edit(edit, Kind::held, field, value);
+  opens = hovered && ImGui::IsMouseClicked(1);
+  if (!edit.is_of(field.tag)) return {};
+  if (held && ImGui::IsKeyPressed(key::kEscape, false)) return revert_drag(edit, value);
+  if (held) return drag_on(panel, field, value);
+  const bool dragged = std::exchange(edit, {}).kind == Kind::dragged;
+  opens |= clicked && !dragged;
+  return {false, dragged};
+}
+
+/// An edit is over where its field is drawn no more.
+void forget_undrawn(NumberEdit& edit) {
+  if (edit.kind != Kind::none && ImGui::GetFrameCount() - edit.drawn_frame > 1) edit = {};
+}
+
+/// Tells at the label what the value was; whether it is to be that again.
+bool offers_original(const NumberField& field) {
+  if (!ImGui::IsItemHovered()) return false;
+  const std::string original = format_quantity(*field.original, unit_of(field));
+  ImGui::SetTooltip("Was %s. Click to undo the change.", original.c_str());
+  return ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+}
+
+}  // namespace
+
+Edit number_field(Panel& panel, const NumberField& field, double& value) {
+  NumberEdit& edit = panel.state.number;
+  forget_undrawn(edit);
+  const ImVec2 corner = ImGui::GetCursorScreenPos(), size(ImGui::CalcItemWidth(), ImGui::GetFrameHeight());
+  const Place place = {{corner, {corner.x + size.x, corner.y + size.y}}, ImGui::GetID(("##" + field.tag).c_str())};
+  ImGui::ItemSize(size, ImGui::GetStyle().FramePadding.y);
+  const bool seen = ImGui::ItemAdd(place.box, place.id, nullptr, ImGuiItemFlags_Inputable);
+  if (edit.is_of(field.tag)) edit.drawn_frame = ImGui::GetFrameCount();
+  Edit result;
+  if (edit.is_of(field.tag) && edit.kind == Kind::typed) {
+    if (ImGui::GetActiveID() == place.id) return typed_entry(panel, field, place, value);
+    result = take_typed(panel, field, value);  // something else took the keyboard
+  }
+  bool opens = ImGui::GetCurrentContext()->NavActivateInputId == place.id;
+  if (!opens && seen) {
+    const Edit by_mouse = held_number(panel, field, place, value, opens);
+    result = {result.changed || by_mouse.changed, result.finished || by_mouse.finished};
+  }
+  if (opens) {
+    begin_typing(edit, field, value, place.id);
+    const Edit typed = typed_entry(panel, field, place, value);
+    return {result.changed || typed.changed, result.finished || typed.finished};
+  }
+  const std::string text = shown_text(field, value, prefix_of(edit, field, value), size.x);
+  if (seen) draw_number(place, text, ImGui::IsItemHovered());
+  tag_last_item(panel.tags, field.tag, text);
+  field_tooltip(panel, field.tag, field.tooltip);
+  return result;
+}
+
+Edit number_field_row(Panel& panel, const NumberField& field, double& value) {
+  const bool is_edited = field.original && *field.original != value;
+  row_label(panel, field.label.c_str(), is_edited ? palette::kAccent : palette::kTextDim);
+  const bool is_reset = is_edited && offers_original(field);
+  if (is_reset) value = *field.original;
+  if (is_reset && panel.state.number.is_of(field.tag)) panel.state.number = {};
+  const Edit edit = number_field(panel, field, value);
+  return is_reset ? Edit{true, true} : edit;
+}
+
+Edit number_field_row(Panel& panel, NumberField field, int& value) {
+  field.whole = true;
+  double number = value;
+  const Edit edit = number_field_row(panel, std::as_const(field), number);
+  value = static_cast<int>(std::lround(number));
+  return edit;
+}
+
+SiPrefix shared_prefix(const EditorState& state, std::string_view tag, double largest, std::string_view unit) {
+  const NumberEdit& edit = state.number;
+  const bool edited = edit.kind != NumberEdit::Kind::none && edit.tag.starts_with(tag);
+  return edited ? edit.prefix : si_prefix(largest, unit);
+}
+
+}  // namespace griffith::ui
