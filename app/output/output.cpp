@@ -90,6 +90,7 @@ void save_picture(const std::filesystem::path& path, const render::Image& image)
 }
 
 void check_folder(const std::filesystem::path& folder) {
+  if (folder.empty()) throw InputError("the folder", "has no path", "name a folder that may be written to");
   std::error_code error;
   std::filesystem::path there = std::filesystem::absolute(folder).lexically_normal();
   while (!std::filesystem::exists(there, error) && there.has_relative_path()) there = there.parent_path();
