@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace griffith {
 namespace {
@@ -13,8 +12,6 @@ namespace {
 constexpr double kSliverFrequency = 20;
 /// This share of a body's elements, its worst slivers, may be relieved.
 constexpr double kSliverFraction = 0.02;
-/// This share of a body's volume, in its elements of the highest frequencies, may be.
-constexpr double kRelievedVolume = 1e-3;
 
 double largest_eigenvalue(const Mat3& symmetric) {
   Eigen::SelfAdjointEigenSolver<Mat3> solver;
@@ -45,27 +42,11 @@ double wave_speed_of(const ElasticLaw& law, double density) {
 }
 
 /// Frequency above which there are as many slivers as may be relieved [rad/s].
-double usual_limit(std::vector<double> slivers, std::size_t elements) {
+double sliver_limit(std::vector<double> slivers, std::size_t elements) {
   const auto relieved = static_cast<std::size_t>(kSliverFraction * static_cast<double>(elements));
   if (slivers.size() <= relieved) return 0;
   std::ranges::nth_element(slivers, slivers.begin() + static_cast<std::ptrdiff_t>(relieved), std::ranges::greater());
   return slivers[relieved];
-}
-
-/// Frequency above which there are as many elements, or as much of the volume, as may be relieved [rad/s].
-double least_limit(std::span<const RestElement> rest_elements, std::span<const double> frequencies) {
-  std::vector<std::size_t> order(rest_elements.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
-    return frequencies[a] != frequencies[b] ? frequencies[a] > frequencies[b] : a < b;
-  });
-  double volume = 0, count = kSliverFraction * static_cast<double>(rest_elements.size());
-  for (const RestElement& rest : rest_elements) volume += kRelievedVolume * rest.volume;
-  for (const std::size_t element : order) {
-    volume -= rest_elements[element].volume;
-    if (volume < 0 || --count < 0) return frequencies[element];
-  }
-  return 0;
 }
 
 }  // namespace
@@ -78,7 +59,7 @@ std::vector<double> element_frequencies(const ElasticLaw& law, double density,
   return frequencies;
 }
 
-FrequencyLimits frequency_limits(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements) {
+double highest_frequency(const ElasticLaw& law, double density, std::span<const RestElement> rest_elements) {
   const std::vector<double> frequencies = element_frequencies(law, density, rest_elements);
   const double speed = wave_speed_of(law, density);
   double sound = 0;
@@ -89,10 +70,7 @@ FrequencyLimits frequency_limits(const ElasticLaw& law, double density, std::spa
     else
       sound = std::max(sound, frequencies[i]);
   }
-  FrequencyLimits limits;
-  limits.usual = std::max(sound, usual_limit(std::move(slivers), rest_elements.size()));
-  limits.least = std::min(limits.usual, least_limit(rest_elements, frequencies));
-  return limits;
+  return std::max(sound, sliver_limit(std::move(slivers), rest_elements.size()));
 }
 
 }  // namespace griffith

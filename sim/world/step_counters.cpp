@@ -37,9 +37,8 @@ constexpr StepCounter kCounters[] = {
      "microsteps a millisecond of it: raise it, use larger elements or a shorter time step.",
      kSum, kWarning, &StepReport::unfinished_shocks},
     {"relieved_tets", "Relieved tetrahedra", "",
-     "The most at a time that kept a part of their stiffness alone in microsteps: slivers, and the smallest where the "
-     "budget falls short.",
-     kLargest, kNone, &StepReport::relieved_tets},
+     "Slivers, the most at a time that kept a part of their stiffness alone in microsteps.", kLargest, kNone,
+     &StepReport::relieved_tets},
     {"unconverged_solves", "Unconverged solves", "",
      "Solves stopped by the iteration limit: allow more iterations or a larger residual.", kSum, kWarning,
      &StepReport::unconverged_solves},

@@ -171,7 +171,7 @@ void enter_shock(WorldState& world, Body& body, double impact_speed) {
   world.elements.allow_strains();
   for (const NodeId node : body.nodes) world.nodes.overloads[node].last = OverloadHistory::kNever;
   if (impact_speed > 0) ++world.report.impacts;
-  body.shock = Shock{world.time, impact_speed, frequency_limits(world, body).usual};
+  body.shock = Shock{world.time, impact_speed, highest_frequency(world, body)};
 }
 
 namespace {
@@ -194,7 +194,7 @@ bool suits_microsteps(const WorldState& world, const Body& body, double impact_s
   const double wave_speed = bar_wave_speed(material);
   return material.tensile_strength < kMaxStrain * material.young_modulus &&
          std::max(impact_speed, inner_speed(world, body)) < kMaxMach * wave_speed &&
-         frequency_limits(world, body).usual * body.element_size < kMaxFrequency * wave_speed;
+         highest_frequency(world, body) * body.element_size < kMaxFrequency * wave_speed;
 }
 
 /// Whether a body that strikes another, and is not hurt itself, must deform too: as a rigid one it would strike up to

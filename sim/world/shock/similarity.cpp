@@ -163,20 +163,16 @@ ElasticLaw law_in_shock(const WorldState& world, const Body& body) {
   return law;
 }
 
-FrequencyLimits frequency_limits(const WorldState& world, const Body& body) {
+double highest_frequency(const WorldState& world, const Body& body) {
   const Material& material = world.material_of(body);
   std::vector<RestElement> rest_elements;
   for (const TetId tet : body.tets) rest_elements.push_back(world.elements.rest_elements[tet]);
   const ElasticLaw law = elastic_law(material);
-  if (body.edges.empty()) return frequency_limits(law, material.density, rest_elements);
-  const double highest = shock::highest_quadratic_frequency(law, material.density, rest_elements);
-  return {highest, highest};  // quadratic elements are not relieved of stiffness
+  if (!body.edges.empty()) return shock::highest_quadratic_frequency(law, material.density, rest_elements);
+  return highest_frequency(law, material.density, rest_elements);
 }
 
-void limit_frequency(const WorldState& world, Body& body) {
-  const auto [usual, least] = frequency_limits(world, body);
-  body.shock->frequency = std::clamp(body.shock->frequency, least, usual);
-}
+void limit_frequency(const WorldState& world, Body& body) { body.shock->frequency = highest_frequency(world, body); }
 
 double inner_speed(const WorldState& world, const Body& body) {
   double fastest = 0;
@@ -245,13 +241,13 @@ std::vector<int> groups_in_shock(const WorldState& world, double duration) {
 struct GroupDemand {
   LeastFactor usual;  ///< with breaking speeds as they are
   double least_factor = 0, similarity = 1;
-  double highest_frequency = 0, least_frequency = 0;  ///< as they are; with stiffness relieved [rad/s]
-  std::optional<ScaledImpact> scaled;                 ///< of the slowest
+  double highest_frequency = 0;        ///< [rad/s]
+  std::optional<ScaledImpact> scaled;  ///< of the slowest
 
   /// The f at which no frequency exceeds `affordable` [rad/s] and nobody's waves run faster than another's by now, as
-  /// far as breaking speeds stay as they are; less where frequencies would exceed `ceiling` [rad/s] once relieved.
+  /// far as breaking speeds stay as they are; less where frequencies would exceed `ceiling` [rad/s].
   double factor(double affordable, double ceiling) const {
-    return std::max(least_factor, std::min(usual_factor(affordable), ceiling / relieved_frequency(affordable)));
+    return std::max(least_factor, std::min(usual_factor(affordable), ceiling / highest_frequency));
   }
   double usual_factor(double affordable) const { return std::max(usual.factor, wanted_factor(affordable)); }
   double wanted_factor(double affordable) const { return std::min(affordable / highest_frequency, similarity); }
@@ -261,16 +257,7 @@ struct GroupDemand {
     if (usual_factor(affordable) > wanted_factor(affordable)) impact.limit = usual.limit;
     return impact;
   }
-  /// The highest that elements keep [rad/s].
-  double relieved_frequency(double affordable) const {
-    return std::clamp(affordable / usual_factor(affordable), least_frequency, highest_frequency);
-  }
 };
-
-/// Highest frequency of a body in shock once its smallest and flattest elements have lost stiffness [rad/s].
-double least_frequency(const WorldState& world, const Body& body) {
-  return std::min(body.shock->frequency, frequency_limits(world, body).least);
-}
 
 std::vector<GroupDemand> group_demands(const WorldState& world, const std::vector<int>& groups) {
   std::vector<GroupDemand> demands(groups.size());
@@ -281,7 +268,6 @@ std::vector<GroupDemand> group_demands(const WorldState& world, const std::vecto
     if (usual.factor > demand.usual.factor) demand.usual = usual;
     demand.least_factor = std::max(demand.least_factor, min_factor(world, body, kLeastFactor).factor);
     demand.highest_frequency = std::max(demand.highest_frequency, body.shock->frequency);
-    demand.least_frequency = std::max(demand.least_frequency, least_frequency(world, body));
     if (body.shock->similarity >= demand.similarity) continue;
     demand.similarity = body.shock->similarity;
     demand.scaled = body.scaled;
@@ -317,8 +303,6 @@ void choose_similarity(WorldState& world, double left) {
       body.scaled = group.told(frequency, budget_told);
       set_similarity(world, body, factor);
     }
-    body.shock->frequency =
-        std::min(body.shock->frequency, std::max(least_frequency(world, body), group.relieved_frequency(frequency)));
     if (body.shock->similarity < 1) body.scaled = scaled_impact(world, body);
   }
 }

@@ -13,11 +13,10 @@ namespace griffith {
 /// against the full strength.
 ElasticLaw law_in_shock(const WorldState& world, const Body& body);
 
-/// Frequencies that elements of the body keep at most under the full stiffness.
-FrequencyLimits frequency_limits(const WorldState& world, const Body& body);
+/// Highest frequency that elements of the body keep under the full stiffness, slivers relieved [rad/s].
+double highest_frequency(const WorldState& world, const Body& body);
 
-/// Gives a body in shock, which may be a piece by now, the frequency that belongs to its elements, no higher than what
-/// was left to it before but for its least.
+/// Gives a body in shock, which may be a piece by now, the frequency that belongs to its elements.
 void limit_frequency(const WorldState& world, Body& body);
 
 /// Lessens f of bodies in shock where what is to be followed of their shocks would exceed the budget, `left` [s]
