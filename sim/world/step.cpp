@@ -19,6 +19,7 @@
 #include "sim/world/phases/separation_phase.h"
 #include "sim/world/publish.h"
 #include "sim/world/shock/shock_phase.h"
+#include "sim/world/shock/similarity.h"
 #include "sim/world/world.h"
 #include "sim/world/world_impl.h"
 #include "sim/world/world_state.h"
@@ -105,6 +106,11 @@ void step_implicitly(WorldState& world, double time_step) {
   update_sleep(world, time_step);
 }
 
+/// Stops sharing with copies of the world what bodies are about to write side by side.
+void make_elements_own(WorldState& world) {
+  world.elements.states.edit(), world.elements.stresses.edit(), world.elements.quadratic_states.edit();
+}
+
 /// Moves everything on by `stretch` [s]: by microsteps what is in shock, all else by one implicit substep. False where
 /// the microsteps would take more than `max_work`: the world is of no use then.
 bool move_along(WorldState& world, double stretch, double max_work) {
@@ -125,7 +131,7 @@ bool move_within_ceiling(WorldState& world, double stretch) {
   if (kUncertainty * expected_work(world, stretch) < max_work)
     return move_along(world, stretch, std::numeric_limits<double>::infinity());
   const WorldState before = world;
-  world.elements.states.edit(), world.elements.stresses.edit();  // no longer shared: bodies write side by side
+  make_elements_own(world);
   if (move_along(world, stretch, max_work)) return true;
   const double work = world.scratch.microstep_work, overhead = world.shock_overhead;
   world = before;
@@ -245,8 +251,7 @@ void advance(WorldState& world) {
       world.report.peak_utilization = last_peak;
       world.report.sleeping_bodies = static_cast<int>(world.bodies.size());
     } else {
-      // Bodies will write theirs side by side.
-      world.elements.states.edit(), world.elements.stresses.edit(), world.elements.quadratic_states.edit();
+      make_elements_own(world);
       step_by_settings(world, time_step, last_peak);
     }
     ++world.step;
