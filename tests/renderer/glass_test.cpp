@@ -169,7 +169,6 @@ TEST_F(GlassTest, HasNoHolesOnTheGround) {
 
 /// The slab's faces are turned against the line of sight, so that it bends the look at what is behind.
 TEST_F(GlassTest, WhatStandsBeforeItIsSeenOnce) {
-  const Camera eye = {{0, 0, 3}, {0, 0, 0}, 40};
   DrawScene scene;
   scene.background = {{0.2f, 0.4f, 0.6f}, {0.2f, 0.4f, 0.6f}};
   const auto square = [&](const Vector3f& middle, const Vector3f& x, const Vector3f& y, bool clear, const Rgb& color) {

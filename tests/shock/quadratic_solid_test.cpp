@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "sim/elasticity/quadratic_element.h"
 #include "sim/mesh/box_mesh.h"
@@ -55,7 +56,7 @@ struct QuadraticBox {
     for (std::size_t i = 0; i < edge_masses.size(); ++i)
       solid.add_edge({.offset = offset_of(i, place), .mass = edge_masses[i]});
     solid.add_body(elastic_law(material), material.density, tets, rest_elements,
-                   std::vector<Mat3>(tets.size(), Mat3::Zero()), edges);
+                   std::vector<Mat3>(tets.size(), Mat3::Zero()), std::numeric_limits<double>::infinity(), edges);
     solid.finish();
     solid.set_step(solid.stable_step(0.9));
   }
