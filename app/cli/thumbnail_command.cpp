@@ -1,8 +1,8 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <memory>
 
 #include "app/cli/commands.h"
+#include "app/output/output.h"
 #include "app/render/thumbnail.h"
 #include "app/shared/scene_files.h"
 #include "renderer/egl_context.h"
@@ -30,7 +30,7 @@ void write_thumbnail(const std::filesystem::path& scene, const std::filesystem::
 void ship_thumbnail_of(const std::filesystem::path& scene) {
   if (shipped_thumbnail(scene)) return;
   ship_thumbnail(scene, thumbnail(read_scene(scene), scene));
-  std::printf("%s\n", shipped_thumbnail_file(scene).c_str());
+  print("%s\n", shipped_thumbnail_file(scene).c_str());
 }
 
 /// Of scenes, and of all in folders, where what belongs to none is told.
@@ -43,7 +43,7 @@ void ship_thumbnails(const std::vector<std::filesystem::path>& paths) {
     }
     for (const std::filesystem::path& scene : scenes_in(path)) ship_thumbnail_of(scene);
     for (const std::filesystem::path& stale : stale_thumbnails(path))
-      std::printf("%s belongs to no scene as it is now\n", stale.c_str());
+      print("%s belongs to no scene as it is now\n", stale.c_str());
   }
 }
 

@@ -180,6 +180,13 @@ void Editor::draw_picture(std::optional<int> samples) {
   draw_comparison(key, samples);
 }
 
+void Editor::add_scaling_label(const ui::Fonts& fonts, ui::EditorInput& input) const {
+  if (state_.viewport_size.y <= 0) return;  // before the first layout
+  constexpr float kAboveHints = 56;         // design pixels
+  const float rise = kAboveHints * fonts.small->FontSize / ui::kSmallText / state_.viewport_size.y;
+  if (const auto label = scaling_label(history_.scene(), input.frame, 1 - rise)) input.labels.push_back(*label);
+}
+
 void Editor::draw_panels(const ui::Fonts& fonts) {
   ui::EditorInput input;
   input.frame = world().frame();
@@ -188,9 +195,7 @@ void Editor::draw_panels(const ui::Fonts& fonts) {
   input.legend = scene_legend(picture_, state_.view.range.has_value());
   if (input.legend) place_legend(*input.legend, fonts);
   input.labels = scene_labels(picture_, picture_camera(), aspect());
-  constexpr float kAboveHints = 56;  // design pixels
-  const float rise = kAboveHints * fonts.small->FontSize / ui::kSmallText / state_.viewport_size.y;
-  if (const auto scaling = scaling_label(history_.scene(), input.frame, 1 - rise)) input.labels.push_back(*scaling);
+  add_scaling_label(fonts, input);
   utilizations_ = utilizations_of_node();
   input.utilizations = utilizations_;
   set_bounds(input);

@@ -252,6 +252,7 @@ class Editor {
   void frame_for_layout();
   void toggle_range_lock();
   void toggle_slice();
+  void add_scaling_label(const ui::Fonts& fonts, ui::EditorInput& input) const;
   const World& world() const { return timeline_.world(); }
   void carry_out_in_time(const ui::Command& command);
   /// Goes to a step that somebody named. Throws InputError where there is none.

@@ -129,10 +129,12 @@ void Editor::discard_copy() {
 }
 
 void Editor::leave_copy() {
+  state_.left_edits.clear();
   if (autosave_) autosave_->leave_found();
 }
 
 void Editor::recover() {
+  state_.left_edits.clear();
   if (!autosave_ || !autosave_->has_found()) return;
   LeftEdits edits = autosave_->found_edits();
   loader_.start(LoadReason::recover, std::move(edits.scene), std::move(edits.file), max_tets());

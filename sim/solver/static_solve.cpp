@@ -236,7 +236,8 @@ StaticStep StaticSolver::newton_step(const Balance& now, std::span<const NodeCon
   NodeVectors x = NodeVectors::Zero(3, b.cols());
   // Large thin quadratic bodies need many iterations, but a factorisation takes longer still.
   constexpr int kManyRows = 3000, kMore = 20;
-  const int iterations = (system_->edges().empty() || system_->rows() < kManyRows ? 1 : kMore) * settings_.max_iterations;
+  const int iterations =
+      (system_->edges().empty() || system_->rows() < kManyRows ? 1 : kMore) * settings_.max_iterations;
   const SolveReport linear = system_->solve_projected(constraints, kTolerance, iterations, b, x, settings_.given_up);
   report_.linear_iterations += linear.iterations;
   if (!linear.converged && !given_up()) report_.factorizations += system_->solve_directly(constraints, b, x);

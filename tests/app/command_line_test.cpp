@@ -100,6 +100,7 @@ TEST(CommandLine, BadSceneIsExitCode2WithThePlaceOfEachProblem) {
 
 TEST(CommandLine, ABadMeshIsToldWithSceneBodyFileAndLine) {
   test_file("bad.node", "4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 one 0\n3 0 0 1\n");
+  test_file("bad.ele", "1 4 0\n0 0 1 2 3\n");
   const auto path = test_file("meshed.json", R"({"version": 1, "bodies": [{"name": "floor"},
       {"name": "rock", "position": [0, 3, 0], "shape": {"mesh": {"path": "bad.node"}}}]})");
   for (const std::string command : {"check ", "simulate --frames 1 "}) {

@@ -138,7 +138,7 @@ TEST(RecordingCommand, FilesFromOutsideTheScenesFolderArePackedOnlyWhenAskedFor)
   std::filesystem::create_directories(folder);
   test_file("tet.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
   const auto scene = test_file("scene/scene.json", R"({"version": 1, "bodies": [{"shape": {"surface":
-      {"path": "../tet.off", "method": "volumetric", "element_size": 0.5}}}]})");
+      {"path": "../tet.off", "method": "volumetric", "element_size": 0.2}}}]})");
   const std::string file = quoted(folder / "run.tar.zst");
   EXPECT_EQ(run_program("simulate " + quoted(scene) + " --frames 1").code, 0) << "what the user opens is read";
   for (const std::string& command : {"simulate " + quoted(scene) + " --frames 1 --record " + file,

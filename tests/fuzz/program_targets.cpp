@@ -81,6 +81,7 @@ class SuiteTarget : public Target {
     render::IdImage ids{24, 16, std::vector<std::int32_t>(24 * 16, 3)};
     app::PictureRecord record;
     record.view = "utilization";
+    record.scene = kWall;
     record.statistics = {{"pieces", 3}};
     for (const char* at : {"goldens/llvmpipe/", "drawn/"}) {
       const std::string stem = std::string(at) + "wall";

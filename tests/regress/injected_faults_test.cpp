@@ -96,8 +96,10 @@ TEST_F(InjectedFaults, ALostAndAMovedGlyphAreSeen) {
   Drawing wall = drawing_of_wall(kNodeView);
   std::vector<render::Glyph>& arrows = wall.scene.glyphs.arrows;
   ASSERT_FALSE(arrows.empty());
-  // Small ones may be hidden behind others.
-  std::swap(arrows.back(), *std::ranges::max_element(arrows, {}, [](const auto& arrow) { return arrow.axes.norm(); }));
+  // Small ones may be hidden behind others, and so may those that point at the eye.
+  const Eigen::Vector3f sight = (wall.camera.target - wall.camera.position).normalized();
+  const auto seen_length = [&](const auto& arrow) { return arrow.axes.col(0).cross(sight).norm(); };
+  std::swap(arrows.back(), *std::ranges::max_element(arrows, {}, seen_length));
   Drawing spoiled = wall;
   spoiled.scene.glyphs.arrows.pop_back();
   expect_seen(wall, spoiled, "lost");

@@ -100,7 +100,7 @@ std::vector<std::string> number_tags(UiDriver& ui) {
     const bool is_field = part == "body" || part == "entry" || part == "scene" || part == "material" ||
                           part == "projectile" || part == "toolbar";
     const bool is_number = !tag.value.empty() && tag.value.find_first_of("0123456789") <= 1;
-    const bool is_label = tag.name == "toolbar/time" || tag.name == "toolbar/step";
+    const bool is_label = tag.name == "toolbar/time" || tag.name == "toolbar/step" || tag.name == "toolbar/step_time";
     if (is_field && is_number && !is_label) tags.push_back(tag.name);
   }
   return tags;

@@ -182,7 +182,7 @@ TEST(Remeshing, SupportsGoOnAsTheyDoAtThatMoment) {
   for (const double stop : {0.03, 0.045}) {
     HalvedAtItsFoot halved(stop);
     const Vec3 velocity = halved.world.time < stop ? Vec3(0.1, 0, 0) : Vec3(0, 0, 0);
-    EXPECT_EQ(halved.world.time < stop, stop == 0.045);
+    EXPECT_EQ(halved.world.time < stop, stop == 0.03);
     int held = 0;
     for (const NodeId node : IdRange<NodeId>(0, halved.world.mesh->node_count())) {
       if (!halved.world.nodes.has_support[node]) continue;

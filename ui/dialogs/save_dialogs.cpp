@@ -181,7 +181,7 @@ void draw_unsaved_dialog(Panel& panel) {
 }
 
 void draw_left_edits_dialog(Panel& panel) {
-  std::string& edits = panel.state.left_edits;
+  const std::string& edits = panel.state.left_edits;
   if (!begin_dialog(panel, "Edits were cut short", !edits.empty(), 520)) return;
   ImGui::TextWrapped("Griffith ended before these edits were saved. A copy of them was kept:");
   ImGui::TextWrapped("%s", edits.c_str());
@@ -194,10 +194,7 @@ void draw_left_edits_dialog(Panel& panel) {
   if (text_button(panel, "left_edits/discard", "Discard", width)) answer = CommandId::discard_copy;
   ImGui::SameLine();
   if (text_button(panel, "left_edits/later", "Ask later", width) || escape_pressed()) answer = CommandId::leave_copy;
-  if (answer) {
-    issue(panel, {.id = *answer});
-    edits.clear();
-  }
+  if (answer) issue(panel, {.id = *answer});
   close(answer.has_value());
 }
 

@@ -29,9 +29,9 @@ std::string scaled_text(const std::string& what, const ScaledImpact& impact) {
 }
 
 /// What stood in for the material when the node broke, now, or when its piece broke; empty where nothing did.
-std::string scaling_note(const NodeReport& report, const Frame& frame, bool broke) {
+std::string scaling_note(const NodeReport& report, const Frame& frame) {
   const BodyView& body = frame.bodies[report.body];
-  if (broke)
+  if (!report.events.empty())
     if (const auto& scaled = frame.crack_events[report.events.back()].scaled) return scaled_text("Broke", *scaled);
   if (body.scaled) return scaled_text("Shown", *body.scaled);
   return body.broke_scaled ? scaled_text("Its piece broke", *body.broke_scaled) : "";
@@ -193,7 +193,7 @@ NodeState node_state(const NodeReport& report, const Frame& frame, const std::op
 Verdict verdict_on(const NodeReport& report, const Frame& frame, bool fracture, const std::optional<Stop>& stop) {
   const NodeState state = node_state(report, frame, stop);
   Verdict verdict = bare_verdict(state, report, frame, fracture);
-  verdict.text += scaling_note(report, frame, verdict.kind == Verdict::Kind::broke);
+  verdict.text += scaling_note(report, frame);
   return verdict;
 }
 

@@ -99,6 +99,7 @@ class Frame:
     energy_unaccounted: float
     step_substeps: float
     step_microsteps: float
+    step_microstep_work: float
     step_impacts: float
     step_contacts: float
     step_cracks_postponed: float
@@ -115,4 +116,5 @@ class Frame:
     step_max_relative_residual: float
     step_solver_iterations: float
     step_inverted_tets: float
+    step_relieved_tets: float
     step_non_finite_values: float
