@@ -58,19 +58,24 @@ void advance_by_fourth_order(FreeTop& top, double duration) {
   for (const double share : {outer, outer, 1 - 4 * outer, outer, outer}) top.advance(share * duration);
 }
 
+/// A turn about the angular momentum, which keeps it and the energy, but not the precession.
+Mat3 turn_about_momentum(const Mat3& inertia, const Vec3& angular_velocity, double dt) {
+  const Vec3 axis = (inertia * angular_velocity).normalized();
+  return rotation_by(dt * axis.dot(angular_velocity) * axis).toRotationMatrix();
+}
+
 }  // namespace
 
 Mat3 free_turn(const Mat3& inertia, const Vec3& angular_velocity, double dt) {
   constexpr double kTurn = 0.125;       // [rad] in a substep: it errs by some 1e-8 then
-  constexpr double kLargestTurn = 1e3;  // [rad] nobody sees how what spins faster lies, and it would take too long
-  if (!(dt * angular_velocity.norm() < kLargestTurn)) {
-    const Vec3 axis = (inertia * angular_velocity).normalized();
-    return rotation_by(dt * axis.dot(angular_velocity) * axis).toRotationMatrix();
-  }
+  constexpr double kLargestTurn = 100;  // [rad] nobody sees how what spins faster lies, and it would take too long
   if (angular_velocity.isZero(0)) return Mat3::Identity();
   FreeTop top(inertia, angular_velocity);
   for (double left = dt; left > 0;) {
-    const double count = std::max(1.0, std::ceil(left * top.spin().norm() / kTurn));
+    // Thin pieces may come to spin far faster than they began to, about the axis of their least inertia.
+    const double turn_left = left * top.spin().norm();
+    if (!(turn_left < kLargestTurn)) return turn_about_momentum(inertia, angular_velocity, dt);
+    const double count = std::max(1.0, std::ceil(turn_left / kTurn));
     advance_by_fourth_order(top, left / count);
     left = count > 1 ? left - left / count : 0;
   }
