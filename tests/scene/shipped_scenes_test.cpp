@@ -22,7 +22,8 @@ std::vector<fs::path> shipped_scenes() {
   std::vector<fs::path> paths;
   for (const auto& entry : fs::recursive_directory_iterator(kScenes)) {
     const std::string name = entry.path().filename().string();
-    if (name.ends_with(".json") && !name.ends_with(".schema.json")) paths.push_back(entry.path());
+    const bool is_copy = entry.path().parent_path().filename().string().starts_with('.');  // of an editor's edits
+    if (name.ends_with(".json") && !name.ends_with(".schema.json") && !is_copy) paths.push_back(entry.path());
   }
   std::ranges::sort(paths);
   return paths;
