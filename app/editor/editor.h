@@ -269,7 +269,7 @@ class Editor {
   void adopt_materials();
   /// "step 31", with its branch where there are several.
   std::string moment_text() const;
-  /// What was said of the state that was shown is over.
+  /// Forgets the stop and the messages of the state that was shown.
   void leave_state();
   /// Begins to look for the strength, speed and thickness with which the node stands that is about to crack.
   void explain_holding();
@@ -286,7 +286,7 @@ class Editor {
   bool watches() const { return state_.breakpoints.any() && !passes_stop_; }
   /// Makes steps for `elapsed` [s] of real time.
   void make_due_steps(double elapsed);
-  /// Measures speeds anew: after a pause or in another scene.
+  /// Starts all speed measurements again, after a pause or in another scene.
   void reset_pace();
   /// `is_last`: before the next picture, which is made with it.
   void begin_background_step(bool is_last);

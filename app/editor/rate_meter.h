@@ -18,7 +18,7 @@ class RateMeter {
  private:
   struct Portion {
     double time = 0;   ///< when it came [s]
-    double total = 0;  ///< of all up to it
+    double total = 0;  ///< sum of all amounts up to this one
   };
   double now_ = 0;
   std::deque<Portion> portions_ = {Portion{}};  ///< the first is where the mean begins

@@ -21,7 +21,7 @@ class SceneGallery {
 
   /// To be called before each frame: takes over the thumbnails that have come.
   void follow();
-  /// Whether no more will come.
+  /// True once all thumbnails have arrived.
   bool done() const { return maker_.done(); }
   std::span<const ui::SceneCard> cards() const { return cards_; }
 

@@ -26,14 +26,14 @@ constexpr char kThumbnailFormat[] = "griffith thumbnail 2 " GRIFFITH_VERSION "\n
 /// Memory is all but unlimited: drivers reserve far more addresses than they use.
 constexpr ProcessLimits kThumbnailLimits = {.seconds = 120, .memory_bytes = std::int64_t{1} << 40};
 
-/// What lies in a file; nothing where there is none or no picture.
+/// Reads the picture in a file. Returns nothing if the file is missing or holds no picture.
 std::optional<render::Image> kept_thumbnail(const fs::path& entry) try {
   return render::load_png(entry);
 } catch (const render::RenderError&) {
   return std::nullopt;
 }
 
-/// What comes with the scene, or was drawn before.
+/// Reads the thumbnail that ships with the scene, or else the cached one.
 std::optional<render::Image> there_already(const fs::path& scene, const fs::path& folder) try {
   if (std::optional<render::Image> picture = shipped_thumbnail(scene)) return picture;
   return folder.empty() ? std::nullopt : kept_thumbnail(thumbnail_entry(folder, scene));

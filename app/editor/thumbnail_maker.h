@@ -41,7 +41,7 @@ class ThumbnailMaker {
 
   /// A thumbnail that has come since; nothing where there is none now.
   std::optional<Made> take();
-  /// Whether no more will come.
+  /// True once all thumbnails have arrived.
   bool done() const;
 
  private:

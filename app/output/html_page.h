@@ -9,7 +9,7 @@ namespace griffith::app {
 
 /// A character of UTF-8.
 struct Utf8Character {
-  std::size_t length = 0;  ///< of its bytes; 0: none, or one that XML may not hold
+  std::size_t length = 0;  ///< number of bytes; 0 if they are no character, or one that XML may not hold
   std::uint32_t code = 0;
 };
 /// The character that `text`, which is not empty, begins with.

@@ -29,7 +29,7 @@ double mass_of_bodies(const Frame& frame) {
 using Run = EndOfRun;
 using enum OutcomeListing;
 
-/// What is worth a column wherever runs are compared.
+/// Outcomes that have a column wherever runs are compared.
 std::vector<OutcomeKind> main_outcomes() {
   return {
       {"pieces", "", "Connected pieces at the end, bodies that never broke among them", main,

@@ -5,6 +5,7 @@
 
 #include "sim/core/parallel.h"
 #include "sim/elasticity/element_frequency.h"
+#include "sim/shock/stars.h"
 
 namespace griffith::shock {
 namespace {
@@ -125,21 +126,13 @@ void Solid::add_quadratic_blocks(std::span<const std::array<int, 6>> edges, cons
 void Solid::finish() {
   forces_.resize(4 * static_cast<std::size_t>(tet_slots()));
   viscous_works_.resize(blocks_.size());
-  std::vector<int> fill(nodes_.size(), 0);
   const auto each_corner = [&](auto use) {
     for (int slot = 0; slot < tet_slots(); ++slot) {
       if (blocks_[slot / kLanes].volume[slot % kLanes] == 0) continue;
       for (int c = 0; c < 4; ++c) use(corner(slot, c), 4 * slot + c);
     }
   };
-  each_corner([&](int node, int) { ++nodes_[node].count; });
-  int first = 0;
-  for (SolidNode& node : nodes_) {
-    node.first = first;
-    first += node.count;
-  }
-  stars_.resize(first);
-  each_corner([&](int node, int entry) { stars_[nodes_[node].first + fill[node]++] = entry; });
+  list_stars(each_corner, nodes_, stars_);
   list_edge_stars();
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const BlockLaw& law = bodies_[block_bodies_[b]].law;

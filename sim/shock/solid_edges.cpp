@@ -1,4 +1,5 @@
 #include "sim/shock/solid.h"
+#include "sim/shock/stars.h"
 
 namespace griffith::shock {
 namespace {
@@ -26,7 +27,6 @@ void Solid::constrain_edge(int edge, const Mat3& allowed) {
 
 void Solid::list_edge_stars() {
   edge_forces_.resize(6 * static_cast<std::size_t>(kLanes) * quadratics_.size());
-  std::vector<int> fill(edges_.size(), 0);
   const auto each_entry = [&](auto use) {
     for (std::size_t b = 0; b < blocks_.size(); ++b) {
       if (quadratic_of_block_[b] < 0) continue;
@@ -35,14 +35,7 @@ void Solid::list_edge_stars() {
           use(quadratics_[quadratic_of_block_[b]].edges[i][lane], 6 * (kLanes * quadratic_of_block_[b] + lane) + i);
     }
   };
-  each_entry([&](int edge, int) { ++edges_[edge].count; });
-  int first = 0;
-  for (SolidEdge& edge : edges_) {
-    edge.first = first;
-    first += edge.count;
-  }
-  edge_stars_.resize(first);
-  each_entry([&](int edge, int entry) { edge_stars_[edges_[edge].first + fill[edge]++] = entry; });
+  list_stars(each_entry, edges_, edge_stars_);
 }
 
 int Solid::edge_entry(int slot, int edge) const {
