@@ -60,15 +60,11 @@ struct Contact {
          node_b = {};  ///< of the owner's, that touch here; at least one in what the owner put in, else none
 };
 
-/// How an elastic object answers at its contacts, linear in their impulses: the velocity of point i is
-///   velocities_i + sum over j of compliance_ij (p_j − impulses_j),   p_j the impulse on the object at contact j.
-struct ElasticResponse {
+/// An elastic object and the velocities of its points at contacts, as if nothing touched it.
+struct ElasticObject {
   ProxyId object;
   std::vector<int> contacts;         ///< indices into contacts(), ascending: all of the object's
-  Eigen::Matrix3Xd free_velocities;  ///< without impulses [m/s]
-  Eigen::Matrix3Xd velocities;       ///< under `impulses` [m/s]
-  Eigen::Matrix3Xd impulses;         ///< on the object [N·s]
-  PointCompliance compliance;
+  Eigen::Matrix3Xd free_velocities;  ///< one column a contact [m/s]
 };
 
 /// Finds and solves the contacts of everything. Bullet, in double precision, finds them.
@@ -132,6 +128,8 @@ class ContactWorld {
   /// As set last; after advance() with the solved velocities and, for a projectile, in its new place.
   RigidState state(ProxyId object) const;
   bool is_ground(ProxyId object) const;
+  /// The ground, if there is one.
+  std::optional<ProxyId> ground() const;
   /// Whether impulses move it as a rigid object: it is neither held nor asleep.
   bool moves(ProxyId object) const;
   /// Overlap that a fresh crack left between two objects and that stays allowed [m], mostly 0.
@@ -152,19 +150,25 @@ class ContactWorld {
   /// Leaves the contacts of objects out of contacts(), per ProxyId; those beyond the end stay. To be called right after
   /// detect(), if at all.
   void drop_contacts_of(const std::vector<bool>& objects);
-  /// Writes the impulses of a substep of `dt` [s] > 0 into contacts(). To be called `again`, with less effort, when
-  /// more is known about the responses of what is elastic. Returns how many times a contact was solved, for those who
-  /// count work.
-  int solve(double dt, std::span<const ElasticResponse> elastic = {}, bool again = false);
-  /// What the last solve() asked of a contact.
+  /// Writes the impulses of a substep of `dt` [s] > 0 into contacts(), except those of groups of objects that touch
+  /// and of which one is elastic: their owner solves them by law() and hands in set_impulse(). Returns how many times
+  /// a contact was solved, for those who count work.
+  int solve(double dt, std::span<const ElasticObject> elastic = {});
+  /// Contacts of the groups that the last solve() left to the owner, ascending in each.
+  std::vector<std::vector<int>> elastic_groups() const;
+  /// Law of a contact in the last solve().
   struct Law {
-    double target_velocity = 0;  ///< of the parting along the normal [m/s]
-    double friction = 0;         ///< Coulomb's coefficient
+    Mat3 axes;                     ///< columns: the normal and two tangents
+    double target_velocity = 0;    ///< least velocity of parting along the normal [m/s]
+    double friction = 0;           ///< Coulomb's coefficient
+    Vec3 free_velocity, arm_a, arm_b;  ///< relative, without impulses [m/s]; from the centers of mass [m]
+    Vec3 guess;                    ///< impulse along the axes, from the last substep [N·s]
   };
   Law law(int contact) const;
-  /// Scales the impulses down in each group of objects that touch where they would add energy: where `velocities`, now
-  /// exact under these impulses, show that `compliance` was too small. Returns the factor of each response, mostly 1.
-  std::vector<double> limit_energy(double dt, std::span<const ElasticResponse> elastic);
+  /// Sets the impulse on a [N·s], world frame.
+  void set_impulse(int contact, const Vec3& impulse) { contacts()[contact].impulse = impulse; }
+  /// Mass and inertia, in the world's frame, of an object that impulses move rigidly; none where they do not.
+  std::optional<RigidMass> rigid_mass(ProxyId object) const;
   /// Gives the rigid objects the velocities that follow from the impulses in contacts() and moves the projectiles
   /// (swept, so that none passes through a thin body). Elastic objects of the last solve() keep the velocity that their
   /// owner set since.

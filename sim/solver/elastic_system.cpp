@@ -95,7 +95,7 @@ void project_row(BlockSparseMatrix& a, int row, const Mat3& allowed) {
 /// Solves for a body that turns about a pivot. Places are positions of nodes, then offsets of edges.
 SolveReport solve_swinging(const BlockSparseMatrix& a, const RigidModePreconditioner& preconditioner,
                            const ImplicitStep& step, const Pivot& pivot, int nodes, const NodeVectors& places,
-                           const Eigen::VectorXd& masses, const NodeVectors& b, bool turning, NodeVectors& x) {
+                           const Eigen::VectorXd& masses, const NodeVectors& b, NodeVectors& x) {
   const auto swing = [&](const NodeVectors& velocities) {
     const Vec3 spin = spin_of_nodes(nodes, pivot, places, velocities, masses);
     NodeVectors field(3, places.cols());
@@ -105,7 +105,7 @@ SolveReport solve_swinging(const BlockSparseMatrix& a, const RigidModePreconditi
   };
   const auto centrifugal = [&](const NodeVectors& rigid, NodeVectors& impulses) {
     const Vec3 spin = spin_of_nodes(nodes, pivot, places, rigid, masses);
-    if (turning) add_centrifugal_impulses(nodes, pivot.place, spin, places, masses, step.dt, impulses);
+    add_centrifugal_impulses(nodes, pivot.place, spin, places, masses, step.dt, impulses);
   };
   return solve_beside(a, preconditioner, step, masses, b, swing, centrifugal, x);
 }
@@ -160,8 +160,7 @@ std::size_t ElasticSystem::memory(const ElasticSystem* beside) const {
   std::size_t size = sizeof(*this);
   if (!beside || !rows_.shares_with(beside->rows_)) size += rows_->memory();
   if (!beside || !support_rows_.shares_with(beside->support_rows_)) size += support_rows_->memory();
-  size += size_of(&ElasticSystem::inputs_) + size_of(&ElasticSystem::preconditioner_);
-  return size + size_of(&ElasticSystem::fixed_preconditioner_);
+  return size + size_of(&ElasticSystem::inputs_) + size_of(&ElasticSystem::preconditioner_);
 }
 
 void ElasticSystem::patch(const TetMesh& mesh, std::span<const NodeId> body_nodes,
@@ -170,7 +169,6 @@ void ElasticSystem::patch(const TetMesh& mesh, std::span<const NodeId> body_node
   const std::vector<int> previous_rows = rows_.edit().patch(mesh, unknown, row_of_node);
   rebuild_support_rows(mesh, body_nodes, constraints, row_of_node);
   preconditioner_->edit().patch(matrix(), previous_rows, aggregate_size(matrix().rows()));
-  fixed_preconditioner_.reset();
   inputs_.reset();
 }
 
@@ -235,31 +233,6 @@ void ElasticSystem::project_sliding_rows() {
   for (const SlidingRow& sliding : sliding_) project_row(rows_.edit().matrix, sliding.row, sliding.allowed);
 }
 
-SolveReport ElasticSystem::hold(std::span<const FixedRow> held, std::span<const Vec3> positions, double tolerance,
-                                int max_iterations, NodeVectors& impulses, NodeVectors& x) {
-  BlockSparseMatrix a = rows_->matrix;
-  NodeVectors known = NodeVectors::Zero(3, a.rows()), pushed;
-  for (const FixedRow& row : held) {
-    known.col(row.row) = row.known - row.allowed * row.known;
-    project_row(a, row.row, row.allowed);
-  }
-  multiply(rows_->matrix, known, pushed);
-  NodeVectors b = impulses - pushed;
-  for (const FixedRow& row : held) b.col(row.row) = Vec3(row.allowed * b.col(row.row));
-  const auto node_rows = static_cast<int>(nodes().size());
-  if (!fixed_preconditioner_)
-    fixed_preconditioner_.emplace(RigidModePreconditioner(a, node_rows, aggregate_size(node_rows)));
-  fixed_preconditioner_->edit().update(a, gather(positions));
-  x = NodeVectors::Zero(3, a.rows());
-  const SolveReport report = conjugate_gradient(a, **fixed_preconditioner_, b, x, 1, tolerance, max_iterations);
-  x += known;
-  multiply(rows_->matrix, x, pushed);
-  for (const FixedRow& row : held)
-    impulses.col(row.row) +=
-        pushed.col(row.row) - impulses.col(row.row) - row.allowed * (pushed.col(row.row) - impulses.col(row.row));
-  return report;
-}
-
 NodeVectors ElasticSystem::gather(std::span<const Vec3> values, std::span<const Vec3> of_edges) const {
   NodeVectors gathered(3, rows());
   const std::size_t count = nodes().size();
@@ -283,10 +256,10 @@ SolveReport ElasticSystem::solve(const ImplicitStep& step, std::span<const Vec3>
 
   SolveReport report;
   if (is_free()) {
-    report = solve_free(step, places, mass, b, true, x);
+    report = solve_free(step, places, mass, b, x);
   } else if (const std::optional<Pivot> pivot = pivot_of(supports(), constraints, positions)) {
     project(b);
-    report = solve_swinging(rows_->matrix, **preconditioner_, step, *pivot, count, places, mass, b, true, x);
+    report = solve_swinging(rows_->matrix, **preconditioner_, step, *pivot, count, places, mass, b, x);
     project(x);
   } else {
     report = solve_projected(constraints, step.relative_residual, step.max_iterations, b, x);
@@ -299,32 +272,15 @@ SolveReport ElasticSystem::solve(const ImplicitStep& step, std::span<const Vec3>
   return report;
 }
 
-SolveReport ElasticSystem::respond(const ImplicitStep& step, std::span<const Vec3> positions,
-                                   std::span<const Vec3> impulses, std::span<const double> masses,
-                                   std::span<const NodeConstraint> constraints, NodeVectors& change,
-                                   const EdgeMotion& of_edges) {
-  if (change.size() == 0) change = NodeVectors::Zero(3, rows());
-  NodeVectors b = gather(impulses);
-  const NodeVectors places = gather(positions, of_edges.offsets);
-  const Eigen::VectorXd mass = gather_masses(masses, of_edges.masses);
-  if (is_free()) return solve_free(step, places, mass, b, false, change);
-  project(b);
-  const std::optional<Pivot> pivot = pivot_of(supports(), constraints, positions);
-  const SolveReport report =
-      pivot ? solve_swinging(rows_->matrix, **preconditioner_, step, *pivot, static_cast<int>(nodes().size()), places,
-                             mass, b, false, change)
-            : conjugate_gradient(rows_->matrix, **preconditioner_, b, change, step.relative_residual,
-                                 std::sqrt(dot(b, b)), step.max_iterations);
-  project(change);
+void ElasticSystem::add_reactions(double dt, std::span<const Vec3> impulses,
+                                  std::span<const NodeConstraint> constraints, const NodeVectors& change) {
   const BlockSparseMatrix& a = support_rows_->matrix;
   for (int support = 0; support < a.rows(); ++support) {
     Vec3 impulse = -impulses[supports()[support]];
     for (int k = a.row_starts[support]; k < a.row_starts[support + 1]; ++k)
       if (const int row = row_of_support_column_[k]; row >= 0) impulse += a.blocks[k] * change.col(row);
-    reactions_[support] =
-        solved_reactions_[support] + (impulse - constraints[supports()[support]].allowed * impulse) / step.dt;
+    reactions_[support] += (impulse - constraints[supports()[support]].allowed * impulse) / dt;
   }
-  return report;
 }
 
 Eigen::VectorXd ElasticSystem::gather_masses(std::span<const double> masses, std::span<const double> of_edges) const {
@@ -378,12 +334,10 @@ void ElasticSystem::balance_supports(double dt, std::span<const NodeConstraint> 
       impulse += a.blocks[k] * velocity_of(a.columns[k]);
     reactions_[support] = (impulse - constraints[supports()[support]].allowed * impulse) / dt;
   }
-  solved_reactions_ = reactions_;
 }
 
 SolveReport ElasticSystem::solve_free(const ImplicitStep& step, const NodeVectors& places,
-                                      const Eigen::VectorXd& masses, const NodeVectors& b, bool turning,
-                                      NodeVectors& x) const {
+                                      const Eigen::VectorXd& masses, const NodeVectors& b, NodeVectors& x) const {
   const auto count = static_cast<int>(nodes().size());
   const auto rigid_field = [&](const NodeVectors& velocities) {
     const RigidMotion motion = motion_of_nodes(count, places, velocities, masses);
@@ -395,8 +349,7 @@ SolveReport ElasticSystem::solve_free(const ImplicitStep& step, const NodeVector
   };
   const auto centrifugal = [&](const NodeVectors& rigid, NodeVectors& impulses) {
     const RigidMotion motion = motion_of_nodes(count, places, rigid, masses);
-    if (turning)
-      add_centrifugal_impulses(count, motion.center, motion.angular_velocity, places, masses, step.dt, impulses);
+    add_centrifugal_impulses(count, motion.center, motion.angular_velocity, places, masses, step.dt, impulses);
   };
   return solve_beside(rows_->matrix, **preconditioner_, step, masses, b, rigid_field, centrifugal, x);
 }

@@ -22,13 +22,6 @@ struct ImplicitStep {
   int max_iterations = 400;
 };
 
-/// A row whose velocity is known in the directions that are not allowed.
-struct FixedRow {
-  int row = 0;
-  Mat3 allowed = Mat3::Zero();  ///< projector
-  Vec3 known = Vec3::Zero();    ///< in the other directions [m/s]
-};
-
 /// The edges of quadratic bodies, per edge of the mesh; empty for a linear body.
 struct EdgeMotion {
   std::span<const Vec3> offsets;   ///< [m]
@@ -105,34 +98,17 @@ class ElasticSystem {
   /// edges without values.
   NodeVectors gather(std::span<const Vec3> values, std::span<const Vec3> of_edges = {}) const;
 
-  /// What the supports did in the last solve() or respond(), per node of supports(): the force on the node in its
+  /// What the supports did in the last solve() and add_reactions(), per node of supports(): the force on the node in its
   /// blocked directions [N], from the balance of its momentum.
   std::span<const Vec3> reaction_forces() const { return reactions_; }
 
-  /// The change of velocity of nodes() by `impulses` (per node of the mesh [N·s]) in the step of the last solve(): what
-  /// they would have given on top of its forces. The momentum of a free body is exact as there; supports react.
-  /// `change` holds a guess, such as the answer to other impulses of the same step, or nothing.
-  SolveReport respond(const ImplicitStep& step, std::span<const Vec3> positions, std::span<const Vec3> impulses,
-                      std::span<const double> masses, std::span<const NodeConstraint> constraints, NodeVectors& change,
-                      const EdgeMotion& edges = {});
-  /// The change of velocity x of nodes() by `impulses` (one column a row [N·s]) and by whatever makes rows move as they
-  /// are held: `impulses` hold that too afterwards. Stops at a residual of `tolerance` [N·s]. In the step of the last
-  /// solve(); rows of constrained nodes are not to be held.
-  SolveReport hold(std::span<const FixedRow> held, std::span<const Vec3> positions, double tolerance,
-                   int max_iterations, NodeVectors& impulses, NodeVectors& x);
-  /// About J A⁻¹ Jᵀ for these points: by the preconditioner, which is close for what is smooth and within a small
-  /// factor for what is not. Weights hold what sliding leaves free; after assemble().
-  PointCompliance compliance(std::span<const WeightedRows> points) const {
-    return (*preconditioner_)->compliance(points);
-  }
-  /// Compliance of a free body's deformation alone: its rigid motion follows from its momentum, exactly.
-  PointCompliance deforming_compliance(std::span<const WeightedRows> points, std::span<const Vec3> positions,
-                                       std::span<const double> masses) const {
-    const auto count = static_cast<Eigen::Index>(nodes().size());
-    return (*preconditioner_)
-        ->deforming_compliance(points, gather(positions).leftCols(count), gather_masses(masses, {}).head(count));
-  }
+  /// Adds to reaction_forces() what supports do against `impulses` (per node of the mesh [N·s]) that come on top of the
+  /// forces of the last solve() and change the velocities of the rows by `change`.
+  void add_reactions(double dt, std::span<const Vec3> impulses, std::span<const NodeConstraint> constraints,
+                     const NodeVectors& change);
   const BlockSparseMatrix& matrix() const { return rows_->matrix; }
+  /// Of matrix(), after assemble().
+  const RigidModePreconditioner& preconditioner() const { return **preconditioner_; }
   /// About what it takes, but for what it shares with `beside` [bytes].
   std::size_t memory(const ElasticSystem* beside = nullptr) const;
 
@@ -154,7 +130,7 @@ class ElasticSystem {
   void balance_supports(double dt, std::span<const NodeConstraint> constraints, std::span<const Vec3> velocities,
                         std::span<const Vec3> edge_velocities);
   SolveReport solve_free(const ImplicitStep& step, const NodeVectors& places, const Eigen::VectorXd& masses,
-                         const NodeVectors& b, bool turning, NodeVectors& x) const;
+                         const NodeVectors& b, NodeVectors& x) const;
   Eigen::VectorXd gather_masses(std::span<const double> masses, std::span<const double> of_edges) const;
 
   CopyOnWrite<ElementRows> rows_;  // S A S, one row a node that is not held
@@ -162,9 +138,9 @@ class ElasticSystem {
   CopyOnWrite<ElementRows> support_rows_;
   std::vector<SlidingRow> sliding_;
   std::vector<int> row_of_support_column_;             // per block of support_rows_, -1 for held nodes and edges
-  std::vector<Vec3> solved_reactions_, reactions_;     // of the last solve(); with the last respond()
+  std::vector<Vec3> reactions_;                        // of the last solve() and add_reactions()
   std::optional<CopyOnWrite<AssemblyInputs>> inputs_;  // of the matrix; none since the rows changed
-  std::optional<CopyOnWrite<RigidModePreconditioner>> preconditioner_, fixed_preconditioner_;  // the second for hold()
+  std::optional<CopyOnWrite<RigidModePreconditioner>> preconditioner_;
 };
 
 }  // namespace griffith

@@ -15,14 +15,6 @@ namespace {
 /// The factors of a matrix this close do as well: where little moves, most of the set-up is saved.
 constexpr double kSameMatrix = 1e-3;
 
-/// A matrix with the same product MᵀM and no more rows than columns.
-Eigen::MatrixXf with_few_rows(Eigen::MatrixXf modes) {
-  const Eigen::Index columns = modes.cols();
-  if (modes.rows() <= columns) return modes;
-  const Eigen::HouseholderQR<Eigen::MatrixXf> decomposition(modes);
-  return decomposition.matrixQR().topRows(columns).triangularView<Eigen::Upper>();
-}
-
 /// The neighbours of each aggregate that have a higher number, and itself, by other numbers.
 std::vector<std::vector<int>> renumbered(const std::vector<std::vector<int>>& neighbours,
                                          const std::vector<int>& numbers) {
@@ -52,17 +44,6 @@ simd::Quad cross(simd::Quad turn, simd::Quad arm) {
   const simd::Quad moved = __builtin_shufflevector(arm, arm, 1, 2, 0, 3);
   const simd::Quad product = turn * moved - turned * arm;
   return __builtin_shufflevector(product, product, 1, 2, 0, 3);
-}
-
-/// L⁻¹ b.
-Eigen::VectorXf half_solved(const BlockTriangle& triangle, const Eigen::VectorXd& b) {
-  constexpr int kSize = BlockTriangle::kSize;
-  std::vector<simd::Lanes> x(triangle.rows(), simd::Lanes{});
-  for (Eigen::Index i = 0; i < b.size(); ++i) x[i / kSize][i % kSize] = static_cast<float>(b[i]);
-  triangle.solve(x);
-  Eigen::VectorXf solved(b.size());
-  for (Eigen::Index i = 0; i < b.size(); ++i) solved[i] = x[i / kSize][i % kSize];
-  return solved;
 }
 
 /// The pattern of the first `count` rows and columns.
@@ -334,54 +315,6 @@ double SinglePrecisionPreconditioner::apply(const SingleVectors& r, SingleVector
     }
     return sum;
   });
-}
-
-/// Rᵀ Jᵀ.
-Eigen::MatrixXd RigidModePreconditioner::coarse_loads(std::span<const WeightedRows> points) const {
-  Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(6 * aggregate_count(), 3 * static_cast<Eigen::Index>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (int k = 0; k < 3; ++k)
-      if (const int row = points[i].rows[k]; row >= 0)
-        loads.block<6, 3>(6 * aggregates_[row], 3 * static_cast<Eigen::Index>(i)) +=
-            rigid_modes(known_.arms.col(row)).transpose() * points[i].weights[k].transpose();
-  return loads;
-}
-
-PointCompliance RigidModePreconditioner::compliance(std::span<const WeightedRows> points,
-                                                    const Eigen::MatrixXd& loads) const {
-  PointCompliance compliance = node_compliance(points, known_.inverse_diagonal);
-  Eigen::MatrixXf half(loads.rows(), loads.cols());
-  for (Eigen::Index column = 0; column < loads.cols(); ++column)
-    half.col(column) = half_solved(triangle_, loads.col(column));
-  compliance.modes = with_few_rows(std::move(half)).cast<double>();
-  return compliance;
-}
-
-PointCompliance RigidModePreconditioner::compliance(std::span<const WeightedRows> points) const {
-  if (!has_coarse_space()) return node_compliance(points, known_.inverse_diagonal);
-  return compliance(points, coarse_loads(points));
-}
-
-PointCompliance RigidModePreconditioner::deforming_compliance(std::span<const WeightedRows> points,
-                                                              const NodeVectors& positions,
-                                                              const Eigen::VectorXd& masses) const {
-  if (!has_coarse_space()) return node_compliance(points, known_.inverse_diagonal);
-  const RigidMotion body = rigid_motion(positions, NodeVectors::Zero(3, positions.cols()), masses);
-  const auto modes_of_body = [&](int row) { return rigid_modes(positions.col(row) - body.center); };
-  // What inertia puts against unit accelerations as a whole, and the accelerations that each load causes.
-  Eigen::Matrix<double, Eigen::Dynamic, 6> inertia = Eigen::MatrixXd::Zero(6 * aggregate_count(), 6);
-  for (int row = 0; row < static_cast<int>(masses.size()); ++row)
-    inertia.middleRows<6>(6 * aggregates_[row]) +=
-        masses[row] * rigid_modes(known_.arms.col(row)).transpose() * modes_of_body(row);
-  Eigen::MatrixXd accelerations = Eigen::MatrixXd::Zero(6, 3 * static_cast<Eigen::Index>(points.size()));
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (int k = 0; k < 3; ++k)
-      if (const int row = points[i].rows[k]; row >= 0)
-        accelerations.middleCols<3>(3 * static_cast<Eigen::Index>(i)) +=
-            modes_of_body(row).transpose() * points[i].weights[k].transpose();
-  accelerations.topRows<3>() /= body.mass;
-  accelerations.bottomRows<3>() = body.inertia.inverse() * accelerations.bottomRows<3>();
-  return compliance(points, coarse_loads(points) - inertia * accelerations);
 }
 
 }  // namespace griffith

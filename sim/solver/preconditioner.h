@@ -56,12 +56,17 @@ class RigidModePreconditioner {
   void update(const BlockSparseMatrix& matrix, const NodeVectors& positions);
   /// Returns r·z as dot() does.
   double apply(const NodeVectors& r, NodeVectors& z) const;
-  /// J P Jᵀ, P what apply() applies, J one row of 3×3 blocks a point [1/kg].
-  PointCompliance compliance(std::span<const WeightedRows> points) const;
-  /// Compliance of a body that nothing holds, without its rigid motion, which its momentum alone determines: the coarse
-  /// part is J Π R (Rᵀ A R)⁻¹ Rᵀ Πᵀ Jᵀ, Π the projector along the rigid motions. One column or entry a node.
-  PointCompliance deforming_compliance(std::span<const WeightedRows> points, const NodeVectors& positions,
-                                       const Eigen::VectorXd& masses) const;
+  /// D⁻¹ of a row [1/kg].
+  const Mat3& inverse_diagonal(int row) const { return known_.inverse_diagonal[row]; }
+  /// False where the coarse matrix could not be factored.
+  bool has_coarse_space() const { return triangle_.rows() > 0; }
+  /// Rᵀ A R, its lower triangle, six rows and columns an aggregate.
+  const Eigen::SparseMatrix<double>& coarse_matrix() const { return coarse_; }
+  /// Rows of nodes, the first ones of the matrix.
+  int node_rows() const { return static_cast<int>(aggregates_.size()); }
+  int aggregate_of(int row) const { return aggregates_[row]; }
+  /// (x − c)/l of a node in its aggregate.
+  Vec3 arm(int row) const { return known_.arms.col(row); }
   /// How often update() found the coarse matrix changed enough to assemble, and to factor it anew.
   int assembly_count() const { return assemblies_; }
   int factorization_count() const { return factorizations_; }
@@ -90,11 +95,6 @@ class RigidModePreconditioner {
   std::vector<std::vector<int>> coarse_neighbours(const BlockSparseMatrix& matrix) const;
   template <class Vectors>
   std::vector<simd::Lanes> solve_coarse(const Vectors& r) const;
-  Eigen::MatrixXd coarse_loads(std::span<const WeightedRows> points) const;
-  PointCompliance compliance(std::span<const WeightedRows> points, const Eigen::MatrixXd& loads) const;
-  bool has_coarse_space() const { return triangle_.rows() > 0; }
-
-  int node_rows() const { return static_cast<int>(aggregates_.size()); }
 
   std::vector<int> aggregates_;                // per node
   std::vector<std::vector<int>> members_;      // per aggregate: its nodes, ascending

@@ -83,7 +83,8 @@ struct StepReport {
   int unconverged_solves = 0;        ///< stopped by the iteration limit
   int inverted_tets = 0;
   int shortened_motions = 0;  ///< deformations cut short, whose linearised step would have added energy
-  int limited_impulses = 0;   ///< bodies whose contact impulses were cut, which would have added energy
+  int unconverged_contacts = 0;  ///< contacts of elastic bodies that did not meet their law within the tolerance
+  int contact_iterations = 0;    ///< of the linear systems of their impulses, together
   int sleeping_bodies = 0;
   int non_finite_values = 0;   ///< bodies frozen because a value was not finite or substeps too short
   double max_penetration = 0;  ///< [m]

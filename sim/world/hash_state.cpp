@@ -94,7 +94,7 @@ void add_body(const Body& body, FieldHash& hash) {
   const RigidMotion& motion = body.motion;
   hash.add_whole(body.id, body.parent, body.scene_body, body.tets.size(), body.rigid, body.asleep, body.quiet_steps);
   hash.add_real(motion.mass, motion.center, motion.inertia, motion.velocity, motion.angular_velocity);
-  hash.add_real(body.orientation, body.compliance_factor, body.shock_ended);
+  hash.add_real(body.orientation, body.shock_ended);
   hash.add_real(body.rest.time, body.rest.place.translation, body.rest.place.rotation, body.rest.peak_utilization);
   for (const ContactLoad& load : body.harmless) hash.add_whole(load.other).add_real(load.force);
   if (body.untouched) hash.add_whole(body.untouched);

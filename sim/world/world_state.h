@@ -88,7 +88,6 @@ struct alignas(64) Body {
   double contact_work = 0;                  ///< of the contacts in the substep, at the velocities after it [J]
   RigidStart start;                         ///< of the present substep
   std::vector<ContactLoad> harmless;        ///< of a rigid body: what it carried when it was calm, by object
-  double compliance_factor = 1;             ///< true compliance at contacts over the estimated one, as seen last
   Rest rest;                                ///< of one that sways
   double shock_ended = -std::numeric_limits<double>::infinity();  ///< when it left its last shock [s]
 

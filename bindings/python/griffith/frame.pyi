@@ -110,7 +110,8 @@ class Frame:
     step_unfinished_shocks: float
     step_unconverged_solves: float
     step_shortened_motions: float
-    step_limited_impulses: float
+    step_unconverged_contacts: float
+    step_contact_iterations: float
     step_sleeping_bodies: float
     step_max_penetration: float
     step_max_relative_residual: float

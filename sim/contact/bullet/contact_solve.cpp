@@ -16,8 +16,6 @@ namespace {
 /// The share of an overlap that goes in a substep, and the overlap, as a share of the smaller radius, that stays, so
 /// that all contacts of what rests go on touching.
 constexpr double kCorrectionFraction = 0.1, kRestingFraction = 3e-4;
-/// The impulses are near their places already.
-constexpr SolverLimits kAgain{.work = 4'000, .min_sweeps = 5, .max_sweeps = 70};
 /// Of what goes, the next substeps take what this one leaves.
 constexpr SolverLimits kRoughly{.work = 6'000, .min_sweeps = 8, .max_sweeps = 50, .tolerance = 1e-3};
 
@@ -124,42 +122,75 @@ double ContactWorld::Impl::target_velocity(const Contact& contact, double dt) co
   return rebound_speed(contact, dt);
 }
 
-int ContactWorld::Impl::solve(double dt, std::span<const ElasticResponse> elastic, bool again) {
+int ContactWorld::Impl::solve(double dt, std::span<const ElasticObject> elastic) {
   assert(dt > 0);
   std::vector<SolverBody> solver_bodies = rigid_solver_bodies(dt);
   solved = constraints(dt);
   for (Object& object : objects) object.elastic = false;
-  std::vector<const ElasticResponse*> response_of(objects.size(), nullptr);
-  for (const ElasticResponse& response : elastic) {
-    objects[response.object].elastic = true;
-    response_of[response.object] = &response;
-    for (std::size_t point = 0; point < response.contacts.size(); ++point) {
-      ContactConstraint& row = solved[response.contacts[point]];
-      (row.a.solver_body == response.object.index() ? row.a : row.b).point = static_cast<int>(point);
+  std::vector<const ElasticObject*> elastic_of(objects.size(), nullptr);
+  for (const ElasticObject& object : elastic) {
+    objects[object.object].elastic = true;
+    elastic_of[object.object] = &object;
+    for (std::size_t point = 0; point < object.contacts.size(); ++point) {
+      ContactConstraint& row = solved[object.contacts[point]];
+      (row.a.solver_body == object.object.index() ? row.a : row.b).point = static_cast<int>(point);
     }
   }
   const auto free_velocity = [&](const ContactEnd& end) {
-    if (const ElasticResponse* response = response_of[end.solver_body])
-      return Vec3(response->free_velocities.col(end.point));
+    if (const ElasticObject* object = elastic_of[end.solver_body]) return Vec3(object->free_velocities.col(end.point));
     return rigid_velocity(solver_bodies[end.solver_body], end);
   };
+  free_velocities.resize(contacts.size());
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    contacts[i].approach = -contacts[i].normal.dot(free_velocity(solved[i].a) - free_velocity(solved[i].b));
+    free_velocities[i] = free_velocity(solved[i].a) - free_velocity(solved[i].b);
+    contacts[i].approach = -contacts[i].normal.dot(free_velocities[i]);
     solved[i].target_velocity = target_velocity(contacts[i], dt);
   }
-  parallel_for(static_cast<int>(elastic.size()), 1, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) {
-      const ElasticResponse& response = elastic[i];
-      SolverBody& solver_body = solver_bodies[response.object];
-      solver_body.compliance = &response.compliance;
-      solver_body.elastic.emplace(response.compliance,
-                                  response.velocities - respond(response.compliance, response.impulses));
-    }
-  });
-  const int relaxations = solve_impulses(solved, solver_bodies, again ? kAgain : SolverLimits());
+  const int relaxations = solve_rigid_groups(solver_bodies);
   for (std::size_t i = 0; i < contacts.size(); ++i) contacts[i].impulse = solved[i].axes * solved[i].impulse;
-  remember_impulses(dt);
   return relaxations;
+}
+
+int ContactWorld::Impl::solve_rigid_groups(std::vector<SolverBody>& solver_bodies) {
+  const std::vector<int> groups = connected_groups(static_cast<int>(objects.size()), touching_pairs());
+  const std::vector<bool> is_elastic = are_in_elastic_groups(groups);
+  std::vector<ContactConstraint> rows;
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (!is_elastic[contacts[i].a] && !is_elastic[contacts[i].b]) {
+      rows.push_back(solved[i]);
+      indices.push_back(i);
+    }
+  const int relaxations = solve_impulses(rows, solver_bodies);
+  for (std::size_t i = 0; i < rows.size(); ++i) solved[indices[i]] = rows[i];
+  return relaxations;
+}
+
+/// True for objects of groups with one that is elastic; false for what no impulse moves.
+std::vector<bool> ContactWorld::Impl::are_in_elastic_groups(const std::vector<int>& groups) const {
+  std::vector<bool> of_group(objects.size(), false), of_object(objects.size(), false);
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    if (objects[i].elastic) of_group[groups[i]] = true;
+  for (std::size_t i = 0; i < objects.size(); ++i) of_object[i] = objects[i].responds() && of_group[groups[i]];
+  return of_object;
+}
+
+std::vector<std::vector<int>> ContactWorld::Impl::elastic_groups() const {
+  const std::vector<int> groups = connected_groups(static_cast<int>(objects.size()), touching_pairs());
+  const std::vector<bool> is_elastic = are_in_elastic_groups(groups);
+  std::vector<int> index_of(objects.size(), -1);
+  std::vector<std::vector<int>> found;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const ProxyId object = is_elastic[contacts[i].a] ? contacts[i].a : contacts[i].b;
+    if (!is_elastic[object]) continue;
+    int& index = index_of[groups[object]];
+    if (index < 0) {
+      index = static_cast<int>(found.size());
+      found.emplace_back();
+    }
+    found[index].push_back(static_cast<int>(i));
+  }
+  return found;
 }
 
 /// Those whose impulses pass on to others.
@@ -169,34 +200,6 @@ std::vector<std::pair<int, int>> ContactWorld::Impl::touching_pairs() const {
     if (objects[contact.a].responds() && objects[contact.b].responds())
       touching.emplace_back(contact.a.index(), contact.b.index());
   return touching;
-}
-
-std::vector<double> ContactWorld::Impl::limit_energy(double dt, std::span<const ElasticResponse> elastic) {
-  const std::vector<int> groups = connected_groups(static_cast<int>(objects.size()), touching_pairs());
-  // The energy that impulses of s times their size add: s·linear + s²·quadratic. What an implicit step does to an
-  // elastic body adds no more than the work at the velocities after it.
-  std::vector<double> linear(objects.size(), 0.0), quadratic(objects.size(), 0.0);
-  const std::vector<SolverBody> rigid = rigid_solver_bodies(dt);
-  const std::vector<Momentum> sums = impulse_sums();
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (objects[i].elastic) continue;
-    linear[groups[i]] += rigid[i].velocity.dot(sums[i].linear) + rigid[i].angular_velocity.dot(sums[i].angular);
-    quadratic[groups[i]] += 0.5 * (rigid[i].inverse_mass * sums[i].linear.squaredNorm() +
-                                   sums[i].angular.dot(rigid[i].inverse_inertia * sums[i].angular));
-  }
-  for (const ElasticResponse& response : elastic) {
-    const int group = groups[response.object];
-    linear[group] += response.impulses.cwiseProduct(response.free_velocities).sum();
-    quadratic[group] += response.impulses.cwiseProduct(response.velocities - response.free_velocities).sum();
-  }
-  const auto factor = [&](ProxyId object) {
-    const double a = linear[groups[object]], b = quadratic[groups[object]];
-    return a + b > 0 ? std::clamp(-a / b, 0.0, 1.0) : 1.0;
-  };
-  for (Contact& contact : contacts) contact.impulse *= factor(objects[contact.a].responds() ? contact.a : contact.b);
-  std::vector<double> factors;
-  for (const ElasticResponse& response : elastic) factors.push_back(factor(response.object));
-  return factors;
 }
 
 void ContactWorld::Impl::remember_impulses(double dt) {

@@ -284,6 +284,11 @@ void ContactWorld::set_surface(ProxyId object, const SurfaceProperties& surface)
 }
 
 RigidState ContactWorld::state(ProxyId object) const { return impl_->objects[object].state; }
+std::optional<ProxyId> ContactWorld::ground() const {
+  const auto found = std::ranges::find(impl_->objects, contact::Kind::ground, &contact::Object::kind);
+  if (found == impl_->objects.end()) return {};
+  return ProxyId(static_cast<int>(found - impl_->objects.begin()));
+}
 bool ContactWorld::is_ground(ProxyId object) const { return impl_->objects[object].kind == Kind::ground; }
 bool ContactWorld::moves(ProxyId object) const { return impl_->objects[object].moves(); }
 double ContactWorld::allowed_overlap(ProxyId a, ProxyId b) const {
@@ -299,14 +304,18 @@ void ContactWorld::replace_contacts(const std::vector<bool>& taken_out, std::spa
   impl_->replace_contacts(taken_out, put_in);
 }
 void ContactWorld::drop_contacts_of(const std::vector<bool>& objects) { impl_->drop_contacts_of(objects); }
-int ContactWorld::solve(double dt, std::span<const ElasticResponse> elastic, bool again) {
-  return impl_->solve(dt, elastic, again);
-}
+int ContactWorld::solve(double dt, std::span<const ElasticObject> elastic) { return impl_->solve(dt, elastic); }
+std::vector<std::vector<int>> ContactWorld::elastic_groups() const { return impl_->elastic_groups(); }
 ContactWorld::Law ContactWorld::law(int contact) const {
-  return {impl_->solved[contact].target_velocity, impl_->solved[contact].friction};
+  const contact::ContactConstraint& row = impl_->solved[contact];
+  return {row.axes,  row.target_velocity, row.friction, impl_->free_velocities[contact],
+          row.a.arm, row.b.arm,           row.impulse};
 }
-std::vector<double> ContactWorld::limit_energy(double dt, std::span<const ElasticResponse> elastic) {
-  return impl_->limit_energy(dt, elastic);
+std::optional<RigidMass> ContactWorld::rigid_mass(ProxyId object) const {
+  const contact::Object& found = impl_->objects[object];
+  if (!found.moves() || found.elastic) return {};
+  const Mat3 rotation = found.state.pose.rotation.toRotationMatrix();
+  return RigidMass{1 / found.inverse_mass, rotation * found.inverse_inertia.inverse() * rotation.transpose()};
 }
 void ContactWorld::advance(double dt) { impl_->advance(dt); }
 ContactWorld::Correction ContactWorld::position_correction(ProxyId proxy) const {

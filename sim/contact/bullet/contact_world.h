@@ -126,6 +126,7 @@ struct ContactState {
   std::vector<NodeContact> node_contacts;       ///< that the owner put in
   std::vector<NodeContact> past_node_contacts;  ///< of the last substep, by key
   std::vector<ContactConstraint> solved;        ///< per contact: as solve() found it
+  std::vector<Vec3> free_velocities;            ///< per contact: of a relative to b in solve(), without impulses [m/s]
 };
 
 /// Pairs of objects with near bounding boxes. Bullet's own goes through all pairs twice for each object that leaves;
@@ -184,14 +185,16 @@ struct ContactWorld::Impl : contact::ContactState {
   // Solving.
   void drop_contacts_of(const std::vector<bool>& dropped);
   std::vector<int> drop_near_misses(double dt, std::span<const double> approach);
-  int solve(double dt, std::span<const ElasticResponse> elastic, bool again);
+  int solve(double dt, std::span<const ElasticObject> elastic);
+  int solve_rigid_groups(std::vector<contact::SolverBody>& solver_bodies);
+  std::vector<std::vector<int>> elastic_groups() const;
+  std::vector<bool> are_in_elastic_groups(const std::vector<int>& groups) const;
   std::vector<contact::SolverBody> rigid_solver_bodies(double dt) const;
   std::vector<contact::ContactConstraint> constraints(double dt) const;
   double target_velocity(const Contact& contact, double dt) const;
   double rebound_speed(const Contact& contact, double dt) const;
   bool strikes(const Contact& contact, double dt) const;
   std::vector<std::pair<int, int>> touching_pairs() const;
-  std::vector<double> limit_energy(double dt, std::span<const ElasticResponse> elastic);
   void advance(double dt);
   void remember_impulses(double dt);
   struct Momentum {

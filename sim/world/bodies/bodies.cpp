@@ -181,6 +181,18 @@ void rebuild_body(WorldState& world, Body& body) {
   reshape_proxy(world, body);
 }
 
+void fit_proxy(WorldState& world, Body& body) {
+  constexpr double kSameShape = 1e-4;  // of its extent: contacts of rigid bodies overlap by as much
+  const NodeVectors placed = (body.orientation.toRotationMatrix() * body.reference_arms).colwise() + body.motion.center;
+  const NodeVectors positions = gather(world.nodes.positions, body.nodes);
+  if ((positions - placed).colwise().norm().maxCoeff() <= kSameShape * body.extent) return;
+  body.reference_arms = positions.colwise() - body.motion.center;
+  body.reference_offsets = gather(world.edges.offsets, body.edges);
+  body.orientation.setIdentity();
+  body.collision_parts = collision_parts(world, body);
+  reshape_proxy(world, body);
+}
+
 void assign_pieces(WorldState& world, BodyId id, std::vector<std::vector<TetId>> pieces) {
   const std::size_t kept = surviving_piece(world, pieces);
   world.bodies[id].tets = std::move(pieces[kept]);

@@ -26,6 +26,8 @@ void rebuild_body(WorldState& world, Body& body);
 /// Nodes, surface, system and motion of a body. Writes to what is the body's own alone. Returns the energy that it lost
 /// where it is rigid from now on [J].
 double rebuild_shape(WorldState& world, Body& body);
+/// Gives the proxy of a body that is rigid or asleep from now on the shape to which it has deformed.
+void fit_proxy(WorldState& world, Body& body);
 /// Makes the proxies of bodies that have none yet out of their collision parts, in the contact world.
 void add_proxies(WorldState& world, std::span<Body> bodies);
 /// The rigid motion that carries the momentum of a body's nodes.

@@ -1,6 +1,8 @@
 #include "sim/world/phases/contact_phase.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <cmath>
 #include <utility>
 
@@ -10,12 +12,12 @@
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/contact_views.h"
 #include "sim/world/energy/energy_phase.h"
+#include "sim/world/phases/elastic_contacts.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/expected_impacts.h"
 #include "sim/world/phases/face_contacts.h"
 #include "sim/world/phases/motion_phase.h"
 #include "sim/world/phases/rest_phase.h"
-#include "sim/world/phases/settle_contacts.h"
 #include "sim/world/phases/touched_body.h"
 #include "sim/world/world_state.h"
 
@@ -125,129 +127,62 @@ void set_nodal_impulses(const WorldState& world, const TouchedBody& touched, con
   add_nodal_impulses(world, touched, impulses, nodal);
 }
 
-/// Adds to `change` what further nodal impulses change in the velocities of an elastic body's nodes.
-void respond_explicitly(WorldState& world, const Body& body, double dt, const std::vector<Vec3>& impulses,
-                        NodeVectors& change) {
+/// Changes of velocity of an elastic body's rows by nodal impulses, each node on its own.
+NodeVectors respond_explicitly(WorldState& world, const Body& body, double dt, const std::vector<Vec3>& impulses) {
   NodeArrays& nodes = world.nodes;
-  NodeVectors added = body.system->gather(impulses);
-  for (Eigen::Index row = 0; row < added.cols(); ++row) {
+  NodeVectors change = body.system->gather(impulses);
+  for (Eigen::Index row = 0; row < change.cols(); ++row) {
     const NodeId node = body.system->nodes()[row];
-    added.col(row) = (nodes.constraints[node].allowed * added.col(row) / nodes.masses[node]).eval();
+    change.col(row) = (nodes.constraints[node].allowed * change.col(row) / nodes.masses[node]).eval();
   }
   for (NodeId node : body.system->supports())
     nodes.reactions[node] -= (impulses[node] - nodes.constraints[node].allowed * impulses[node]) / dt;
-  change += added;
+  return change;
 }
 
-/// What all nodal impulses of the substep change in the velocities of an elastic body's nodes. `change`: by the
-/// impulses that were there before.
-SolveReport respond_implicitly(WorldState& world, Body& body, double dt, const std::vector<Vec3>& impulses,
-                               NodeVectors& change) {
-  NodeArrays& nodes = world.nodes;
-  const SolveReport report = body.system->respond(implicit_step(world, body, dt), nodes.positions, impulses,
-                                                  nodes.masses, nodes.constraints, change, edge_motion(world));
-  read_back_reactions(world, body);
-  return report;
-}
-
-/// Moves the nodes of a body by a share (0..1) of what its contacts did. From their free velocities, whatever was
-/// there before: the momentum that a change of any size takes away is what it brought.
-void set_velocities(WorldState& world, const TouchedBody& touched, double fraction) {
+/// Adds what its contacts did to the velocities of a body.
+void add_changes(WorldState& world, const TouchedBody& touched) {
   const std::span<const NodeId> nodes = world.bodies[touched.body].system->nodes();
-  for (std::size_t row = 0; row < nodes.size(); ++row)
-    world.nodes.velocities[nodes[row]] = touched.free.col(row) + fraction * touched.change.col(row);
+  for (std::size_t row = 0; row < nodes.size(); ++row) world.nodes.velocities[nodes[row]] += touched.change.col(row);
   const std::span<const EdgeId> edges = world.bodies[touched.body].system->edges();
   for (std::size_t i = 0, row = nodes.size(); i < edges.size(); ++i, ++row)
-    world.edges.velocities[edges[i]] = touched.free.col(row) + fraction * touched.change.col(row);
+    world.edges.velocities[edges[i]] += touched.change.col(row);
 }
 
-/// Lets the body's nodes move as the impulses at its contacts want it. `added`: to those that it knows.
-SolveReport respond(WorldState& world, TouchedBody& touched, double dt, const Eigen::Matrix3Xd& impulses,
-                    const Eigen::Matrix3Xd& added, std::vector<Vec3>& nodal) {
-  Body& body = world.bodies[touched.body];
-  if (touched.change.size() == 0) {
-    touched.free = body.system->gather(world.nodes.velocities, world.edges.velocities);
-    touched.change = NodeVectors::Zero(3, touched.free.cols());
-  }
-  SolveReport report;
-  if (world.integrates_explicitly()) {
-    set_nodal_impulses(world, touched, added, nodal);
-    respond_explicitly(world, body, dt, nodal, touched.change);
-  } else {
-    set_nodal_impulses(world, touched, impulses, nodal);
-    report = respond_implicitly(world, body, dt, nodal, touched.change);
-  }
-  set_velocities(world, touched, 1);
-  return report;
-}
-
-/// How far the body's answer to a change of impulses was from what its compliance told.
-struct Response {
-  SolveReport solve;
-  bool matches_prediction = true;
-};
-
-/// Lets a body answer the impulses that its contacts have now, and learns from it: the response becomes exact under
-/// these impulses, its compliance right for their direction.
-Response update_response(WorldState& world, TouchedBody& touched, ElasticResponse& response, double dt, bool learns,
-                         std::vector<Vec3>& nodal) {
-  constexpr double kForeseen = 0.1, kNegligible = 0.25;
-  Body& body = world.bodies[touched.body];
+/// Impulses on an elastic object at its contacts, one column each.
+Eigen::Matrix3Xd impulses_on(const WorldState& world, const ElasticObject& object) {
   const std::span<const Contact> contacts = world.contact_world.contacts();
-  Eigen::Matrix3Xd impulses(3, touched.points.size());
+  Eigen::Matrix3Xd impulses(3, static_cast<Eigen::Index>(object.contacts.size()));
   for (Eigen::Index k = 0; k < impulses.cols(); ++k) {
-    const Contact& contact = contacts[response.contacts[k]];
-    impulses.col(k) = contact.a == body.proxy ? contact.impulse : Vec3(-contact.impulse);
+    const Contact& contact = contacts[object.contacts[k]];
+    impulses.col(k) = contact.a == object.object ? contact.impulse : Vec3(-contact.impulse);
   }
-  const Eigen::Matrix3Xd added = impulses - response.impulses;
-  if (added.isZero(0)) return {};
-  Response given{respond(world, touched, dt, impulses, added, nodal), true};
-  const Eigen::Matrix3Xd velocities = point_velocities(world, touched), moved = velocities - response.velocities;
-  const Eigen::Matrix3Xd expected = griffith::respond(response.compliance, added);
-  const double negligible = kNegligible * dt * world.model->scene.gravity.norm() * std::sqrt(added.cols());
-  given.matches_prediction = (moved - expected).norm() <= kForeseen * expected.norm() + negligible;
-  const double ratio = moved.cwiseProduct(added).sum() / expected.cwiseProduct(added).sum();
-  if (learns && ratio > 0 && !world.integrates_explicitly()) {
-    const double factor = std::clamp(ratio * body.compliance_factor, 0.1, 100.0);
-    response.compliance.scale(factor / body.compliance_factor);
-    body.compliance_factor = factor;
-  }
-  response.impulses = impulses;
-  response.velocities = velocities;
-  return given;
+  return impulses;
 }
 
-/// All bodies answer; whether all did as foreseen.
-bool update_responses(WorldState& world, TouchedBodies& touched, double dt, bool learns = true) {
+/// Lets a body move as the impulses at its contacts want it.
+void respond(WorldState& world, TouchedBody& touched, const ElasticObject& object, double dt,
+             std::vector<Vec3>& nodal) {
+  Body& body = world.bodies[touched.body];
+  const Eigen::Matrix3Xd impulses = impulses_on(world, object);
+  if (impulses.isZero(0)) return;
+  set_nodal_impulses(world, touched, impulses, nodal);
+  if (world.integrates_explicitly()) {
+    touched.change = respond_explicitly(world, body, dt, nodal);
+  } else {
+    body.system->add_reactions(dt, nodal, world.nodes.constraints, touched.change);
+    read_back_reactions(world, body);
+  }
+  add_changes(world, touched);
+  body.contact_work = impulses.cwiseProduct(point_velocities(world, touched)).sum();
+}
+
+void respond(WorldState& world, TouchedBodies& touched, double dt) {
   std::vector<Vec3> nodal(world.nodes.positions.size());
-  std::vector<Response> responses(touched.bodies.size());
-  parallel_for(static_cast<int>(responses.size()), 1, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i)
-      responses[i] = update_response(world, touched.bodies[i], touched.responses[i], dt, learns, nodal);
+  parallel_for(static_cast<int>(touched.bodies.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) respond(world, touched.bodies[i], touched.objects[i], dt, nodal);
   });
-  bool matches_prediction = true;
-  for (std::size_t i = 0; i < responses.size(); ++i) {
-    count_solve(world, responses[i].solve);
-    matches_prediction &= responses[i].matches_prediction;
-  }
-  return matches_prediction;
-}
-
-/// Takes back what would add energy.
-void limit_energy(WorldState& world, TouchedBodies& touched, double dt) {
-  const std::vector<double> factors = world.contact_world.limit_energy(dt, touched.responses);
-  for (std::size_t i = 0; i < factors.size(); ++i) {
-    if (touched.bodies[i].change.size() == 0) continue;
-    const ElasticResponse& response = touched.responses[i];
-    const Eigen::Matrix3Xd velocities =
-        response.free_velocities + factors[i] * (response.velocities - response.free_velocities);
-    double& work = world.bodies[touched.bodies[i].body].contact_work;
-    work = factors[i] * response.impulses.cwiseProduct(velocities).sum();
-    world.energy.contacts -= work;
-    if (factors[i] == 1) continue;
-    ++world.report.limited_impulses;
-    set_velocities(world, touched.bodies[i], factors[i]);
-  }
+  for (const TouchedBody& of : touched.bodies) world.energy.contacts -= world.bodies[of.body].contact_work;
 }
 
 void apply_corrections(WorldState& world) {
@@ -272,35 +207,17 @@ void apply_corrections(WorldState& world) {
   }
 }
 
-void solve_impulses(WorldState& world, const TouchedBodies& touched, double dt, bool again) {
-  world.contact_world.solve(dt, touched.responses, again);
-}
-
-/// Impulses by what is known of elastic bodies before they answer.
-void estimate_impulses(WorldState& world, TouchedBodies& touched, double dt, bool again) {
-  parallel_for(static_cast<int>(touched.bodies.size()), 1, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) prepare_response(world, touched.bodies[i], dt, touched.responses[i]);
-  });
-  solve_impulses(world, touched, dt, again);
-}
-
-/// Impulses that the rigid and the elastic agree on: what is elastic is known by an estimate first, then by its
-/// answers.
+/// Finds the impulses on which all that touches agrees. Rigid and sleeping bodies that must deform under them do.
 TouchedBodies solve_contacts(WorldState& world, double dt) {
-  constexpr int kMaxRounds = 3;
   TouchedBodies touched = touched_bodies(world);
-  correct_distances(world, touched);
+  fit_contacts(world, touched);
   drop_near_misses(world, touched, dt);
-  estimate_impulses(world, touched, dt, false);
+  solve_elastic_contacts(world, touched, dt);
   while (make_struck_bodies_elastic(world, dt)) {
-    spread_contacts(world);
+    spread_contacts(world, dt);
     touched = touched_bodies(world);
-    estimate_impulses(world, touched, dt, true);
+    solve_elastic_contacts(world, touched, dt);
   }
-  for (int round = 1; !update_responses(world, touched, dt) && round < kMaxRounds; ++round)
-    solve_impulses(world, touched, dt, true);
-  if (!world.integrates_explicitly() && settle_contacts(world, touched, dt))
-    update_responses(world, touched, dt, false);
   return touched;
 }
 
@@ -346,10 +263,10 @@ void resolve_contacts(WorldState& world, double dt) {
   world.contact_world.detect();  // before the prediction, by which all that rests is about to fall
   drop_contacts_of_shocks(world);
   wake_disturbed_bodies(world, dt);
-  spread_contacts(world);
+  spread_contacts(world, dt);
   push_rigid_velocities(world);
   TouchedBodies touched = solve_contacts(world, dt);
-  limit_energy(world, touched, dt);
+  respond(world, touched, dt);
   push_rigid_velocities(world);
   world.contact_world.advance(dt);
   read_back_rigid_velocities(world);

@@ -17,7 +17,8 @@ namespace {
 
 constexpr double kAlike = 0.95;      // cosine between normals of one face
 constexpr double kReach = 0.5;       // of an element: farther nodes do not touch
-constexpr double kDownwards = 0.05;  // cosine to the vertical of a face that may lie on the ground
+constexpr double kGroundReach = 0.02;  // of an element: a gap that still counts as touching the ground
+constexpr double kForesight = 2;       // of the way of a node in a substep
 constexpr double kSamePlace = 0.01;  // of an element
 
 /// Coordinates in the contact plane and along the normal.
@@ -174,43 +175,56 @@ void add_face_contacts(const WorldState& world, const FacePair& pair, std::vecto
     }
 }
 
-void add_ground_contacts(const WorldState& world, const Body& body, const Contact& like, std::vector<Contact>& added) {
-  const double height = world.model->scene.ground->height, reach = kReach * body.element_size;
+/// True if the ground acts on a body: where it stands still on supports, they carry it.
+bool may_lie_on_ground(const WorldState& world, const Body& body, ProxyId ground) {
+  if (!body.sways() || body.shock) return false;
+  if (!body.supported()) return true;
+  const auto is_this = [&](const Contact& contact) {
+    return (contact.a == body.proxy && contact.b == ground) || (contact.b == body.proxy && contact.a == ground);
+  };
+  return std::ranges::any_of(world.contact_world.contacts(), is_this);
+}
+
+/// Adds the nodes of a body that touch the ground, or may in a substep of `dt` [s].
+void add_ground_contacts(const WorldState& world, const Body& body, ProxyId ground, double dt,
+                         std::vector<Contact>& added) {
+  const double height = world.model->scene.ground->height, reach = kGroundReach * body.element_size;
+  const double fall = std::max(0.0, -dt * dt * world.model->scene.gravity.y());
   std::vector<NodeId> nodes;
-  for (const SurfaceFace& face : body.surface) {
-    const std::array<NodeId, 3> corners = face_nodes(world.mesh, face.tet, face.face);
-    const Vec3 &p = world.nodes.positions[corners[0]], &q = world.nodes.positions[corners[1]],
-               &r = world.nodes.positions[corners[2]];
-    const Vec3 area = (q - p).cross(r - p);
-    if (area.y() > -kDownwards * area.norm()) continue;
-    for (const NodeId node : corners)
-      if (!world.nodes.has_support[node] && std::abs(world.nodes.positions[node].y() - height) < reach)
+  for (const SurfaceFace& face : body.surface)
+    for (const NodeId node : face_nodes(world.mesh, face.tet, face.face)) {
+      const double way = std::max(0.0, -dt * world.nodes.velocities[node].y()) + fall;
+      if (!world.nodes.has_support[node] && world.nodes.positions[node].y() - height < reach + kForesight * way)
         nodes.push_back(node);
-  }
+    }
   sort_unique(nodes);
-  const bool is_a = world.body_of(like.a) == body.id;
   for (const NodeId node : nodes) {
     const double distance = world.nodes.positions[node].y() - height;
     const Vec3 middle = world.nodes.positions[node] - 0.5 * distance * Vec3::UnitY();
-    Contact contact{like.a, like.b, middle, is_a ? Vec3(Vec3::UnitY()) : Vec3(-Vec3::UnitY()), distance};
-    (is_a ? contact.node_a : contact.node_b) = node;
-    added.push_back(contact);
+    added.push_back({body.proxy, ground, middle, Vec3::UnitY(), distance, 0, Vec3::Zero(), node, NodeId()});
   }
 }
 
-/// Adds what elastic bodies have on the ground, once for each.
-void add_all_ground_contacts(const WorldState& world, std::vector<Contact>& added) {
-  std::set<BodyId> done;
+/// Adds what elastic bodies have on the ground, once for each, and marks what was detected there.
+void add_all_ground_contacts(const WorldState& world, double dt, std::vector<Contact>& added,
+                             std::vector<bool>& replaced) {
+  const std::optional<ProxyId> ground = world.contact_world.ground();
+  if (!ground) return;
   const std::span<const Contact> contacts = world.contact_world.contacts();
+  std::set<ProxyId> known, done;
   for (const Contact& contact : contacts)
-    for (const auto& [side, other] : {std::pair(contact.a, contact.b), std::pair(contact.b, contact.a)})
-      if (is_of_nodes(contact) && world.contact_world.is_ground(other)) done.insert(world.body_of(side));
-  for (const Contact& contact : contacts)
-    for (const auto& [side, other] : {std::pair(contact.a, contact.b), std::pair(contact.b, contact.a)}) {
-      const BodyId id = world.body_of(side);
-      if (is_elastic(world, id) && world.contact_world.is_ground(other) && done.insert(id).second)
-        add_ground_contacts(world, world.bodies[id], contact, added);
+    if (is_of_nodes(contact))
+      for (const auto& [side, other] : {std::pair(contact.a, contact.b), std::pair(contact.b, contact.a)})
+        if (other == *ground) known.insert(side);
+  for (const Body& body : world.bodies)
+    if (may_lie_on_ground(world, body, *ground) && !known.contains(body.proxy)) {
+      add_ground_contacts(world, body, *ground, dt, added);
+      done.insert(body.proxy);
     }
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    for (const auto& [side, other] :
+         {std::pair(contacts[i].a, contacts[i].b), std::pair(contacts[i].b, contacts[i].a)})
+      if (other == *ground && done.contains(side)) replaced[i] = true;
 }
 
 auto objects_of(const Contact& contact) { return std::pair(contact.a, contact.b); }
@@ -235,17 +249,17 @@ double element_size(const WorldState& world, const Contact& contact) {
 
 }  // namespace
 
-void spread_contacts(WorldState& world) {
+void spread_contacts(WorldState& world, double dt) {
   const std::span<const Contact> contacts = std::as_const(world.contact_world).contacts();
   std::vector<Contact> added;
-  add_all_ground_contacts(world, added);
+  std::vector<bool> replaced(contacts.size(), false);
+  add_all_ground_contacts(world, dt, added, replaced);
   for (const FacePair& pair : face_pairs(world)) add_face_contacts(world, pair, added);
   if (added.empty()) return;
   std::ranges::stable_sort(added, std::ranges::less(), objects_of);
-  std::vector<bool> doubled;
-  for (const Contact& contact : contacts)
-    doubled.push_back(is_doubled(contact, added, kSamePlace * element_size(world, contact)));
-  world.contact_world.replace_contacts(doubled, added);
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (is_doubled(contacts[i], added, kSamePlace * element_size(world, contacts[i]))) replaced[i] = true;
+  world.contact_world.replace_contacts(replaced, added);
 }
 
 }  // namespace griffith

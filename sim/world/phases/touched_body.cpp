@@ -29,55 +29,6 @@ Vec3 proxy_position(const Body& body, const SurfacePoint& point) {
   return body.motion.center + body.orientation * arm;
 }
 
-/// The touched surface points by the nodes that carry them, `row_of` each.
-template <class RowOf>
-std::vector<WeightedRows> weighted_rows(const WorldState& world, std::span<const TouchedPoint> points, RowOf row_of) {
-  std::vector<WeightedRows> rows(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (int k = 0; k < 3; ++k) {
-      const NodeId node = points[i].surface.nodes[k];
-      rows[i].rows[k] = row_of(node);
-      rows[i].weights[k] = points[i].surface.weights[k] * world.nodes.constraints[node].allowed;
-    }
-  return rows;
-}
-
-/// Cross matrices of the arms from the body's centre of mass to `place` of each point.
-std::vector<Mat3> arm_matrices(const Body& body, std::span<const TouchedPoint> points, Vec3 TouchedPoint::*place) {
-  std::vector<Mat3> arms;
-  for (const TouchedPoint& point : points) arms.push_back(cross_matrix(point.*place - body.motion.center));
-  return arms;
-}
-
-/// Explicit integration moves single nodes before their neighbours answer. What the offsets of the contacts from the
-/// surface add is the rigid answer at the contacts less that at the surface, which the nodes' hold.
-PointCompliance explicit_compliance(const WorldState& world, const Body& body, std::span<const TouchedPoint> points) {
-  std::vector<Mat3> nodes;
-  for (NodeId node : body.nodes) nodes.push_back(Mat3::Identity() / world.nodes.masses[node]);
-  PointCompliance compliance =
-      node_compliance(weighted_rows(world, points, [&](NodeId node) { return place_of(body, node); }), nodes);
-  if (body.supported()) return compliance;
-  const Mat3 inverse_inertia = body.motion.inertia.inverse();
-  compliance.add_modes(inverse_inertia, arm_matrices(body, points, &TouchedPoint::contact), false);
-  compliance.add_modes(inverse_inertia, arm_matrices(body, points, &TouchedPoint::position), true);
-  return compliance;
-}
-
-/// That of the implicit step's system: about what deforms, and of a free body, exactly, how the whole of it moves. A
-/// sum of what is positive semidefinite each: with less, impulses would feed each other.
-PointCompliance implicit_compliance(const WorldState& world, const Body& body, std::span<const TouchedPoint> points,
-                                    double dt) {
-  const auto rows = weighted_rows(world, points, [&](NodeId node) { return world.nodes.rows[node]; });
-  if (body.supported()) return body.system->compliance(rows);
-  PointCompliance compliance = body.system->deforming_compliance(rows, world.nodes.positions, world.nodes.masses);
-  const double damping = 1 + dt * world.material_of(body).mass_damping;
-  const std::vector<Mat3> whole(points.size(), Mat3::Identity());
-  compliance.add_modes(Mat3::Identity() / (damping * body.motion.mass), whole, false);
-  compliance.add_modes(body.motion.inertia.inverse() / damping, arm_matrices(body, points, &TouchedPoint::contact),
-                       false);
-  return compliance;
-}
-
 bool is_elastic(const WorldState& world, ProxyId object) {
   const BodyId id = world.body_of(object);
   return id.valid() && !world.bodies[id].rigid && !world.bodies[id].asleep;
@@ -97,8 +48,8 @@ std::vector<double> approach_speeds(const WorldState& world, const TouchedBodies
   for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
     const Eigen::Matrix3Xd velocities = point_velocities(world, touched.bodies[i]);
     for (Eigen::Index k = 0; k < velocities.cols(); ++k) {
-      const int index = touched.responses[i].contacts[k];
-      const double side = contacts[index].a == touched.responses[i].object ? 1 : -1;
+      const int index = touched.objects[i].contacts[k];
+      const double side = contacts[index].a == touched.objects[i].object ? 1 : -1;
       speeds[index] -= side * contacts[index].normal.dot(velocities.col(k));
     }
   }
@@ -116,12 +67,12 @@ void list_contacts(const WorldState& world, TouchedBodies& touched) {
       if (index_of_body[id] < 0) {
         index_of_body[id] = static_cast<int>(touched.bodies.size());
         touched.bodies.emplace_back().body = id;
-        touched.responses.emplace_back().object = object;
+        touched.objects.emplace_back().object = object;
       }
       TouchedPoint& point = touched.bodies[index_of_body[id]].points.emplace_back();
       point.contact = contacts[i].position;
       point.node = is_a ? contacts[i].node_a : contacts[i].node_b;
-      touched.responses[index_of_body[id]].contacts.push_back(static_cast<int>(i));
+      touched.objects[index_of_body[id]].contacts.push_back(static_cast<int>(i));
     }
 }
 
@@ -143,18 +94,45 @@ TouchedBodies touched_bodies(const WorldState& world) {
   return touched;
 }
 
-void correct_distances(WorldState& world, const TouchedBodies& touched) {
+namespace {
+
+/// Moves a contact half-way between the surfaces that touch, of which `point` is on one.
+Vec3 middle_from(const Contact& contact, const Vec3& point, double side) {
+  return point - side * 0.5 * contact.distance * contact.normal;
+}
+
+void correct_places(WorldState& world, TouchedBodies& touched) {
+  const std::span<Contact> contacts = world.contact_world.contacts();
+  std::vector<int> known(contacts.size(), 0);
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i)
+    for (std::size_t k = 0; k < touched.bodies[i].points.size(); ++k) {
+      Contact& contact = contacts[touched.objects[i].contacts[k]];
+      if (contact.node_a.valid() || contact.node_b.valid()) continue;
+      const double side = contact.a == touched.objects[i].object ? 1 : -1;
+      const Vec3 middle = middle_from(contact, touched.bodies[i].points[k].position, side);
+      int& sides = known[touched.objects[i].contacts[k]];
+      contact.position = sides++ == 0 ? middle : Vec3(0.5 * (contact.position + middle));
+    }
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i)
+    for (std::size_t k = 0; k < touched.bodies[i].points.size(); ++k)
+      touched.bodies[i].points[k].contact = contacts[touched.objects[i].contacts[k]].position;
+}
+
+}  // namespace
+
+void fit_contacts(WorldState& world, TouchedBodies& touched) {
   const std::span<Contact> contacts = world.contact_world.contacts();
   for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
     const Body& body = world.bodies[touched.bodies[i].body];
     for (std::size_t k = 0; k < touched.bodies[i].points.size(); ++k) {
       const TouchedPoint& point = touched.bodies[i].points[k];
-      Contact& contact = contacts[touched.responses[i].contacts[k]];
+      Contact& contact = contacts[touched.objects[i].contacts[k]];
       if (contact.node_a.valid() || contact.node_b.valid()) continue;
       const double side = contact.a == body.proxy ? 1 : -1;
       contact.distance += side * contact.normal.dot(point.position - proxy_position(body, point.surface));
     }
   }
+  correct_places(world, touched);
 }
 
 void drop_near_misses(WorldState& world, TouchedBodies& touched, double dt) {
@@ -163,32 +141,20 @@ void drop_near_misses(WorldState& world, TouchedBodies& touched, double dt) {
     std::vector<TouchedPoint> points;
     std::vector<int> contacts;
     for (std::size_t k = 0; k < touched.bodies[i].points.size(); ++k) {
-      const int kept = index[touched.responses[i].contacts[k]];
+      const int kept = index[touched.objects[i].contacts[k]];
       if (kept < 0) continue;
       points.push_back(touched.bodies[i].points[k]);
       contacts.push_back(kept);
     }
     touched.bodies[i].points = std::move(points);
-    touched.responses[i].contacts = std::move(contacts);
-  }
-}
-
-void prepare_response(const WorldState& world, const TouchedBody& touched, double dt, ElasticResponse& response) {
-  response.free_velocities = response.velocities = point_velocities(world, touched);
-  response.impulses = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(touched.points.size()));
-  const Body& body = world.bodies[touched.body];
-  if (world.integrates_explicitly()) {
-    response.compliance = explicit_compliance(world, body, touched.points);
-  } else {
-    response.compliance = implicit_compliance(world, body, touched.points, dt);
-    response.compliance.scale(body.compliance_factor);
+    touched.objects[i].contacts = std::move(contacts);
   }
 }
 
 Eigen::Matrix3Xd point_velocities(const WorldState& world, const TouchedBody& touched) {
   const Body& body = world.bodies[touched.body];
   const Vec3 spin = body.supported() ? Vec3(Vec3::Zero()) : motion_of(world, body).angular_velocity;
-  Eigen::Matrix3Xd velocities(3, touched.points.size());
+  Eigen::Matrix3Xd velocities(3, static_cast<Eigen::Index>(touched.points.size()));
   for (std::size_t k = 0; k < touched.points.size(); ++k) {
     const TouchedPoint& point = touched.points[k];
     velocities.col(k) = spin.cross(point.contact - point.position);
@@ -196,6 +162,15 @@ Eigen::Matrix3Xd point_velocities(const WorldState& world, const TouchedBody& to
       velocities.col(k) += point.surface.weights[i] * world.nodes.velocities[point.surface.nodes[i]];
   }
   return velocities;
+}
+
+WeightedRows weighted_rows(const WorldState& world, const SurfacePoint& point) {
+  WeightedRows rows;
+  for (int k = 0; k < 3; ++k) {
+    rows.rows[k] = world.nodes.rows[point.nodes[k]];
+    rows.weights[k] = point.weights[k] * world.nodes.constraints[point.nodes[k]].allowed;
+  }
+  return rows;
 }
 
 void add_nodal_impulses(const WorldState& world, const TouchedBody& touched, const Eigen::Matrix3Xd& impulses,

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "sim/core/linear_algebra.h"
+
+namespace griffith {
+
+/// Impulse that a contact takes, and how it changes with what is asked of it.
+struct ConeProjection {
+  Vec3 impulse = Vec3::Zero();     ///< along normal and tangents [N·s]
+  Mat3 derivative = Mat3::Zero();  ///< by what was asked for: symmetric, eigenvalues 0..1 [-]
+};
+
+/// Euclidean projection of an impulse along the axes of a contact onto Coulomb's cone, |tangential| <= friction ·
+/// normal. Inside the cone it is the impulse itself (sticking), inside the polar cone 0 (open), else on the cone's
+/// surface (sliding). See Castro, Permenter & Han 2022, section IV.
+ConeProjection project_on_cone(const Vec3& asked, double friction);
+
+}  // namespace griffith

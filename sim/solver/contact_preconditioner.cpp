@@ -1,0 +1,198 @@
+#include "sim/solver/contact_preconditioner.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+#include "sim/core/sort_unique.h"
+#include "sim/solver/rigid_motion.h"
+
+namespace griffith {
+namespace {
+
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+void add_block(const Eigen::MatrixXd& block, int row, int column, Triplets& triplets) {
+  for (Eigen::Index j = 0; j < block.cols(); ++j)
+    for (Eigen::Index i = 0; i < block.rows(); ++i)
+      if (row + i >= column + j)
+        triplets.emplace_back(row + static_cast<int>(i), column + static_cast<int>(j), block(i, j));
+}
+
+/// Collects the rows that contacts touch, per deformable body.
+std::vector<std::vector<int>> touched_rows(std::size_t bodies, std::span<const FrictionContact> contacts) {
+  std::vector<std::vector<int>> touched(bodies);
+  for (const FrictionContact& contact : contacts)
+    for (const ContactSide* side : {&contact.a, &contact.b})
+      if (side->body >= 0 && side->deformable)
+        for (const int row : side->point.rows)
+          if (row >= 0) touched[side->body].push_back(row);
+  for (std::vector<int>& rows : touched) sort_unique(rows);
+  return touched;
+}
+
+Mat3 inverse_diagonal(const DeformableInertia& body, int row) {
+  if (body.matrix) return body.preconditioner->inverse_diagonal(row);
+  return Mat3::Identity() / body.masses[row];
+}
+
+int aggregate_count(const DeformableInertia& body) {
+  return body.matrix && body.preconditioner->has_coarse_space() ? body.preconditioner->aggregate_count() : 0;
+}
+
+}  // namespace
+
+int ContactPreconditioner::BodyUnknowns::row_unknown(int row) const {
+  return first_touched + 3 * static_cast<int>(std::ranges::lower_bound(touched, row) - touched.begin());
+}
+
+ContactPreconditioner::ContactPreconditioner(std::span<const DeformableInertia> deformable,
+                                             std::span<const RigidInertia> rigid,
+                                             std::span<const FrictionContact> contacts)
+    : deformable_(deformable), rigid_(rigid), bodies_(deformable.size()) {
+  std::vector<std::vector<int>> touched = touched_rows(deformable.size(), contacts);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i].touched = std::move(touched[i]);
+  number_unknowns();
+  build_jacobian(contacts);
+  build_pattern();
+  find_slots();
+  factors_.analyzePattern(matrix_);
+}
+
+void ContactPreconditioner::number_unknowns() {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    BodyUnknowns& body = bodies_[i];
+    body.offset = rigid_offset_;
+    body.first_touched = unknowns_;
+    body.first_aggregate = unknowns_ + 3 * static_cast<int>(body.touched.size());
+    unknowns_ = body.first_aggregate + 6 * aggregate_count(deformable_[i]);
+    rigid_offset_ += 3 * deformable_[i].rows();
+  }
+  first_rigid_ = unknowns_;
+  unknowns_ += 6 * static_cast<int>(rigid_.size());
+}
+
+void ContactPreconditioner::add_side(const ContactSide& side, const Mat3& axes) {
+  if (side.body < 0) return;
+  if (!side.deformable) return jacobian_.add(first_rigid_ + 6 * side.body, axes * rigid_modes(side.arm));
+  const BodyUnknowns& body = bodies_[side.body];
+  const DeformableInertia& inertia = deformable_[side.body];
+  for (int i = 0; i < 3; ++i) {
+    const int row = side.point.rows[i];
+    if (row < 0) continue;
+    const Mat3 weight = axes * side.point.weights[i];
+    jacobian_.add(body.row_unknown(row), weight);
+    if (aggregate_count(inertia) == 0 || row >= inertia.preconditioner->node_rows()) continue;
+    jacobian_.add(body.first_aggregate + 6 * inertia.preconditioner->aggregate_of(row),
+                  weight * rigid_modes(inertia.preconditioner->arm(row)));
+  }
+}
+
+void ContactPreconditioner::build_jacobian(std::span<const FrictionContact> contacts) {
+  for (const FrictionContact& contact : contacts) {
+    add_side(contact.a, contact.axes.transpose());
+    add_side(contact.b, -contact.axes.transpose());
+    jacobian_.finish_contact();
+  }
+}
+
+void ContactPreconditioner::build_pattern() {
+  Triplets triplets;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const BodyUnknowns& body = bodies_[i];
+    for (const int row : body.touched)
+      add_block(inverse_diagonal(deformable_[i], row).inverse(), body.row_unknown(row), body.row_unknown(row),
+                triplets);
+    if (aggregate_count(deformable_[i]) == 0) continue;
+    const Eigen::SparseMatrix<double>& coarse = deformable_[i].preconditioner->coarse_matrix();
+    for (int column = 0; column < coarse.outerSize(); ++column)
+      for (Eigen::SparseMatrix<double>::InnerIterator entry(coarse, column); entry; ++entry)
+        if (entry.row() >= column)
+          triplets.emplace_back(body.first_aggregate + static_cast<int>(entry.row()), body.first_aggregate + column,
+                                entry.value());
+  }
+  for (std::size_t i = 0; i < rigid_.size(); ++i) {
+    const int first = first_rigid_ + 6 * static_cast<int>(i);
+    add_block(rigid_[i].mass * Mat3::Identity(), first, first, triplets);
+    add_block(rigid_[i].inertia, first + 3, first + 3, triplets);
+  }
+  for (int contact = 0; contact < jacobian_.contacts(); ++contact)
+    for (const auto* p = jacobian_.begin(contact); p != jacobian_.end(contact); ++p)
+      for (const auto* q = jacobian_.begin(contact); q != jacobian_.end(contact); ++q)
+        if (p->offset >= q->offset)
+          add_block(Eigen::MatrixXd::Zero(p->width, q->width), p->offset, q->offset, triplets);
+  matrix_.resize(unknowns_, unknowns_);
+  matrix_.setFromTriplets(triplets.begin(), triplets.end());
+  inertia_values_ = matrix_.coeffs();
+}
+
+/// Entries of a block's column lie next to each other, since all of its rows are in the pattern.
+void ContactPreconditioner::find_slots() {
+  const int* const starts = matrix_.outerIndexPtr();
+  const int* const rows = matrix_.innerIndexPtr();
+  for (int contact = 0; contact < jacobian_.contacts(); ++contact)
+    for (const auto* p = jacobian_.begin(contact); p != jacobian_.end(contact); ++p)
+      for (const auto* q = jacobian_.begin(contact); q != jacobian_.end(contact); ++q) {
+        if (p->offset < q->offset) continue;
+        for (int column = q->offset; column < q->offset + q->width; ++column)
+          slots_.push_back(static_cast<int>(std::lower_bound(rows + starts[column], rows + starts[column + 1],
+                                                             std::max(p->offset, column)) -
+                                            rows));
+      }
+}
+
+bool ContactPreconditioner::factor(const std::vector<Mat3>& stiffness) {
+  double* const values = matrix_.valuePtr();
+  std::copy_n(inertia_values_.data(), inertia_values_.size(), values);
+  const int* slot = slots_.data();
+  for (int contact = 0; contact < jacobian_.contacts(); ++contact)
+    for (const auto* p = jacobian_.begin(contact); p != jacobian_.end(contact); ++p)
+      for (const auto* q = jacobian_.begin(contact); q != jacobian_.end(contact); ++q) {
+        if (p->offset < q->offset) continue;
+        const Eigen::Matrix<double, 6, 6> product = p->values.transpose() * (stiffness[contact] * q->values);
+        for (int column = 0; column < q->width; ++column) {
+          double* value = values + *slot++;
+          for (int row = p == q ? column : 0; row < p->width; ++row) *value++ += product(row, column);
+        }
+      }
+  factors_.factorize(matrix_);
+  return factors_.info() == Eigen::Success;
+}
+
+void ContactPreconditioner::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) const {
+  Eigen::VectorXd reduced = Eigen::VectorXd::Zero(unknowns_);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const BodyUnknowns& body = bodies_[i];
+    for (const int row : body.touched)
+      reduced.segment<3>(body.row_unknown(row)) = r.segment<3>(body.offset + 3 * row);
+    if (aggregate_count(deformable_[i]) == 0) continue;
+    const RigidModePreconditioner& modes = *deformable_[i].preconditioner;
+    for (int row = 0; row < modes.node_rows(); ++row) {
+      const Vec3 at_row = r.segment<3>(body.offset + 3 * row);
+      const int first = body.first_aggregate + 6 * modes.aggregate_of(row);
+      reduced.segment<3>(first) += at_row;
+      reduced.segment<3>(first + 3) += modes.arm(row).cross(at_row);
+    }
+  }
+  reduced.tail(unknowns_ - first_rigid_) = r.tail(r.size() - rigid_offset_);
+  const Eigen::VectorXd solved = factors_.solve(reduced);
+
+  z.resize(r.size());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const BodyUnknowns& body = bodies_[i];
+    for (int row = 0; row < deformable_[i].rows(); ++row)
+      z.segment<3>(body.offset + 3 * row) =
+          inverse_diagonal(deformable_[i], row) * r.segment<3>(body.offset + 3 * row);
+    for (const int row : body.touched)
+      z.segment<3>(body.offset + 3 * row) = solved.segment<3>(body.row_unknown(row));
+    if (aggregate_count(deformable_[i]) == 0) continue;
+    const RigidModePreconditioner& modes = *deformable_[i].preconditioner;
+    for (int row = 0; row < modes.node_rows(); ++row) {
+      const int first = body.first_aggregate + 6 * modes.aggregate_of(row);
+      z.segment<3>(body.offset + 3 * row) +=
+          solved.segment<3>(first) + solved.segment<3>(first + 3).cross(modes.arm(row));
+    }
+  }
+  z.tail(r.size() - rigid_offset_) = solved.tail(unknowns_ - first_rigid_);
+}
+
+}  // namespace griffith

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <Eigen/SparseCholesky>
+#include <span>
+#include <vector>
+
+#include "sim/solver/contact_jacobian.h"
+#include "sim/solver/contact_problem.h"
+
+namespace griffith {
+
+/// Solves with an approximation of A + Jᵀ G J, the matrix of deformable and rigid bodies that stiff contacts join.
+///
+/// RigidModePreconditioner approximates the inverse of A by D⁻¹ + R (Rᵀ A R)⁻¹ Rᵀ, the inverse in the space of local
+/// displacements y and rigid motions c of aggregates, v = y + R c, under the energy yᵀ D y + cᵀ Rᵀ A R c. Here the
+/// contacts act in that space: its matrix
+///   diag(D, Rᵀ A R) + Πᵀ Jᵀ G J Π,   Π (y, c) = y + R c
+/// is factored without the nodes that nothing touches, whose y follows alone. The number of iterations so depends on
+/// the stiffness of the contacts as little as on that of the bodies (fictitious space lemma: Nepomnyaschikh 1991).
+/// Rigid bodies are aggregates without local displacements, solved exactly.
+class ContactPreconditioner {
+ public:
+  /// Takes the bodies' velocities in one vector: the rows of the deformable ones, then six of each rigid one.
+  ContactPreconditioner(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
+                        std::span<const FrictionContact> contacts);
+
+  /// Takes G, one symmetric positive semidefinite block a contact, along its axes [kg]. False where the matrix could
+  /// not be factored.
+  bool factor(const std::vector<Mat3>& stiffness);
+  /// z = (approximately) (A + Jᵀ G J)⁻¹ r; after factor().
+  void apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) const;
+
+ private:
+  /// Unknowns of a deformable body: touched rows first, then six for each aggregate.
+  struct BodyUnknowns {
+    std::vector<int> touched;  ///< rows, ascending
+    int first_touched = 0, first_aggregate = 0;
+    int offset = 0;  ///< in the vector of all velocities
+    int row_unknown(int row) const;
+  };
+  void number_unknowns();
+  void build_jacobian(std::span<const FrictionContact> contacts);
+  void add_side(const ContactSide& side, const Mat3& axes);
+  void build_pattern();
+  void find_slots();
+
+  std::span<const DeformableInertia> deformable_;
+  std::span<const RigidInertia> rigid_;
+  std::vector<BodyUnknowns> bodies_;
+  int first_rigid_ = 0, rigid_offset_ = 0, unknowns_ = 0;
+  ContactJacobian jacobian_;  // J Π
+  Eigen::SparseMatrix<double> matrix_;
+  Eigen::VectorXd inertia_values_;  // of matrix_ without contacts
+  std::vector<int> slots_;          // of matrix_: per contact, pair of blocks and column
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::AMDOrdering<int>> factors_;
+};
+
+}  // namespace griffith

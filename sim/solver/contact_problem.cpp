@@ -1,0 +1,445 @@
+#include "sim/solver/contact_problem.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <cstdio>
+#include <cstdlib>
+
+#include "sim/core/rotation.h"
+#include "sim/solver/contact_cone.h"
+#include "sim/solver/contact_jacobian.h"
+#include "sim/solver/contact_preconditioner.h"
+#include "sim/solver/rigid_motion.h"
+
+namespace griffith {
+
+Vec3 WholeMotion::spin_of(const Eigen::Ref<const NodeVectors>& velocities) const {
+  Vec3 momentum = Vec3::Zero();
+  for (Eigen::Index i = 0; i < masses.size(); ++i)
+    momentum += masses[i] * Vec3(arms.col(i)).cross(Vec3(velocities.col(i)));
+  return inverse_inertia * momentum;
+}
+
+NodeVectors WholeMotion::part_of(const Eigen::Ref<const NodeVectors>& velocities) const {
+  const Vec3 velocity = inverse_mass * (velocities.leftCols(masses.size()) * masses), spin = spin_of(velocities);
+  NodeVectors field(3, arms.cols());
+  for (Eigen::Index i = 0; i < field.cols(); ++i) field.col(i) = spin.cross(Vec3(arms.col(i)));
+  field.leftCols(masses.size()).colwise() += velocity;
+  return field;
+}
+
+NodeVectors WholeMotion::momentum_of(const Eigen::Ref<const NodeVectors>& impulses) const {
+  Vec3 torque = Vec3::Zero();
+  for (Eigen::Index i = 0; i < arms.cols(); ++i) torque += Vec3(arms.col(i)).cross(Vec3(impulses.col(i)));
+  const Vec3 velocity = inverse_mass * impulses.leftCols(masses.size()).rowwise().sum(),
+             spin = inverse_inertia * torque;
+  NodeVectors momentum = NodeVectors::Zero(3, arms.cols());
+  for (Eigen::Index i = 0; i < masses.size(); ++i)
+    momentum.col(i) = masses[i] * (velocity + spin.cross(Vec3(arms.col(i))));
+  return momentum;
+}
+
+namespace {
+
+/// Contacts that converge slowly become stiffer, down to this share of their first softness.
+constexpr double kStiffest = 1e-3;
+/// Share of the tolerance that Newton's method may leave.
+constexpr double kNewtonFraction = 0.3;
+
+/// Bodies one after the other in one vector: rows of the deformable ones, then six numbers of each rigid one.
+class Bodies {
+ public:
+  Bodies(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid)
+      : deformable_(deformable), rigid_(rigid) {
+    for (const DeformableInertia& body : deformable) {
+      offsets_.push_back(size_);
+      size_ += 3 * body.rows();
+    }
+    first_rigid_ = size_;
+    size_ += 6 * static_cast<int>(rigid.size());
+  }
+
+  int size() const { return size_; }
+  int offset(const ContactSide& side) const {
+    return side.deformable ? offsets_[side.body] : first_rigid_ + 6 * side.body;
+  }
+  NodeVectors change(std::size_t body, const Eigen::VectorXd& v) const {
+    return v.segment(offsets_[body], 3 * deformable_[body].rows()).reshaped(3, deformable_[body].rows());
+  }
+
+  /// About the largest speed that these impulses would give a node, or a rigid body's mass, without contacts [m/s].
+  double speed_under(const Eigen::VectorXd& impulses) const {
+    double largest = 0;
+    NodeVectors z;
+    for (std::size_t i = 0; i < deformable_.size(); ++i) {
+      const DeformableInertia& body = deformable_[i];
+      NodeVectors of_body = change(i, impulses);
+      if (body.matrix && body.whole.exists()) {
+        const NodeVectors whole = body.whole.momentum_of(of_body);
+        for (Eigen::Index row = 0; row < body.whole.masses.size(); ++row)
+          largest = std::max(largest, whole.col(row).squaredNorm() / (body.whole.masses[row] * body.whole.masses[row]));
+        of_body -= whole;
+      }
+      if (body.matrix) {
+        body.preconditioner->apply(of_body, z);
+      } else {
+        z = of_body * body.masses.cwiseInverse().asDiagonal();
+      }
+      if (z.cols() > 0) largest = std::max(largest, z.colwise().squaredNorm().maxCoeff());
+    }
+    for (std::size_t i = 0; i < rigid_.size(); ++i) {
+      const auto of_body = impulses.segment<6>(first_rigid_ + 6 * static_cast<Eigen::Index>(i));
+      const Vec3 turning = of_body.tail<3>();
+      const RigidInertia& body = rigid_[i];
+      largest = std::max(largest, of_body.head<3>().squaredNorm() / (body.mass * body.mass) +
+                                      turning.dot(body.inertia.inverse() * turning) / body.mass);
+    }
+    return std::sqrt(largest);
+  }
+
+  /// A v, the whole of a body resisting by its mass alone.
+  static void multiply(const DeformableInertia& body, const NodeVectors& v, NodeVectors& product) {
+    if (!body.matrix) return void(product = v * body.masses.asDiagonal());
+    if (!body.whole.exists()) return griffith::multiply(*body.matrix, v, product);
+    const NodeVectors whole = body.whole.part_of(v);
+    griffith::multiply(*body.matrix, v - whole, product);
+    product -= body.whole.momentum_of(product);
+    const Eigen::Index nodes = body.whole.masses.size();
+    product.leftCols(nodes) += whole.leftCols(nodes) * (body.whole.damping * body.whole.masses).asDiagonal();
+  }
+  void multiply(const Eigen::VectorXd& v, Eigen::VectorXd& product) const {
+    product.resize(size_);
+    NodeVectors of_body;
+    for (std::size_t i = 0; i < deformable_.size(); ++i) {
+      auto segment = product.segment(offsets_[i], 3 * deformable_[i].rows());
+      multiply(deformable_[i], change(i, v), of_body);
+      segment = of_body.reshaped();
+    }
+    for (std::size_t i = 0; i < rigid_.size(); ++i) {
+      const Eigen::Index first = first_rigid_ + 6 * static_cast<Eigen::Index>(i);
+      product.segment<3>(first) = rigid_[i].mass * v.segment<3>(first);
+      product.segment<3>(first + 3) = rigid_[i].inertia * v.segment<3>(first + 3);
+    }
+  }
+
+ private:
+  std::span<const DeformableInertia> deformable_;
+  std::span<const RigidInertia> rigid_;
+  std::vector<int> offsets_;
+  int first_rigid_ = 0, size_ = 0;
+};
+
+/// The map J from the velocities of bodies to the relative velocities at contacts.
+class RelativeMotion {
+ public:
+  RelativeMotion(const Bodies& bodies, std::span<const DeformableInertia> deformable,
+                 std::span<const FrictionContact> contacts)
+      : deformable_(deformable) {
+    for (const FrictionContact& contact : contacts) {
+      add_side(bodies, contact.a, contact.axes.transpose());
+      add_side(bodies, contact.b, -contact.axes.transpose());
+      local_.finish_contact();
+    }
+  }
+
+  /// J v, one column a contact.
+  Eigen::Matrix3Xd of(const Eigen::VectorXd& v) const {
+    Eigen::Matrix3Xd relative = local_.multiply(v);
+    for (const Lever& lever : levers_) relative.col(lever.contact) += lever.arm * spin_of(lever, v);
+    return relative;
+  }
+  /// v becomes v + Jᵀ p.
+  void add_impulses(const Eigen::Matrix3Xd& p, Eigen::VectorXd& v) const {
+    local_.add_transposed(p, v);
+    for (const Lever& lever : levers_) add_torque(lever, lever.arm.transpose() * p.col(lever.contact), v);
+  }
+
+ private:
+  /// A contact off the surface of a body that turns as a whole.
+  struct Lever {
+    int contact, body, offset;
+    Mat3 arm;  ///< from spin to velocity along the axes
+  };
+
+  void add_side(const Bodies& bodies, const ContactSide& side, const Mat3& axes) {
+    if (side.body < 0) return;
+    const int offset = bodies.offset(side);
+    if (!side.deformable) return local_.add(offset, axes * rigid_modes(side.arm));
+    for (int i = 0; i < 3; ++i)
+      if (const int row = side.point.rows[i]; row >= 0) local_.add(offset + 3 * row, axes * side.point.weights[i]);
+    if (!side.offset.isZero(0))
+      levers_.push_back({local_.contacts(), side.body, offset, -axes * cross_matrix(side.offset)});
+  }
+
+  Vec3 spin_of(const Lever& lever, const Eigen::VectorXd& v) const {
+    const WholeMotion& whole = deformable_[lever.body].whole;
+    return whole.spin_of(v.segment(lever.offset, whole.arms.size()).reshaped(3, whole.arms.cols()));
+  }
+  void add_torque(const Lever& lever, const Vec3& torque, Eigen::VectorXd& v) const {
+    const WholeMotion& whole = deformable_[lever.body].whole;
+    const Vec3 spin = whole.inverse_inertia * torque;
+    for (Eigen::Index row = 0; row < whole.masses.size(); ++row)
+      v.segment<3>(lever.offset + 3 * row) += whole.masses[row] * spin.cross(Vec3(whole.arms.col(row)));
+  }
+
+  std::span<const DeformableInertia> deformable_;
+  ContactJacobian local_;
+  std::vector<Lever> levers_;
+};
+
+/// Mean compliance of a rigid side, or of a node that moves alone, at its own point [1/kg].
+double rigid_compliance(const RigidInertia& body, const Vec3& arm) {
+  const Mat3 cross = cross_matrix(arm);
+  return 1 / body.mass - (cross * body.inertia.inverse() * cross).trace() / 3;
+}
+double compliance_of(const DeformableInertia& body, const WeightedRows& point) {
+  double compliance = 0;
+  for (int i = 0; i < 3; ++i)
+    if (const int row = point.rows[i]; row >= 0) {
+      const Mat3 of_node =
+          body.matrix ? body.preconditioner->inverse_diagonal(row) : Mat3(Mat3::Identity() / body.masses[row]);
+      compliance += (point.weights[i] * of_node * point.weights[i].transpose()).trace() / 3;
+    }
+  return compliance;
+}
+
+/// Softness r of a contact [1/kg]: that of the elements that touch, or a small share of what masses alone have. With
+/// more, rounds converge slowly; with less, Newton's method does where contacts go from sticking to sliding.
+double softness_of(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
+                   const FrictionContact& contact) {
+  constexpr double kOfElements = 0.3, kOfMasses = 1e-3;
+  double of_elements = 0, of_masses = 0;
+  for (const ContactSide* side : {&contact.a, &contact.b}) {
+    if (side->body < 0) continue;
+    if (!side->deformable) {
+      of_masses += rigid_compliance(rigid[side->body], side->arm);
+    } else {
+      const DeformableInertia& body = deformable[side->body];
+      (body.matrix ? of_elements : of_masses) += compliance_of(body, side->point);
+    }
+  }
+  return of_elements > 0 ? kOfElements * of_elements : kOfMasses * of_masses;
+}
+
+/// One round's convex problem and the rounds about it.
+class ContactSolver {
+ public:
+  ContactSolver(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
+                std::span<FrictionContact> contacts, const ContactTolerance& tolerance)
+      : contacts_(contacts),
+        tolerance_(tolerance),
+        bodies_(deformable, rigid),
+        motion_(bodies_, deformable, contacts),
+        preconditioner_(deformable, rigid, contacts),
+        y_(Eigen::VectorXd::Zero(bodies_.size())),
+        a_y_(y_),
+        u_(3, contacts.size()),
+        impulses_(3, contacts.size()),
+        lifts_(contacts.size()) {
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const FrictionContact& contact = contacts[i];
+      u_.col(i) = contact.free_velocity;
+      impulses_.col(i) = contact.impulse;
+      lifts_[i] = contact.friction * contact.free_velocity.tail<2>().norm();
+      softness_.push_back(softness_of(deformable, rigid, contact));
+      to_change_ = std::max(to_change_, contact.target_velocity - contact.free_velocity[0]);
+    }
+    violations_.assign(contacts.size(), std::numeric_limits<double>::infinity());
+    least_softness_ = softness_;
+    for (double& softness : least_softness_) softness *= kStiffest;
+  }
+
+  ContactSolveReport solve() {
+    for (int round = 0; round < tolerance_.max_rounds; ++round) {
+      const bool is_minimal = minimize();
+      if (next_round() == 0 && is_minimal) break;
+      if (!is_minimal) report_.unconverged = static_cast<int>(contacts_.size());
+    }
+    for (std::size_t i = 0; i < contacts_.size(); ++i) contacts_[i].impulse = impulses_.col(i);
+    return report_;
+  }
+  /// What the impulses change in the velocities of a body; the momentum of the whole is exact.
+  NodeVectors change(std::size_t body, const DeformableInertia& inertia) const {
+    NodeVectors change = bodies_.change(body, y_);
+    if (!inertia.matrix || !inertia.whole.exists()) return change;
+    Eigen::VectorXd impulses = Eigen::VectorXd::Zero(bodies_.size());
+    motion_.add_impulses(impulses_, impulses);
+    NodeVectors whole = inertia.whole.momentum_of(bodies_.change(body, impulses));
+    for (Eigen::Index i = 0; i < inertia.whole.masses.size(); ++i)
+      whole.col(i) /= inertia.whole.damping * inertia.whole.masses[i];
+    return change + inertia.whole.part_of(whole - change);
+  }
+
+ private:
+  double negligible_speed() const { return std::max(tolerance_.relative * to_change_, tolerance_.negligible_speed); }
+
+  ConeProjection project(std::size_t i, const Vec3& u) const {
+    Vec3 missing = -u;
+    missing[0] += contacts_[i].target_velocity - lifts_[i];
+    return project_on_cone(impulses_.col(i) + missing / softness_[i], contacts_[i].friction);
+  }
+
+  Eigen::Matrix3Xd impulses_at(const Eigen::Matrix3Xd& u) const {
+    Eigen::Matrix3Xd impulses(3, u.cols());
+    for (Eigen::Index i = 0; i < u.cols(); ++i) impulses.col(i) = project(i, u.col(i)).impulse;
+    return impulses;
+  }
+
+  /// Takes over the impulses found; returns how many contacts do not meet their law yet.
+  int next_round() {
+    constexpr double kProgress = 0.25, kStiffening = 0.1;
+    report_.unconverged = 0;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const Vec3 impulse = project(i, u_.col(i)).impulse, change = impulse - impulses_.col(i);
+      const double lift = contacts_[i].friction * u_.col(i).tail<2>().norm();
+      const bool lifts = std::abs(lift - lifts_[i]) > negligible_speed() && !impulse.isZero(0);
+      const double violation = softness_[i] * change.norm();
+      if (violation > negligible_speed() || lifts) ++report_.unconverged;
+      if (getenv("DBGR") && (violation > negligible_speed() || lifts)) printf("   row %zu violation %g lift %g -> %g impulse %g %g %g soft %g\n", i, violation, lifts_[i], lift, impulse[0], impulse[1], impulse[2], softness_[i]);
+      impulses_.col(i) = impulse;
+      lifts_[i] = lift;
+      if (violation > std::max(negligible_speed(), kProgress * violations_[i]))
+        softness_[i] = std::max(kStiffening * softness_[i], least_softness_[i]);
+      violations_[i] = violation;
+    }
+    if (getenv("DBGR")) printf("  round: unconverged %d newton %d its %d tolerance %g\n", report_.unconverged, report_.newton_steps, report_.iterations, negligible_speed());
+    return report_.unconverged;
+  }
+
+  /// Newton's method for one round; false where it does not converge.
+  bool minimize() {
+    for (int step = 0; step < tolerance_.max_newton_steps; ++step) {
+      linearize();
+      Eigen::VectorXd residual = -a_y_;
+      motion_.add_impulses(impulses_now_, residual);
+      const double missing = bodies_.speed_under(residual);
+      if (getenv("DBGN")) printf("    newton %d: missing %g its %d\n", step, missing, report_.iterations);
+      if (missing <= kNewtonFraction * negligible_speed()) return true;
+      ++report_.newton_steps;
+      if (!go_along(direction(residual))) return false;
+    }
+    return false;
+  }
+
+  void linearize() {
+    impulses_now_.resize(3, u_.cols());
+    std::vector<Mat3> stiffness(contacts_.size());
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const ConeProjection found = project(i, u_.col(i));
+      impulses_now_.col(i) = found.impulse;
+      stiffness[i] = found.derivative / softness_[i];
+    }
+    if (stiffness == stiffness_) return;
+    stiffness_ = std::move(stiffness);
+    preconditioner_.factor(stiffness_);
+  }
+
+  /// Solves (A + Jᵀ G J) d = residual by conjugate gradients.
+  Eigen::VectorXd direction(Eigen::VectorXd residual) {
+    constexpr double kForcing = 0.03;  // of the residual's norm: Newton's method corrects the rest
+    Eigen::VectorXd z, d = Eigen::VectorXd::Zero(bodies_.size()), a_p;
+    preconditioner_.apply(residual, z);
+    Eigen::VectorXd p = z;
+    double rho = residual.dot(z);
+    const double target = square(kForcing) * rho;
+    for (int i = 0; i < tolerance_.max_iterations && rho > target; ++i) {
+      bodies_.multiply(p, a_p);
+      Eigen::Matrix3Xd forces = motion_.of(p);
+      for (Eigen::Index k = 0; k < forces.cols(); ++k) forces.col(k) = (stiffness_[k] * forces.col(k)).eval();
+      motion_.add_impulses(forces, a_p);
+      const double step = rho / p.dot(a_p);
+      if (!std::isfinite(step)) break;
+      d += step * p;
+      residual -= step * a_p;
+      preconditioner_.apply(residual, z);
+      const double before = rho;
+      rho = residual.dot(z);
+      p = z + rho / before * p;
+      ++report_.iterations;
+    }
+    return d;
+  }
+
+  /// Goes to the minimum along a direction; false where that does not lead down.
+  bool go_along(const Eigen::VectorXd& d) {
+    Eigen::VectorXd a_d;
+    bodies_.multiply(d, a_d);
+    const Eigen::Matrix3Xd moved = motion_.of(d);
+    const double first = d.dot(a_y_), second = d.dot(a_d);
+    const auto slope = [&](double step) {
+      return first + step * second - moved.cwiseProduct(impulses_at(u_ + step * moved)).sum();
+    };
+    const double step = zero_of(slope);
+    if (!(step > 0)) return false;
+    y_ += step * d;
+    a_y_ += step * a_d;
+    u_ += step * moved;
+    return true;
+  }
+
+  /// The zero of a function that grows from below 0, within (0, 2]; 0 where it does not begin below.
+  template <class Slope>
+  static double zero_of(const Slope& slope) {
+    constexpr double kAccuracy = 0.01;
+    const double start = slope(0.0);
+    if (!(start < 0)) return 0;
+    double low = 0, low_slope = start, high = 1, high_slope = slope(high);
+    if (std::abs(high_slope) <= kAccuracy * -start) return high;
+    if (high_slope < 0) {
+      low = high, low_slope = high_slope;
+      high = 2, high_slope = slope(high);
+      if (high_slope <= 0) return high;
+    }
+    double step = high;
+    int side = 0;
+    for (int i = 0; i < 40; ++i) {  // regula falsi, kept from getting stuck (Illinois: Dowell & Jarratt 1971)
+      step = (low * high_slope - high * low_slope) / (high_slope - low_slope);
+      const double here = slope(step);
+      if (std::abs(here) <= kAccuracy * -start) break;
+      if (here < 0) {
+        low = step, low_slope = here;
+        if (side < 0) high_slope /= 2;
+        side = -1;
+      } else {
+        high = step, high_slope = here;
+        if (side > 0) low_slope /= 2;
+        side = 1;
+      }
+    }
+    return step;
+  }
+
+  static double square(double x) { return x * x; }
+
+  std::span<FrictionContact> contacts_;
+  ContactTolerance tolerance_;
+  Bodies bodies_;
+  RelativeMotion motion_;
+  ContactPreconditioner preconditioner_;
+  Eigen::VectorXd y_, a_y_;      // changes of velocity and what they take
+  Eigen::Matrix3Xd u_;           // relative velocities at the contacts
+  Eigen::Matrix3Xd impulses_;    // of the round before
+  std::vector<double> lifts_;    // friction times sliding speed of the round before [m/s]
+  std::vector<double> softness_, least_softness_;  // r [1/kg]
+  std::vector<double> violations_;                 // of the round before [m/s]
+  Eigen::Matrix3Xd impulses_now_;
+  std::vector<Mat3> stiffness_;
+  double to_change_ = 0;  // largest velocity that contacts have to make [m/s]
+  ContactSolveReport report_;
+};
+
+}  // namespace
+
+ContactSolveReport solve_contact_problem(std::span<const DeformableInertia> deformable,
+                                         std::span<const RigidInertia> rigid, std::span<FrictionContact> contacts,
+                                         const ContactTolerance& tolerance, std::vector<NodeVectors>& changes) {
+  ContactSolver solver(deformable, rigid, contacts, tolerance);
+  const ContactSolveReport report = solver.solve();
+  changes.clear();
+  for (std::size_t i = 0; i < deformable.size(); ++i) changes.push_back(solver.change(i, deformable[i]));
+  return report;
+}
+
+}  // namespace griffith

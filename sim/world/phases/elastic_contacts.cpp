@@ -1,0 +1,199 @@
+#include "sim/world/phases/elastic_contacts.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <numeric>
+
+#include "sim/core/parallel.h"
+#include "sim/core/rotation.h"
+#include "sim/solver/contact_problem.h"
+#include "sim/solver/pivot.h"
+#include "sim/world/phases/elastic_phase.h"
+#include "sim/world/world_state.h"
+
+namespace griffith {
+namespace {
+
+/// Bodies and contacts of one group.
+struct Group {
+  std::vector<int> contacts;  ///< indices into contacts()
+  std::vector<int> touched;   ///< of the deformable bodies, into TouchedBodies
+  std::vector<DeformableInertia> deformable;
+  std::vector<RigidInertia> rigid;
+  std::vector<FrictionContact> problem;
+  std::vector<NodeVectors> changes;
+  ContactSolveReport report;
+};
+
+/// The motions of a body as a whole that its supports leave free.
+WholeMotion whole_motion(const WorldState& world, const Body& body, double dt) {
+  WholeMotion whole;
+  const std::optional<Pivot> pivot =
+      pivot_of(body.system->supports(), world.nodes.constraints, world.nodes.positions);
+  if (body.supported() && !pivot) return whole;
+  const std::span<const NodeId> nodes = body.system->nodes();
+  const Vec3 origin = pivot ? pivot->place : body.motion.center;
+  whole.arms = body.system->gather(world.nodes.positions, world.edges.offsets);
+  whole.masses.resize(static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t row = 0; row < nodes.size(); ++row) whole.masses[row] = world.nodes.masses[nodes[row]];
+  whole.arms.leftCols(whole.masses.size()).colwise() -= origin;
+  whole.damping = 1 + dt * world.material_of(body).mass_damping;
+  Mat3 inertia = Mat3::Zero();
+  for (Eigen::Index i = 0; i < whole.masses.size(); ++i) {
+    const Mat3 arm = cross_matrix(whole.arms.col(i));
+    inertia -= whole.masses[i] * arm * arm;
+  }
+  if (pivot) {
+    whole.inverse_inertia =
+        pivot->axes * (pivot->axes.transpose() * inertia * pivot->axes).inverse() * pivot->axes.transpose();
+  } else {
+    whole.inverse_mass = 1 / body.motion.mass;
+    whole.inverse_inertia = inertia.inverse();
+  }
+  return whole;
+}
+
+DeformableInertia inertia_of(const WorldState& world, const Body& body, double dt) {
+  DeformableInertia inertia;
+  inertia.whole = whole_motion(world, body, dt);
+  if (!world.integrates_explicitly()) {
+    inertia.matrix = &body.system->matrix();
+    inertia.preconditioner = &body.system->preconditioner();
+    return inertia;
+  }
+  const std::span<const NodeId> nodes = body.system->nodes();
+  inertia.masses.resize(static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t row = 0; row < nodes.size(); ++row) inertia.masses[row] = world.nodes.masses[nodes[row]];
+  return inertia;
+}
+
+/// Builds the problems of all groups.
+class GroupBuilder {
+ public:
+  GroupBuilder(const WorldState& world, const TouchedBodies& touched, double dt)
+      : world_(world), touched_(touched), dt_(dt), body_of_object_(world.body_of_proxy.size() + world.projectiles.size() + 1, -1) {
+    for (std::size_t i = 0; i < touched.objects.size(); ++i) {
+      const ElasticObject& object = touched.objects[i];
+      grow(object.object);
+      touched_of(object.object) = static_cast<int>(i);
+      for (std::size_t k = 0; k < object.contacts.size(); ++k)
+        points_.push_back({object.contacts[k], static_cast<int>(i), static_cast<int>(k)});
+    }
+    std::ranges::sort(points_, {}, [](const Point& point) { return std::pair(point.contact, point.touched); });
+  }
+
+  Group build(std::vector<int> contacts) {
+    Group group;
+    for (const int contact : contacts) {
+      const Contact& found = std::as_const(world_.contact_world).contacts()[contact];
+      const ContactWorld::Law law = world_.contact_world.law(contact);
+      FrictionContact& row = group.problem.emplace_back();
+      row.a = side(group, found.a, contact, law.arm_a);
+      row.b = side(group, found.b, contact, law.arm_b);
+      row.axes = law.axes;
+      row.friction = law.friction;
+      row.target_velocity = law.target_velocity;
+      row.free_velocity = law.axes.transpose() * law.free_velocity;
+      row.impulse = law.guess;
+    }
+    group.contacts = std::move(contacts);
+    return group;
+  }
+
+ private:
+  /// A contact of an elastic body, and where it is in its list.
+  struct Point {
+    int contact, touched, index;
+  };
+
+  void grow(ProxyId object) {
+    const auto index = static_cast<std::size_t>(object.index());
+    if (index >= body_of_object_.size()) body_of_object_.resize(index + 1, -1);
+    if (index >= touched_of_object_.size()) touched_of_object_.resize(index + 1, -1);
+  }
+  int& touched_of(ProxyId object) { return touched_of_object_[object.index()]; }
+
+  ContactSide side(Group& group, ProxyId object, int contact, const Vec3& arm) {
+    grow(object);
+    if (touched_of(object) >= 0) return deformable_side(group, object, contact);
+    const std::optional<RigidMass> mass = world_.contact_world.rigid_mass(object);
+    if (!mass) return {};
+    int& body = body_of_object_[object.index()];
+    if (body < 0) {
+      body = static_cast<int>(group.rigid.size());
+      group.rigid.push_back({mass->mass, mass->inertia});
+    }
+    ContactSide rigid;
+    rigid.body = body;
+    rigid.arm = arm;
+    return rigid;
+  }
+
+  ContactSide deformable_side(Group& group, ProxyId object, int contact) {
+    const int touched = touched_of(object);
+    int& body = body_of_object_[object.index()];
+    if (body < 0) {
+      body = static_cast<int>(group.deformable.size());
+      group.deformable.push_back(inertia_of(world_, world_.bodies[touched_.bodies[touched].body], dt_));
+      group.touched.push_back(touched);
+    }
+    const auto point = std::ranges::lower_bound(points_, std::pair(contact, touched), {},
+                                                [](const Point& p) { return std::pair(p.contact, p.touched); });
+    ContactSide side;
+    side.body = body;
+    side.deformable = true;
+    const TouchedBody& of = touched_.bodies[touched];
+    side.point = weighted_rows(world_, of.points[point->index].surface);
+    if (!world_.bodies[of.body].supported())
+      side.offset = of.points[point->index].contact - of.points[point->index].position;
+    return side;
+  }
+
+  const WorldState& world_;
+  const TouchedBodies& touched_;
+  double dt_;
+  std::vector<int> body_of_object_;     // index in its group, -1 before
+  std::vector<int> touched_of_object_;  // index into the touched bodies, -1 for what is not elastic
+  std::vector<Point> points_;
+};
+
+ContactTolerance tolerance_of(const WorldState& world, double dt) {
+  constexpr double kNegligible = 1e-6;  // of what gravity adds in a substep
+  ContactTolerance tolerance;
+  tolerance.relative = world.model->scene.simulation.relative_residual;
+  tolerance.negligible_speed = std::max(1e-12, kNegligible * dt * world.model->scene.gravity.norm());
+  tolerance.max_iterations = world.model->scene.simulation.max_solver_iterations;
+  return tolerance;
+}
+
+}  // namespace
+
+void solve_elastic_contacts(WorldState& world, TouchedBodies& touched, double dt) {
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i)
+    touched.objects[i].free_velocities = point_velocities(world, touched.bodies[i]);
+  world.contact_world.solve(dt, touched.objects);
+  std::vector<Group> groups;
+  GroupBuilder builder(world, touched, dt);
+  for (std::vector<int>& contacts : world.contact_world.elastic_groups())
+    groups.push_back(builder.build(std::move(contacts)));
+  const ContactTolerance tolerance = tolerance_of(world, dt);
+  parallel_for(static_cast<int>(groups.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      groups[i].report = solve_contact_problem(groups[i].deformable, groups[i].rigid, groups[i].problem, tolerance,
+                                               groups[i].changes);
+  });
+  for (Group& group : groups) {
+    if (getenv("DBGC")) { printf("group rows %zu def %zu rigid %zu newton %d its %d unconv %d\n", group.contacts.size(), group.deformable.size(), group.rigid.size(), group.report.newton_steps, group.report.iterations, group.report.unconverged);
+      for (std::size_t i = 0; i < group.contacts.size(); ++i) { const Contact& c = std::as_const(world.contact_world).contacts()[group.contacts[i]]; printf("  %d-%d n %.2f %.2f %.2f d %.3g target %.3g free %.3g %.3g %.3g imp %.4g %.4g %.4g nodes %d %d pos %.3f %.4f %.3f\n", c.a.index(), c.b.index(), c.normal.x(), c.normal.y(), c.normal.z(), c.distance, group.problem[i].target_velocity, group.problem[i].free_velocity[0], group.problem[i].free_velocity[1], group.problem[i].free_velocity[2], group.problem[i].impulse[0], group.problem[i].impulse[1], group.problem[i].impulse[2], c.node_a.index(), c.node_b.index(), c.position.x(), c.position.y(), c.position.z()); } }
+    for (std::size_t i = 0; i < group.contacts.size(); ++i)
+      world.contact_world.set_impulse(group.contacts[i], group.problem[i].axes * group.problem[i].impulse);
+    for (std::size_t i = 0; i < group.touched.size(); ++i)
+      touched.bodies[group.touched[i]].change = std::move(group.changes[i]);
+    world.report.unconverged_contacts += group.report.unconverged;
+    world.report.contact_iterations += group.report.iterations;
+  }
+}
+
+}  // namespace griffith

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "sim/world/phases/touched_body.h"
+
+namespace griffith {
+
+/// Finds the impulses of a substep of `dt` [s] at the contacts of elastic bodies and of the rigid ones that touch them,
+/// each group as one convex problem (sim/solver/contact_problem.h), and writes them into contacts(). Leaves what they
+/// change in the velocities of the elastic bodies in TouchedBody::change, as found by the solver; counts contacts
+/// that do not meet their law.
+void solve_elastic_contacts(WorldState& world, TouchedBodies& touched, double dt);
+
+}  // namespace griffith
