@@ -158,11 +158,11 @@ class ContactWorld {
   std::vector<std::vector<int>> elastic_groups() const;
   /// Law of a contact in the last solve().
   struct Law {
-    Mat3 axes;                     ///< columns: the normal and two tangents
-    double target_velocity = 0;    ///< least velocity of parting along the normal [m/s]
-    double friction = 0;           ///< Coulomb's coefficient
+    Mat3 axes;                         ///< columns: the normal and two tangents
+    double target_velocity = 0;        ///< least velocity of parting along the normal [m/s]
+    double friction = 0;               ///< Coulomb's coefficient
     Vec3 free_velocity, arm_a, arm_b;  ///< relative, without impulses [m/s]; from the centers of mass [m]
-    Vec3 guess;                    ///< impulse along the axes, from the last substep [N·s]
+    Vec3 guess;                        ///< impulse along the axes, from the last substep [N·s]
   };
   Law law(int contact) const;
   /// Sets the impulse on a [N·s], world frame.

@@ -134,9 +134,8 @@ void ContactPreconditioner::find_slots() {
       for (const auto* q = jacobian_.begin(contact); q != jacobian_.end(contact); ++q) {
         if (p->offset < q->offset) continue;
         for (int column = q->offset; column < q->offset + q->width; ++column)
-          slots_.push_back(static_cast<int>(std::lower_bound(rows + starts[column], rows + starts[column + 1],
-                                                             std::max(p->offset, column)) -
-                                            rows));
+          slots_.push_back(static_cast<int>(
+              std::lower_bound(rows + starts[column], rows + starts[column + 1], std::max(p->offset, column)) - rows));
       }
 }
 
@@ -162,8 +161,7 @@ void ContactPreconditioner::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) 
   Eigen::VectorXd reduced = Eigen::VectorXd::Zero(unknowns_);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BodyUnknowns& body = bodies_[i];
-    for (const int row : body.touched)
-      reduced.segment<3>(body.row_unknown(row)) = r.segment<3>(body.offset + 3 * row);
+    for (const int row : body.touched) reduced.segment<3>(body.row_unknown(row)) = r.segment<3>(body.offset + 3 * row);
     if (aggregate_count(deformable_[i]) == 0) continue;
     const RigidModePreconditioner& modes = *deformable_[i].preconditioner;
     for (int row = 0; row < modes.node_rows(); ++row) {
@@ -180,10 +178,8 @@ void ContactPreconditioner::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) 
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BodyUnknowns& body = bodies_[i];
     for (int row = 0; row < deformable_[i].rows(); ++row)
-      z.segment<3>(body.offset + 3 * row) =
-          inverse_diagonal(deformable_[i], row) * r.segment<3>(body.offset + 3 * row);
-    for (const int row : body.touched)
-      z.segment<3>(body.offset + 3 * row) = solved.segment<3>(body.row_unknown(row));
+      z.segment<3>(body.offset + 3 * row) = inverse_diagonal(deformable_[i], row) * r.segment<3>(body.offset + 3 * row);
+    for (const int row : body.touched) z.segment<3>(body.offset + 3 * row) = solved.segment<3>(body.row_unknown(row));
     if (aggregate_count(deformable_[i]) == 0) continue;
     const RigidModePreconditioner& modes = *deformable_[i].preconditioner;
     for (int row = 0; row < modes.node_rows(); ++row) {

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <cstdio>
-#include <cstdlib>
 
 #include "sim/core/rotation.h"
 #include "sim/solver/contact_cone.h"
@@ -297,14 +295,12 @@ class ContactSolver {
       const bool lifts = std::abs(lift - lifts_[i]) > negligible_speed() && !impulse.isZero(0);
       const double violation = softness_[i] * change.norm();
       if (violation > negligible_speed() || lifts) ++report_.unconverged;
-      if (getenv("DBGR") && (violation > negligible_speed() || lifts)) printf("   row %zu violation %g lift %g -> %g impulse %g %g %g soft %g\n", i, violation, lifts_[i], lift, impulse[0], impulse[1], impulse[2], softness_[i]);
       impulses_.col(i) = impulse;
       lifts_[i] = lift;
       if (violation > std::max(negligible_speed(), kProgress * violations_[i]))
         softness_[i] = std::max(kStiffening * softness_[i], least_softness_[i]);
       violations_[i] = violation;
     }
-    if (getenv("DBGR")) printf("  round: unconverged %d newton %d its %d tolerance %g\n", report_.unconverged, report_.newton_steps, report_.iterations, negligible_speed());
     return report_.unconverged;
   }
 
@@ -315,7 +311,6 @@ class ContactSolver {
       Eigen::VectorXd residual = -a_y_;
       motion_.add_impulses(impulses_now_, residual);
       const double missing = bodies_.speed_under(residual);
-      if (getenv("DBGN")) printf("    newton %d: missing %g its %d\n", step, missing, report_.iterations);
       if (missing <= kNewtonFraction * negligible_speed()) return true;
       ++report_.newton_steps;
       if (!go_along(direction(residual))) return false;
@@ -418,10 +413,10 @@ class ContactSolver {
   Bodies bodies_;
   RelativeMotion motion_;
   ContactPreconditioner preconditioner_;
-  Eigen::VectorXd y_, a_y_;      // changes of velocity and what they take
-  Eigen::Matrix3Xd u_;           // relative velocities at the contacts
-  Eigen::Matrix3Xd impulses_;    // of the round before
-  std::vector<double> lifts_;    // friction times sliding speed of the round before [m/s]
+  Eigen::VectorXd y_, a_y_;                        // changes of velocity and what they take
+  Eigen::Matrix3Xd u_;                             // relative velocities at the contacts
+  Eigen::Matrix3Xd impulses_;                      // of the round before
+  std::vector<double> lifts_;                      // friction times sliding speed of the round before [m/s]
   std::vector<double> softness_, least_softness_;  // r [1/kg]
   std::vector<double> violations_;                 // of the round before [m/s]
   Eigen::Matrix3Xd impulses_now_;

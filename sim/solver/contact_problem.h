@@ -10,14 +10,14 @@
 
 namespace griffith {
 
-/// The motions of a deformable body as a whole that nothing resists but its mass: all of a free one, turns about a pivot
-/// of one that supports hold there. Their momentum balances exactly, whatever stress does in the linearized A.
+/// The motions of a deformable body as a whole that nothing resists but its mass: all of a free one, turns about a
+/// pivot of one that supports hold there. Their momentum balances exactly, whatever stress does in the linearized A.
 struct WholeMotion {
-  NodeVectors arms = {};                  ///< of nodes from the center of mass or the pivot, then offsets of edges [m]
-  Eigen::VectorXd masses = {};            ///< of the nodes [kg]
-  double inverse_mass = 0;                ///< 0 at a pivot [1/kg]
-  Mat3 inverse_inertia = Mat3::Zero();    ///< 0 across the axes of a pivot [1/(kg·m²)]
-  double damping = 1;                     ///< 1 + h·alpha, by which mass resists in an implicit step
+  NodeVectors arms = {};                ///< of nodes from the center of mass or the pivot, then offsets of edges [m]
+  Eigen::VectorXd masses = {};          ///< of the nodes [kg]
+  double inverse_mass = 0;              ///< 0 at a pivot [1/kg]
+  Mat3 inverse_inertia = Mat3::Zero();  ///< 0 across the axes of a pivot [1/(kg·m²)]
+  double damping = 1;                   ///< 1 + h·alpha, by which mass resists in an implicit step
   bool exists() const { return arms.cols() > 0; }
   Vec3 spin_of(const Eigen::Ref<const NodeVectors>& velocities) const;
   /// The motion as a whole that has the momentum of these velocities: Q v.
@@ -43,11 +43,11 @@ struct RigidInertia {
 
 /// One side of a contact. It does not move under impulses where `body` is -1.
 struct ContactSide {
-  int body = -1;            ///< index into the deformable or the rigid bodies
-  bool deformable = false;  ///< which of the two
-  WeightedRows point = {};  ///< of a deformable body: of its surface
+  int body = -1;               ///< index into the deformable or the rigid bodies
+  bool deformable = false;     ///< which of the two
+  WeightedRows point = {};     ///< of a deformable body: of its surface
   Vec3 offset = Vec3::Zero();  ///< from there to the contact, which turns with the body as a whole [m]
-  Vec3 arm = Vec3::Zero();  ///< of a rigid body, from its centre of mass [m]
+  Vec3 arm = Vec3::Zero();     ///< of a rigid body, from its centre of mass [m]
 };
 
 /// A contact with friction. Vectors are along `axes`: the normal from b to a, and two tangents.
@@ -68,8 +68,8 @@ struct ContactSolveReport {
 
 /// Accuracy of a solve.
 struct ContactTolerance {
-  double relative = 1e-4;           ///< of the largest change of velocity that contacts have to make
-  double negligible_speed = 1e-9;   ///< [m/s]
+  double relative = 1e-4;          ///< of the largest change of velocity that contacts have to make
+  double negligible_speed = 1e-9;  ///< [m/s]
   int max_rounds = 20, max_newton_steps = 60, max_iterations = 400;
 };
 

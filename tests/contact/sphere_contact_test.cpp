@@ -159,25 +159,6 @@ TEST(SphereContact, ASphereRestsOnTheGroundWithItsWeightAsImpulse) {
   EXPECT_LT(world.max_penetration(), 1e-4);
 }
 
-TEST(SphereContact, ComplianceSoftensTheImpulse) {
-  for (double compliance : {0.0, 0.05, 1.0, 20.0}) {
-    ContactWorld world(Vec3::Zero());
-    const Vec3 size(2, 2, 0.1);
-    const ProxyId plate = world.add_proxy(box_parts(size), box_mass(size, 40), Mobility::free, {}, {0, 0});
-    world.add_sphere(0.2, 10, at(Vec3(0, 0, 0.25), Vec3(0, 0, -7)), {0, 0});
-    world.detect();
-    ASSERT_EQ(world.contacts().size(), 1u);
-    ElasticResponse response{plate, {0}, Eigen::Matrix3Xd::Zero(3, 1), {}, {}, {}};
-    response.velocities = response.impulses = response.free_velocities;
-    const WeightedRows on_a_node = {{0, -1, -1}, {Mat3::Identity(), Mat3::Zero(), Mat3::Zero()}};
-    const Mat3 of_node = (1.0 / 40 + compliance) * Mat3::Identity();
-    response.compliance = node_compliance({&on_a_node, 1}, {&of_node, 1});
-    world.solve(kDt, {&response, 1});
-    const double expected = 7 / (1.0 / 40 + 1.0 / 10 + compliance);
-    EXPECT_NEAR(world.contacts()[0].impulse.norm(), expected, 1e-6 * expected) << compliance;
-  }
-}
-
 TEST(SphereContact, NothingPassesThroughAThinPlate) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> uniform(-1, 1);

@@ -85,8 +85,6 @@ TEST(Constraints, ABodyHeldWhollyMovesAsItIsToldAndItsSupportsCarryIt) {
   for (const Vec3& v : body.velocities) EXPECT_EQ(v, velocity);
   for (const Vec3& force : system.reaction_forces()) carried += force;
   EXPECT_LT((carried + weight).norm(), 1e-9 * weight.norm());
-  const std::vector<WeightedRows> point = {{{-1, -1, -1}, {Mat3::Identity(), Mat3::Identity(), Mat3::Identity()}}};
-  EXPECT_TRUE(system.compliance(point).block(0).isZero(0)) << "it does not give way";
   EXPECT_EQ(highest_frequency(system.matrix(), Eigen::VectorXd()), 0);
 }
 

@@ -347,14 +347,13 @@ TEST(EnergyAccount, ASpinningPieceKeepsItsEnergyOnceItsShapeHasSettled) {
   EXPECT_NEAR(world.frame().energy.stored(), before, 1e-4 * before);
 }
 
-// What so fast a spin would do to so soft a piece in a long step is cut: no damping may be told of what was not made.
-TEST(EnergyAccount, TellsNoDampingOfMotionsThatWereCut) {
+// The linearized step would tear so soft a piece apart at so fast a spin.
+TEST(EnergyAccount, OfANonlinearStepCloses) {
   World world(spinning_block(1e7, 1e-3, 2000));
   world.step();
   const EnergyAccount energy = world.frame().energy;
-  ASSERT_GT(world.frame().report.shortened_motions, 0);
   EXPECT_LE(energy.material_damping, energy.start);
-  EXPECT_GE(energy.limited, 0);
+  EXPECT_LE(energy.stored(), 1.001 * energy.start);
   EXPECT_LT(fraction_unaccounted(energy), 1e-3);
 }
 

@@ -109,7 +109,7 @@ class Frame:
     step_unfinished_equilibria: float
     step_unfinished_shocks: float
     step_unconverged_solves: float
-    step_shortened_motions: float
+    step_unconverged_motions: float
     step_unconverged_contacts: float
     step_contact_iterations: float
     step_sleeping_bodies: float

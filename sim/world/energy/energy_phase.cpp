@@ -290,7 +290,7 @@ double centrifugal_work(const WorldState& world, const Body& body, const BodySna
 
 EnergyAccount spent_in_move(const WorldState& world, const Body& body, const BodySnapshot& before,
                             const ElasticWorks& elastic, const std::vector<Vec3>& external, double dt,
-                            double deformed) {
+                            ElasticMove move) {
   const Material& material = world.material_of(body);
   const NodeWorks nodes = works_of_nodes(world, body, before, external, dt);
   const double stored = stored_since(world, body, elastic);
@@ -300,9 +300,9 @@ EnergyAccount spent_in_move(const WorldState& world, const Body& body, const Bod
     spent.supports += dt * world.nodes.reactions[node].dot(world.nodes.constraints[node].velocity);
   spent.plastic = plastic_work(world, body, before);
   spent.material_damping = 2 * dt * material.mass_damping * nodes.predicted +
-                           material.stiffness_damping / dt * deformed * deformed * elastic.change;
-  if (deformed < 1) {
-    spent.limited = nodes.before + spent.loads + nodes.gravity + spent.supports + body.contact_work - nodes.after -
+                           material.stiffness_damping / dt * elastic.change;
+  if (move != ElasticMove::linearized) {
+    spent.time_integration = nodes.before + spent.loads + nodes.gravity + spent.supports + body.contact_work - nodes.after -
                     stored - spent.plastic - spent.material_damping;
   } else {
     const double forces = (body.start.rigid ? 0 : elastic.first) + (world.integrates_explicitly() ? 0 : elastic.change);

@@ -47,12 +47,14 @@ BodySnapshot snapshot(const WorldState& world, const Body& body);
 /// Stresses of its tets, as ElementState has them, of quadratic ones those of their corners [Pa].
 std::vector<Mat3> stresses_of(const WorldState& world, const Body& body);
 
+/// Step by which an elastic body moved.
+enum class ElasticMove { linearized, nonlinear, unconverged };
+
 /// What a substep took from an elastic body, now that it has moved from `before`: backward Euler loses the kinetic
 /// energy of the change of velocities and the elastic energy of the change of strains. `external` forces as in
-/// predict_velocities(); `deformed`: the share of what its velocities say by which it was deformed, below 1 where the
-/// rest was cut.
+/// predict_velocities().
 EnergyAccount spent_in_move(const WorldState& world, const Body& body, const BodySnapshot& before,
-                            const ElasticWorks& elastic, const std::vector<Vec3>& external, double dt, double deformed);
+                            const ElasticWorks& elastic, const std::vector<Vec3>& external, double dt, ElasticMove move);
 /// What a static equilibrium took, a step without inertia, from a body that had `stresses` (stresses_of()). Prescribed
 /// supports went on for `displacement_time` [s].
 EnergyAccount spent_in_equilibrium(const WorldState& world, const Body& body, const BodySnapshot& before,

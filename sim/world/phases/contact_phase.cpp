@@ -1,8 +1,6 @@
 #include "sim/world/phases/contact_phase.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <cmath>
 #include <utility>
 
@@ -120,13 +118,6 @@ void read_back_rigid_velocities(WorldState& world) {
   }
 }
 
-/// Nodal impulses for impulses at a body's contact points. `nodal`: per node of the mesh; only the body's are written.
-void set_nodal_impulses(const WorldState& world, const TouchedBody& touched, const Eigen::Matrix3Xd& impulses,
-                        std::vector<Vec3>& nodal) {
-  for (NodeId node : world.bodies[touched.body].nodes) nodal[node].setZero();
-  add_nodal_impulses(world, touched, impulses, nodal);
-}
-
 /// Changes of velocity of an elastic body's rows by nodal impulses, each node on its own.
 NodeVectors respond_explicitly(WorldState& world, const Body& body, double dt, const std::vector<Vec3>& impulses) {
   NodeArrays& nodes = world.nodes;
@@ -161,12 +152,12 @@ Eigen::Matrix3Xd impulses_on(const WorldState& world, const ElasticObject& objec
 }
 
 /// Lets a body move as the impulses at its contacts want it.
-void respond(WorldState& world, TouchedBody& touched, const ElasticObject& object, double dt,
-             std::vector<Vec3>& nodal) {
+void respond(WorldState& world, TouchedBody& touched, const ElasticObject& object, double dt) {
   Body& body = world.bodies[touched.body];
   const Eigen::Matrix3Xd impulses = impulses_on(world, object);
   if (impulses.isZero(0)) return;
-  set_nodal_impulses(world, touched, impulses, nodal);
+  std::vector<Vec3>& nodal = world.scratch.contact_impulses;
+  add_nodal_impulses(world, touched, impulses, nodal);
   if (world.integrates_explicitly()) {
     touched.change = respond_explicitly(world, body, dt, nodal);
   } else {
@@ -178,9 +169,9 @@ void respond(WorldState& world, TouchedBody& touched, const ElasticObject& objec
 }
 
 void respond(WorldState& world, TouchedBodies& touched, double dt) {
-  std::vector<Vec3> nodal(world.nodes.positions.size());
+  world.scratch.contact_impulses.assign(world.nodes.positions.size(), Vec3::Zero());
   parallel_for(static_cast<int>(touched.bodies.size()), 1, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) respond(world, touched.bodies[i], touched.objects[i], dt, nodal);
+    for (int i = begin; i < end; ++i) respond(world, touched.bodies[i], touched.objects[i], dt);
   });
   for (const TouchedBody& of : touched.bodies) world.energy.contacts -= world.bodies[of.body].contact_work;
 }

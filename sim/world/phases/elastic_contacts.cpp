@@ -1,16 +1,12 @@
 #include "sim/world/phases/elastic_contacts.h"
 
-#include <Eigen/LU>
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <numeric>
 
 #include "sim/core/parallel.h"
-#include "sim/core/rotation.h"
 #include "sim/solver/contact_problem.h"
-#include "sim/solver/pivot.h"
 #include "sim/world/phases/elastic_phase.h"
+#include "sim/world/phases/whole_motion.h"
 #include "sim/world/world_state.h"
 
 namespace griffith {
@@ -26,34 +22,6 @@ struct Group {
   std::vector<NodeVectors> changes;
   ContactSolveReport report;
 };
-
-/// The motions of a body as a whole that its supports leave free.
-WholeMotion whole_motion(const WorldState& world, const Body& body, double dt) {
-  WholeMotion whole;
-  const std::optional<Pivot> pivot =
-      pivot_of(body.system->supports(), world.nodes.constraints, world.nodes.positions);
-  if (body.supported() && !pivot) return whole;
-  const std::span<const NodeId> nodes = body.system->nodes();
-  const Vec3 origin = pivot ? pivot->place : body.motion.center;
-  whole.arms = body.system->gather(world.nodes.positions, world.edges.offsets);
-  whole.masses.resize(static_cast<Eigen::Index>(nodes.size()));
-  for (std::size_t row = 0; row < nodes.size(); ++row) whole.masses[row] = world.nodes.masses[nodes[row]];
-  whole.arms.leftCols(whole.masses.size()).colwise() -= origin;
-  whole.damping = 1 + dt * world.material_of(body).mass_damping;
-  Mat3 inertia = Mat3::Zero();
-  for (Eigen::Index i = 0; i < whole.masses.size(); ++i) {
-    const Mat3 arm = cross_matrix(whole.arms.col(i));
-    inertia -= whole.masses[i] * arm * arm;
-  }
-  if (pivot) {
-    whole.inverse_inertia =
-        pivot->axes * (pivot->axes.transpose() * inertia * pivot->axes).inverse() * pivot->axes.transpose();
-  } else {
-    whole.inverse_mass = 1 / body.motion.mass;
-    whole.inverse_inertia = inertia.inverse();
-  }
-  return whole;
-}
 
 DeformableInertia inertia_of(const WorldState& world, const Body& body, double dt) {
   DeformableInertia inertia;
@@ -73,7 +41,10 @@ DeformableInertia inertia_of(const WorldState& world, const Body& body, double d
 class GroupBuilder {
  public:
   GroupBuilder(const WorldState& world, const TouchedBodies& touched, double dt)
-      : world_(world), touched_(touched), dt_(dt), body_of_object_(world.body_of_proxy.size() + world.projectiles.size() + 1, -1) {
+      : world_(world),
+        touched_(touched),
+        dt_(dt),
+        body_of_object_(world.body_of_proxy.size() + world.projectiles.size() + 1, -1) {
     for (std::size_t i = 0; i < touched.objects.size(); ++i) {
       const ElasticObject& object = touched.objects[i];
       grow(object.object);
@@ -181,12 +152,10 @@ void solve_elastic_contacts(WorldState& world, TouchedBodies& touched, double dt
   const ContactTolerance tolerance = tolerance_of(world, dt);
   parallel_for(static_cast<int>(groups.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i)
-      groups[i].report = solve_contact_problem(groups[i].deformable, groups[i].rigid, groups[i].problem, tolerance,
-                                               groups[i].changes);
+      groups[i].report =
+          solve_contact_problem(groups[i].deformable, groups[i].rigid, groups[i].problem, tolerance, groups[i].changes);
   });
   for (Group& group : groups) {
-    if (getenv("DBGC")) { printf("group rows %zu def %zu rigid %zu newton %d its %d unconv %d\n", group.contacts.size(), group.deformable.size(), group.rigid.size(), group.report.newton_steps, group.report.iterations, group.report.unconverged);
-      for (std::size_t i = 0; i < group.contacts.size(); ++i) { const Contact& c = std::as_const(world.contact_world).contacts()[group.contacts[i]]; printf("  %d-%d n %.2f %.2f %.2f d %.3g target %.3g free %.3g %.3g %.3g imp %.4g %.4g %.4g nodes %d %d pos %.3f %.4f %.3f\n", c.a.index(), c.b.index(), c.normal.x(), c.normal.y(), c.normal.z(), c.distance, group.problem[i].target_velocity, group.problem[i].free_velocity[0], group.problem[i].free_velocity[1], group.problem[i].free_velocity[2], group.problem[i].impulse[0], group.problem[i].impulse[1], group.problem[i].impulse[2], c.node_a.index(), c.node_b.index(), c.position.x(), c.position.y(), c.position.z()); } }
     for (std::size_t i = 0; i < group.contacts.size(); ++i)
       world.contact_world.set_impulse(group.contacts[i], group.problem[i].axes * group.problem[i].impulse);
     for (std::size_t i = 0; i < group.touched.size(); ++i)

@@ -55,6 +55,8 @@ void add_quadratic_forces(const WorldState& world, const Body& body, std::vector
   }
 }
 
+}  // namespace
+
 void add_elastic_forces(WorldState& world, const Body& body, std::vector<Vec3>& forces) {
   if (body.edges.empty()) {
     add_linear_forces(world, body, world.scratch.elastic_forces, forces);
@@ -62,6 +64,8 @@ void add_elastic_forces(WorldState& world, const Body& body, std::vector<Vec3>& 
     add_quadratic_forces(world, body, forces, world.scratch.edge_forces);
   }
 }
+
+namespace {
 
 /// Takes the torque of the elastic forces [N·m] out of the forces on a free body. Corotational stress is symmetric
 /// before the stretch is applied: where plastic strain and stretch have different axes, it leaves one, which would let

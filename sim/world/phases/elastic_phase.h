@@ -20,6 +20,9 @@ void predict_velocities(WorldState& world, std::vector<Vec3> external, double dt
 ImplicitStep implicit_step(const WorldState& world, const Body& body, double dt);
 /// The edges of all bodies, with their elastic forces of the last predict_velocities().
 EdgeMotion edge_motion(WorldState& world);
+/// Adds the elastic forces of a body's nodes to `forces`, per node of the mesh [N]; sets Scratch::edge_forces of its
+/// edges.
+void add_elastic_forces(WorldState& world, const Body& body, std::vector<Vec3>& forces);
 /// Takes what the supports of a body did from its system, after a solve.
 void read_back_reactions(WorldState& world, const Body& body);
 /// Counts what a linear solve for a body needed.

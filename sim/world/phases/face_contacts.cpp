@@ -15,11 +15,11 @@
 namespace griffith {
 namespace {
 
-constexpr double kAlike = 0.95;      // cosine between normals of one face
-constexpr double kReach = 0.5;       // of an element: farther nodes do not touch
+constexpr double kAlike = 0.95;        // cosine between normals of one face
+constexpr double kReach = 0.5;         // of an element: farther nodes do not touch
 constexpr double kGroundReach = 0.02;  // of an element: a gap that still counts as touching the ground
 constexpr double kForesight = 2;       // of the way of a node in a substep
-constexpr double kSamePlace = 0.01;  // of an element
+constexpr double kSamePlace = 0.01;    // of an element
 
 /// Coordinates in the contact plane and along the normal.
 struct FaceFrame {
@@ -222,8 +222,7 @@ void add_all_ground_contacts(const WorldState& world, double dt, std::vector<Con
       done.insert(body.proxy);
     }
   for (std::size_t i = 0; i < contacts.size(); ++i)
-    for (const auto& [side, other] :
-         {std::pair(contacts[i].a, contacts[i].b), std::pair(contacts[i].b, contacts[i].a)})
+    for (const auto& [side, other] : {std::pair(contacts[i].a, contacts[i].b), std::pair(contacts[i].b, contacts[i].a)})
       if (other == *ground && done.contains(side)) replaced[i] = true;
 }
 

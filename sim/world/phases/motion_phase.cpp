@@ -14,6 +14,7 @@
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/phases/contact_phase.h"
 #include "sim/world/phases/elastic_phase.h"
+#include "sim/world/phases/nonlinear_motion.h"
 #include "sim/world/world_state.h"
 
 namespace griffith {
@@ -174,24 +175,18 @@ std::function<Vec3(NodeId)> rigid_velocity_of(const WorldState& world, const Bod
   return [&world](NodeId node) { return world.nodes.constraints[node].velocity; };
 }
 
-/// Back to a snapshot, with `fraction` of the velocities that deform the body.
-void restore(WorldState& world, const Body& body, const BodySnapshot& taken, double fraction) {
+/// Back to a snapshot, without the velocities that deform the body.
+void restore_whole(WorldState& world, const Body& body, const BodySnapshot& taken) {
   for (std::size_t i = 0; i < body.nodes.size(); ++i) {
     world.nodes.positions[body.nodes[i]] = taken.positions[i];
     world.nodes.velocities[body.nodes[i]] = taken.velocities[i];
   }
   for (std::size_t i = 0; i < body.edges.size(); ++i) {
     world.edges.offsets[body.edges[i]] = taken.offsets[i];
-    world.edges.velocities[body.edges[i]] = taken.edge_velocities[i];
+    world.edges.velocities[body.edges[i]].setZero();
   }
-  for (std::size_t i = 0; i < taken.plastic_strains.size(); ++i)
-    world.elements.plastic_strains[body.tets[i]] = taken.plastic_strains[i];
-  const std::function<Vec3(NodeId)> rigid_velocity = rigid_velocity_of(world, body);
-  for (NodeId node : body.nodes) {
-    const Vec3 kept = rigid_velocity(node);
-    world.nodes.velocities[node] = kept + fraction * (world.nodes.velocities[node] - kept);
-  }
-  for (const EdgeId edge : body.edges) world.edges.velocities[edge] *= fraction;
+  const std::function<Vec3(NodeId)> whole_velocity = rigid_velocity_of(world, body);
+  for (NodeId node : body.nodes) world.nodes.velocities[node] = whole_velocity(node);
 }
 
 void move_nodes(WorldState& world, const Body& body, const std::vector<Vec3>& external, double dt) {
@@ -213,35 +208,19 @@ double energy_of_strain(const WorldState& world, const Body& body, double strain
 
 namespace {
 
-/// Moves an elastic body and takes its stress. Where parts of it turn far in one step, as on a hinge that a crack left,
-/// the linearised step stretches it: then it deforms less, so that it has no more energy than it was given. Returns
-/// the share of its deformation that was made.
-double move_elastic(WorldState& world, const Body& body, const BodySnapshot& before, const std::vector<Vec3>& external,
-                    double dt) {
+/// Moves an elastic body and takes its stress. Returns how: what the linearized step would give more energy than it
+/// had and was given moves by the nonlinear one.
+ElasticMove move_elastic(WorldState& world, Body& body, const BodySnapshot& before, const std::vector<Vec3>& external,
+                         double dt) {
   constexpr double kTolerance = 1e-5;
   const bool checked = !world.integrates_explicitly();
   const double given = checked ? body.energy + work_done(world, body, external, dt) : 0;
   move_nodes(world, body, external, dt);
   update_elements(world, body);
-  return 1; if (!checked) return 1;
-  const double noise = energy_of_strain(world, body, 1e-12);
-  const auto gains = [&](double limit) {
-    return mechanical_energy(world, body) > limit + kTolerance * (body.energy + limit) + noise;
-  };
-  if (!gains(given)) return 1;
-  const auto move_with = [&](double fraction) {
-    restore(world, body, before, fraction);
-    move_nodes(world, body, external, dt);
-    update_elements(world, body);
-  };
-  move_with(0);  // as a rigid body: what its turning alone gains is not for the deformation to make up for
-  const double limit = std::max(given, mechanical_energy(world, body));
-  for (double fraction = 0.5; fraction > 0.05; fraction /= 2) {
-    move_with(fraction);
-    if (!gains(limit)) return fraction;
-  }
-  move_with(0);
-  return 0;
+  if (!checked) return ElasticMove::linearized;
+  const double noise = energy_of_strain(world, body, 1e-12) + kTolerance * (body.energy + given);
+  if (!(mechanical_energy(world, body) > given + noise)) return ElasticMove::linearized;
+  return move_nonlinearly(world, body, before, external, dt) ? ElasticMove::nonlinear : ElasticMove::unconverged;
 }
 
 bool all_finite(const std::vector<Vec3>& values, const auto& ids) {
@@ -275,6 +254,26 @@ double mechanical_energy(const WorldState& world, const Body& body) {
   double energy = elastic_energy(world, body);
   for (NodeId node : body.nodes) energy += 0.5 * world.nodes.masses[node] * world.nodes.velocities[node].squaredNorm();
   return energy + kinetic_energy_of_edges(world, body);
+}
+
+void move_without_deforming(WorldState& world, const Body& body, const BodySnapshot& before,
+                            const std::vector<Vec3>& external, double dt) {
+  restore_whole(world, body, before);
+  move_nodes(world, body, external, dt);
+}
+
+void restore_angular_momentum(WorldState& world, const Body& body, const BodySnapshot& before) {
+  if (body.supported()) return;
+  const auto count = static_cast<Eigen::Index>(body.nodes.size());
+  NodeVectors positions(3, count), velocities(3, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    positions.col(i) = before.positions[i];
+    velocities.col(i) = before.velocities[i];
+  }
+  const RigidMotion first = rigid_motion(positions, velocities, masses_of(world, body)), now = motion_of(world, body);
+  const Vec3 spin = now.inertia.inverse() * (first.inertia * first.angular_velocity) - now.angular_velocity;
+  for (NodeId node : body.nodes) world.nodes.velocities[node] += spin.cross(world.nodes.positions[node] - now.center);
+  add_spin_to_edges(world, body, spin);
 }
 
 void make_rigid(WorldState& world, Body& body) {
@@ -346,7 +345,7 @@ void freeze(WorldState& world, Body& body) {
 void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt) {
   world.scratch.substep_start.solved_velocities = world.nodes.velocities;
   world.scratch.substep_start.solved_edge_velocities = world.edges.velocities;
-  std::vector<double> deformed(world.bodies.size(), 1);
+  std::vector<ElasticMove> moves(world.bodies.size(), ElasticMove::linearized);
   std::vector<EnergyAccount> spent(world.bodies.size());
   parallel_for(static_cast<int>(world.bodies.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
@@ -359,8 +358,8 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
       } else {
         const BodySnapshot before = snapshot(world, body);
         const ElasticWorks works = elastic_works(world, body, dt);
-        deformed[i] = move_elastic(world, body, before, external, dt);
-        spent[i] = spent_in_move(world, body, before, works, external, dt, deformed[i]);
+        moves[i] = move_elastic(world, body, before, external, dt);
+        spent[i] = spent_in_move(world, body, before, works, external, dt, moves[i]);
         update_motion(world, body);
       }
     }
@@ -369,7 +368,7 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
     Body& body = world.bodies[i];
     if (!body.asleep && !body.shock) world.energy += spent[i];
     freeze_if_broken_down(world, body);
-    world.report.shortened_motions += deformed[i] < 1;
+    world.report.unconverged_motions += moves[i] == ElasticMove::unconverged;
     if (!body.sways()) continue;
     for (TetId tet : body.tets) world.report.inverted_tets += world.elements.states[tet].inverted;
   }

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "sim/world/energy/energy_phase.h"
 #include "sim/world/world_state.h"
 
 namespace griffith {
@@ -13,6 +14,12 @@ void set_untouched(WorldState& world, Body& body, bool untouched);
 void predict_rigid(const WorldState& world, Body& body, const std::vector<Vec3>& forces, double dt);
 /// Moves every body by its velocities and takes the elastic state after; `external` as in predict_velocities().
 void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt);
+/// Moves the nodes of a body from `before` by the part of its velocities that does not deform it, in a substep of `dt`
+/// [s] under `external` forces [N].
+void move_without_deforming(WorldState& world, const Body& body, const BodySnapshot& before,
+                            const std::vector<Vec3>& external, double dt);
+/// Gives a free body the angular momentum that it had before it moved.
+void restore_angular_momentum(WorldState& world, const Body& body, const BodySnapshot& before);
 /// Puts the nodes of a rigid body where its motion and orientation say.
 void place_rigid_nodes(WorldState& world, const Body& body);
 /// A body whose numbers broke down goes on as a rigid one, at rest where it was: one lost body, not a lost scene. Where

@@ -1,0 +1,249 @@
+#include "sim/solver/contact_problem.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "sim/core/parallel.h"
+#include "sim/solver/contact_cone.h"
+#include "tests/random_values.h"
+#include "tests/solver/elastic_box.h"
+
+namespace griffith {
+namespace {
+
+using testing::ElasticBox;
+using testing::RandomValues;
+
+constexpr double kStepTime = 1.0 / 120, kFall = 9.81;
+constexpr ContactTolerance kExact{.relative = 1e-7, .negligible_speed = 1e-12, .max_rounds = 60};
+
+Mat3 axes_of(const Vec3& normal) {
+  Mat3 axes;
+  axes << normal, normal.unitOrthogonal(), normal.cross(normal.unitOrthogonal());
+  return axes;
+}
+
+/// Contact of a rigid body at an arm with what does not move, below it.
+FrictionContact on_floor(int body, const Vec3& arm, double friction, const Vec3& velocity) {
+  FrictionContact contact;
+  contact.a = {.body = body, .arm = arm};
+  contact.axes = axes_of(Vec3::UnitY());
+  contact.friction = friction;
+  contact.free_velocity = contact.axes.transpose() * velocity;
+  return contact;
+}
+
+/// Velocity of a rigid body's point by the impulses of the contacts that name it.
+Vec3 change_at(std::span<const RigidInertia> bodies, std::span<const FrictionContact> contacts,
+               const ContactSide& side) {
+  if (side.body < 0) return Vec3::Zero();
+  Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
+  for (const FrictionContact& contact : contacts)
+    for (const auto& [of, sign] : {std::pair(&contact.a, 1.0), std::pair(&contact.b, -1.0)}) {
+      if (of->body != side.body) continue;
+      const Vec3 impulse = sign * (contact.axes * contact.impulse);
+      force += impulse;
+      torque += of->arm.cross(impulse);
+    }
+  const RigidInertia& body = bodies[side.body];
+  return force / body.mass + (body.inertia.inverse() * torque).cross(side.arm);
+}
+
+/// Expects Signorini's and Coulomb's laws of a contact with this relative velocity along its axes.
+void expect_laws(const FrictionContact& contact, const Vec3& velocity, double speed, double impulse) {
+  const double parting = velocity[0] - contact.target_velocity, limit = contact.friction * contact.impulse[0];
+  EXPECT_GE(contact.impulse[0], 0);
+  EXPECT_GE(parting, -speed);
+  EXPECT_LE(contact.impulse.tail<2>().norm(), limit + impulse);
+  if (contact.impulse[0] > impulse) {
+    EXPECT_LE(parting, speed);
+  }
+  const double sliding = velocity.tail<2>().norm();
+  if (contact.impulse.tail<2>().norm() < limit - impulse) {
+    EXPECT_LE(sliding, speed) << "sticks";
+  } else if (sliding > speed && limit > impulse) {
+    EXPECT_LT(contact.impulse.tail<2>().dot(velocity.tail<2>()), -0.999 * limit * sliding + impulse * speed);
+  }
+}
+
+TEST(ContactCone, ProjectsOntoTheNearestImpulse) {
+  RandomValues random(1);
+  for (int i = 0; i < 200; ++i) {
+    const double friction = random.uniform(0, 1.5);
+    const Vec3 asked = random.vector();
+    const ConeProjection found = project_on_cone(asked, friction);
+    EXPECT_LE(found.impulse.tail<2>().norm(), friction * found.impulse[0] + 1e-12);
+    EXPECT_NEAR(found.impulse.dot(asked - found.impulse), 0, 1e-12);
+    EXPECT_TRUE(project_on_cone(found.impulse * (1 - 1e-12), friction).impulse.isApprox(found.impulse, 1e-9));
+    for (int k = 0; k < 20; ++k) {
+      const double normal = random.uniform(0, 2), angle = random.uniform(0, 6.28);
+      const Vec3 other = normal * Vec3(1, friction * std::cos(angle), friction * std::sin(angle));
+      EXPECT_GE((asked - other).norm(), (asked - found.impulse).norm() - 1e-12);
+    }
+  }
+}
+
+TEST(ContactCone, DerivativeIsTheDifferenceQuotient) {
+  RandomValues random(2);
+  constexpr double kStep = 1e-7;
+  for (int i = 0; i < 200; ++i) {
+    const double friction = random.uniform(0.1, 1.5);
+    const Vec3 asked = random.vector(), direction = random.direction();
+    const ConeProjection found = project_on_cone(asked, friction);
+    const Vec3 quotient = (project_on_cone(asked + kStep * direction, friction).impulse -
+                           project_on_cone(asked - kStep * direction, friction).impulse) /
+                          (2 * kStep);
+    EXPECT_LT((quotient - found.derivative * direction).norm(), 1e-5);
+    EXPECT_TRUE(found.derivative.isApprox(found.derivative.transpose()));
+  }
+}
+
+TEST(ContactProblem, RandomRigidBodiesKeepTheLaws) {
+  RandomValues random(3);
+  for (int trial = 0; trial < 40; ++trial) {
+    std::vector<RigidInertia> bodies(2 + random.index(4));
+    for (RigidInertia& body : bodies) {
+      body.mass = std::pow(10, random.uniform(-2, 2));
+      const Mat3 turn = random.rotation();
+      body.inertia = body.mass * turn * Vec3(0.1, 0.2, 0.25).asDiagonal() * turn.transpose();
+    }
+    std::vector<FrictionContact> contacts(3 + random.index(10));
+    for (FrictionContact& contact : contacts) {
+      contact.a = {.body = random.index(static_cast<int>(bodies.size())), .arm = random.vector()};
+      if (random.index(3) > 0)
+        contact.b = {.body = random.index(static_cast<int>(bodies.size())), .arm = random.vector()};
+      if (contact.b.body == contact.a.body) contact.b.body = -1;
+      contact.axes = axes_of(random.direction());
+      contact.friction = random.uniform(0, 0.6);
+      contact.free_velocity = random.vector(2);
+      contact.target_velocity = random.index(2) == 0 ? 0 : -random.uniform(0, 1);
+    }
+    std::vector<NodeVectors> changes;
+    const ContactSolveReport report = solve_contact_problem({}, bodies, contacts, kExact, changes);
+    if (report.unconverged > 0) continue;  // with random normals there may be no solution
+    for (const FrictionContact& contact : contacts) {
+      const Vec3 change = change_at(bodies, contacts, contact.a) - change_at(bodies, contacts, contact.b);
+      expect_laws(contact, contact.free_velocity + contact.axes.transpose() * change, 1e-5, 1e-4);
+    }
+  }
+}
+
+TEST(ContactProblem, ASlidingBlockIsSlowedByFrictionAlone) {
+  const std::vector<RigidInertia> block = {{2, Mat3::Identity()}};
+  for (double speed : {0.01, 1.0, 30.0}) {
+    std::vector<FrictionContact> contacts;
+    for (double x : {-0.5, 0.5})
+      for (double z : {-0.5, 0.5})
+        contacts.push_back(
+            on_floor(0, Vec3(x, 0, z), 0.3, Vec3(speed, -kFall * kStepTime, 0)));  // at its center's height
+    std::vector<NodeVectors> changes;
+    EXPECT_EQ(solve_contact_problem({}, block, contacts, kExact, changes).unconverged, 0);
+    Vec3 impulse = Vec3::Zero();
+    for (const FrictionContact& contact : contacts) impulse += contact.axes * contact.impulse;
+    EXPECT_NEAR(impulse.y(), 2 * kFall * kStepTime, 1e-6) << "it neither sinks nor lifts off";
+    EXPECT_NEAR(-impulse.x(), std::min(0.3 * impulse.y(), 2 * speed), 1e-6);
+  }
+}
+
+TEST(ContactProblem, TheHeavyRestsOnTheLight) {
+  for (double ratio : {1e2, 1e3, 1e4}) {
+    std::vector<RigidInertia> bodies = {{1, Mat3::Identity()}, {ratio, ratio * Mat3::Identity()}};
+    std::vector<FrictionContact> contacts = {on_floor(0, Vec3::Zero(), 0.5, Vec3(0, -kFall * kStepTime, 0)),
+                                             on_floor(1, Vec3::Zero(), 0.5, Vec3::Zero())};
+    contacts[1].b = {.body = 0, .arm = Vec3::Zero()};
+    std::vector<NodeVectors> changes;
+    EXPECT_EQ(solve_contact_problem({}, bodies, contacts, {}, changes).unconverged, 0) << ratio;
+    EXPECT_NEAR(contacts[0].impulse[0], (1 + ratio) * kFall * kStepTime, 1e-3 * ratio * kFall * kStepTime);
+  }
+}
+
+/// A box of elastic elements above a floor, about to fall for a step.
+struct FallingBox {
+  ElasticBox body{Vec3(0.4, 0.2, 0.4), 0.1, 6e10};
+  ElasticSystem system = body.system();
+  WholeMotion whole;
+  std::vector<FrictionContact> contacts;
+
+  explicit FallingBox(double friction, const Vec3& velocity = Vec3::Zero()) {
+    body.assemble(system, {.dt = kStepTime});
+    whole.masses = Eigen::Map<const Eigen::VectorXd>(body.masses.data(), body.masses.size());
+    whole.arms = system.gather(body.positions);
+    whole.arms.colwise() -= Vec3(whole.arms * whole.masses / whole.masses.sum());
+    whole.inverse_mass = 1 / whole.masses.sum();
+    Mat3 inertia = Mat3::Zero();
+    for (Eigen::Index i = 0; i < whole.arms.cols(); ++i)
+      inertia += whole.masses[i] * (whole.arms.col(i).squaredNorm() * Mat3::Identity() -
+                                    whole.arms.col(i) * whole.arms.col(i).transpose());
+    whole.inverse_inertia = inertia.inverse();
+    double lowest = 0;
+    for (const Vec3& position : body.positions) lowest = std::min(lowest, position.y());
+    for (int row = 0; row < system.rows(); ++row) {
+      if (body.positions[system.nodes()[row]].y() > lowest + 1e-9) continue;
+      FrictionContact& contact = contacts.emplace_back();
+      contact.a = {
+          .body = 0, .deformable = true, .point = {{row, -1, -1}, {Mat3::Identity(), Mat3::Zero(), Mat3::Zero()}}};
+      contact.axes = axes_of(Vec3::UnitY());
+      contact.friction = friction;
+      contact.free_velocity = contact.axes.transpose() * (velocity - kFall * kStepTime * Vec3::UnitY());
+    }
+  }
+  double mass() const { return whole.masses.sum(); }
+  NodeVectors solve(const ContactTolerance& tolerance, ContactSolveReport* report = nullptr) {
+    const std::vector<DeformableInertia> bodies = {{&system.matrix(), &system.preconditioner(), {}, whole}};
+    std::vector<NodeVectors> changes;
+    const ContactSolveReport found = solve_contact_problem(bodies, {}, contacts, tolerance, changes);
+    if (report) *report = found;
+    return changes[0];
+  }
+};
+
+TEST(ContactProblem, AnElasticBoxIsCarriedByItsFace) {
+  FallingBox box(0.6);
+  ContactSolveReport report;
+  const NodeVectors change = box.solve({.negligible_speed = 1e-9}, &report);
+  EXPECT_EQ(report.unconverged, 0);
+  double carried = 0;
+  for (const FrictionContact& contact : box.contacts) carried += contact.impulse[0];
+  EXPECT_NEAR(carried, box.mass() * kFall * kStepTime, 1e-3 * carried);
+  const Vec3 gained = change * box.whole.masses;
+  EXPECT_NEAR(gained.y(), carried, 1e-12 * carried) << "momentum is exact, whatever residual is left";
+  for (const FrictionContact& contact : box.contacts)
+    EXPECT_NEAR(change(1, contact.a.point.rows[0]), kFall * kStepTime, 1e-3 * kFall * kStepTime);
+}
+
+TEST(ContactProblem, AnElasticBoxSlidesAsARigidOneDoes) {
+  FallingBox box(0.2, Vec3(0.5, 0, 0));
+  const NodeVectors change = box.solve({.negligible_speed = 1e-9});
+  const Vec3 gained = change * box.whole.masses;
+  EXPECT_NEAR(-gained.x(), 0.2 * box.mass() * kFall * kStepTime, 2e-3 * box.mass() * kFall * kStepTime);
+  EXPECT_NEAR(gained.y(), box.mass() * kFall * kStepTime, 1e-3 * box.mass() * kFall * kStepTime);
+}
+
+TEST(ContactProblem, TheWholeOfABodyTakesPartOnce) {
+  const FallingBox box(0.5);
+  RandomValues random(5);
+  NodeVectors v(3, box.whole.arms.cols());
+  for (Eigen::Index i = 0; i < v.cols(); ++i) v.col(i) = random.vector();
+  const NodeVectors part = box.whole.part_of(v);
+  EXPECT_TRUE(box.whole.part_of(part).isApprox(part));
+  const NodeVectors momentum = box.whole.momentum_of(v);
+  EXPECT_TRUE(box.whole.momentum_of(momentum).isApprox(momentum));
+  NodeVectors w(3, v.cols());
+  for (Eigen::Index i = 0; i < w.cols(); ++i) w.col(i) = random.vector();
+  EXPECT_NEAR(dot(w, box.whole.momentum_of(v)), dot(box.whole.part_of(w), v), 1e-9) << "Q and its transpose";
+}
+
+TEST(ContactProblem, GivesTheSameBitsOnAnyNumberOfThreads) {
+  std::vector<NodeVectors> found;
+  for (int threads : {1, 2, 4}) {
+    const ThreadLimit limit(threads);
+    FallingBox box(0.4, Vec3(0.3, 0, 0.1));
+    found.push_back(box.solve({}));
+  }
+  EXPECT_EQ(found[0], found[1]);
+  EXPECT_EQ(found[0], found[2]);
+}
+
+}  // namespace
+}  // namespace griffith
