@@ -192,13 +192,15 @@ double rigid_compliance(const RigidInertia& body, const Vec3& arm) {
   const Mat3 cross = cross_matrix(arm);
   return 1 / body.mass - (cross * body.inertia.inverse() * cross).trace() / 3;
 }
+/// Where held nodes carry nearly all of a point, its others count as much more than they have.
 double compliance_of(const DeformableInertia& body, const WeightedRows& point) {
+  constexpr double kLeastWeight = 0.05;
   double compliance = 0;
   for (int i = 0; i < 3; ++i)
     if (const int row = point.rows[i]; row >= 0) {
-      const Mat3 of_node =
-          body.matrix ? body.preconditioner->inverse_diagonal(row) : Mat3(Mat3::Identity() / body.masses[row]);
-      compliance += (point.weights[i] * of_node * point.weights[i].transpose()).trace() / 3;
+      const double of_node =
+          body.matrix ? body.preconditioner->inverse_diagonal(row).trace() / 3 : 1 / body.masses[row];
+      compliance += std::max(point.weights[i].squaredNorm() / 3, kLeastWeight * kLeastWeight) * of_node;
     }
   return compliance;
 }
@@ -207,7 +209,7 @@ double compliance_of(const DeformableInertia& body, const WeightedRows& point) {
 /// more, rounds converge slowly; with less, Newton's method does where contacts go from sticking to sliding.
 double softness_of(std::span<const DeformableInertia> deformable, std::span<const RigidInertia> rigid,
                    const FrictionContact& contact) {
-  constexpr double kOfElements = 0.3, kOfMasses = 1e-3;
+  constexpr double kOfElements = 0.3, kOfMasses = 1e-2;
   double of_elements = 0, of_masses = 0;
   for (const ContactSide* side : {&contact.a, &contact.b}) {
     if (side->body < 0) continue;
@@ -218,7 +220,8 @@ double softness_of(std::span<const DeformableInertia> deformable, std::span<cons
       (body.matrix ? of_elements : of_masses) += compliance_of(body, side->point);
     }
   }
-  return of_elements > 0 ? kOfElements * of_elements : kOfMasses * of_masses;
+  const double softness = kOfElements * of_elements + kOfMasses * of_masses;
+  return softness > 0 ? softness : 1;  // nothing that could move
 }
 
 /// One round's convex problem and the rounds about it.
@@ -245,15 +248,16 @@ class ContactSolver {
       to_change_ = std::max(to_change_, contact.target_velocity - contact.free_velocity[0]);
     }
     violations_.assign(contacts.size(), std::numeric_limits<double>::infinity());
+    outer_change_ = to_change_;
     least_softness_ = softness_;
     for (double& softness : least_softness_) softness *= kStiffest;
   }
 
   ContactSolveReport solve() {
     for (int round = 0; round < tolerance_.max_rounds; ++round) {
-      const bool is_minimal = minimize();
-      if (next_round() == 0 && is_minimal) break;
-      if (!is_minimal) report_.unconverged = static_cast<int>(contacts_.size());
+      const Minimum found = minimize();
+      if (next_round() == 0 && found == Minimum::exact) break;
+      if (found == Minimum::none) report_.unconverged = static_cast<int>(contacts_.size());
     }
     for (std::size_t i = 0; i < contacts_.size(); ++i) contacts_[i].impulse = impulses_.col(i);
     return report_;
@@ -273,6 +277,12 @@ class ContactSolver {
  private:
   double negligible_speed() const { return std::max(tolerance_.relative * to_change_, tolerance_.negligible_speed); }
 
+  /// Errors of the lift close or open gaps a little, which the next step corrects.
+  double negligible_lift(double lift) const {
+    constexpr double kOfChange = 0.01;
+    return std::max(kOfChange * std::max(to_change_, lift), tolerance_.negligible_speed);
+  }
+
   ConeProjection project(std::size_t i, const Vec3& u) const {
     Vec3 missing = -u;
     missing[0] += contacts_[i].target_velocity - lifts_[i];
@@ -289,11 +299,13 @@ class ContactSolver {
   int next_round() {
     constexpr double kProgress = 0.25, kStiffening = 0.1;
     report_.unconverged = 0;
+    outer_change_ = 0;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const Vec3 impulse = project(i, u_.col(i)).impulse, change = impulse - impulses_.col(i);
-      const double lift = contacts_[i].friction * u_.col(i).tail<2>().norm();
-      const bool lifts = std::abs(lift - lifts_[i]) > negligible_speed() && !impulse.isZero(0);
-      const double violation = softness_[i] * change.norm();
+      const double lift = contacts_[i].friction * u_.col(i).tail<2>().norm(), violation = softness_[i] * change.norm();
+      const double lifted = impulse.isZero(0) ? 0 : std::abs(lift - lifts_[i]);
+      const bool lifts = lifted > negligible_lift(lift);
+      outer_change_ = std::max({outer_change_, violation, lifts ? lifted : 0});
       if (violation > negligible_speed() || lifts) ++report_.unconverged;
       impulses_.col(i) = impulse;
       lifts_[i] = lift;
@@ -304,18 +316,23 @@ class ContactSolver {
     return report_.unconverged;
   }
 
-  /// Newton's method for one round; false where it does not converge.
-  bool minimize() {
+  enum class Minimum { none, rough, exact };
+  /// Newton's method for one round.
+  Minimum minimize() {
+    constexpr double kOfRound = 0.1;  // of what the last round changed: the next one changes as much again
+    const double inner = std::max(kNewtonFraction * negligible_speed(), kOfRound * outer_change_);
     for (int step = 0; step < tolerance_.max_newton_steps; ++step) {
       linearize();
       Eigen::VectorXd residual = -a_y_;
       motion_.add_impulses(impulses_now_, residual);
       const double missing = bodies_.speed_under(residual);
-      if (missing <= kNewtonFraction * negligible_speed()) return true;
+      if (missing <= inner)
+        return inner <= kNewtonFraction * negligible_speed() || missing <= negligible_speed() ? Minimum::exact
+                                                                                              : Minimum::rough;
       ++report_.newton_steps;
-      if (!go_along(direction(residual))) return false;
+      if (!go_along(direction(residual))) return Minimum::none;
     }
-    return false;
+    return Minimum::none;
   }
 
   void linearize() {
@@ -333,7 +350,7 @@ class ContactSolver {
 
   /// Solves (A + Jᵀ G J) d = residual by conjugate gradients.
   Eigen::VectorXd direction(Eigen::VectorXd residual) {
-    constexpr double kForcing = 0.03;  // of the residual's norm: Newton's method corrects the rest
+    constexpr double kForcing = 0.01;  // of the residual's norm: Newton's method corrects the rest
     Eigen::VectorXd z, d = Eigen::VectorXd::Zero(bodies_.size()), a_p;
     preconditioner_.apply(residual, z);
     Eigen::VectorXd p = z;
@@ -374,18 +391,18 @@ class ContactSolver {
     return true;
   }
 
-  /// The zero of a function that grows from below 0, within (0, 2]; 0 where it does not begin below.
+  /// The zero of a function that grows from below 0, beyond 0; 0 where it does not begin below.
   template <class Slope>
   static double zero_of(const Slope& slope) {
-    constexpr double kAccuracy = 0.01;
+    constexpr double kAccuracy = 0.01, kFarthest = 1e6;
     const double start = slope(0.0);
     if (!(start < 0)) return 0;
     double low = 0, low_slope = start, high = 1, high_slope = slope(high);
     if (std::abs(high_slope) <= kAccuracy * -start) return high;
-    if (high_slope < 0) {
+    while (high_slope < 0) {  // contacts that let go are softer than they were
       low = high, low_slope = high_slope;
-      high = 2, high_slope = slope(high);
-      if (high_slope <= 0) return high;
+      if (high > kFarthest) return high;
+      high *= 4, high_slope = slope(high);
     }
     double step = high;
     int side = 0;
@@ -421,7 +438,8 @@ class ContactSolver {
   std::vector<double> violations_;                 // of the round before [m/s]
   Eigen::Matrix3Xd impulses_now_;
   std::vector<Mat3> stiffness_;
-  double to_change_ = 0;  // largest velocity that contacts have to make [m/s]
+  double outer_change_ = 0;  // of velocities, by the last round [m/s]
+  double to_change_ = 0;     // largest velocity that contacts have to make [m/s]
   ContactSolveReport report_;
 };
 

@@ -133,7 +133,7 @@ class GroupBuilder {
 ContactTolerance tolerance_of(const WorldState& world, double dt) {
   constexpr double kNegligible = 1e-6;  // of what gravity adds in a substep
   ContactTolerance tolerance;
-  tolerance.relative = world.model->scene.simulation.relative_residual;
+  tolerance.relative = std::min(1e-3, 10 * world.model->scene.simulation.relative_residual);
   tolerance.negligible_speed = std::max(1e-12, kNegligible * dt * world.model->scene.gravity.norm());
   tolerance.max_iterations = world.model->scene.simulation.max_solver_iterations;
   return tolerance;
