@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -33,6 +34,7 @@ class RandomContactMaker {
     constexpr Making kMakings[] = {&RandomContactMaker::heap,  &RandomContactMaker::stack,  &RandomContactMaker::slope,
                                    &RandomContactMaker::press, &RandomContactMaker::thrown, &RandomContactMaker::shot};
     (this->*kMakings[count(0, 5)])();
+    stiffen();
     // A fall from the height of a heap, and five seconds to calm down.
     if (made_.comes_to_rest) made_.duration = 5 + 6 * std::sqrt(made_.size / 9.81);
     scene.name = made_.kind;
@@ -57,6 +59,16 @@ class RandomContactMaker {
     if (chance(0.3)) made.friction = uniform(0.2, 1);
     if (!made_.scene.ground->friction) made.friction = 0;
     return made;
+  }
+
+  /// Gives what could not carry the weight of such bodies the stiffness to do so: elements of small strains turn inside
+  /// out under loads of their modulus.
+  void stiffen() {
+    double density = 0;
+    for (const BodyDescription& body : made_.scene.bodies) density = std::max(density, body.material.density);
+    const double least = 100 * density * 9.81 * made_.size;
+    for (BodyDescription& body : made_.scene.bodies)
+      body.material.young_modulus = std::max(body.material.young_modulus, least);
   }
 
   /// A shape that fits into a cube of this edge.
