@@ -61,7 +61,7 @@ inline std::string short_text(double value) {
 }
 
 inline void check_near(const std::string& name, double got, double expected, double fraction = 0.02) {
-  record(name, got, short_text(expected) + " ± " + short_text(100 * fraction) + " %");
+  record(name, got, short_text(expected) + " within " + short_text(100 * fraction) + " %");
   EXPECT_NEAR(got, expected, fraction * std::abs(expected)) << name;
 }
 

@@ -70,13 +70,13 @@ inline double depth_below(const Frame& frame, double height = 0) {
   return height - lowest;
 }
 
-/// The share of the energy turned over that is there without having been put in.
-inline double energy_gained(const EnergyAccount& energy) {
-  return (energy.stored() - energy.put_in()) / std::max(energy.turned_over(), 1e-30);
+/// The share of the energy turned over that is there without having been put in; of `least` [J] where that is more.
+inline double energy_gained(const EnergyAccount& energy, double least = 1e-30) {
+  return (energy.stored() - energy.put_in()) / std::max(energy.turned_over(), least);
 }
 
-inline double energy_unaccounted(const EnergyAccount& energy) {
-  return std::abs(energy.unaccounted()) / std::max(energy.turned_over(), 1e-30);
+inline double energy_unaccounted(const EnergyAccount& energy, double least = 1e-30) {
+  return std::abs(energy.unaccounted()) / std::max(energy.turned_over(), least);
 }
 
 /// Runs to `time`, and asks that in no step there is more energy than was put in, within a percent of what was turned

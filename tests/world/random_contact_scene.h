@@ -35,8 +35,9 @@ class RandomContactMaker {
                                    &RandomContactMaker::press, &RandomContactMaker::thrown, &RandomContactMaker::shot};
     (this->*kMakings[count(0, 5)])();
     stiffen();
-    // A fall from the height of a heap, and five seconds to calm down.
-    if (made_.comes_to_rest) made_.duration = 5 + 6 * std::sqrt(made_.size / 9.81);
+    // Falls, flights and slides of what moves at 2 √(g size) last up to 14 √(size/g); the rest is to end shocks and
+    // tilts.
+    if (made_.comes_to_rest) made_.duration = 5 + 22 * std::sqrt(made_.size / 9.81);
     scene.name = made_.kind;
     return made_;
   }
@@ -170,7 +171,7 @@ class RandomContactMaker {
     made_.kind = "thrown";
     scatter(count(1, 4));
     for (BodyDescription& body : made_.scene.bodies)
-      body.velocity = uniform(0, 4) * std::sqrt(9.81 * made_.size) * direction();
+      body.velocity = uniform(0, 2) * std::sqrt(9.81 * made_.size) * direction();
     made_.comes_to_rest = has_friction();
   }
 

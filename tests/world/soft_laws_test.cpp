@@ -23,11 +23,11 @@ Material soft_rubber(double diameter) {
   return material;
 }
 
-Scene soft_ball(const ContactCase& at, double height) {
+Scene soft_ball(const ContactCase& at, const Material& material, double height) {
   Scene scene = testing::empty_scene(at);
   BodyDescription& ball = scene.bodies.emplace_back();
   ball.shape = SphereShape{at.size / 2, at.size / 6 / at.refinement};
-  ball.material = soft_rubber(at.size);
+  ball.material = material;
   ball.position = Vec3(0, at.size / 2 + height, 0);
   return scene;
 }
@@ -50,7 +50,7 @@ double share_left(double w, double h) { return std::pow(1 + w * w * h * h, -std:
 TEST_P(DroppedSoftBall, IsSquashedAsHertzSays) {
   const ContactCase& at = GetParam();
   const double radius = at.size / 2, fall = at.size;
-  World world(soft_ball(at, fall));
+  World world(soft_ball(at, soft_rubber(at.size), fall));
   const double stiffness = 8.0 / 15 * plane_strain_modulus(soft_rubber(at.size)) * std::sqrt(radius);
   const auto squash = [&](double energy) { return std::pow(energy / stiffness, 0.4); };
   const double energy = mass_of(world) * kEarthGravity * fall;
@@ -71,23 +71,26 @@ TEST_P(DroppedSoftBall, IsSquashedAsHertzSays) {
   testing::check_at_most("below the ground [m]", deepest, 1e-3 * at.size);
 }
 
-// Longer than a fifth of the contact's time, a step shows nothing of it.
+// A ball of 1 m is in contact for .3 s, which nine steps of 1/30 s still show.
 INSTANTIATE_TEST_SUITE_P(Grid, DroppedSoftBall, ::testing::ValuesIn(testing::contact_cases({1, 4, 10})),
                          testing::contact_case_name);
 
 class RestingSoftBall : public ::testing::TestWithParam<ContactCase> {};
 
-// Hertz: m g = (4/3) E* √R d^(3/2).
+// Hertz: m g = (4/3) E* √R d^(3/2). The contact is as wide as two or four elements, which are too stiff by that.
 TEST_P(RestingSoftBall, LiesOnTheGroundAsFlatAsHertzSays) {
   const ContactCase& at = GetParam();
-  World world(soft_ball(at, at.size / 100));
+  Material material = soft_rubber(at.size);
+  material.poisson_ratio = 0.3;                            // linear tets lock less
+  material.stiffness_damping = 0.06 * std::sqrt(at.size);  // a third of the critical one
+  World world(soft_ball(at, material, at.size / 100));
   testing::run_to_rest(world, 5);
   const double radius = at.size / 2;
   const double expected = std::pow(
-      mass_of(world) * kEarthGravity / (4.0 / 3 * plane_strain_modulus(soft_rubber(at.size)) * std::sqrt(radius)),
-      2.0 / 3);
+      mass_of(world) * kEarthGravity / (4.0 / 3 * plane_strain_modulus(material) * std::sqrt(radius)), 2.0 / 3);
   testing::check_at_most("below the ground [m]", testing::depth_below(world.frame()), 1e-4);
-  testing::check_near("flattened by [m]", radius - world.frame().bodies[0].center_of_mass.y(), expected, 0.25);
+  testing::check_near("flattened by [m]", radius - world.frame().bodies[0].center_of_mass.y(), expected,
+                      at.refinement == 1 ? 0.4 : 0.25);
   testing::check_at_most("speed [m/s]", world.frame().bodies[0].velocity.norm(), 1e-3 * std::sqrt(at.size));
 }
 
