@@ -13,12 +13,12 @@ using testing::ContactCase;
 using testing::kEarthGravity;
 using testing::preset;
 
-/// A ball of rubber, E = 1e5 Pa where it has a diameter of 1 m: in proportion to its size, so that it is squashed by
-/// the same share of its radius by what falls through the same share.
-Material soft_rubber(double diameter) {
+/// Unbreakable rubber with this modulus where a body has a diameter of 1 m [Pa]: in proportion to its size, so that it
+/// is squashed by the same share of its radius by what falls through the same share.
+Material soft_rubber(double diameter, double modulus, double poisson_ratio) {
   Material material = testing::unbreakable(preset("rubber"));
-  material.young_modulus = 1e5 * diameter;
-  material.poisson_ratio = 0.45;
+  material.young_modulus = modulus * diameter;
+  material.poisson_ratio = poisson_ratio;
   material.restitution = 0.3;
   return material;
 }
@@ -45,30 +45,34 @@ class DroppedSoftBall : public ::testing::TestWithParam<ContactCase> {};
 /// period: each step has 1/(1 + w²h²) of it.
 double share_left(double w, double h) { return std::pow(1 + w * w * h * h, -std::numbers::pi / 2 / (w * h)); }
 
-// Hertz (1882): ½ m v² = (8/15) E* √R d^(5/2), as if the ground came up at v; the weight's work on the way adds to it
-// at most m g d. Between both, as far as elements of R/3 and the step let it.
-TEST_P(DroppedSoftBall, IsSquashedAsHertzSays) {
-  const ContactCase& at = GetParam();
+/// Drops the ball by its own diameter. Hertz (1882): ½ m v² = (8/15) E* √R d^(5/2). `share`: what of d explicit steps
+/// of the same elements give, for a ball is no half-space; to within a tenth, and what the step's damping takes.
+void check_squash(const ContactCase& at, const Material& material, double share) {
   const double radius = at.size / 2, fall = at.size;
-  World world(soft_ball(at, soft_rubber(at.size), fall));
-  const double stiffness = 8.0 / 15 * plane_strain_modulus(soft_rubber(at.size)) * std::sqrt(radius);
-  const auto squash = [&](double energy) { return std::pow(energy / stiffness, 0.4); };
-  const double energy = mass_of(world) * kEarthGravity * fall;
-  double least = squash(energy), most = least;
-  for (int i = 0; i < 50; ++i) most = squash(energy + mass_of(world) * kEarthGravity * most);
-  const double speed = std::sqrt(2 * kEarthGravity * fall);
-  const double left = share_left(speed / least, at.time_step);
+  World world(soft_ball(at, material, fall));
+  const double energy = mass_of(world) * kEarthGravity * fall, speed = std::sqrt(2 * kEarthGravity * fall);
+  const double hertz = std::pow(energy / (8.0 / 15 * plane_strain_modulus(material) * std::sqrt(radius)), 0.4);
+  const double left = std::pow(share_left(speed / hertz, at.time_step), 0.4);
   double lowest = world.frame().bodies[0].center_of_mass.y(), deepest = 0;
-  while (world.frame().time < std::sqrt(2 * fall / kEarthGravity) + 4 * most / speed) {
+  while (world.frame().time < std::sqrt(2 * fall / kEarthGravity) + 4 * hertz / speed) {
     world.step();
     lowest = std::min(lowest, world.frame().bodies[0].center_of_mass.y());
     deepest = std::max(deepest, testing::depth_below(world.frame()));
   }
-  const double got = radius - lowest;
-  testing::record("squashed by [m]", got, testing::short_text(least) + ".." + testing::short_text(most));
-  EXPECT_GE(got, 0.85 * std::pow(left, 0.4) * least);
-  EXPECT_LE(got, 1.1 * most);
+  const double got = radius - lowest, expected = share * hertz;
+  testing::record("squashed by [m]", got,
+                  testing::short_text(0.9 * left * expected) + ".." + testing::short_text(1.1 * expected));
+  EXPECT_GE(got, 0.9 * left * expected) << "squashed by";
+  EXPECT_LE(got, 1.1 * expected) << "squashed by";
   testing::check_at_most("below the ground [m]", deepest, 1e-3 * at.size);
+}
+
+TEST_P(DroppedSoftBall, IsSquashedByATenthOfItsSizeAsHertzSays) {
+  check_squash(GetParam(), soft_rubber(GetParam().size, 1e6, 0.3), 0.87);
+}
+
+TEST_P(DroppedSoftBall, IsSquashedByAThirdOfItsSize) {
+  check_squash(GetParam(), soft_rubber(GetParam().size, 1e5, 0.45), 0.78);
 }
 
 // A ball of 1 m is in contact for .3 s, which nine steps of 1/30 s still show.
@@ -77,20 +81,19 @@ INSTANTIATE_TEST_SUITE_P(Grid, DroppedSoftBall, ::testing::ValuesIn(testing::con
 
 class RestingSoftBall : public ::testing::TestWithParam<ContactCase> {};
 
-// Hertz: m g = (4/3) E* √R d^(3/2). The contact is as wide as two or four elements, which are too stiff by that.
+// Hertz: m g = (4/3) E* √R d^(3/2). Explicit steps of the same elements give three quarters of that d, a fifth of the
+// radius: a ball is no half-space, and the contact is as wide as two or four elements.
 TEST_P(RestingSoftBall, LiesOnTheGroundAsFlatAsHertzSays) {
   const ContactCase& at = GetParam();
-  Material material = soft_rubber(at.size);
-  material.poisson_ratio = 0.3;                            // linear tets lock less
+  Material material = soft_rubber(at.size, 1e5, 0.3);
   material.stiffness_damping = 0.06 * std::sqrt(at.size);  // a third of the critical one
   World world(soft_ball(at, material, at.size / 100));
   testing::run_to_rest(world, 5);
   const double radius = at.size / 2;
-  const double expected = std::pow(
+  const double hertz = std::pow(
       mass_of(world) * kEarthGravity / (4.0 / 3 * plane_strain_modulus(material) * std::sqrt(radius)), 2.0 / 3);
   testing::check_at_most("below the ground [m]", testing::depth_below(world.frame()), 1e-4);
-  testing::check_near("flattened by [m]", radius - world.frame().bodies[0].center_of_mass.y(), expected,
-                      at.refinement == 1 ? 0.4 : 0.25);
+  testing::check_near("flattened by [m]", radius - world.frame().bodies[0].center_of_mass.y(), 0.76 * hertz, 0.12);
   testing::check_at_most("speed [m/s]", world.frame().bodies[0].velocity.norm(), 1e-3 * std::sqrt(at.size));
 }
 
