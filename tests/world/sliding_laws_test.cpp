@@ -66,8 +66,8 @@ TEST_P(SlidingLaw, ALaunchedPlateStopsWhereItsFrictionSaysAndStaysWhole) {
   const double got = world.frame().bodies[0].center_of_mass.x();
   testing::record("stops after [m]", got,
                   testing::short_text(distance - half_step) + ".." + testing::short_text(distance));
-  EXPECT_LE(got, 1.02 * distance);
-  EXPECT_GE(got, 0.98 * distance - half_step);
+  EXPECT_LE(got, 1.02 * distance) << "stops after [m]";
+  EXPECT_GE(got, 0.98 * distance - half_step) << "stops after [m]";
   testing::check_at_most("speed at the end [m/s]", world.frame().bodies[0].velocity.norm(), 1e-5);
   testing::check_at_most("off its line [m]", std::abs(world.frame().bodies[0].center_of_mass.z()), 0.01 * distance);
   testing::check_equal("cracks", static_cast<int>(world.frame().crack_events.size()), 0);

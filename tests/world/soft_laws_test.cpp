@@ -62,8 +62,8 @@ void check_squash(const ContactCase& at, const Material& material, double share)
   const double got = radius - lowest, expected = share * hertz;
   testing::record("squashed by [m]", got,
                   testing::short_text(0.9 * left * expected) + ".." + testing::short_text(1.1 * expected));
-  EXPECT_GE(got, 0.9 * left * expected) << "squashed by";
-  EXPECT_LE(got, 1.1 * expected) << "squashed by";
+  EXPECT_GE(got, 0.9 * left * expected) << "squashed by [m]";
+  EXPECT_LE(got, 1.1 * expected) << "squashed by [m]";
   testing::check_at_most("below the ground [m]", deepest, 1e-3 * at.size);
 }
 
