@@ -1,0 +1,78 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "sim/world/world.h"
+
+namespace griffith::testing {
+
+/// One point of the grid on which a law of contact is tried.
+struct ContactCase {
+  double size;       ///< largest length of the bodies [m]
+  int refinement;    ///< 1: elements as large as the scene has them, 2: half as large
+  double time_step;  ///< [s]
+};
+
+inline std::ostream& operator<<(std::ostream& stream, const ContactCase& at) {
+  return stream << at.size << " m, elements / " << at.refinement << ", step 1/" << std::lround(1 / at.time_step)
+                << " s";
+}
+
+/// The grid of these sizes, two meshes and steps of 1/30, 1/60 and 1/250 s. A third of it, in which each size, mesh and
+/// step is found, unless GRIFFITH_ALL_CONTACT_CASES is set.
+inline std::vector<ContactCase> contact_cases(const std::vector<double>& sizes) {
+  const bool all = std::getenv("GRIFFITH_ALL_CONTACT_CASES") != nullptr;
+  const double steps[] = {1.0 / 30, 1.0 / 60, 1.0 / 250};
+  std::vector<ContactCase> cases;
+  for (int size = 0; size < static_cast<int>(sizes.size()); ++size)
+    for (int mesh = 0; mesh < 2; ++mesh)
+      for (int step = 0; step < 3; ++step)
+        if (all || (size + mesh + step) % 3 == 0) cases.push_back({sizes[size], mesh + 1, steps[step]});
+  return cases;
+}
+
+/// "10mm_mesh2_step60": the name of a case in the list of tests.
+inline std::string case_name(const ContactCase& at) {
+  return std::to_string(std::lround(1000 * at.size)) + "mm_mesh" + std::to_string(at.refinement) + "_step" +
+         std::to_string(std::lround(1 / at.time_step));
+}
+
+inline std::string contact_case_name(const ::testing::TestParamInfo<ContactCase>& info) {
+  return case_name(info.param);
+}
+
+/// Keeps a figure in the test's report beside what it should be, so that runs can be compared.
+inline void record(const std::string& name, double got, const std::string& expected) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.4g (%s)", got, expected.c_str());
+  ::testing::Test::RecordProperty(name, text);
+}
+
+inline std::string short_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+inline void check_near(const std::string& name, double got, double expected, double fraction = 0.02) {
+  record(name, got, short_text(expected) + " within " + short_text(100 * fraction) + " %");
+  EXPECT_NEAR(got, expected, fraction * std::abs(expected)) << name;
+}
+
+inline void check_at_most(const std::string& name, double got, double bound) {
+  record(name, got, "<= " + short_text(bound));
+  EXPECT_LE(got, bound) << name;
+}
+
+inline void check_equal(const std::string& name, int got, int expected) {
+  record(name, got, std::to_string(expected));
+  EXPECT_EQ(got, expected) << name;
+}
+
+}  // namespace griffith::testing

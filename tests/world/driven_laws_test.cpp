@@ -1,0 +1,146 @@
+// What supports push and lift: the forces that they need, and what is jammed.
+
+#include <gtest/gtest.h>
+
+#include "tests/world/contact_scenes.h"
+#include "tests/world/measures.h"
+
+namespace griffith {
+namespace {
+
+using testing::box;
+using testing::ContactCase;
+using testing::kEarthGravity;
+using testing::preset;
+
+Support driven(const Region& region, const Vec3& velocity, double stop) {
+  return {.region = region, .kind = SupportKind::prescribed, .velocity = velocity, .stop = stop};
+}
+
+class LiftingLaw : public ::testing::TestWithParam<ContactCase> {};
+
+// The support carries the weight, ρgV: 104 N for a block of 20 x 10 x 20 cm.
+TEST_P(LiftingLaw, ABlockLiftedInAirStaysWholeAndWeighsWhatItWeighs) {
+  const ContactCase& at = GetParam();
+  for (const double speed : {0.01, 0.05}) {
+    Scene scene = testing::empty_scene(at);
+    const Vec3 size = at.size * Vec3(1, 0.5, 1);
+    scene.bodies = {
+        box("block", size, Vec3(0, 5 * at.size, 0), preset("granite"), Vec3::Constant(at.size / 4 / at.refinement))};
+    scene.bodies[0].supports = {
+        driven(HalfSpaceRegion{Vec3(0, size.y() / 2, 0), Vec3::UnitY()}, speed * Vec3::UnitY(), 10)};
+    World world(scene);
+    testing::run_to(world, 0.5);
+    double force = 0;
+    const int steps = static_cast<int>(std::lround(0.5 / at.time_step));
+    for (int step = 0; step < steps; ++step) {
+      world.step();
+      force += testing::sum_of_reactions(world.frame()).y() / steps;
+    }
+    const std::string name = " at " + testing::short_text(100 * speed) + " cm/s";
+    testing::check_near("force [N]" + name, force, 2650 * size.prod() * kEarthGravity);
+    testing::check_equal("pieces" + name, static_cast<int>(world.frame().bodies.size()), 1);
+    testing::check_equal("cracks" + name, static_cast<int>(world.frame().crack_events.size()), 0);
+    testing::check_near("lifted [m]" + name, world.frame().bodies[0].center_of_mass.y() - 5 * at.size, speed, 0.01);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Grid, LiftingLaw, ::testing::ValuesIn(testing::contact_cases({0.01, 0.2, 1})),
+                         testing::contact_case_name);
+
+class PressLaw : public ::testing::TestWithParam<ContactCase> {};
+
+/// A granite platen that comes down at `speed` onto a pad of rubber without lateral strain, by `depth` in all.
+Scene press(const ContactCase& at, double speed, double depth) {
+  Scene scene = testing::empty_scene(at);
+  const double pad = at.size / 2, platen = at.size / 2;
+  Material rubber = testing::unbreakable(preset("rubber"));
+  rubber.poisson_ratio = 0;
+  scene.bodies = {
+      box("pad", Vec3(at.size, pad, at.size), Vec3(0, pad / 2, 0), rubber, Vec3::Constant(at.size / 4 / at.refinement)),
+      box("platen", Vec3(at.size, platen, at.size), Vec3(0, pad + platen / 2, 0), preset("granite"),
+          Vec3::Constant(at.size / 4 / at.refinement))};
+  scene.bodies[1].supports = {
+      driven(HalfSpaceRegion{Vec3(0, platen / 2, 0), Vec3::UnitY()}, -speed * Vec3::UnitY(), depth / speed)};
+  return scene;
+}
+
+// Hooke's law of a pad in uniaxial strain, for ν = 0: F = E A d / L; the support bears the platen's weight less. Its
+// own weight has the pad shorter by ρ g L² / 2E beforehand.
+TEST_P(PressLaw, GraniteIsSqueezedOnRubberWithTheForceOfItsStrain) {
+  const ContactCase& at = GetParam();
+  const double pad = at.size / 2, depth = 0.04 * pad, area = at.size * at.size;
+  World world(press(at, depth / 0.5, depth));
+  testing::run_to(world, 1);
+  const Material rubber = preset("rubber");
+  const double sagged = rubber.density * kEarthGravity * pad * pad / (2 * rubber.young_modulus);
+  const double pressed = rubber.young_modulus * area * (depth - sagged) / pad;
+  const double weight = 2650 * area * at.size / 2 * kEarthGravity;
+  double force = 0;
+  for (int step = 0; step < 10; ++step) {
+    world.step();
+    force -= testing::sum_of_reactions(world.frame()).y() / 10;
+  }
+  testing::check_near("force on the pad [N]", force + weight, pressed, 0.05);
+  testing::check_at_most("below the ground [m]", testing::depth_below(world.frame()), 1e-4);
+  testing::check_equal("cracks", static_cast<int>(world.frame().crack_events.size()), 0);
+  testing::check_at_most("energy unaccounted", testing::energy_unaccounted(world.frame().energy), 0.01);
+}
+
+INSTANTIATE_TEST_SUITE_P(Grid, PressLaw, ::testing::ValuesIn(testing::contact_cases({0.02, 0.2, 2})),
+                         testing::contact_case_name);
+
+class JammingLaw : public ::testing::TestWithParam<ContactCase> {};
+
+/// A slender rod that leans by 40° from the upright, its foot on the ground, friction 2.
+Scene leaning_rod(const ContactCase& at, const Material& material) {
+  Scene scene = testing::empty_scene(at);
+  scene.ground->friction = 2;
+  const double width = at.size / 20, lean = 40 * M_PI / 180;
+  scene.bodies = {box("rod", Vec3(width, at.size, width),
+                      Vec3(0, (at.size * std::cos(lean) + width * std::sin(lean)) / 2, 0), material,
+                      Vec3(width, width * 2, width) / at.refinement)};
+  scene.bodies[0].rotation_degrees = Vec3(0, 0, 40);
+  scene.bodies[0].material.friction = 2;
+  return scene;
+}
+
+// Painlevé (1895): a rod that is thrust along the ground ahead of its foot has no motion without an impulse; it jams,
+// and its energy cannot grow.
+TEST_P(JammingLaw, ARodThatJamsEndsBounded) {
+  const ContactCase& at = GetParam();
+  Scene scene = leaning_rod(at, testing::unbreakable(preset("mild_steel")));
+  scene.bodies[0].velocity = Vec3(3 * std::sqrt(at.size), 0, 0);
+  World world(scene);
+  testing::check_energy(world, 3);
+  testing::run_to_rest(world, 10);
+  testing::check_equal("asleep after 10 s", testing::all_asleep(world.frame()), 1);
+  testing::check_at_most("below the ground [m]", testing::depth_below(world.frame()), 1e-4);
+}
+
+// Its top is driven down along its axis by a thousandth of its length. Friction 2 holds the foot, as 2 > tan 40°.
+// Hooke: it takes at most ½ E V ε², with a force of at most E A ε; where it bends, less.
+TEST_P(JammingLaw, ARodDrivenIntoTheGroundTakesNoMoreThanItsStrain) {
+  const ContactCase& at = GetParam();
+  Material stiff = testing::unbreakable(preset("rubber"));
+  stiff.young_modulus = 2e9 * at.size;  // so that it bends by the same share under its weight at every size
+  const double strain = 0.001, duration = 0.5, volume = at.size * at.size * at.size / 400;
+  Scene scene = leaning_rod(at, stiff);
+  const double lean = 40 * M_PI / 180;
+  scene.bodies[0].supports = {driven(HalfSpaceRegion{Vec3(0, at.size / 2, 0), Vec3::UnitY()},
+                                     strain * at.size / duration * Vec3(std::sin(lean), -std::cos(lean), 0), duration)};
+  World world(scene);
+  testing::check_energy(world, 2);
+  const double weight = stiff.density * volume * kEarthGravity;
+  testing::check_at_most("elastic energy [J]", world.frame().energy.elastic,
+                         0.5 * stiff.young_modulus * volume * strain * strain + weight * strain * at.size);
+  testing::check_at_most("force of the support [N]", testing::sum_of_reactions(world.frame()).norm(),
+                         1.05 * stiff.young_modulus * volume / at.size * strain + weight);
+  testing::check_at_most("below the ground [m]", testing::depth_below(world.frame()), 1e-4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Grid, JammingLaw, ::testing::ValuesIn(testing::contact_cases({0.1, 1, 10})),
+                         testing::contact_case_name);
+
+}  // namespace
+}  // namespace griffith
