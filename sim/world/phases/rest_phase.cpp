@@ -101,6 +101,12 @@ void tell_settled_bodies(WorldState& world, double time_step) {
   }
 }
 
+void turn_rigid(WorldState& world, Body& body) {
+  const double before = energy_of(world, body);
+  make_rigid(world, body);
+  world.energy.hand_over += before - energy_of(world, body);
+}
+
 /// Takes what is left of a body's motion.
 void fall_asleep(WorldState& world, Body& body) {
   const double before = energy_of(world, body);
@@ -111,6 +117,12 @@ void fall_asleep(WorldState& world, Body& body) {
 }
 
 }  // namespace
+
+void rigidify_if_calm(WorldState& world, Body& body) {
+  if (!body.sways() || body.supported() || !is_calm(world, body)) return;
+  set_untouched(world, body, false);
+  turn_rigid(world, body);
+}
 
 void rigidify_quiet_bodies(WorldState& world) {
   constexpr int kQuietSteps = 20;
@@ -123,9 +135,7 @@ void rigidify_quiet_bodies(WorldState& world) {
     const bool flies = body.quiet_steps > 0 && flies_unstressed(world, body);
     if (body.tets.size() > 1 && body.quiet_steps < kQuietSteps && !flies) continue;
     set_untouched(world, body, body.tets.size() > 1 && body.quiet_steps < kQuietSteps);
-    const double before = energy_of(world, body);
-    make_rigid(world, body);
-    world.energy.hand_over += before - energy_of(world, body);
+    turn_rigid(world, body);
   }
 }
 

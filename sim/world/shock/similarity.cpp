@@ -182,7 +182,7 @@ double inner_speed(const WorldState& world, const Body& body) {
 }
 
 double slowed_wave_speed(const WorldState& world, const Body& body) {
-  return body.shock->similarity * bar_wave_speed(world.material_of(body));
+  return (body.shock ? body.shock->similarity : 1) * bar_wave_speed(world.material_of(body));
 }
 
 double element_transit_time(const WorldState& world, const Body& body) {

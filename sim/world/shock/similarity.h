@@ -34,7 +34,7 @@ void end_similarity(WorldState& world, Body& body);
 /// How fast a body's nodes move against its centre, spinning or deforming, at most [m/s].
 double inner_speed(const WorldState& world, const Body& body);
 
-/// The bar wave's speed in a body in shock, as it is slowed now [m/s].
+/// The bar wave's speed in a body, in shock as it is slowed now [m/s].
 double slowed_wave_speed(const WorldState& world, const Body& body);
 
 /// How long a wave takes to cross an element of the body as it is slowed now [s].
