@@ -53,7 +53,7 @@ class Trial {
     solid_.finish();
     parts_.tets.resize(solid_.tet_slots());
     if (!parts_.edges.empty()) parts_.edges.resize(solid_.tet_slots());
-    impacts_.emplace(solid_, surface_, std::span<const shock::CrackSides>(), std::move(obstacles), laws_, spacing());
+    impacts_.emplace(solid_, surface_, crack_sides(world, parts_.tets, true), std::move(obstacles), laws_, spacing());
     min_speed_ = std::max(min_speed_, min_impact_speed(world));
   }
 
@@ -113,7 +113,7 @@ void Trial::add_body(const Body& body, double flight) {
   const Material& material = world_.material_of(body);
   laws_.push_back({static_cast<int>(laws_.size()), material.friction});
   element_size_ += body.element_size;
-  window_ = std::max(window_, shock_window(world_, body));
+  window_ = std::max(window_, impact_window(world_, body));
   interval_ = std::min(interval_, kTrialCheckInterval * body.element_size / bar_wave_speed(material));
   weight_ += (body.edges.empty() ? 1 : kQuadraticWork) * shock::kLanes * solid_.body(solid_.body_count() - 1).blocks;
   min_speed_ = std::min(min_speed_, damage_speed(world_, body));
@@ -349,7 +349,7 @@ double expected_work(const WorldState& world, const Impact& impact) {
     const auto blocks = static_cast<double>((body.tets.size() + shock::kLanes - 1) / shock::kLanes);
     slots += (body.edges.empty() ? 1 : kQuadraticWork) * shock::kLanes * blocks;
     frequency = std::max(frequency, highest_frequency(world, body));
-    window = std::max(window, shock_window(world, body));
+    window = std::max(window, impact_window(world, body));
   }
   return kWithContacts * kMicrostepWork * slots * kWindows * window * frequency / kAtFrequency;
 }

@@ -102,7 +102,7 @@ Followed follow_impact(WorldState& world, const Impact& impact, const Flights& f
   bring_together(world, impact, flights, contact);
   double window = 0;
   for (int i = 0; i < 2; ++i)
-    if (impact.deforms[i]) window = std::max(window, shock_window(world, world.bodies[impact.bodies[i]]));
+    if (impact.deforms[i]) window = std::max(window, impact_window(world, world.bodies[impact.bodies[i]]));
   std::vector<shock::Obstacle> obstacles = obstacles_of(world, impact);
   const ObstacleAccount account(world, obstacles);
   ShockRun run(world, std::move(obstacles), kAlone);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "sim/core/parallel.h"
+#include "sim/geometry/face_key.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/element_states.h"
@@ -38,6 +39,31 @@ shock::CrackSides crack_sides(const TetMesh& mesh, TetId first, int first_face, 
       if (mesh.rest_positions[mesh.tets[second][corner]] == place) sides.second_corners[i] = corner;
   }
   return sides;
+}
+
+std::vector<shock::CrackSides> crack_sides(const WorldState& world, std::span<const TetId> tets, bool apart) {
+  const TetMesh& mesh = world.mesh;
+  struct Side {
+    int slot = 0, face = 0;
+  };
+  std::map<std::pair<int, FaceKey>, Side> unpaired;
+  std::vector<shock::CrackSides> cracks;
+  for (int slot = 0; slot < static_cast<int>(tets.size()); ++slot) {
+    const TetId tet = tets[slot];
+    if (!tet.valid()) continue;
+    for (int face = 0; face < 4; ++face) {
+      if (mesh.neighbours[tet][face].valid() || world.elements.first_surface[tet] >> face & 1) continue;
+      std::array<Vec3, 3> places;
+      for (int i = 0; i < 3; ++i) places[i] = mesh.rest_positions[mesh.tets[tet][kTetFaces[face][i]]];
+      const int body = apart ? static_cast<int>(world.elements.bodies[tet].index()) : 0;
+      const auto [other, is_new] = unpaired.try_emplace({body, face_key(places)}, Side{slot, face});
+      if (is_new) continue;
+      const auto [partner, partner_face] = other->second;
+      cracks.push_back(crack_sides(mesh, tets[partner], partner_face, tet, partner, slot));
+      unpaired.erase(other);
+    }
+  }
+  return cracks;
 }
 
 float screening_stress(const WorldState& world, NodeId node) {

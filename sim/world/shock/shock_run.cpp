@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
-#include "sim/geometry/face_key.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/contact_views.h"
@@ -58,7 +56,8 @@ void ShockRun::build(std::vector<shock::Obstacle> obstacles) {
   int relieved = 0;
   for (int i = 0; i < solid_.body_count(); ++i) relieved += solid_.body(i).relieved;
   world_.report.relieved_tets = std::max(world_.report.relieved_tets, relieved);
-  impacts_.emplace(solid_, surface_of_bodies(), cracks_of_bodies(), std::move(obstacles), surfaces_, size);
+  impacts_.emplace(solid_, surface_of_bodies(), crack_sides(world_, tets_, group_ != 0), std::move(obstacles),
+                   surfaces_, size);
 }
 
 void ShockRun::add_body(const Body& body, const std::vector<Vec3>& external) {
@@ -69,7 +68,7 @@ void ShockRun::add_body(const Body& body, const std::vector<Vec3>& external) {
   add_elements(body, placement.turn);
   bodies_.push_back(body.id);
   turns_.push_back(placement.turn);
-  surfaces_.push_back({body.scene_body, world_.material_of(body).friction});
+  surfaces_.push_back({group_ == 0 ? body.scene_body : body.id.index(), world_.material_of(body).friction});
 }
 
 /// `external`: per node of the mesh [N]. What strains the body is scaled by f.
@@ -135,27 +134,6 @@ std::vector<shock::SurfaceSide> ShockRun::surface_of_bodies() const {
       if (!world_.mesh->neighbours[tets_[slot]][face].valid()) surface.push_back({slot, face});
   }
   return surface;
-}
-
-/// Faces that cracks opened before, paired by their places at rest.
-std::vector<shock::CrackSides> ShockRun::cracks_of_bodies() const {
-  const TetMesh& mesh = world_.mesh;
-  std::map<FaceKey, std::pair<TetId, int>> unpaired;
-  std::vector<shock::CrackSides> cracks;
-  for (const TetId tet : tets_) {
-    if (!tet.valid()) continue;
-    for (int face = 0; face < 4; ++face) {
-      if (mesh.neighbours[tet][face].valid() || world_.elements.first_surface[tet] >> face & 1) continue;
-      std::array<Vec3, 3> places;
-      for (int i = 0; i < 3; ++i) places[i] = mesh.rest_positions[mesh.tets[tet][kTetFaces[face][i]]];
-      const auto [other, is_new] = unpaired.try_emplace(face_key(places), tet, face);
-      if (is_new) continue;
-      const auto [partner, partner_face] = other->second;
-      cracks.push_back(crack_sides(mesh, partner, partner_face, tet, slot_of_tet_[partner], slot_of_tet_[tet]));
-      unpaired.erase(other);
-    }
-  }
-  return cracks;
 }
 
 const Body& ShockRun::body_of(NodeId node) const { return body_at(world_, node); }

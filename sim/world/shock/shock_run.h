@@ -19,6 +19,10 @@ namespace griffith {
 shock::CrackSides crack_sides(const TetMesh& mesh, TetId first, int first_face, TetId second, int first_slot,
                               int second_slot);
 
+/// Faces that cracks opened before, paired by their places at rest. `tets`: per slot, invalid in unused ones. Where
+/// bodies are `apart`, only those of one body are paired.
+std::vector<shock::CrackSides> crack_sides(const WorldState& world, std::span<const TetId> tets, bool apart);
+
 /// Share of the stable microstep: nearer to it, the energy of the highest frequencies swings widely.
 inline constexpr double kCourant = 0.5;
 /// A node that is pushed again sooner is still pressed on, in the time that a wave takes to cross an element.
@@ -89,7 +93,6 @@ class ShockRun {
   void move_supports();
   void add_edges(const Body& body);
   void add_elements(const Body& body, const Mat3& turn);
-  std::vector<shock::CrackSides> cracks_of_bodies() const;
   std::vector<shock::SurfaceSide> surface_of_bodies() const;
   void record_blows();
   void record_contact(const shock::Impacts::Blow& blow);

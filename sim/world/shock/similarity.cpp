@@ -182,7 +182,7 @@ double inner_speed(const WorldState& world, const Body& body) {
 }
 
 double slowed_wave_speed(const WorldState& world, const Body& body) {
-  return (body.shock ? body.shock->similarity : 1) * bar_wave_speed(world.material_of(body));
+  return body.shock->similarity * bar_wave_speed(world.material_of(body));
 }
 
 double element_transit_time(const WorldState& world, const Body& body) {
@@ -191,6 +191,10 @@ double element_transit_time(const WorldState& world, const Body& body) {
 
 double shock_window(const WorldState& world, const Body& body) {
   return kTransits * world.model->extents[body.scene_body] / slowed_wave_speed(world, body);
+}
+
+double impact_window(const WorldState& world, const Body& body) {
+  return kTransits * body.extent / bar_wave_speed(world.material_of(body));
 }
 
 double time_to_follow(const WorldState& world) {

@@ -34,7 +34,7 @@ void end_similarity(WorldState& world, Body& body);
 /// How fast a body's nodes move against its centre, spinning or deforming, at most [m/s].
 double inner_speed(const WorldState& world, const Body& body);
 
-/// The bar wave's speed in a body, in shock as it is slowed now [m/s].
+/// The bar wave's speed in a body in shock, as it is slowed now [m/s].
 double slowed_wave_speed(const WorldState& world, const Body& body);
 
 /// How long a wave takes to cross an element of the body as it is slowed now [s].
@@ -49,6 +49,10 @@ inline constexpr double kQuadraticWork = 4;
 /// For how long waves are followed after the last blow or crack: until they would have crossed the whole scene body
 /// some times [s].
 double shock_window(const WorldState& world, const Body& body);
+
+/// The same of an impact that is judged or followed by itself, under the full stiffness: until waves would have crossed
+/// the body, which may be a piece, as often [s].
+double impact_window(const WorldState& world, const Body& body);
 
 /// Until the waves of all bodies in shock have been followed, if nothing new happens; 0 without any [s].
 double time_to_follow(const WorldState& world);

@@ -19,7 +19,7 @@ std::pair<ProxyId, ProxyId> key_of(const Impact& impact) { return std::minmax(im
 
 double work_of_one(const WorldState& world) { return 1e3 * kShareOfBudget * world.model->scene.simulation.step_budget; }
 
-/// Pieces of one body touch in microsteps where cracks parted them alone.
+/// Pieces of one body touch in microsteps that all share where cracks parted them alone.
 bool are_of_one_body(const WorldState& world, const Impact& impact) {
   const auto [a, b] = impact.bodies;
   return a.valid() && b.valid() && world.bodies[a].scene_body == world.bodies[b].scene_body;
@@ -34,10 +34,10 @@ bool is_shot(const WorldState& world, const Impact& impact) {
 
 }  // namespace
 
-bool StepImpacts::is_harmless(const WorldState& world, const Impact& impact) const {
+bool StepImpacts::is_harmless(const Impact& impact) const {
   constexpr double kSame = 1.1;  // speed, of one that was tried
   const auto known = harmless_.find(key_of(impact));
-  return are_of_one_body(world, impact) || (known != harmless_.end() && impact.met.approach <= kSame * known->second);
+  return known != harmless_.end() && impact.met.approach <= kSame * known->second;
 }
 
 bool StepImpacts::goes_alone(const WorldState& world, const Impact& impact) const {
@@ -47,7 +47,7 @@ bool StepImpacts::goes_alone(const WorldState& world, const Impact& impact) cons
     if (!id.valid()) continue;
     const Body& body = world.bodies[id];
     if (body.shock || (impact.deforms[i] && body.supported())) return false;
-    if (impact.deforms[i] && shock_window(world, body) > kLongest * world.model->scene.simulation.time_step)
+    if (impact.deforms[i] && impact_window(world, body) > kLongest * world.model->scene.simulation.time_step)
       return false;
   }
   return true;
@@ -68,7 +68,9 @@ bool StepImpacts::is_ahead(const Impact& impact) const {
 
 std::vector<Impact> StepImpacts::find(const WorldState& world, double duration) {
   std::vector<Impact> impacts = expected_blows(world, duration), shared;
-  std::erase_if(impacts, [&](const Impact& impact) { return is_harmless(world, impact); });
+  std::erase_if(impacts, [&](const Impact& impact) {
+    return is_harmless(impact) || (are_of_one_body(world, impact) && !goes_alone(world, impact));
+  });
   std::vector<TrialOutcome> outcomes(impacts.size());
   const double most = work_of_one(world);
   parallel_for(static_cast<int>(impacts.size()), 1, [&](int begin, int end) {

@@ -34,7 +34,7 @@ class StepImpacts {
     Impact impact;
     double contact = 0;  ///< from when they are seen to strike until they touch [s]
   };
-  bool is_harmless(const WorldState& world, const Impact& impact) const;
+  bool is_harmless(const Impact& impact) const;
   bool goes_alone(const WorldState& world, const Impact& impact) const;
   Flights flights_of(const Impact& impact) const;
   bool is_ahead(const Impact& impact) const;
