@@ -166,7 +166,10 @@ void Trial::add_elements(const Body& body, const std::vector<int>& local, const 
     offsets.push_back(turn * world_.elements.stress_free_strain(tet) * turn.transpose());
   }
   const std::vector<std::array<int, 6>> edges = add_edges(body);
-  solid_.add_body(law, material.density, tets, rest_elements, offsets, highest_frequency(world_, body), edges);
+  constexpr std::size_t kUnrelieved = 50;  // tets, of which no sliver is relieved
+  const double limit =
+      body.tets.size() < kUnrelieved ? std::numeric_limits<double>::infinity() : highest_frequency(world_, body);
+  solid_.add_body(law, material.density, tets, rest_elements, offsets, limit, edges);
   const int first = solid_.slot(solid_.body_count() - 1, 0);
   parts_.tets.resize(first);
   parts_.tets.insert(parts_.tets.end(), body.tets.begin(), body.tets.end());
@@ -258,6 +261,7 @@ bool Trial::check() {
   const double last = std::exchange(last_check_, time_);
   if (flagged_.empty()) return false;
   if (!stars_) stars_.emplace(world_, solid_, parts_);
+  stars_->forget();
   bool any = false;
   for (const int index : flagged_) {
     TrialNode& node = nodes_[index];

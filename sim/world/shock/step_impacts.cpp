@@ -25,11 +25,18 @@ bool are_of_one_body(const WorldState& world, const Impact& impact) {
   return a.valid() && b.valid() && world.bodies[a].scene_body == world.bodies[b].scene_body;
 }
 
-/// True if one of the two is a projectile.
-bool is_shot(const WorldState& world, const Impact& impact) {
+/// True if the waves of an impact end in a small part of a step: in shorter ones they are to be seen.
+bool is_short(const WorldState& world, const Impact& impact) {
+  constexpr double kLongest = 1.0 / 8;  // of a step
+  const double longest = kLongest * world.model->scene.simulation.time_step;
   for (int i = 0; i < 2; ++i)
-    if (!impact.bodies[i].valid() && !world.contact_world.is_ground(impact.objects()[i])) return true;
-  return false;
+    if (impact.deforms[i] && impact_window(world, world.bodies[impact.bodies[i]]) > longest) return false;
+  return true;
+}
+
+/// True if an impact is judged by itself.
+bool is_judged(const WorldState& world, const Impact& impact) {
+  return !is_shot(world, impact) && is_short(world, impact) && expected_work(world, impact) <= work_of_one(world);
 }
 
 }  // namespace
@@ -41,16 +48,11 @@ bool StepImpacts::is_harmless(const Impact& impact) const {
 }
 
 bool StepImpacts::goes_alone(const WorldState& world, const Impact& impact) const {
-  constexpr double kLongest = 1.0 / 8;  // of a step, for as long as its waves are followed
   for (int i = 0; i < 2; ++i) {
     const BodyId id = impact.bodies[i];
-    if (!id.valid()) continue;
-    const Body& body = world.bodies[id];
-    if (body.shock || (impact.deforms[i] && body.supported())) return false;
-    if (impact.deforms[i] && impact_window(world, body) > kLongest * world.model->scene.simulation.time_step)
-      return false;
+    if (id.valid() && (world.bodies[id].shock || (impact.deforms[i] && world.bodies[id].supported()))) return false;
   }
-  return true;
+  return is_short(world, impact);
 }
 
 Flights StepImpacts::flights_of(const Impact& impact) const {
@@ -72,11 +74,10 @@ std::vector<Impact> StepImpacts::find(const WorldState& world, double duration) 
     return is_harmless(impact) || (are_of_one_body(world, impact) && !goes_alone(world, impact));
   });
   std::vector<TrialOutcome> outcomes(impacts.size());
-  const double most = work_of_one(world);
   parallel_for(static_cast<int>(impacts.size()), 1, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
-      const bool is_tried = !is_shot(world, impacts[i]) && expected_work(world, impacts[i]) <= most;
-      outcomes[i] = is_tried ? try_impact(world, impacts[i], flights_of(impacts[i])) : TrialOutcome{.harmful = true};
+      outcomes[i].harmful = true;
+      if (is_judged(world, impacts[i])) outcomes[i] = try_impact(world, impacts[i], flights_of(impacts[i]));
     }
   });
   alone_.clear(), calm_.clear();

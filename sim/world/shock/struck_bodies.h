@@ -15,6 +15,9 @@ struct Impact {
   std::array<ProxyId, 2> objects() const { return {met.a, met.b}; }
 };
 
+/// True if one of the two is a projectile.
+bool is_shot(const WorldState& world, const Impact& impact);
+
 /// True if a body is one for microsteps, struck at this speed [m/s]: their elements stand no large strains, nor large
 /// turns in a microstep. What is soft, or spins nearly as fast as its waves run, or has elements so small or flat that
 /// a wave crosses many others in a microstep of theirs, is left to the implicit step.

@@ -6,7 +6,12 @@
 namespace griffith {
 
 TrialStars::TrialStars(const WorldState& world, const shock::Solid& solid, const TrialParts& parts)
-    : world_(world), solid_(solid), parts_(parts), tets_(parts.tets.size()), stars_(parts.nodes.size()) {
+    : world_(world),
+      solid_(solid),
+      parts_(parts),
+      tets_(parts.tets.size()),
+      stars_(parts.nodes.size()),
+      is_known_(parts.tets.size(), false) {
   const bool is_quadratic = !parts.edges.empty();
   rest_elements_.resize(tets_.size(), RestElement{Corners::Zero(), 0});
   states_.resize(tets_.size());
@@ -26,6 +31,8 @@ TrialStars::TrialStars(const WorldState& world, const shock::Solid& solid, const
 
 /// Finds the state of a tet as it is now.
 void TrialStars::find_state(int slot) {
+  if (is_known_[slot]) return;
+  is_known_[slot] = true;
   const TetId tet = parts_.tets[slot];
   const ElasticLaw law = elastic_law(world_.material_of(world_.bodies[world_.elements.bodies[tet]]));
   Corners corners;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -23,6 +24,8 @@ struct TrialParts {
 class TrialStars {
  public:
   TrialStars(const WorldState& world, const shock::Solid& solid, const TrialParts& parts);
+  /// Has all elements seen anew from now on: they have moved.
+  void forget() { std::fill(is_known_.begin(), is_known_.end(), false); }
   /// That of a node by the stresses of the elements round it now.
   double utilization(int node);
 
@@ -36,6 +39,7 @@ class TrialStars {
   std::vector<std::vector<TetId>> stars_;     ///< per node of the solid, slots
   std::vector<RestElement> rest_elements_;    ///< per slot
   std::vector<ElementState> states_;          ///< per slot
+  std::vector<bool> is_known_;                ///< per slot: its state is that of now
   std::vector<NodeConstraint> constraints_;   ///< per node of the solid
   std::vector<std::array<EdgeId, 6>> edges_;  ///< per slot
   std::vector<QuadraticState> quadratic_states_;
