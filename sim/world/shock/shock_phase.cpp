@@ -146,6 +146,7 @@ void end_shock(WorldState& world, Body& body) {
   end_similarity(world, body);
   body.shock.reset();
   body.shock_ended = world.time;
+  world.contact_world.set_impact_speed(body.proxy, hurting_speed(world, body));  // cracks may have begun in it
 }
 
 bool run_shock(WorldState& world, std::vector<shock::Obstacle> obstacles, double duration, double max_work) {

@@ -50,48 +50,32 @@ bool yields_to(const Body& body, const Body& struck) {
   return body.motion.mass < kMuchHeavier * struck.motion.mass;
 }
 
-/// From which multiple of its damage speed on an impact with a body or the ground may hurt a body. In one of a single
-/// cell no wave comes back as tension before it has spread: of 2,500 random ones none broke below 2.2 σ_t/(ρc), where
-/// finer ones do from 0.77 on. Cracks that have begun may run on.
-double hurting_factor(const WorldState& world, const Body& body) {
-  constexpr std::size_t kCell = 6;  // tets
-  constexpr double kOfOneCell = 3;
-  const auto is_front = [&](NodeId node) { return world.nodes.at_crack_front[node] != 0; };
-  return body.tets.size() <= kCell && std::ranges::none_of(body.nodes, is_front) ? kOfOneCell : 1;
-}
-
 /// Who is hurt in meetings. What it asks of a body is found once.
 class Judge {
  public:
   explicit Judge(const WorldState& world) : world_(world), known_(world.bodies.size()) {}
 
   /// True if waves are to be followed in the one of two bodies that is not in shock yet, `other` the one that it meets.
-  bool deforms(BodyId id, BodyId other, bool is_shot, double approach) {
+  bool deforms(BodyId id, BodyId other, double approach) {
     if (!id.valid() || world_.bodies[id].shock || world_.bodies[id].tets.size() == 1) return false;
-    if (is_hurt(id, is_shot, approach)) return true;
-    return is_hurt(other, is_shot, approach) && yields_to(world_.bodies[id], world_.bodies[other]) &&
-           suits(id, approach);
+    if (is_hurt(id, approach)) return true;
+    return is_hurt(other, approach) && yields_to(world_.bodies[id], world_.bodies[other]) && suits(id, approach);
   }
 
  private:
   struct Known {
-    double damage_speed = 0, hurting_speed = 0;  ///< of shots, of all else [m/s]
-    bool suits = false;                          ///< microsteps, at no speed of impact
+    double hurting_speed = 0;  ///< [m/s]
+    bool suits = false;        ///< microsteps, at no speed of impact
   };
 
   bool suits(BodyId id, double approach) { return known(id).suits && suits_speed(world_, world_.bodies[id], approach); }
-  bool is_hurt(BodyId id, bool is_shot, double approach) {
-    if (!id.valid()) return false;
-    const double speed = is_shot ? known(id).damage_speed : known(id).hurting_speed;
-    return approach >= speed && suits(id, approach);
+  bool is_hurt(BodyId id, double approach) {
+    return id.valid() && approach >= known(id).hurting_speed && suits(id, approach);
   }
   const Known& known(BodyId id) {
     std::optional<Known>& of_body = known_[id];
     const Body& body = world_.bodies[id];
-    if (!of_body) {
-      const double speed = damage_speed(world_, body);
-      of_body = Known{speed, hurting_factor(world_, body) * speed, suits_microsteps(world_, body, 0)};
-    }
+    if (!of_body) of_body = Known{hurting_speed(world_, body), suits_microsteps(world_, body, 0)};
     return *of_body;
   }
 
@@ -110,8 +94,7 @@ std::vector<Impact> expected_blows(const WorldState& world, double duration) {
   Judge judge(world);
   for (const ContactWorld::Encounter& met : expected_impacts(world, duration, matters)) {
     Impact impact{met, {world.body_of(met.a), world.body_of(met.b)}, {}};
-    for (int i = 0; i < 2; ++i)
-      impact.deforms[i] = judge.deforms(impact.bodies[i], impact.bodies[1 - i], is_shot(world, impact), met.approach);
+    for (int i = 0; i < 2; ++i) impact.deforms[i] = judge.deforms(impact.bodies[i], impact.bodies[1 - i], met.approach);
     if (impact.deforms[0] || impact.deforms[1]) impacts.push_back(impact);
   }
   return impacts;
