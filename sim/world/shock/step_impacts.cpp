@@ -88,7 +88,7 @@ std::vector<Impact> StepImpacts::find(const WorldState& world, double duration) 
       calm_.insert(calm_.end(), impacts[i].bodies.begin(), impacts[i].bodies.end());
     } else if (outcomes[i].touched && goes_alone(world, impacts[i])) {
       alone_.push_back({impacts[i], outcomes[i].contact});
-    } else {
+    } else if (!are_of_one_body(world, impacts[i])) {
       shared.push_back(impacts[i]);
     }
   }
