@@ -175,8 +175,6 @@ class Solid {
   double mobility(int node, const Vec3& direction) const;
   /// What viscosity has taken [J]: half of what it does in the present forces, if these will get half a kick.
   double viscous_work() const;
-  /// Elastic energy of a body, as compute_forces() saw it last [J]; of quadratic ones not told.
-  double elastic_energy(int body) const;
   /// From now on, forces are elastic alone.
   void stop_viscosity();
   /// Energy of the change of velocities by half a kick of the present forces [J].

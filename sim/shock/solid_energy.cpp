@@ -15,22 +15,6 @@ double Solid::viscous_work() const {
   return sum;
 }
 
-double Solid::elastic_energy(int index) const {
-  const SolidBody& body = bodies_[index];
-  const BlockLaw& law = body.law;
-  double energy = 0;
-  for (int b = body.first_block; b < body.first_block + body.blocks; ++b) {
-    const ElementBlock& block = blocks_[b];
-    const Lanes* e = block.strain;
-    const Lanes trace = e[0] + e[1] + e[2];
-    const Lanes square = e[0] * e[0] + e[1] * e[1] + e[2] * e[2] + 2 * (e[3] * e[3] + e[4] * e[4] + e[5] * e[5]);
-    const Lanes density = 0.5F * law.lambda * trace * trace + law.mu * square;
-    for (int lane = 0; lane < kLanes; ++lane)  // strains are those times the stiffness
-      if (block.stiffness[lane] > 0) energy += block.volume[lane] * density[lane] / block.stiffness[lane];
-  }
-  return energy;
-}
-
 void Solid::stop_viscosity() {
   for (SolidBody& body : bodies_) body.law.viscosity = 0;
 }

@@ -1,6 +1,5 @@
 #include "sim/world/shock/impact_trial.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -34,12 +33,6 @@ struct TrialNode {
   double carried = 0;                ///< its utilization before
   double since = 0, last = kNotYet;  ///< first and last of the checks in a row that found it overloaded [s]
   double pushed = kNotYet;           ///< when something pushed it hard last [s]
-};
-
-/// A body of the solid.
-struct TrialBody {
-  int first_node = 0, last_node = 0;  ///< its nodes: [first, last)
-  bool is_linear = true, is_free = true;
 };
 
 class Trial {
@@ -80,8 +73,6 @@ class Trial {
   bool check();
   bool judge(int node);
   bool note_blows();
-  bool is_spent() const;
-  double deforming_energy(int body) const;
 
   const WorldState& world_;
   shock::Solid solid_;
@@ -89,25 +80,18 @@ class Trial {
   std::optional<shock::Impacts> impacts_;
   std::optional<TrialStars> stars_;
   std::vector<TrialNode> nodes_;  ///< per node of the solid
-  std::vector<TrialBody> bodies_;
   std::vector<shock::SurfaceSide> surface_;
   std::vector<shock::SurfaceLaw> laws_;
   std::vector<int> flagged_;
   double element_size_ = 0, window_ = 0, weight_ = 0, time_ = 0, last_event_ = 0, dt_ = 0;
   double last_check_ = 0, interval_ = std::numeric_limits<double>::infinity();
   double min_speed_ = std::numeric_limits<double>::infinity();
-  double least_energy_ = std::numeric_limits<double>::infinity();  ///< that the element of an overloaded node has [J]
   double microsteps_ = 0;
 };
 
 void Trial::add_body(const Body& body, double flight) {
   const RigidState state = flown(body, flight);
-  TrialBody& added = bodies_.emplace_back();
-  added.is_linear = body.edges.empty();
-  added.is_free = !body.supported();
-  added.first_node = solid_.node_count();
   const std::vector<int> local = add_nodes(body, state);
-  added.last_node = solid_.node_count();
   add_elements(body, local, parts_.turns.back());
   add_surface(body);
   const Material& material = world_.material_of(body);
@@ -157,11 +141,8 @@ void Trial::add_elements(const Body& body, const std::vector<int>& local, const 
   for (const TetId tet : body.tets) {
     std::array<int, 4>& corners = tets.emplace_back();
     const RestElement& rest = world_.elements.rest_elements[tet];
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < 4; ++i)
       corners[i] = local[std::ranges::lower_bound(body.nodes, world_.mesh->tets[tet][i]) - body.nodes.begin()];
-      const double stress = solid_.node(corners[i]).threshold;
-      least_energy_ = std::min(least_energy_, rest.volume * stress * stress / (2 * (law.lambda + 2 * law.mu)));
-    }
     rest_elements.push_back({turn * rest.shape_gradients, rest.volume});
     offsets.push_back(turn * world_.elements.stress_free_strain(tet) * turn.transpose());
   }
@@ -235,15 +216,13 @@ bool Trial::approach(double wait) {
   return false;
 }
 
-/// Follows the waves until nothing new has made any for as long as a shock lasts, or they are too weak to open
-/// anything. True if a node may have opened.
+/// Follows the waves until nothing new has made any for as long as a shock lasts. True if a node may have opened.
 bool Trial::follow() {
   constexpr double kLongest = 32;  // in such times: what is struck for ever is left to others
-  constexpr int kLooks = 4;        // microsteps between looks at the energy
   solid_.set_step(dt_);
   const double end = time_ + kLongest * window_;
   last_event_ = last_check_ = time_;
-  for (int i = 1; time_ < end; ++i, ++microsteps_) {
+  for (; time_ < end; ++microsteps_) {
     solid_.compute_forces();
     solid_.advance(1, flagged_);
     time_ += dt_;
@@ -251,7 +230,6 @@ bool Trial::follow() {
     if (time_ - last_check_ > interval_ && check()) return true;
     if (note_blows()) last_event_ = time_;
     if (time_ - last_event_ >= window_) return false;
-    if (i % kLooks == 0 && impacts_->blows().empty() && is_spent()) return false;
   }
   return true;
 }
@@ -274,39 +252,6 @@ bool Trial::check() {
 }
 
 bool Trial::judge(int index) { return stars_->utilization(index) + nodes_[index].carried > kOverload; }
-
-/// True if what deforms the bodies, now that they do not touch, has less energy than the elements of a node that opens.
-bool Trial::is_spent() const {
-  double energy = 0;
-  for (int i = 0; i < static_cast<int>(bodies_.size()); ++i) energy += deforming_energy(i);
-  return energy < least_energy_;
-}
-
-/// Elastic energy of a body, and kinetic energy beside its motion as a whole; infinite where it is not told [J].
-double Trial::deforming_energy(int index) const {
-  const TrialBody& body = bodies_[index];
-  if (!body.is_linear || !body.is_free) return std::numeric_limits<double>::infinity();
-  double mass = 0, kinetic = 0;
-  Vec3 momentum = Vec3::Zero(), moment = Vec3::Zero();
-  for (int i = body.first_node; i < body.last_node; ++i) {
-    const double m = 1 / solid_.node(i).inverse_mass;
-    mass += m;
-    momentum += m * solid_.velocity(i);
-    moment += m * solid_.position(i);
-    kinetic += 0.5 * m * solid_.velocity(i).squaredNorm();
-  }
-  const Vec3 center = moment / mass;
-  Vec3 turning = Vec3::Zero();
-  Mat3 inertia = Mat3::Zero();
-  for (int i = body.first_node; i < body.last_node; ++i) {
-    const double m = 1 / solid_.node(i).inverse_mass;
-    const Vec3 arm = solid_.position(i) - center;
-    turning += m * arm.cross(solid_.velocity(i));
-    inertia += m * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
-  }
-  const Vec3 spin = inertia.inverse() * turning;
-  return solid_.elastic_energy(index) + kinetic - 0.5 * momentum.squaredNorm() / mass - 0.5 * spin.dot(turning);
-}
 
 /// True if something strikes a node hard that was not pressed already.
 bool Trial::note_blows() {
