@@ -212,6 +212,7 @@ class ContactWorld {
     ProxyId a, b;
     double approach = 0;  ///< the fastest that they come together [m/s]
     double time = 0;      ///< free flight that is left to them: up to `tolerance` before they touch [s]
+    double strike = 0;    ///< the same until a corner first strikes that could hurt: not before `time` [s]
   };
   /// Pairs that, moving and turning freely for `dt`, would meet with an approach speed above `minimum_speed` [m/s] that
   /// could hurt one of them, each once. On the safe side: of all corners that may get as far. Pairs that touch already,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -19,8 +20,10 @@ constexpr int kRounds = 4;
 constexpr double kReachOfCracks = 0.25;
 /// Candidates are listed for about so many microsteps, within an edge length.
 constexpr double kMicrostepsOfCandidates = 24;
-/// Edge of the boxes that places are sorted into to find candidates, in edge lengths of elements.
+/// Edge of the boxes that places are sorted into to find candidates, in edge lengths of elements. So few are not
+/// sorted.
 constexpr double kGridEdge = 0.5;
+constexpr std::size_t kFewPlaces = 64;
 /// What a candidate takes in a microstep, half of them being too far away to be looked at, and a touch [µs].
 constexpr double kCandidateWork = 0.012, kTouchWork = 0.3;
 
@@ -30,6 +33,10 @@ double height_behind(const Solid& solid, const SurfaceSide& side) {
   const Vec3 a = solid.reference(nodes[0]);
   const Vec3 area = (solid.reference(nodes[1]) - a).cross(solid.reference(nodes[2]) - a);
   return -area.dot(solid.reference(solid.corner(side.slot, side.face)) - a) / area.norm();
+}
+
+double grid_edge(std::size_t places, double element_size) {
+  return places <= kFewPlaces ? std::numeric_limits<double>::infinity() : kGridEdge * element_size;
 }
 
 Eigen::AlignedBox3d box_of(const Solid& solid, const SurfaceSide& side) {
@@ -106,7 +113,7 @@ Impacts::BoxedSurface Impacts::boxed_surface(const Solid& solid) const {
     centers.push_back(box.center());
     largest = largest.cwiseMax(0.5 * box.sizes());
   }
-  return {std::move(sides), PointGrid(centers, kGridEdge * element_size_), largest};
+  return {std::move(sides), PointGrid(centers, grid_edge(centers.size(), element_size_)), largest};
 }
 
 /// The sides that may be near an obstacle, in the order of the surface.
@@ -202,7 +209,7 @@ void Impacts::list_pairs(const Solid& solid, std::span<const BoxedSide> surface)
     places.push_back(solid.position(node));
     families.push_back(surface_at(solid, node).family);
   }
-  const PointGrid grid(places, kGridEdge * element_size_);
+  const PointGrid grid(places, grid_edge(places.size(), element_size_));
   const Vec3 reach = Vec3::Constant(margin_);
   std::vector<std::pair<int, int>> found;  // of `nodes` and `sides`
   parallel_collect(

@@ -18,6 +18,7 @@
 #include "sim/world/phases/rest_phase.h"
 #include "sim/world/phases/separation_phase.h"
 #include "sim/world/publish.h"
+#include "sim/world/shock/shock_obstacles.h"
 #include "sim/world/shock/shock_phase.h"
 #include "sim/world/shock/similarity.h"
 #include "sim/world/world.h"
@@ -146,9 +147,15 @@ void step_by_stretches(WorldState& world, double time_step) {
   constexpr double kRounding = 1e-9;
   world.report.substeps = 0;
   world.scratch.microstep_work = 0;
+  StepImpacts impacts;
   for (double left = time_step; left > kRounding * time_step; ++world.report.substeps) {
-    const double start = world.time, stretch = next_stretch(world, left);
+    const double start = world.time, stretch = next_stretch(world, left, impacts);
+    {
+      PhaseTimer timer(world.report.milliseconds.shock);
+      impacts.follow_alone(world, stretch);
+    }
     if (!move_within_ceiling(world, stretch)) continue;
+    impacts.catch_up(world);
     world.time = start + stretch;
     left -= stretch;
     leave_shock(world);
@@ -160,7 +167,8 @@ void step_by_stretches(WorldState& world, double time_step) {
     if (world.model->scene.simulation.fracture) open_cracks(world, stretch);
   }
   world.last_microstep_work = world.scratch.microstep_work;
-  world.report.microstep_work = 1e-3 * world.scratch.microstep_work;
+  world.report.microstep_work = 1e-3 * (world.scratch.microstep_work + impacts.work());
+  world.report.microsteps += impacts.microsteps();
   rigidify_quiet_bodies(world);
   update_sleep(world, time_step);
 }

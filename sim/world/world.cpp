@@ -47,7 +47,7 @@ bool differ_in_resistance_alone(Material a, const Material& b) {
 
 void change_resistance(WorldState& world, int scene_body) {
   for (const Body& body : world.bodies)
-    if (body.scene_body == scene_body) world.contact_world.set_impact_speed(body.proxy, damage_speed(world, body));
+    if (body.scene_body == scene_body) world.contact_world.set_impact_speed(body.proxy, hurting_speed(world, body));
 }
 
 /// Before the first step: the undeformed shape again, from which the static start is found.

@@ -34,6 +34,7 @@ struct Shock {
   double impact_speed = 0;  ///< of what struck it [m/s]
   double frequency = 0;     ///< highest of its elements under the full stiffness, slivers relieved [rad/s]
   double similarity = 1;    ///< f (similarity.h), 0..1
+  int group = 0;            ///< those of one group are followed together; 0: in the stretches that all share
 };
 
 /// What another object did to a body in a substep.

@@ -342,7 +342,9 @@ TEST(Similarity, AStepTakesNoMoreMicrostepsThanItsLimit) {
   for (int i = 0; i < 30; ++i) {
     world.step();
     const StepReport& report = world.frame().report;
-    EXPECT_LE(report.microsteps, 1e4 * scene.simulation.step_budget + report.substeps) << "rounded up in each stretch";
+    const int alone = 200 * report.impacts;  // of those that are followed alone, at most
+    EXPECT_LE(report.microsteps, 1e4 * scene.simulation.step_budget + report.substeps + alone)
+        << "rounded up in each stretch";
     EXPECT_EQ(report.non_finite_values, 0);
     add_step(report, total);
   }

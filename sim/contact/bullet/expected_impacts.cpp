@@ -1,10 +1,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "sim/contact/bullet/contact_world.h"
 #include "sim/contact/bullet/sweep.h"
+#include "sim/core/parallel.h"
 #include "sim/core/rotation.h"
 
 namespace griffith {
@@ -98,28 +102,38 @@ std::optional<Meeting> first_meeting(const FlyingPart& part_of_a, const FlyingPa
   return meeting;
 }
 
-/// The fastest that corners of two parts strike the other within `dt` [s], from their meeting on: those that get across
-/// the plane between the two in what is left of it.
-double striking_speed(const FlyingPart& part_of_a, const FlyingPart& part_of_b, const Meeting& meeting, double dt) {
+/// How corners of two parts strike the other.
+struct Strike {
+  double speed = 0;                                        ///< the fastest [m/s]
+  double delay = std::numeric_limits<double>::infinity();  ///< from their meeting to the first that could hurt [s]
+};
+
+/// How corners of two parts strike the other within `dt` [s], from their meeting on: those that get across the plane
+/// between the two in what is left of it. Slower ones than `damage_speed` [m/s] could not hurt.
+Strike strike_of(const FlyingPart& part_of_a, const FlyingPart& part_of_b, const Meeting& meeting, double dt,
+                 double damage_speed) {
   const Flight &a = part_of_a.flight, &b = part_of_b.flight;
   const auto& [distance, normal, point_on_b] = meeting.apart;
   const Vec3 point_on_a = point_on_b + distance * normal;
   const double left = dt - meeting.time,
                bend = 0.5 * left * left * (a.spin.norm() * a.turning_speed() + b.spin.norm() * b.turning_speed());
-  double fastest = 0;
+  Strike found;
   const auto velocity_at = [&](const Flight& flight, const Vec3& place) {
     const Vec3 arm = place - flight.object.state.pose.translation - flight.displacement_after(meeting.time);
     return Vec3(flight.velocity_after(dt) + flight.spin.cross(arm));
   };
   const auto strike = [&](const Vec3& place, double height) {
     const double speed = -normal.dot(velocity_at(a, place) - velocity_at(b, place));
-    if (height - std::max(distance, 0.0) <= left * speed + bend) fastest = std::max(fastest, speed);
+    const double way = std::max(0.0, height - std::max(distance, 0.0) - bend);
+    if (way > left * speed) return;
+    found.speed = std::max(found.speed, speed);
+    if (speed > damage_speed) found.delay = std::min(found.delay, way / speed);
   };
   for (const Vec3& place : part_of_a.striking_points(meeting.time, point_on_a))
     strike(place, normal.dot(place - point_on_b));
   for (const Vec3& place : part_of_b.striking_points(meeting.time, point_on_b))
     strike(place, normal.dot(point_on_a - place));
-  return fastest;
+  return found;
 }
 
 }  // namespace
@@ -143,12 +157,14 @@ std::optional<ContactWorld::Encounter> ContactWorld::Impl::expected_impact(std::
       if (other.convex && !boxes_meet(moving, dt * relative, other, dt * turning + bend)) continue;
       const auto meeting = first_meeting(part_of_a, part_of_b, dt, tolerance);
       if (!meeting) continue;
-      const double approach = striking_speed(part_of_a, part_of_b, *meeting, dt);
-      if (approach <= damage_speed) continue;
+      const Strike strike = strike_of(part_of_a, part_of_b, *meeting, dt, damage_speed);
+      if (strike.speed <= damage_speed) continue;
       if (!impact)
-        impact = {ProxyId(static_cast<std::int64_t>(first)), ProxyId(static_cast<std::int64_t>(second)), 0, dt};
-      impact->approach = std::max(impact->approach, approach);
-      impact->time = std::min(impact->time, std::max(0.0, meeting->time - tolerance));
+        impact = {ProxyId(static_cast<std::int64_t>(first)), ProxyId(static_cast<std::int64_t>(second)), 0, dt, dt};
+      const double time = std::max(0.0, meeting->time - tolerance);
+      impact->approach = std::max(impact->approach, strike.speed);
+      impact->time = std::min(impact->time, time);
+      impact->strike = std::min(impact->strike, std::max(time, meeting->time + strike.delay - tolerance));
     }
   return impact;
 }
@@ -163,10 +179,10 @@ std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double
     bool fast;
   };
   std::vector<Extent> extents;
-  std::vector<Encounter> found;
+  std::vector<std::pair<std::size_t, std::size_t>> near;
   const auto look = [&](std::size_t a, std::size_t b) {
     if (matters && !matters(ProxyId(static_cast<std::int64_t>(a)), ProxyId(static_cast<std::int64_t>(b)))) return;
-    if (const auto impact = expected_impact(a, b, dt, minimum_speed, tolerance)) found.push_back(*impact);
+    near.emplace_back(a, b);
   };
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const Object& object = objects[i];
@@ -192,6 +208,14 @@ std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double
       if (!objects[a->object].moves() && !objects[b->object].moves()) continue;
       look(a->object, b->object);
     }
+  std::vector<std::optional<Encounter>> met(near.size());
+  parallel_for(static_cast<int>(near.size()), 16, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      met[i] = expected_impact(near[i].first, near[i].second, dt, minimum_speed, tolerance);
+  });
+  std::vector<Encounter> found;
+  for (const std::optional<Encounter>& impact : met)
+    if (impact) found.push_back(*impact);
   return found;
 }
 

@@ -43,7 +43,7 @@ ContactWorld::Proxy proxy_of(const WorldState& world, const Body& body) {
 void reshape_proxy(WorldState& world, const Body& body) {
   const auto [parts, mass, mobility, state, surface] = proxy_of(world, body);
   world.contact_world.reshape(body.proxy, parts, mass, mobility, state);
-  world.contact_world.set_impact_speed(body.proxy, damage_speed(world, body));
+  world.contact_world.set_impact_speed(body.proxy, hurting_speed(world, body));
 }
 
 /// Longest edge of the box round the body at rest [m].
@@ -87,6 +87,14 @@ double damage_speed(const WorldState& world, const Body& body) {
   const Material& material = world.material_of(body);
   const double stress = min_breaking_stress(world, body, false);
   return kFractionOfBreakingSpeed * stress / (material.density * bar_wave_speed(material));
+}
+
+double hurting_speed(const WorldState& world, const Body& body) {
+  constexpr std::size_t kCell = 6;  // tets
+  constexpr double kOfOneCell = 3;  // damage speeds
+  const auto is_front = [&](NodeId node) { return world.nodes.at_crack_front[node] != 0; };
+  const bool is_cell = body.tets.size() <= kCell && std::ranges::none_of(body.nodes, is_front);
+  return (is_cell ? kOfOneCell : 1) * damage_speed(world, body);
 }
 
 double min_breaking_stress(const WorldState& world, const Body& body, bool at_crack_front) {
@@ -171,7 +179,7 @@ void add_proxies(WorldState& world, std::span<Body> bodies) {
   for (std::size_t i = 0; i < ids.size(); ++i) {
     bodies[i].proxy = ids[i];
     world.body_of_proxy[ids[i]] = bodies[i].id;
-    world.contact_world.set_impact_speed(ids[i], damage_speed(world, bodies[i]));
+    world.contact_world.set_impact_speed(ids[i], hurting_speed(world, bodies[i]));
   }
 }
 

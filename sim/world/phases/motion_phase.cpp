@@ -378,7 +378,7 @@ void move_bodies(WorldState& world, const std::vector<Vec3>& external, double dt
 void set_untouched(WorldState& world, Body& body, bool untouched) {
   if (body.untouched == untouched) return;
   body.untouched = untouched;
-  world.contact_world.set_impact_speed(body.proxy, untouched ? 0 : damage_speed(world, body));
+  world.contact_world.set_impact_speed(body.proxy, untouched ? 0 : hurting_speed(world, body));
 }
 
 void make_elastic(WorldState& world, Body& body) {

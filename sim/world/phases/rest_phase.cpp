@@ -8,6 +8,7 @@
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/motion_phase.h"
 #include "sim/world/phases/separation_phase.h"
+#include "sim/world/shock/struck_bodies.h"
 
 namespace griffith {
 namespace {
@@ -26,6 +27,13 @@ bool is_calm(const WorldState& world, const Body& body) {
   const auto is_quiet = [&](NodeId node) { return world.nodes.separations[node].utilization < kQuietUtilization; };
   return std::ranges::all_of(body.nodes, is_quiet) &&
          all_slower(world, body, motion_of(world, body), kQuietSpeed * damage_speed(world, body));
+}
+
+/// True if a body that has turned rigid in free flight may deform visibly where something first meets it. Impacts of
+/// others are judged one by one (step_impacts.h).
+bool yields_at_first_touch(const WorldState& world, const Body& body) {
+  if (body.tets.size() == 1) return false;
+  return world.model->scene.simulation.integrator != Integrator::hybrid || !suits_microsteps(world, body, 0);
 }
 
 /// Whether nothing touched a free body in the last substep and no stress or wave is in it: a rigid one would move
@@ -101,6 +109,12 @@ void tell_settled_bodies(WorldState& world, double time_step) {
   }
 }
 
+void turn_rigid(WorldState& world, Body& body) {
+  const double before = energy_of(world, body);
+  make_rigid(world, body);
+  world.energy.hand_over += before - energy_of(world, body);
+}
+
 /// Takes what is left of a body's motion.
 void fall_asleep(WorldState& world, Body& body) {
   const double before = energy_of(world, body);
@@ -112,6 +126,12 @@ void fall_asleep(WorldState& world, Body& body) {
 
 }  // namespace
 
+void rigidify_if_calm(WorldState& world, Body& body) {
+  if (!body.sways() || body.supported() || !is_calm(world, body)) return;
+  set_untouched(world, body, false);
+  turn_rigid(world, body);
+}
+
 void rigidify_quiet_bodies(WorldState& world) {
   constexpr int kQuietSteps = 20;
   const double time_step = world.model->scene.simulation.time_step;
@@ -122,10 +142,8 @@ void rigidify_quiet_bodies(WorldState& world) {
     body.quiet_steps = !strained[body.id] && is_calm(world, body) ? body.quiet_steps + 1 : 0;
     const bool flies = body.quiet_steps > 0 && flies_unstressed(world, body);
     if (body.tets.size() > 1 && body.quiet_steps < kQuietSteps && !flies) continue;
-    set_untouched(world, body, body.tets.size() > 1 && body.quiet_steps < kQuietSteps);
-    const double before = energy_of(world, body);
-    make_rigid(world, body);
-    world.energy.hand_over += before - energy_of(world, body);
+    set_untouched(world, body, body.quiet_steps < kQuietSteps && yields_at_first_touch(world, body));
+    turn_rigid(world, body);
   }
 }
 

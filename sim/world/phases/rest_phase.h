@@ -7,6 +7,8 @@ namespace griffith {
 /// Free bodies whose stress has died turn rigid: at once where nothing touched them and there is none, and single tets,
 /// which cannot break. Those that loads strain stay elastic.
 void rigidify_quiet_bodies(WorldState& world);
+/// Turns a free body rigid at once where neither stress nor waves come near what could hurt it.
+void rigidify_if_calm(WorldState& world, Body& body);
 /// What lies still among others that do so too falls asleep, after a step of this length [s]: rigid bodies, and those
 /// that have settled under a stress that stays. Sleepers keep their stress and reactions of supports, and cost nothing.
 void update_sleep(WorldState& world, double time_step);

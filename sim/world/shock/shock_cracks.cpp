@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <utility>
 
 #include "sim/core/parallel.h"
+#include "sim/geometry/face_key.h"
 #include "sim/mesh/topology.h"
+#include "sim/world/bodies/bodies.h"
 #include "sim/world/element_states.h"
 #include "sim/world/phases/separation_phase.h"
 #include "sim/world/shock/shock_run.h"
@@ -38,25 +41,52 @@ shock::CrackSides crack_sides(const TetMesh& mesh, TetId first, int first_face, 
   return sides;
 }
 
-/// The stress in an element at a node below which the node cannot be overloaded.
-void ShockRun::update_threshold(int index) {
-  const NodeId node = nodes_[index];
-  const Body& body = body_of(node);
-  const Material& material = world_.material_of(body);
-  shock::SolidNode& target = solid_.node(index);
-  target.threshold = std::numeric_limits<float>::infinity();
-  if (!world_.model->scene.simulation.fracture) return;
-  if (world_.mesh->stars[node].size() == 1 && world_.nodes.has_support[node] == 0) return;  // a tip: nothing to part
-  double minimum = resistance_at(world_, material, node);
-  if (const auto& weakness = world_.model->weaknesses[body.scene_body]) minimum *= weakness->strength_ratio;
+std::vector<shock::CrackSides> crack_sides(const WorldState& world, std::span<const TetId> tets, bool apart) {
+  const TetMesh& mesh = world.mesh;
+  struct Side {
+    int slot = 0, face = 0;
+  };
+  std::map<std::pair<int, FaceKey>, Side> unpaired;
+  std::vector<shock::CrackSides> cracks;
+  for (int slot = 0; slot < static_cast<int>(tets.size()); ++slot) {
+    const TetId tet = tets[slot];
+    if (!tet.valid()) continue;
+    for (int face = 0; face < 4; ++face) {
+      if (mesh.neighbours[tet][face].valid() || world.elements.first_surface[tet] >> face & 1) continue;
+      std::array<Vec3, 3> places;
+      for (int i = 0; i < 3; ++i) places[i] = mesh.rest_positions[mesh.tets[tet][kTetFaces[face][i]]];
+      const int body = apart ? static_cast<int>(world.elements.bodies[tet].index()) : 0;
+      const auto [other, is_new] = unpaired.try_emplace({body, face_key(places)}, Side{slot, face});
+      if (is_new) continue;
+      const auto [partner, partner_face] = other->second;
+      cracks.push_back(crack_sides(mesh, tets[partner], partner_face, tet, partner, slot));
+      unpaired.erase(other);
+    }
+  }
+  return cracks;
+}
+
+float screening_stress(const WorldState& world, NodeId node) {
+  const Body& body = body_at(world, node);
+  const Material& material = world.material_of(body);
+  if (!world.model->scene.simulation.fracture) return std::numeric_limits<float>::infinity();
+  if (world.mesh->stars[node].size() == 1 && world.nodes.has_support[node] == 0)  // a tip: nothing to part
+    return std::numeric_limits<float>::infinity();
+  double minimum = resistance_at(world, material, node);
+  if (const auto& weakness = world.model->weaknesses[body.scene_body]) minimum *= weakness->strength_ratio;
   if (material.criterion == FractureCriterion::separation_force) {
     double area = 0;  // v⁺ is at most half the sum of the tensile forces
-    for (const TetId tet : world_.mesh->stars[node])
-      area += world_.elements.rest_elements[tet].volume *
-              world_.elements.rest_elements[tet].shape_gradients.col(local_corner(world_.mesh, tet, node)).norm();
+    for (const TetId tet : world.mesh->stars[node])
+      area += world.elements.rest_elements[tet].volume *
+              world.elements.rest_elements[tet].shape_gradients.col(local_corner(world.mesh, tet, node)).norm();
     minimum *= 2 / area;
   }
-  target.threshold = kScreeningFraction * static_cast<float>(body.shock->similarity * minimum);
+  return kScreeningFraction * static_cast<float>(minimum);
+}
+
+void ShockRun::update_threshold(int index) {
+  const NodeId node = nodes_[index];
+  solid_.node(index).threshold = static_cast<float>(body_of(node).shock->similarity) * screening_stress(world_, node);
 }
 
 /// How long a wave takes to cross an element at the node [s].

@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <limits>
 
-#include "sim/geometry/face_key.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/contact_views.h"
@@ -19,18 +18,15 @@
 namespace griffith {
 namespace {
 
-/// Share of the stable microstep: nearer to it, the energy of the highest frequencies swings widely.
-constexpr double kCourant = 0.5;
 /// Overload is checked at this interval, in the time that a wave takes to cross an element.
 constexpr double kCheckInterval = 0.375;
 /// Of a microstep: a check comes no later than this after it is due.
 constexpr double kLateCheck = 0.2;
-/// A node that is pushed again sooner is still pressed on, in the time that a wave takes to cross an element.
-constexpr double kPressing = 4;
 
 }  // namespace
 
-ShockRun::ShockRun(WorldState& world, std::vector<shock::Obstacle> obstacles) : world_(world), time_(world.time) {
+ShockRun::ShockRun(WorldState& world, std::vector<shock::Obstacle> obstacles, int group)
+    : world_(world), group_(group), time_(world.time) {
   opened_.first_event = world.crack_events.size();
   build(std::move(obstacles));
 }
@@ -46,7 +42,7 @@ void ShockRun::build(std::vector<shock::Obstacle> obstacles) {
   double size = 0;
   min_speed_ = std::numeric_limits<double>::infinity();
   for (Body& body : world_.bodies) {
-    if (!body.shock) continue;
+    if (!is_followed(body)) continue;
     if (rebuild_) limit_frequency(world_, body);  // cuts have made other elements
     add_body(body, external);
     size += body.element_size;
@@ -60,7 +56,8 @@ void ShockRun::build(std::vector<shock::Obstacle> obstacles) {
   int relieved = 0;
   for (int i = 0; i < solid_.body_count(); ++i) relieved += solid_.body(i).relieved;
   world_.report.relieved_tets = std::max(world_.report.relieved_tets, relieved);
-  impacts_.emplace(solid_, surface_of_bodies(), cracks_of_bodies(), std::move(obstacles), surfaces_, size);
+  impacts_.emplace(solid_, surface_of_bodies(), crack_sides(world_, tets_, group_ != 0), std::move(obstacles),
+                   surfaces_, size);
 }
 
 void ShockRun::add_body(const Body& body, const std::vector<Vec3>& external) {
@@ -71,7 +68,7 @@ void ShockRun::add_body(const Body& body, const std::vector<Vec3>& external) {
   add_elements(body, placement.turn);
   bodies_.push_back(body.id);
   turns_.push_back(placement.turn);
-  surfaces_.push_back({body.scene_body, world_.material_of(body).friction});
+  surfaces_.push_back({group_ == 0 ? body.scene_body : body.id.index(), world_.material_of(body).friction});
 }
 
 /// `external`: per node of the mesh [N]. What strains the body is scaled by f.
@@ -139,33 +136,12 @@ std::vector<shock::SurfaceSide> ShockRun::surface_of_bodies() const {
   return surface;
 }
 
-/// Faces that cracks opened before, paired by their places at rest.
-std::vector<shock::CrackSides> ShockRun::cracks_of_bodies() const {
-  const TetMesh& mesh = world_.mesh;
-  std::map<FaceKey, std::pair<TetId, int>> unpaired;
-  std::vector<shock::CrackSides> cracks;
-  for (const TetId tet : tets_) {
-    if (!tet.valid()) continue;
-    for (int face = 0; face < 4; ++face) {
-      if (mesh.neighbours[tet][face].valid() || world_.elements.first_surface[tet] >> face & 1) continue;
-      std::array<Vec3, 3> places;
-      for (int i = 0; i < 3; ++i) places[i] = mesh.rest_positions[mesh.tets[tet][kTetFaces[face][i]]];
-      const auto [other, is_new] = unpaired.try_emplace(face_key(places), tet, face);
-      if (is_new) continue;
-      const auto [partner, partner_face] = other->second;
-      cracks.push_back(crack_sides(mesh, partner, partner_face, tet, slot_of_tet_[partner], slot_of_tet_[tet]));
-      unpaired.erase(other);
-    }
-  }
-  return cracks;
-}
-
 const Body& ShockRun::body_of(NodeId node) const { return body_at(world_, node); }
 
 bool ShockRun::run(double duration, double max_work) {
   const double end = time_ + duration;
   double previous_dt = 0;
-  while (end - time_ > 1e-9 * duration) {
+  while (end - time_ > 1e-9 * duration && !is_quiet()) {
     rebuild_ = false;
     const int steps = std::max(1, static_cast<int>(std::ceil((end - time_) / solid_.stable_step(kCourant) - 1e-9)));
     dt_ = (end - time_) / steps;
@@ -173,7 +149,7 @@ bool ShockRun::run(double duration, double max_work) {
     double transit = std::numeric_limits<double>::infinity();
     for (const BodyId id : bodies_) transit = std::min(transit, element_transit_time(world_, world_.bodies[id]));
     const double interval = kCheckInterval * transit - (1 - kLateCheck) * dt_;
-    for (int i = 0; i < steps && !rebuild_; ++i) {
+    for (int i = 0; i < steps && !rebuild_ && !is_quiet(); ++i) {
       if (i == 0 || a_support_stops()) move_supports();
       solid_.compute_forces();
       apply_loads({time_ - 0.5 * previous_dt, time_ + 0.5 * dt_}, i > 0 ? dt_ : 0);
@@ -201,6 +177,17 @@ bool ShockRun::run(double duration, double max_work) {
   }
   book_work();
   return true;
+}
+
+bool ShockRun::is_quiet() const {
+  return std::ranges::all_of(bodies_, [&](BodyId id) { return time_ - world_.bodies[id].shock->last_event >= quiet_; });
+}
+
+double ShockRun::run_until_quiet(double quiet, double duration) {
+  const double start = time_;
+  quiet_ = quiet;
+  run(duration, std::numeric_limits<double>::infinity());
+  return time_ - start;
 }
 
 double ShockRun::work() const { return work_of_elements() + work_ + impacts_->work(); }
@@ -285,7 +272,7 @@ void ShockRun::finish(double duration) {
         held.impulse / (duration * body_of(nodes_[held.node]).shock->similarity);
   if (!opened_.bodies.empty()) part_opened(world_, opened_);
   for (Body& body : world_.bodies) {
-    if (!body.shock) continue;
+    if (!is_followed(body)) continue;
     if (!body.rigid) {
       const BodySnapshot before = snapshot(world_, body);
       update_elements(world_, body);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -18,15 +19,32 @@ namespace griffith {
 shock::CrackSides crack_sides(const TetMesh& mesh, TetId first, int first_face, TetId second, int first_slot,
                               int second_slot);
 
-/// The microsteps of all bodies in shock over a part of a step, from and back to the world.
+/// Faces that cracks opened before, paired by their places at rest. `tets`: per slot, invalid in unused ones. Where
+/// bodies are `apart`, only those of one body are paired.
+std::vector<shock::CrackSides> crack_sides(const WorldState& world, std::span<const TetId> tets, bool apart);
+
+/// Share of the stable microstep: nearer to it, the energy of the highest frequencies swings widely.
+inline constexpr double kCourant = 0.5;
+/// A node that is pushed again sooner is still pressed on, in the time that a wave takes to cross an element.
+inline constexpr double kPressing = 4;
+
+/// The largest principal stress of the elements at a node up to which the node cannot be overloaded, under the full
+/// stiffness [Pa]; infinite where nothing could part.
+float screening_stress(const WorldState& world, NodeId node);
+
+/// The microsteps of bodies in shock over a part of a step, from and back to the world.
 class ShockRun {
  public:
-  /// `obstacles`: the rigid things that they may run into, as they are now.
-  ShockRun(WorldState& world, std::vector<shock::Obstacle> obstacles);
+  /// `obstacles`: the rigid things that the bodies of this group may run into, as they are now.
+  ShockRun(WorldState& world, std::vector<shock::Obstacle> obstacles, int group = 0);
 
   /// Goes on for `duration` [s]: moves, pushes and cracks. False where it takes more than `max_work` [µs of a usual
   /// core]: nothing can be made of it then.
   bool run(double duration, double max_work);
+
+  /// Goes on until no impact and no crack has made new waves for `quiet` [s], for at most `duration` [s] in all.
+  /// Returns how long it took [s].
+  double run_until_quiet(double quiet, double duration);
 
   /// Hands positions, velocities, reactions and pieces back to the world, after `duration` [s] in all.
   void finish(double duration);
@@ -75,7 +93,6 @@ class ShockRun {
   void move_supports();
   void add_edges(const Body& body);
   void add_elements(const Body& body, const Mat3& turn);
-  std::vector<shock::CrackSides> cracks_of_bodies() const;
   std::vector<shock::SurfaceSide> surface_of_bodies() const;
   void record_blows();
   void record_contact(const shock::Impacts::Blow& blow);
@@ -104,9 +121,13 @@ class ShockRun {
   void add_external_works(EnergyAccount& spent) const;
   int local(NodeId node) const { return local_of_node_[node]; }
   const Body& body_of(NodeId node) const;
+  bool is_followed(const Body& body) const { return body.shock && body.shock->group == group_; }
+  bool is_quiet() const;
   double transit_time(NodeId node) const;
 
   WorldState& world_;
+  int group_ = 0;
+  double quiet_ = std::numeric_limits<double>::infinity();  ///< after so long without new waves it ends [s]
   shock::Solid solid_;
   std::optional<shock::Impacts> impacts_;
   std::vector<BodyId> bodies_;                    ///< per body of the solid

@@ -193,6 +193,10 @@ double shock_window(const WorldState& world, const Body& body) {
   return kTransits * world.model->extents[body.scene_body] / slowed_wave_speed(world, body);
 }
 
+double impact_window(const WorldState& world, const Body& body) {
+  return kTransits * body.extent / bar_wave_speed(world.material_of(body));
+}
+
 double time_to_follow(const WorldState& world) {
   double until = 0;
   for (const Body& body : world.bodies)

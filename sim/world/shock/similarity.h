@@ -50,6 +50,10 @@ inline constexpr double kQuadraticWork = 4;
 /// some times [s].
 double shock_window(const WorldState& world, const Body& body);
 
+/// The same of an impact that is judged or followed by itself, under the full stiffness: until waves would have crossed
+/// the body, which may be a piece, as often [s].
+double impact_window(const WorldState& world, const Body& body);
+
 /// Until the waves of all bodies in shock have been followed, if nothing new happens; 0 without any [s].
 double time_to_follow(const WorldState& world);
 
