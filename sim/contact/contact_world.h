@@ -137,8 +137,9 @@ class ContactWorld {
   /// Overlap that a fresh crack left between two objects and that stays allowed [m], mostly 0.
   double allowed_overlap(ProxyId a, ProxyId b) const;
 
-  /// Contacts at the present poses. Invalidates spans handed out before.
-  void detect();
+  /// Contacts at the present poses; with a `dt` [s], those too whose gaps would close within that time at the present
+  /// velocities. Invalidates spans handed out before.
+  void detect(double dt = 0);
   std::span<Contact> contacts();
   std::span<const Contact> contacts() const;
   /// Takes out the contacts that are marked and puts in others, between nodes of an object and the other's surface. The
@@ -156,7 +157,7 @@ class ContactWorld {
   /// more is known about the responses of what is elastic. Returns how many times a contact was solved, for those who
   /// count work.
   int solve(double dt, std::span<const ElasticResponse> elastic = {}, bool again = false);
-  /// What the last solve() asked of a contact.
+  /// What the last solve() asked of a contact of something elastic.
   struct Law {
     double target_velocity = 0;  ///< of the parting along the normal [m/s]
     double friction = 0;         ///< Coulomb's coefficient

@@ -16,10 +16,6 @@ constexpr double kQuietFraction = 0.04;
 /// Up to this multiple of that speed, what touches something stops turning at this rate [1/s].
 constexpr double kRollingFraction = 5, kRollingResistance = 3;
 
-bool is_round(const Object& object) {
-  return object.kind == Kind::projectile && object.shape.parts.front()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
-}
-
 /// How a rigid object answers torques, where it does [1/(kg·m²)].
 Mat3 spin_mobility(const Object& object) {
   if (!object.moves() || object.elastic) return Mat3::Zero();
@@ -31,7 +27,7 @@ void set_asleep(Object& object, bool asleep) {
   object.asleep = asleep;
   object.still_time = asleep ? 0 : ContactWorld::kTimeToSleep / 2;  // it may soon fall asleep again
   object.resting_place = object.state.pose;
-  object.body->forceActivationState(asleep ? ISLAND_SLEEPING : ACTIVE_TAG);
+  object.active = !asleep;
 }
 
 }  // namespace
@@ -51,10 +47,13 @@ void ContactWorld::Impl::resist_rolling() {
     const Contact& contact = contacts[i];
     const double pushing = contact.normal.dot(contact.impulse);
     const Object &a = objects[contact.a], &b = objects[contact.b];
-    if (!is_round(a) && !is_round(b)) continue;  // what has faces and corners stops by them
+    if (!a.is_sphere() && !b.is_sphere()) continue;  // what has faces and corners stops by them
     const double resistance = std::max(a.surface.rolling_resistance, b.surface.rolling_resistance);
     if (!(pushing > 0) || resistance == 0) continue;
-    const double a_arm = a.is_free() ? solved[i].a.arm.norm() : 0, b_arm = b.is_free() ? solved[i].b.arm.norm() : 0;
+    const auto arm = [&](const Object& object) {
+      return object.is_free() ? (contact.position - object.state.pose.translation).norm() : 0;
+    };
+    const double a_arm = arm(a), b_arm = arm(b);
     resist_rolling(contact, resistance * pushing * (a_arm > 0 && b_arm > 0 ? std::min(a_arm, b_arm) : a_arm + b_arm));
   }
 }
@@ -118,23 +117,24 @@ void ContactWorld::Impl::wake_up(ProxyId id) {
 }
 
 void ContactWorld::Impl::wake_neighbours(ProxyId id) {
-  const btCollisionObject* object = objects[id].body.get();
-  dispatcher.visit_touching([&](const btPersistentManifold* manifold) {
-    if (manifold->getBody0() != object && manifold->getBody1() != object) return;
-    for (const btCollisionObject* side : {manifold->getBody0(), manifold->getBody1()})
-      if (side->getUserIndex() >= 0) wake_up(ProxyId(side->getUserIndex()));
-  });
+  for (const Pair& pair : pairs)
+    if ((pair.a == id.index() || pair.b == id.index()) && pair.count > 0)
+      wake_up(ProxyId(pair.a == id.index() ? pair.b : pair.a));
 }
 
 /// Wakes what something touches that is not quiet or has just left its place.
-void ContactWorld::Impl::wake_disturbed() {
-  for (const btPersistentManifold* manifold : manifolds) {
-    const ProxyId a(manifold->getBody0()->getUserIndex()), b(manifold->getBody1()->getUserIndex());
-    for (const auto& [sleeper, other] : {std::pair(a, b), std::pair(b, a)}) {
-      const Object& disturber = objects[other];
-      if (!objects[sleeper].asleep || !disturber.body->isActive()) continue;
-      if (disturber.still_time == 0 || disturber.speed() > quiet_speed(objects[sleeper])) wake_up(sleeper);
-    }
+void ContactWorld::Impl::wake_disturbed(double dt) {
+  for (const Pair& pair : pairs) {
+    if (objects[pair.a].asleep == objects[pair.b].asleep || pair.count == 0) continue;
+    const int sleeper = objects[pair.a].asleep ? pair.a : pair.b;
+    const Object& disturber = objects[sleeper == pair.a ? pair.b : pair.a];
+    if (!disturber.active) continue;
+    if (disturber.still_time > 0 && disturber.speed() <= quiet_speed(objects[sleeper])) continue;
+    const Manifold& manifold = manifolds[pair.manifold];
+    const auto near = [&](const Manifold::Point& point) {
+      return is_near(pair, contact_at(pair, manifold, point, objects[pair.a].place, objects[pair.b].place), dt);
+    };
+    if (std::ranges::any_of(manifold.listed(), near)) wake_up(ProxyId(sleeper));
   }
 }
 

@@ -1,0 +1,423 @@
+#include "sim/contact/rigid_solver.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+
+#include "sim/contact/triple.h"
+#include "sim/core/parallel.h"
+#include "sim/core/rotation.h"
+
+namespace griffith::contact {
+namespace {
+
+constexpr int kSubsteps = 4, kSweeps = 2;
+/// The share of an overlap that goes in a step.
+constexpr double kPushedOut = 0.2;
+constexpr int kPushSweeps = 10;
+/// Blows are solved until no velocity changes by more than this share of the fastest, or for so much work.
+constexpr double kTolerance = 1e-6;
+constexpr int kBlowSweeps = 60, kMinBlowSweeps = 4, kBlowWork = 12'000;
+
+/// What contacts change of a body in a step, and how it answers them.
+struct Motion {
+  Triple velocity, spin;
+  double inverse_mass = 0;
+  Symmetric inverse_inertia;
+  Triple push_velocity, push_spin;
+
+  void push(const Triple& arm, const Triple& impulse) {
+    velocity += inverse_mass * impulse;
+    spin += inverse_inertia * cross(arm, impulse);
+  }
+  void push_out(const Triple& arm, const Triple& impulse) {
+    push_velocity += inverse_mass * impulse;
+    push_spin += inverse_inertia * cross(arm, impulse);
+  }
+};
+
+/// A contact as the substeps need it. Impulses are along the block's axes, on a.
+struct Point {
+  Triple arm_a, arm_b;
+  double inverse_normal = 0;                  ///< 1 / compliance along the normal [kg]
+  double couple_x = 0, couple_y = 0;          ///< compliance of the tangents under a normal impulse [1/kg]
+  double xx = 0, xy = 0, yy = 0;              ///< inverse of the tangents' compliance [kg]
+  double inverse_largest = 0;                 ///< of the largest eigenvalue of that compliance [kg]
+  double target = 0;                          ///< of the parting in the present substep [m/s]
+  double normal = 0, first = 0, second = 0;   ///< impulse of a substep [N·s]
+  double distance = 0, gap = 0, resting = 0;  ///< at the start, in the present substep, left in the end [m]
+  double driven = 0;                          ///< speed of the gap's opening by what contacts do not move [m/s]
+  double pushed = 0;                          ///< out of an overlap
+  double restitution = 0, approach = 0, fall = 0;
+  Triple total, force;  ///< of the step [N·s]; of the last substep [N]
+  bool pushes = false;  ///< or has pushed out
+};
+
+/// Contacts of two bodies with the same normal.
+struct Block {
+  int a = 0, b = 0;
+  Triple normal, first, second;
+  double friction = 0;
+  int begin = 0, end = 0;  ///< of its points
+};
+
+class GroupStep {
+ public:
+  GroupStep(std::span<RigidBody> bodies, std::span<Motion> motions, std::span<Mat3> turned,
+            std::span<RigidContact> contacts, const RigidGroup& group, double dt)
+      : bodies_(bodies), motions_(motions), turned_(turned), contacts_(contacts), group_(group), dt_(dt), h_(dt / kSubsteps) {
+    make_blocks();
+    color_blocks();
+  }
+
+  int solve() {
+    for (int substep = 0; substep < kSubsteps; ++substep) {
+      for (const int i : group_.bodies) accelerate(i);
+      for_each_block([&](Block& block) { start(block, substep * h_); });
+      for (int sweep = 0; sweep < kSweeps; ++sweep) for_each_block([&](Block& block) { relax(block); });
+      for (Point& point : points_) point.total += Triple{point.normal, point.first, point.second};
+      for (const int i : group_.bodies) move(i);
+    }
+    const int sweeps = rebound();
+    push_apart();
+    finish();
+    return static_cast<int>(points_.size()) * (kSubsteps * kSweeps + sweeps);
+  }
+
+ private:
+  // Preparation.
+
+  void make_blocks() {
+    points_.resize(group_.contacts.size());
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const RigidContact& contact = contacts_[group_.contacts[i]];
+      const RigidContact* last = i > 0 ? &contacts_[group_.contacts[i - 1]] : nullptr;
+      if (!last || last->a != contact.a || last->b != contact.b || last->normal != contact.normal)
+        blocks_.push_back(block_of(contact, static_cast<int>(i)));
+      blocks_.back().end = static_cast<int>(i) + 1;
+      prepare(points_[i], blocks_.back(), contact);
+    }
+  }
+
+  static Block block_of(const RigidContact& contact, int begin) {
+    Block block;
+    block.a = contact.a;
+    block.b = contact.b;
+    const Vec3 first = contact.normal.unitOrthogonal();
+    block.normal = Triple(contact.normal);
+    block.first = Triple(first);
+    block.second = cross(block.normal, block.first);
+    block.friction = contact.friction;
+    block.begin = begin;
+    return block;
+  }
+
+  void prepare(Point& point, const Block& block, const RigidContact& contact) const {
+    const Motion &a = motions_[contact.a], &b = motions_[contact.b];
+    point.arm_a = Triple(contact.arm_a);
+    point.arm_b = Triple(contact.arm_b);
+    point.distance = contact.distance;
+    point.resting = contact.resting;
+    point.restitution = contact.restitution;
+    point.approach = contact.approach;
+    point.fall = contact.fall;
+    const auto driven = [&](const Motion& motion, const Triple& arm) {
+      return motion.inverse_mass > 0 ? 0 : dot(block.normal, motion.velocity + cross(motion.spin, arm));
+    };
+    point.driven = driven(a, point.arm_a) - driven(b, point.arm_b);
+    const Triple* const axes[3] = {&block.normal, &block.first, &block.second};
+    Triple levers_a[3], levers_b[3];
+    for (int k = 0; k < 3; ++k) {
+      levers_a[k] = cross(point.arm_a, *axes[k]);
+      levers_b[k] = cross(point.arm_b, *axes[k]);
+    }
+    const auto compliance = [&](int i, int k) {
+      return (i == k ? a.inverse_mass + b.inverse_mass : 0) + dot(levers_a[i], a.inverse_inertia * levers_a[k]) +
+             dot(levers_b[i], b.inverse_inertia * levers_b[k]);
+    };
+    point.inverse_normal = 1 / compliance(0, 0);
+    point.couple_x = compliance(1, 0);
+    point.couple_y = compliance(2, 0);
+    const double xx = compliance(1, 1), xy = compliance(1, 2), yy = compliance(2, 2), determinant = xx * yy - xy * xy;
+    point.xx = yy / determinant;
+    point.xy = -xy / determinant;
+    point.yy = xx / determinant;
+    const double mean = (xx + yy) / 2;
+    point.inverse_largest = 1 / (mean + std::sqrt(std::max(0.0, mean * mean - determinant)));
+    const Triple start = h_ * Triple(contact.force);
+    point.normal = std::max(0.0, dot(block.normal, start));
+    if (block.friction == 0) return;
+    point.first = dot(block.first, start);
+    point.second = dot(block.second, start);
+  }
+
+  /// Sorts the blocks of a large group by colors, so that those of one color share no body that contacts move and may be
+  /// solved side by side. What is left over has a color for each.
+  void color_blocks() {
+    constexpr int kWorthIt = 128, kColors = 24;
+    colors_ = {0};
+    if (static_cast<int>(blocks_.size()) < kWorthIt) return void(colors_.push_back(static_cast<int>(blocks_.size())));
+    std::vector<unsigned> used(bodies_.size(), 0);
+    std::vector<int> color_of(blocks_.size());
+    std::vector<int> counts(kColors + 1, 0);
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      unsigned taken = 0;
+      for (const int side : {blocks_[i].a, blocks_[i].b})
+        if (motions_[side].inverse_mass > 0) taken |= used[side];
+      const int color = std::min(std::countr_one(taken), kColors);
+      for (const int side : {blocks_[i].a, blocks_[i].b}) used[side] |= 1u << color;
+      color_of[i] = color;
+      ++counts[color];
+    }
+    order_by_color(color_of, counts);
+  }
+
+  void order_by_color(const std::vector<int>& color_of, const std::vector<int>& counts) {
+    std::vector<int> next;
+    int sum = 0;
+    for (std::size_t color = 0; color < counts.size(); ++color) {
+      next.push_back(sum);
+      sum += counts[color];
+      if (counts[color] > 0 && color + 1 < counts.size()) colors_.push_back(sum);
+    }
+    for (int i = colors_.back(); i < sum; ++i) colors_.push_back(i + 1);
+    std::vector<Block> ordered(blocks_.size());
+    for (std::size_t i = 0; i < blocks_.size(); ++i) ordered[next[color_of[i]]++] = blocks_[i];
+    blocks_ = std::move(ordered);
+  }
+
+  template <class Use>
+  void for_each_block(Use use) {
+    constexpr int kBlocksAtOnce = 64;
+    if (colors_.size() == 2) {
+      for (Block& block : blocks_) use(block);
+      return;
+    }
+    for (std::size_t color = 0; color + 1 < colors_.size(); ++color) {
+      const int begin = colors_[color], count = colors_[color + 1] - begin;
+      if (count < 2 * kBlocksAtOnce) {
+        for (int i = begin; i < begin + count; ++i) use(blocks_[i]);
+        continue;
+      }
+      parallel_parts(count, kBlocksAtOnce, [&](int first, int last) {
+        for (int i = begin + first; i < begin + last; ++i) use(blocks_[i]);
+      });
+    }
+  }
+
+  // A substep.
+
+  void accelerate(int i) const {
+    motions_[i].velocity += h_ * Triple(bodies_[i].acceleration);
+    motions_[i].spin += h_ * Triple(bodies_[i].turning);
+  }
+
+  /// Where the gaps are, and the impulses of the last substep again.
+  void start(Block& block, double time) {
+    Motion a = motions_[block.a], b = motions_[block.b];
+    const bool a_moves = a.inverse_mass > 0, b_moves = b.inverse_mass > 0;
+    Triple apart;
+    if (a_moves) apart += Triple(bodies_[block.a].displacement);
+    if (b_moves) apart -= Triple(bodies_[block.b].displacement);
+    const double along = dot(block.normal, apart);
+    const Triple down_a = a_moves ? transposed_times(turned_[block.a], block.normal) : Triple(),
+                 down_b = b_moves ? transposed_times(turned_[block.b], block.normal) : Triple();
+    for (int i = block.begin; i < block.end; ++i) {
+      Point& point = points_[i];
+      point.gap = point.distance + time * point.driven + along + dot(down_a, point.arm_a) - dot(down_b, point.arm_b);
+      point.target = -std::max(point.gap, 0.0) / h_;
+      if (point.normal == 0) {
+        point.first = point.second = 0;
+        continue;
+      }
+      const Triple impulse = point.normal * block.normal + point.first * block.first + point.second * block.second;
+      a.push(point.arm_a, impulse);
+      b.push(point.arm_b, -impulse);
+    }
+    if (a_moves) motions_[block.a] = a;
+    if (b_moves) motions_[block.b] = b;
+  }
+
+  /// Solves a block's points one after the other among the others' present impulses, so that its sides part at least at
+  /// the target and sliding is stopped within friction's disc; returns the largest change of a normal velocity.
+  double relax(Block& block) {
+    Motion a = motions_[block.a], b = motions_[block.b];
+    double largest = 0;
+    for (int i = block.begin; i < block.end; ++i) {
+      Point& point = points_[i];
+      const Triple velocity = a.velocity + cross(a.spin, point.arm_a) - b.velocity - cross(b.spin, point.arm_b);
+      const double along = dot(block.normal, velocity) - point.target;
+      if (point.normal == 0 && along >= 0) continue;
+      const double next = std::max(0.0, point.normal - point.inverse_normal * along), change = next - point.normal;
+      Triple impulse = change * block.normal;
+      point.normal = next;
+      if (block.friction > 0) impulse += friction_change(block, point, velocity, change);
+      a.push(point.arm_a, impulse);
+      b.push(point.arm_b, -impulse);
+      largest = std::max(largest, std::abs(change) / point.inverse_normal);
+    }
+    if (a.inverse_mass > 0) motions_[block.a].velocity = a.velocity, motions_[block.a].spin = a.spin;
+    if (b.inverse_mass > 0) motions_[block.b].velocity = b.velocity, motions_[block.b].spin = b.spin;
+    return largest;
+  }
+
+  /// The change of the tangential impulse: what stops the sliding, where the limit allows it; else as much as it allows,
+  /// against the sliding.
+  static Triple friction_change(const Block& block, Point& point, const Triple& velocity, double change) {
+    const double limit = block.friction * point.normal;
+    const double x = dot(block.first, velocity) + change * point.couple_x,
+                 y = dot(block.second, velocity) + change * point.couple_y;
+    double next_x = point.first - (point.xx * x + point.xy * y), next_y = point.second - (point.xy * x + point.yy * y);
+    if (next_x * next_x + next_y * next_y > limit * limit) {
+      next_x = point.first - point.inverse_largest * x;
+      next_y = point.second - point.inverse_largest * y;
+      const double length = std::sqrt(next_x * next_x + next_y * next_y);
+      if (length > limit) {
+        next_x *= limit / length;
+        next_y *= limit / length;
+      }
+    }
+    const Triple impulse = (next_x - point.first) * block.first + (next_y - point.second) * block.second;
+    point.first = next_x;
+    point.second = next_y;
+    return impulse;
+  }
+
+  /// Takes out a share of the overlaps by displacements that let nothing else overlap, beside the true velocities.
+  void push_apart() {
+    bool any = false;
+    for (Point& point : points_) {
+      const double overlap = -point.resting - point.gap;
+      point.target = overlap > 0 ? kPushedOut * overlap : overlap;
+      any |= overlap > 0;
+    }
+    for (int sweep = 0; any && sweep < kPushSweeps; ++sweep) for_each_block([&](Block& block) { push_apart(block); });
+  }
+
+  void push_apart(Block& block) {
+    Motion &a = motions_[block.a], &b = motions_[block.b];
+    for (int i = block.begin; i < block.end; ++i) {
+      Point& point = points_[i];
+      const double moved = dot(block.normal, a.push_velocity + cross(a.push_spin, point.arm_a) - b.push_velocity -
+                                                 cross(b.push_spin, point.arm_b));
+      const double next = std::max(0.0, point.pushed + point.inverse_normal * (point.target - moved)), pushed = next - point.pushed;
+      if (pushed == 0) continue;
+      point.pushed = next;
+      if (a.inverse_mass > 0) a.push_out(point.arm_a, pushed * block.normal);
+      if (b.inverse_mass > 0) b.push_out(point.arm_b, -pushed * block.normal);
+    }
+  }
+
+  void move(int i) const {
+    RigidBody& body = bodies_[i];
+    const Motion& motion = motions_[i];
+    body.displacement += h_ * motion.velocity.vector();
+    body.rotation += h_ * motion.spin.vector();
+    turned_[i] = rotation_less_identity(body.rotation);
+  }
+
+  /// Rodrigues' rotation.
+  static Mat3 rotation_less_identity(const Vec3& turn) {
+    const double square = turn.squaredNorm();
+    if (square == 0) return Mat3::Zero();
+    const Mat3 cross = cross_matrix(turn), twice = turn * turn.transpose() - square * Mat3::Identity();
+    if (square < 1e-8) return cross + 0.5 * twice;
+    const double angle = std::sqrt(square);
+    return std::sin(angle) / angle * cross + (1 - std::cos(angle)) / square * twice;
+  }
+
+  // The end of a step.
+
+  /// The velocity of parting that leads back to restitution² of the height that a contact fell from, or would have
+  /// gone on falling from. Stepped as falls are, one with g keeps v²/2 + g y + g dt v/2, v downwards.
+  double rebound_speed(const Point& point) const {
+    const double gain = point.fall, before = point.approach - gain, weight = 2 * gain / dt_;
+    // The top of the steps lies up to g dt²/8 above that of the fall.
+    const double over = gain * gain / 4, square = point.restitution * point.restitution;
+    const double left = square * (before * before + gain * before + weight * std::max(0.0, point.distance)) -
+                        weight * std::max(0.0, point.gap) - over;
+    return left > 0 ? gain / 2 + std::sqrt(gain * gain / 4 + left) : 0;
+  }
+
+  /// Lets what has struck part again; all else in the group goes on touching. Returns the sweeps.
+  int rebound() {
+    for (Point& point : points_) {
+      point.force = Triple{point.normal, point.first, point.second};
+      point.normal = point.first = point.second = 0;
+    }
+    for_each_block([&](Block& block) { start(block, dt_); });
+    double fastest = 0;
+    for (Point& point : points_) {
+      if (!(point.restitution > 0) || !(point.total.x > 0)) continue;
+      const double speed = rebound_speed(point);
+      if (!(speed > 0)) continue;
+      point.target = speed;
+      fastest = std::max(fastest, point.approach);
+    }
+    if (fastest == 0) return 0;
+    const int sweeps = std::clamp(kBlowWork / static_cast<int>(points_.size()), kMinBlowSweeps, kBlowSweeps);
+    int done = 0;
+    for (double change = fastest; done < sweeps && change > kTolerance * fastest; ++done) {
+      change = 0;
+      for (Block& block : blocks_) change = std::max(change, relax(block));
+    }
+    for (Point& point : points_) point.total += Triple{point.normal, point.first, point.second};
+    return done;
+  }
+
+  void finish() {
+    for (const Block& block : blocks_)
+      for (int i = block.begin; i < block.end; ++i) {
+        const auto along_axes = [&](const Triple& values) {
+          return (values.x * block.normal + values.y * block.first + values.z * block.second).vector();
+        };
+        const Point& point = points_[i];
+        contacts_[group_.contacts[i]].impulse = along_axes(point.total);
+        contacts_[group_.contacts[i]].force = along_axes(point.force) / h_;
+        if (!(point.total.x > 0) && !(point.pushed > 0)) continue;
+        for (const int side : {block.a, block.b})
+          if (motions_[side].inverse_mass > 0) bodies_[side].touched = true;
+      }
+    for (const int i : group_.bodies) {
+      RigidBody& body = bodies_[i];
+      body.velocity = motions_[i].velocity.vector();
+      body.spin = motions_[i].spin.vector();
+      body.push = motions_[i].push_velocity.vector();
+      body.push_rotation = motions_[i].push_spin.vector();
+      if (body.touched) continue;
+      body.displacement = dt_ * body.velocity;  // as what flies alone
+      body.rotation = dt_ * body.spin;
+    }
+  }
+
+  std::span<RigidBody> bodies_;
+  std::span<Motion> motions_;
+  std::span<Mat3> turned_;  // rotations since the start less the identity
+  std::span<RigidContact> contacts_;
+  const RigidGroup& group_;
+  std::vector<Point> points_;
+  std::vector<Block> blocks_;
+  std::vector<int> colors_;  // begins of ranges of blocks, and the end
+  double dt_, h_;
+};
+
+}  // namespace
+
+int solve_rigid(std::span<RigidBody> bodies, std::span<RigidContact> contacts, std::span<const RigidGroup> groups,
+                double dt) {
+  std::vector<Motion> motions(bodies.size());
+  std::vector<Mat3> turned(bodies.size(), Mat3::Zero());
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    motions[i] = {Triple(bodies[i].velocity), Triple(bodies[i].spin), bodies[i].inverse_mass,
+                  Symmetric(bodies[i].inverse_inertia), Triple(), Triple()};
+  std::vector<int> work(groups.size());
+  parallel_for(static_cast<int>(groups.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
+      work[i] = GroupStep(bodies, motions, turned, contacts, groups[i], dt).solve();
+  });
+  return std::accumulate(work.begin(), work.end(), 0);
+}
+
+}  // namespace griffith::contact
