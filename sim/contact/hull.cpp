@@ -1,6 +1,7 @@
 #include "sim/contact/hull.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -13,6 +14,11 @@ Vec3 doubled_area(const std::vector<Vec3>& corners, const std::vector<int>& loop
   for (std::size_t i = 2; i < loop.size(); ++i)
     sum += (corners[loop[i - 1]] - corners[loop[0]]).cross(corners[loop[i]] - corners[loop[0]]);
   return sum;
+}
+
+/// Whether a face has an area by which it tells which way it looks.
+bool has_normal(const std::vector<Vec3>& corners, const std::vector<int>& loop, double size) {
+  return doubled_area(corners, loop).norm() > 1e-9 * size * size;
 }
 
 Hull::Face face_of(const std::vector<Vec3>& corners, const std::vector<int>& loop, int first) {
@@ -49,6 +55,7 @@ Hull::Hull(const ConvexHull& hull) : corners(hull.corners) {
   box_half = 0.5 * box.sizes();
   const double size = box.diagonal().norm();
   if (!(hull.volume > 1e-9 * size * size * size)) return;
+  if (!std::ranges::all_of(hull.faces, [&](const auto& loop) { return has_normal(corners, loop, size); })) return;
   edges = edges_of(hull.faces);
   if (edges.empty()) return;
   for (const std::vector<int>& loop : hull.faces) {

@@ -315,7 +315,7 @@ class GroupStep {
     const Motion& motion = motions_[i];
     body.displacement += h_ * motion.velocity.vector();
     body.rotation += h_ * motion.spin.vector();
-    turned_[i] = rotation_less_identity(body.rotation);
+    if (!body.is_round) turned_[i] = rotation_less_identity(body.rotation);
   }
 
   /// Rodrigues' rotation.

@@ -10,6 +10,7 @@ namespace griffith::contact {
 /// A rigid body in a step. One that contacts do not move has no inverse mass.
 struct RigidBody {
   double inverse_mass = 0;              ///< [1/kg]
+  bool is_round = false;                ///< turning does not change its gaps
   Mat3 inverse_inertia = Mat3::Zero();  ///< world frame, as it lies when the step begins [1/(kg·m²)]
   Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();           ///< at the start, then at the end [m/s], [rad/s]
   Vec3 acceleration = Vec3::Zero(), turning = Vec3::Zero();    ///< by all but contacts [m/s²], [rad/s²]

@@ -128,9 +128,12 @@ void ContactWorld::Impl::list_pair(std::span<const Pair> of_pair, double dt) {
   memories.resize(end);
 }
 
-/// Whether a gap is small, or closes within `dt` [s].
+/// Whether a gap is small, or closes within `dt` [s]: not one that could hurt, which its owner foresees by itself.
 bool ContactWorld::Impl::is_near(const Pair& pair, const Contact& contact, double dt) const {
-  return contact.distance < reach(objects[pair.a], objects[pair.b], 0) || contact.distance < dt * approach(contact);
+  const Object &a = objects[pair.a], &b = objects[pair.b];
+  if (contact.distance < reach(a, b, 0)) return true;
+  const double speed = approach(contact);
+  return contact.distance < dt * speed && speed < std::min(a.impact_speed, b.impact_speed);
 }
 
 /// How fast the sides of a contact come together [m/s].

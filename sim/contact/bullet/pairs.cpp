@@ -28,11 +28,12 @@ double turning_speed(const Object& object) {
 void find_point(Manifold& manifold, const PlacedShape& a, const PlacedShape& b, const Place& place_a,
                 const Place& place_b, double reach) {
   const Separation apart = a.convex ? separation(a, b) : separation(b, a);
-  if (!(apart.distance < reach)) return void(manifold.count = 0);
+  const bool found = apart.distance < reach && !apart.normal.isZero();
+  if (!found) return void(manifold.count = 0);
   const Vec3 other = apart.point_on_b + apart.distance * apart.normal, normal = a.convex ? apart.normal : Vec3(-apart.normal);
-  const FoundPoint found{place_b.to_local(a.convex ? other : apart.point_on_b),
+  const FoundPoint point{place_b.to_local(a.convex ? other : apart.point_on_b),
                          place_b.to_local(a.convex ? apart.point_on_b : other), apart.distance};
-  set_points(manifold, {&found, 1}, place_b.rotation.transpose() * normal, relative(place_a, place_b),
+  set_points(manifold, {&point, 1}, place_b.rotation.transpose() * normal, relative(place_a, place_b),
              std::numeric_limits<double>::max());
 }
 

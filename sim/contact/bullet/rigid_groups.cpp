@@ -61,6 +61,7 @@ RigidBody ContactWorld::Impl::rigid_body(const Object& object, double dt) const 
   body.spin = object.state.angular_velocity;
   if (!object.moves()) return body;
   body.inverse_mass = object.inverse_mass;
+  body.is_round = object.is_sphere();
   body.inverse_inertia = object.place.rotation * object.inverse_inertia * object.place.rotation.transpose();
   body.acceleration = (object.state.velocity - object.first_velocity) / dt;
   body.turning = (object.state.angular_velocity - object.first_spin) / dt;
