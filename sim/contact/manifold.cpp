@@ -14,7 +14,7 @@ using Feature = Manifold::Feature;
 
 /// A share of the reach: what hardly moves keeps its points; by so much an edge has to part a pair better than a face
 /// does; by so much another feature may be better before it is found.
-constexpr double kHardlyMoved = 0.1, kForFaces = 0.1, kLargestMargin = 0.5;
+constexpr double kHardlyMoved = 0.02, kForFaces = 0.1, kLargestMargin = 0.5;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Corners of a polygon and their number.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "sim/contact/triple.h"
@@ -13,10 +14,15 @@
 namespace griffith::contact {
 namespace {
 
-constexpr int kSubsteps = 4, kSweeps = 2;
-/// The share of an overlap that goes in a step.
-constexpr double kPushedOut = 0.2;
+constexpr int kSubsteps = 8;
+/// The share of an overlap that goes in a step, beyond what is left: less where it is small, lest pushing should keep
+/// what rocks rocking. That share is reached at this multiple of what is left.
+constexpr double kPushedOut = 0.2, kFullyPushed = 4;
 constexpr int kPushSweeps = 10;
+/// A substep ends when no gap is wrong by more than this share of the smallest body, or after so much work: rows times
+/// sweeps.
+constexpr double kGapTolerance = 1e-5;
+constexpr int kWork = 1'500, kMaxSweeps = 30;
 /// Blows are solved until no velocity changes by more than this share of the fastest, or for so much work.
 constexpr double kTolerance = 1e-6;
 constexpr int kBlowSweeps = 60, kMinBlowSweeps = 4, kBlowWork = 12'000;
@@ -73,17 +79,18 @@ class GroupStep {
   }
 
   int solve() {
+    int sweeps = 0;
     for (int substep = 0; substep < kSubsteps; ++substep) {
       for (const int i : group_.bodies) accelerate(i);
       for_each_block([&](Block& block) { start(block, substep * h_); });
-      for (int sweep = 0; sweep < kSweeps; ++sweep) for_each_block([&](Block& block) { relax(block); });
+      sweeps += relax_all();
       for (Point& point : points_) point.total += Triple{point.normal, point.first, point.second};
       for (const int i : group_.bodies) move(i);
     }
-    const int sweeps = rebound();
+    sweeps += rebound();
     push_apart();
     finish();
-    return static_cast<int>(points_.size()) * (kSubsteps * kSweeps + sweeps);
+    return static_cast<int>(points_.size()) * sweeps;
   }
 
  private:
@@ -98,7 +105,9 @@ class GroupStep {
         blocks_.push_back(block_of(contact, static_cast<int>(i)));
       blocks_.back().end = static_cast<int>(i) + 1;
       prepare(points_[i], blocks_.back(), contact);
+      size_ = std::min(size_, contact.size);
     }
+    std::ranges::stable_sort(blocks_, {}, [&](const Block& block) { return contacts_[group_.contacts[block.begin]].fallen; });
   }
 
   static Block block_of(const RigidContact& contact, int begin) {
@@ -240,6 +249,20 @@ class GroupStep {
     if (b_moves) motions_[block.b] = b;
   }
 
+  /// Returns the sweeps.
+  int relax_all() {
+    const int most = std::clamp(kWork / static_cast<int>(points_.size()), 1, kMaxSweeps);
+    if (most == 1) {
+      for_each_block([&](Block& block) { relax(block); });
+      return 1;
+    }
+    for (int done = 1;; ++done) {
+      double change = 0;
+      for (Block& block : blocks_) change = std::max(change, relax(block));
+      if (done == most || change * h_ < kGapTolerance * size_) return done;
+    }
+  }
+
   /// Solves a block's points one after the other among the others' present impulses, so that its sides part at least at
   /// the target and sliding is stopped within friction's disc; returns the largest change of a normal velocity.
   double relax(Block& block) {
@@ -290,7 +313,8 @@ class GroupStep {
     bool any = false;
     for (Point& point : points_) {
       const double overlap = -point.resting - point.gap;
-      point.target = overlap > 0 ? kPushedOut * overlap : overlap;
+      const double share = kPushedOut * std::min(1.0, overlap / (kFullyPushed * point.resting));
+      point.target = overlap > 0 ? share * overlap : overlap;
       any |= overlap > 0;
     }
     for (int sweep = 0; any && sweep < kPushSweeps; ++sweep) for_each_block([&](Block& block) { push_apart(block); });
@@ -401,6 +425,7 @@ class GroupStep {
   std::vector<Block> blocks_;
   std::vector<int> colors_;  // begins of ranges of blocks, and the end
   double dt_, h_;
+  double size_ = std::numeric_limits<double>::infinity();  // of the smallest body [m]
 };
 
 }  // namespace

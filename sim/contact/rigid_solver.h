@@ -24,6 +24,8 @@ struct RigidContact {
   int a, b;            ///< bodies
   Vec3 normal;         ///< unit, from b to a
   Vec3 arm_a, arm_b;   ///< from the centres [m]
+  double size;         ///< radius of the smaller body [m]
+  double fallen;       ///< how deep it lies along gravity: sweeps down through a pile carry its load at once
   double distance;     ///< [m], negative where they overlap by more than is allowed
   double resting;      ///< overlap that stays [m]
   double friction;     ///< Coulomb's coefficient

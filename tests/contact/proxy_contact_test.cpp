@@ -79,12 +79,12 @@ TEST(ProxyContact, OverlapIsAllowedWhereACrackLeftItAndNowhereElse) {
       boxes.push_back(world.add_proxy(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(x, 0, 0)), {}));
     world.detect();
     world.set_state(boxes[1], at(Vec3(0.49, 0, 0)));
-    for (int i = 0; i < 60; ++i) substep(world, boxes, kHalfDt);
+    for (int i = 0; i < 120; ++i) substep(world, boxes, kHalfDt);
     const double apart = (world.state(boxes[1]).pose.translation - world.state(boxes[0]).pose.translation).norm();
-    EXPECT_NEAR(apart, fresh ? 0.98 : 1.0, 1e-3);
+    EXPECT_NEAR(apart, fresh ? 0.98 : 1.0, 2e-3);
     EXPECT_LT(world.state(boxes[0]).velocity.norm() + world.state(boxes[1]).velocity.norm(), 1e-9);
     world.detect();
-    EXPECT_LT(world.max_penetration(), 1e-3);
+    EXPECT_LT(world.max_penetration(), 2e-3);
   }
 }
 

@@ -13,8 +13,8 @@ namespace {
 constexpr double kStillFraction = 0.01;
 /// A share of the speed of a fall from the object's own height does not disturb sleepers.
 constexpr double kQuietFraction = 0.04;
-/// Up to this multiple of that speed, what touches something stops turning at this rate [1/s].
-constexpr double kRollingFraction = 5, kRollingResistance = 3;
+/// Up to this multiple of that speed, what has faces and corners is resisted as what rolls.
+constexpr double kRollingFraction = 5;
 
 /// How a rigid object answers torques, where it does [1/(kg·m²)].
 Mat3 spin_mobility(const Object& object) {
@@ -41,13 +41,19 @@ double ContactWorld::Impl::quiet_speed(const Object& object) const {
   return kQuietFraction * std::sqrt(gravity.norm() * object.shape.radius);
 }
 
-/// What rolls loses spin to each contact, and to friction, which follows, speed.
+/// Whether an object is nearly at rest.
+bool ContactWorld::Impl::hardly_moves(const Object& object) const {
+  return !object.moves() || object.speed() < kRollingFraction * quiet_speed(object);
+}
+
+/// What rolls loses spin to each contact, and to friction, which follows, speed. What has faces and corners stops by
+/// them but for its last rocking.
 void ContactWorld::Impl::resist_rolling() {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& contact = contacts[i];
     const double pushing = contact.normal.dot(contact.impulse);
     const Object &a = objects[contact.a], &b = objects[contact.b];
-    if (!a.is_sphere() && !b.is_sphere()) continue;  // what has faces and corners stops by them
+    if (!a.is_sphere() && !b.is_sphere() && !(hardly_moves(a) && hardly_moves(b))) continue;
     const double resistance = std::max(a.surface.rolling_resistance, b.surface.rolling_resistance);
     if (!(pushing > 0) || resistance == 0) continue;
     const auto arm = [&](const Object& object) {
@@ -69,19 +75,6 @@ void ContactWorld::Impl::resist_rolling(const Contact& contact, double limit) {
   const Vec3 impulse = std::min(limit, stopping) * axis;
   a.state.angular_velocity -= spin_mobility(a) * impulse;
   b.state.angular_velocity += spin_mobility(b) * impulse;
-}
-
-/// Debris that hardly moves stops turning.
-void ContactWorld::Impl::quieten(double dt) {
-  std::vector<bool> touches(objects.size(), false);
-  for (const Contact& contact : contacts)
-    if (!contact.impulse.isZero(0)) touches[contact.a] = touches[contact.b] = true;
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    Object& object = objects[i];
-    if (!touches[i] || !object.moves() || object.elastic) continue;
-    if (object.speed() < kRollingFraction * quiet_speed(object))
-      object.state.angular_velocity /= 1 + dt * kRollingResistance;
-  }
 }
 
 /// What lies still for long enough among neighbours that do so too sleeps.

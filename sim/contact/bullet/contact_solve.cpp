@@ -219,7 +219,6 @@ void ContactWorld::Impl::advance(double dt) {
   remember_impulses(dt);
   read_back_impulses(dt);
   resist_rolling();
-  quieten(dt);
   correct_positions(solved, dt);
   move_rigid_groups(dt);
   move_projectiles(dt);

@@ -12,7 +12,7 @@ using namespace contact;
 namespace {
 
 /// The overlap, as a share of the smaller radius, that stays, so that all contacts of what rests go on touching.
-constexpr double kRestingFraction = 3e-4;
+constexpr double kRestingFraction = 1.2e-3;
 
 }  // namespace
 
@@ -83,7 +83,9 @@ RigidContact ContactWorld::Impl::rigid_contact(std::size_t index, double dt) con
   row.arm_b = contact.position - b.state.pose.translation;
   const double allowed = allowance(contact.a, contact.b);
   row.distance = distance_beyond(contact.distance, allowed);
-  row.resting = kRestingFraction * smaller_radius(a, b);
+  row.size = smaller_radius(a, b);
+  row.resting = kRestingFraction * row.size;
+  row.fallen = gravity.dot(contact.position);
   row.friction = std::sqrt(a.surface.friction * b.surface.friction);
   const auto speed = [&](const RigidBody& body, const Vec3& arm) {
     return row.normal.dot(body.velocity + body.spin.cross(arm));
