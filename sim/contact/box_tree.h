@@ -9,7 +9,9 @@ namespace griffith::contact {
 /// An axis-parallel box [m].
 struct Box {
   Vec3 low, high;
-  bool holds(const Box& other) const { return (low.array() <= other.low.array()).all() && (high.array() >= other.high.array()).all(); }
+  bool holds(const Box& other) const {
+    return (low.array() <= other.low.array()).all() && (high.array() >= other.high.array()).all();
+  }
   bool meets(const Box& other) const {
     return low.x() <= other.high.x() && other.low.x() <= high.x() && low.y() <= other.high.y() &&
            other.low.y() <= high.y() && low.z() <= other.high.z() && other.low.z() <= high.z();

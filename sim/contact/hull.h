@@ -28,7 +28,7 @@ struct Hull {
   std::vector<Face> faces;
   std::vector<int> loops;
   std::vector<Edge> edges;
-  Vec3 center = Vec3::Zero();                            ///< of the corners
+  Vec3 center = Vec3::Zero();                               ///< of the corners
   Vec3 box_center = Vec3::Zero(), box_half = Vec3::Zero();  ///< the box round them
 };
 

@@ -56,8 +56,9 @@ class HullPair {
         return separation_along_face_of_b(of_b);
       case Feature::edges: {
         const Vec3 outward = edge_axis(of_a, of_b);
-        return outward.isZero(0) ? -kInfinity : lowest(a_, place_.rotation.transpose() * outward) +
-                                                    outward.dot(place_.translation) + lowest(b_, -outward);
+        return outward.isZero(0) ? -kInfinity
+                                 : lowest(a_, place_.rotation.transpose() * outward) + outward.dot(place_.translation) +
+                                       lowest(b_, -outward);
       }
       default:
         return -kInfinity;
@@ -113,8 +114,7 @@ class HullPair {
     }
     const bool on_b = feature == Feature::face_of_b;
     const Vec3 outward = on_b ? b_.faces[of_b].normal : Vec3(place_.rotation * a_.faces[of_a].normal);
-    const double offset =
-        on_b ? b_.faces[of_b].offset : a_.faces[of_a].offset + outward.dot(place_.translation);
+    const double offset = on_b ? b_.faces[of_b].offset : a_.faces[of_a].offset + outward.dot(place_.translation);
     const Polygon face = on_b ? polygon_of_b(of_b) : polygon_of_a(of_a);
     Polygon shared = on_b ? polygon_of_a(facing_face(a_, place_.rotation.transpose() * outward))
                           : polygon_of_b(facing_face(b_, outward));
@@ -159,7 +159,8 @@ class HullPair {
   template <class Use>
   bool for_each_facing_edge(int of_a, Use use) const {
     const Hull::Edge& edge = a_.edges[of_a];
-    const Triple left(place_.rotation * a_.faces[edge.left].normal), right(place_.rotation * a_.faces[edge.right].normal);
+    const Triple left(place_.rotation * a_.faces[edge.left].normal),
+        right(place_.rotation * a_.faces[edge.right].normal);
     const Triple along(place_.rotation * (a_.corners[edge.to] - a_.corners[edge.from]));
     for (int j = 0; j < static_cast<int>(b_.edges.size()); ++j) {
       const Hull::Edge& other = b_.edges[j];

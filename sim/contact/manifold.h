@@ -25,20 +25,20 @@ inline Place relative(const Place& one, const Place& other) {
 struct Manifold {
   static constexpr int kMaxPoints = 4;
   struct Point {
-    Vec3 on_a, on_b;             ///< the nearest points of the surfaces, in the frames of the two objects [m]
-    Vec3 force = Vec3::Zero();   ///< on a, of the last substep [N]
+    Vec3 on_a, on_b;            ///< the nearest points of the surfaces, in the frames of the two objects [m]
+    Vec3 force = Vec3::Zero();  ///< on a, of the last substep [N]
   };
   /// What parts two hulls best: a face of one, or two edges.
   enum class Feature : signed char { none, face_of_a, face_of_b, edges };
 
   Feature feature = Feature::none;
   int count = 0;
-  int of_a = 0, of_b = 0;         ///< the faces or edges of the feature
-  double margin = 0;              ///< how much the pair may move before another feature may part it better [m]
-  double drift = 0;               ///< how much it had moved since when last seen [m], at most
-  double separation = 0;          ///< along the feature's normal when last seen [m]
-  double seen_reach = 0;          ///< gap up to which its points were listed when last seen [m]
-  Place seen;                     ///< of a in b's frame, then
+  int of_a = 0, of_b = 0;           ///< the faces or edges of the feature
+  double margin = 0;                ///< how much the pair may move before another feature may part it better [m]
+  double drift = 0;                 ///< how much it had moved since when last seen [m], at most
+  double separation = 0;            ///< along the feature's normal when last seen [m]
+  double seen_reach = 0;            ///< gap up to which its points were listed when last seen [m]
+  Place seen;                       ///< of a in b's frame, then
   Vec3 normal_in_b = Vec3::Zero();  ///< unit, towards a
   std::array<Point, kMaxPoints> points;
 

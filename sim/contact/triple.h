@@ -39,8 +39,7 @@ inline Triple transposed_times(const Mat3& m, const Triple& v) {
 struct Symmetric {
   double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
   Symmetric() = default;
-  explicit Symmetric(const Mat3& m)
-      : xx(m(0, 0)), xy(m(0, 1)), xz(m(0, 2)), yy(m(1, 1)), yz(m(1, 2)), zz(m(2, 2)) {}
+  explicit Symmetric(const Mat3& m) : xx(m(0, 0)), xy(m(0, 1)), xz(m(0, 2)), yy(m(1, 1)), yz(m(1, 2)), zz(m(2, 2)) {}
 };
 
 inline Triple operator*(const Symmetric& m, const Triple& v) {

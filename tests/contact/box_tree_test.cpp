@@ -1,9 +1,9 @@
+#include "sim/contact/box_tree.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
-
-#include "sim/contact/box_tree.h"
 
 namespace griffith {
 namespace {

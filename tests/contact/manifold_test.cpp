@@ -32,16 +32,15 @@ double gap_along(const Hull& a, const Hull& b, const Place& place, const Vec3& d
 
 struct RandomPair {
   explicit RandomPair(unsigned seed) : random(seed), a(convex_hull(part(seed))), b(convex_hull(part(seed / 2))) {}
-  ConvexPart part(unsigned choice) {
-    return choice % 2 == 0 ? box_part(Vec3(0.4, 0.7, 1)) : random_chunk(random, 0.5);
-  }
+  ConvexPart part(unsigned choice) { return choice % 2 == 0 ? box_part(Vec3(0.4, 0.7, 1)) : random_chunk(random, 0.5); }
   Vec3 direction() {
     std::normal_distribution<double> normal;
     return Vec3(normal(random), normal(random), normal(random)).normalized();
   }
   Place place() {
     std::uniform_real_distribution<double> uniform(0, 1);
-    return {Eigen::AngleAxisd(3 * uniform(random), direction()).toRotationMatrix(), 1.1 * uniform(random) * direction()};
+    return {Eigen::AngleAxisd(3 * uniform(random), direction()).toRotationMatrix(),
+            1.1 * uniform(random) * direction()};
   }
   Manifold found(const Place& place, double reach) const {
     Manifold manifold;

@@ -64,8 +64,7 @@ class Heap {
   double lowest_corner() const {
     double lowest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < ids.size(); ++i)
-      for (const Vec3& corner : corners[i])
-        lowest = std::min(lowest, world.state(ids[i]).pose.to_world(corner).y());
+      for (const Vec3& corner : corners[i]) lowest = std::min(lowest, world.state(ids[i]).pose.to_world(corner).y());
     return lowest;
   }
 
@@ -153,11 +152,11 @@ TEST(RigidHeap, DoesNotDependOnTheThreadsAndACopyGoesOnAlike) {
         << threads << " threads";
 }
 
-/// How far the bodies get from where they begin in a second, and that they sleep then.
+/// Whether the bodies stay where they begin for two seconds, and sleep then.
 void expect_to_stand(Heap& heap, double dt, double tolerance) {
   std::vector<Vec3> places;
   for (const ProxyId id : heap.ids) places.push_back(heap.world.state(id).pose.translation);
-  for (int step = 0; step * dt < 1; ++step) heap.step();
+  for (int step = 0; step * dt < 2; ++step) heap.step();
   for (std::size_t i = 0; i < heap.ids.size(); ++i)
     EXPECT_LT((heap.world.state(heap.ids[i]).pose.translation - places[i]).norm(), tolerance) << i << ", dt " << dt;
   EXPECT_TRUE(heap.all_sleep()) << "dt " << dt;
@@ -182,7 +181,7 @@ TEST(RigidHeap, ATowerOfCrossedBlocksStands) {
         state.pose.translation += state.pose.rotation * Vec3(0, 0, i * size.z());
         heap.add_box(size, 700, state);
       }
-    expect_to_stand(heap, dt, 1e-4);
+    expect_to_stand(heap, dt, 1e-3);
   }
 }
 

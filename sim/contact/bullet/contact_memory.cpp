@@ -13,8 +13,12 @@ static_assert(sizeof(Allowance) == sizeof(double) + 2 * sizeof(ProxyId), "it has
 
 std::uint64_t hash_of_rest(const Object& object, std::uint64_t seed) {
   const Vec3& place = object.resting_place.translation;
-  const std::array<double, 7> values = {place.x(),           place.y(),         place.z(),
-                                        object.still_time,   object.dissipated, object.impact_speed,
+  const std::array<double, 7> values = {place.x(),
+                                        place.y(),
+                                        place.z(),
+                                        object.still_time,
+                                        object.dissipated,
+                                        object.impact_speed,
                                         object.asleep ? 1.0 : 0.0};
   return hash_values(std::span<const double>(values), seed);
 }

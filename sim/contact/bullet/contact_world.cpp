@@ -65,8 +65,7 @@ ContactWorld& ContactWorld::operator=(ContactWorld&&) noexcept = default;
 
 ProxyId ContactWorld::add_ground(double height, const SurfaceProperties& surface) {
   impl_->ground_height = height;
-  return impl_->add(
-      {.kind = Kind::ground, .mobility = Mobility::kinematic, .shape = {}, .surface = surface}, {});
+  return impl_->add({.kind = Kind::ground, .mobility = Mobility::kinematic, .shape = {}, .surface = surface}, {});
 }
 
 ProxyId ContactWorld::add_sphere(double radius, double mass, const RigidState& state,

@@ -8,9 +8,9 @@
 #include <tuple>
 #include <vector>
 
+#include "sim/contact/box_tree.h"
 #include "sim/contact/bullet/shapes.h"
 #include "sim/contact/bullet/sweep.h"
-#include "sim/contact/box_tree.h"
 #include "sim/contact/contact_world.h"
 #include "sim/contact/impulse_solver.h"
 #include "sim/contact/manifold.h"
@@ -45,7 +45,7 @@ struct alignas(64) Object {
   Shape shape;
   Place place = {};              ///< as `state` has it
   std::vector<int> leaves = {};  ///< per part, in the tree of boxes
-  RigidState state = {};  ///< as its owner set it or, after advance(), with the solved velocities
+  RigidState state = {};         ///< as its owner set it or, after advance(), with the solved velocities
   SurfaceProperties surface = {};
   Vec3 first_velocity = Vec3::Zero(), first_spin = Vec3::Zero();  ///< when the substep began
   Mat3 inverse_inertia = Mat3::Zero();                            ///< in its own frame
@@ -130,11 +130,11 @@ struct ContactState {
 
   /// What solve() asked of each contact, in groups with something elastic.
   std::vector<ContactConstraint> solved;
-  std::vector<int> row_of;             ///< per contact: index into `solved`, -1 where all is rigid
-  std::vector<RigidBody> rigid_bodies;  ///< per object, as the last solve() moved them
+  std::vector<int> row_of;               ///< per contact: index into `solved`, -1 where all is rigid
+  std::vector<RigidBody> rigid_bodies;   ///< per object, as the last solve() moved them
   std::vector<RigidGroup> rigid_groups;  ///< those without anything elastic, of the last solve()
   std::vector<bool> moves_rigidly;       ///< per object: in one of these
-  std::vector<int> elastic_contacts;    ///< all others
+  std::vector<int> elastic_contacts;     ///< all others
 };
 
 }  // namespace griffith::contact
@@ -167,7 +167,6 @@ struct ContactWorld::Impl : contact::ContactState {
   void update_allowances();
   double allowance(ProxyId a, ProxyId b) const;
   bool is_near(const contact::Pair& pair, const Contact& contact, double dt) const;
-  double approach(const Contact& contact) const;
   void wake_disturbed(double dt);
   void list_contacts(double dt);
   void list_pair(std::span<const contact::Pair> of_pair, double dt);

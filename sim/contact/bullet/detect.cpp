@@ -25,7 +25,7 @@ bool is_kinematic_on_ground(const Object& a, const Object& b) {
 }  // namespace
 
 Contact contact::contact_at(const Pair& pair, const Manifold& manifold, const Manifold::Point& point, const Place& a,
-                   const Place& b) {
+                            const Place& b) {
   const Vec3 on_a = a.to_world(point.on_a), on_b = b.to_world(point.on_b), normal = b.rotation * manifold.normal_in_b;
   return {ProxyId(pair.a), ProxyId(pair.b), 0.5 * (on_a + on_b), normal, normal.dot(on_a - on_b)};
 }
@@ -128,21 +128,18 @@ void ContactWorld::Impl::list_pair(std::span<const Pair> of_pair, double dt) {
   memories.resize(end);
 }
 
-/// Whether a gap is small, or closes within `dt` [s]: not one that could hurt, which its owner foresees by itself.
+/// Whether a gap is small, or closes within `dt` [s], also where something stops one of the two: not one that could
+/// hurt, which its owner foresees by itself.
 bool ContactWorld::Impl::is_near(const Pair& pair, const Contact& contact, double dt) const {
   const Object &a = objects[pair.a], &b = objects[pair.b];
   if (contact.distance < reach(a, b, 0)) return true;
-  const double speed = approach(contact);
-  return contact.distance < dt * speed && speed < std::min(a.impact_speed, b.impact_speed);
-}
-
-/// How fast the sides of a contact come together [m/s].
-double ContactWorld::Impl::approach(const Contact& contact) const {
-  const auto velocity = [&](const Object& object) {
+  const auto speed_along = [&](const Object& object) {
     const RigidState& state = object.state;
-    return Vec3(state.velocity + state.angular_velocity.cross(contact.position - state.pose.translation));
+    const Vec3 arm = contact.position - state.pose.translation;
+    return contact.normal.dot(state.velocity + state.angular_velocity.cross(arm));
   };
-  return -contact.normal.dot(velocity(objects[contact.a]) - velocity(objects[contact.b]));
+  const double of_a = -speed_along(a), of_b = speed_along(b), speed = std::max({of_a + of_b, of_a, of_b});
+  return contact.distance < dt * speed && speed < std::min(a.impact_speed, b.impact_speed);
 }
 
 void ContactWorld::Impl::replace_contacts(const std::vector<bool>& taken_out, std::span<const Contact> put_in) {

@@ -30,14 +30,16 @@ void find_point(Manifold& manifold, const PlacedShape& a, const PlacedShape& b, 
   const Separation apart = a.convex ? separation(a, b) : separation(b, a);
   const bool found = apart.distance < reach && !apart.normal.isZero();
   if (!found) return void(manifold.count = 0);
-  const Vec3 other = apart.point_on_b + apart.distance * apart.normal, normal = a.convex ? apart.normal : Vec3(-apart.normal);
+  const Vec3 other = apart.point_on_b + apart.distance * apart.normal,
+             normal = a.convex ? apart.normal : Vec3(-apart.normal);
   const FoundPoint point{place_b.to_local(a.convex ? other : apart.point_on_b),
                          place_b.to_local(a.convex ? apart.point_on_b : other), apart.distance};
   set_points(manifold, {&point, 1}, place_b.rotation.transpose() * normal, relative(place_a, place_b),
              std::numeric_limits<double>::max());
 }
 
-/// Where a hull meets the ground: its lower corners, whatever their depth. A thin slab's upper side is within reach too.
+/// Where a hull meets the ground: its lower corners, whatever their depth. A thin slab's upper side is within reach
+/// too.
 void find_ground_points(Manifold& manifold, const Hull& hull, const Place& place, double height, bool hull_is_a,
                         double reach, double tolerance) {
   const double lift = place.translation.y() - height;
@@ -77,7 +79,8 @@ double ContactWorld::Impl::reach(const Object& a, const Object& b, double dt) co
                         : b.kind == Kind::ground ? a.shape.radius
                                                  : std::min(a.shape.radius, b.shape.radius);
   if (a.kind == Kind::projectile || b.kind == Kind::projectile) return kContactReach * radius;  // it is swept
-  const double speed = (a.state.velocity - b.state.velocity).norm() + turning_speed(a) + turning_speed(b);
+  const Vec3 &of_a = a.state.velocity, &of_b = b.state.velocity;
+  const double speed = std::max({(of_a - of_b).norm(), of_a.norm(), of_b.norm()}) + turning_speed(a) + turning_speed(b);
   return kContactReach * radius + std::min(dt * speed, radius);
 }
 
@@ -208,9 +211,11 @@ void ContactWorld::Impl::find_points(const Pair& pair, Manifold& manifold, doubl
     return find_contacts(manifold, {a.shape.hull(pair.part_a), a.shape.radius},
                          {b.shape.hull(pair.part_b), b.shape.radius}, relative(a.place, b.place), gap);
   if (b.kind == Kind::ground && is_hull(a))
-    return find_ground_points(manifold, a.shape.hull(pair.part_a), a.place, ground_height, true, gap, 0.1 * a.shape.radius);
+    return find_ground_points(manifold, a.shape.hull(pair.part_a), a.place, ground_height, true, gap,
+                              0.1 * a.shape.radius);
   if (a.kind == Kind::ground && is_hull(b))
-    return find_ground_points(manifold, b.shape.hull(pair.part_b), b.place, ground_height, false, gap, 0.1 * b.shape.radius);
+    return find_ground_points(manifold, b.shape.hull(pair.part_b), b.place, ground_height, false, gap,
+                              0.1 * b.shape.radius);
   const auto shape = [&](const Object& object, int part) {
     return placed(object, part, to_bullet(object.state.pose), ground_height);
   };

@@ -83,8 +83,7 @@ RigidContact ContactWorld::Impl::rigid_contact(std::size_t index, double dt) con
   row.arm_b = contact.position - b.state.pose.translation;
   const double allowed = allowance(contact.a, contact.b);
   row.distance = distance_beyond(contact.distance, allowed);
-  row.size = smaller_radius(a, b);
-  row.resting = kRestingFraction * row.size;
+  row.resting = kRestingFraction * smaller_radius(a, b);
   row.fallen = gravity.dot(contact.position);
   row.friction = std::sqrt(a.surface.friction * b.surface.friction);
   const auto speed = [&](const RigidBody& body, const Vec3& arm) {
@@ -121,8 +120,8 @@ int ContactWorld::Impl::solve_rigid_groups(double dt) {
   return work;
 }
 
-/// Hands on where the substeps led, beside what the velocities at their end would. In each group the way out of overlaps
-/// lifts no more than its contacts have taken: energy does not grow.
+/// Hands on where the substeps led, beside what the velocities at their end would. In each group the way out of
+/// overlaps lifts no more than its contacts have taken: energy does not grow.
 void ContactWorld::Impl::move_rigid_groups(double dt) {
   for (const RigidGroup& group : rigid_groups) {
     double lift = 0, dissipated = 0;

@@ -120,13 +120,12 @@ void move_swinging(WorldState& world, const Body& body, const Pivot& pivot, cons
   add_spin_to_edges(world, body, spin);
 }
 
-/// How far a rigid body gets, to where its contacts leave it [m]. What is fast stops at what it meets, or it would pass through thin bodies. Pieces of
-/// one body, much of a size, may pass through one another.
+/// How far a rigid body gets, to where its contacts leave it [m]. What is fast stops at what it meets, or it would pass
+/// through thin bodies. Pieces of one body, much of a size, may pass through one another.
 Vec3 way_of(const WorldState& world, const Body& body, double dt) {
   constexpr double kSlowFraction = 0.25;  // of its size: so much overlap would still be found
   const double slow = kSlowFraction * body.extent;
-  const Vec3 displacement =
-      dt * body.motion.velocity + world.contact_world.position_correction(body.proxy).translation;
+  const Vec3 displacement = dt * body.motion.velocity + world.contact_world.position_correction(body.proxy).translation;
   if (displacement.norm() < slow) return displacement;
   const auto stops = [&](ProxyId proxy) {
     constexpr double kMuchLarger = 2;
