@@ -12,9 +12,9 @@ namespace {
 
 using Feature = Manifold::Feature;
 
-/// A share of the reach: what hardly moves keeps its points; by so much an edge has to part a pair better than a face
-/// does; by so much another feature may be better before it is found.
-constexpr double kHardlyMoved = 0.02, kForFaces = 0.1, kLargestMargin = 0.5;
+/// Shares of the smaller radius: what hardly moves keeps its points; by so much an edge has to part a pair better than a
+/// face does; by so much another feature may be better before it is found.
+constexpr double kHardlyMoved = 4e-4, kForFaces = 2e-3, kLargestMargin = 1e-2;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Corners of a polygon and their number.
@@ -25,6 +25,15 @@ struct Polygon {
   void add(const Vec3& corner) {
     if (count < kMaxCorners) corners[count++] = corner;
   }
+};
+
+struct FoundPoints {
+  std::array<FoundPoint, kMostFound> points;
+  int count = 0;
+  void add(const FoundPoint& point) {
+    if (count < kMostFound) points[count++] = point;
+  }
+  std::span<const FoundPoint> listed() const { return {points.data(), static_cast<std::size_t>(count)}; }
 };
 
 double lowest(const Hull& hull, const Vec3& direction) {
@@ -104,16 +113,15 @@ class HullPair {
     return edge_axis(of_a, of_b);
   }
 
-  /// Lists the points where they are nearer than `reach`.
-  void find_points(Feature feature, int of_a, int of_b, double reach, std::array<FoundPoint, kMostFound>& found,
-                   int& count) const {
-    count = 0;
+  /// The points where they are nearer than `reach`.
+  FoundPoints find_points(Feature feature, int of_a, int of_b, double reach) const {
+    FoundPoints found;
     if (feature == Feature::edges) {
-      found[count++] = edge_point(of_a, of_b);
-      return;
+      found.add(edge_point(of_a, of_b));
+      return found;
     }
     const bool on_b = feature == Feature::face_of_b;
-    const Vec3 outward = on_b ? b_.faces[of_b].normal : Vec3(place_.rotation * a_.faces[of_a].normal);
+    const Vec3 outward = (on_b ? 1 : -1) * normal(feature, of_a, of_b);
     const double offset = on_b ? b_.faces[of_b].offset : a_.faces[of_a].offset + outward.dot(place_.translation);
     const Polygon face = on_b ? polygon_of_b(of_b) : polygon_of_a(of_a);
     Polygon shared = on_b ? polygon_of_a(facing_face(a_, place_.rotation.transpose() * outward))
@@ -124,8 +132,9 @@ class HullPair {
       const double distance = outward.dot(point) - offset;
       if (distance >= reach) continue;
       const Vec3 beneath = point - distance * outward;
-      found[count++] = on_b ? FoundPoint{point, beneath, distance} : FoundPoint{beneath, point, distance};
+      found.add(on_b ? FoundPoint{point, beneath, distance} : FoundPoint{beneath, point, distance});
     }
+    return found;
   }
 
  private:
@@ -304,10 +313,26 @@ void set_points(Manifold& manifold, std::span<const FoundPoint> found, const Vec
   manifold.normal_in_b = normal_in_b;
 }
 
+namespace {
+
+/// Looks at all features of a pair; an edge has to part it better than a face by `for_faces` [m].
+void take_best_axis(Manifold& manifold, const HullPair& pair, double reach, double for_faces, double largest_margin) {
+  double margin = 0;
+  const HullPair::Axis axis = pair.best_axis(reach, for_faces, margin);
+  manifold.feature = axis.feature;
+  manifold.of_a = axis.of_a;
+  manifold.of_b = axis.of_b;
+  manifold.separation = axis.separation;
+  manifold.margin = std::min(0.5 * margin, largest_margin);
+  manifold.drift = 0;
+}
+
+}  // namespace
+
 void find_contacts(Manifold& manifold, const SizedHull& a, const SizedHull& b, const Place& a_in_b, double reach) {
-  const double since = moved(manifold.seen, a_in_b, a.radius, b.radius);
+  const double since = moved(manifold.seen, a_in_b, a.radius, b.radius), radius = std::min(a.radius, b.radius);
   if (manifold.feature != Feature::none) {
-    if (manifold.count > 0 && since < kHardlyMoved * reach && reach <= manifold.seen_reach) return;
+    if (manifold.count > 0 && since < kHardlyMoved * radius && reach <= manifold.seen_reach) return;
     if (manifold.count == 0 && manifold.separation - since > reach) return;
   }
   const HullPair pair(a.hull, b.hull, a_in_b);
@@ -316,22 +341,16 @@ void find_contacts(Manifold& manifold, const SizedHull& a, const SizedHull& b, c
   manifold.seen_reach = reach;
   manifold.separation = pair.separation_along(manifold.feature, manifold.of_a, manifold.of_b);
   const bool lost = manifold.separation == -kInfinity;
-  if (!(manifold.separation > reach) && (lost || !(manifold.drift < manifold.margin))) {
-    double margin = 0;
-    const HullPair::Axis axis = pair.best_axis(reach, kForFaces * reach, margin);
-    manifold.feature = axis.feature;
-    manifold.of_a = axis.of_a;
-    manifold.of_b = axis.of_b;
-    manifold.separation = axis.separation;
-    manifold.margin = std::min(0.5 * margin, kLargestMargin * reach);
-    manifold.drift = 0;
-  }
+  if (!(manifold.separation > reach) && (lost || !(manifold.drift < manifold.margin)))
+    take_best_axis(manifold, pair, reach, kForFaces * radius, kLargestMargin * radius);
   if (manifold.separation > reach) return void(manifold.count = 0);
-  std::array<FoundPoint, kMostFound> found;
-  int count = 0;
-  pair.find_points(manifold.feature, manifold.of_a, manifold.of_b, reach, found, count);
-  set_points(manifold, {found.data(), static_cast<std::size_t>(count)},
-             pair.normal(manifold.feature, manifold.of_a, manifold.of_b), a_in_b, 0.1 * std::min(a.radius, b.radius));
+  FoundPoints found = pair.find_points(manifold.feature, manifold.of_a, manifold.of_b, reach);
+  if (found.count == 0 && manifold.feature != Feature::edges) {  // edges that cross beside the face that was preferred
+    take_best_axis(manifold, pair, reach, 0, kLargestMargin * radius);
+    found = pair.find_points(manifold.feature, manifold.of_a, manifold.of_b, reach);
+  }
+  set_points(manifold, found.listed(), pair.normal(manifold.feature, manifold.of_a, manifold.of_b), a_in_b,
+             0.1 * radius);
 }
 
 }  // namespace griffith::contact
