@@ -12,8 +12,8 @@ namespace {
 
 using Feature = Manifold::Feature;
 
-/// Shares of the smaller radius: what hardly moves keeps its points; by so much an edge has to part a pair better than a
-/// face does; by so much another feature may be better before it is found.
+/// Shares of the smaller radius: what hardly moves keeps its points; by so much an edge has to part a pair better than
+/// a face does; by so much another feature may be better before it is found.
 constexpr double kHardlyMoved = 4e-4, kForFaces = 2e-3, kLargestMargin = 1e-2;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -30,6 +30,7 @@ struct Polygon {
 struct FoundPoints {
   std::array<FoundPoint, kMostFound> points;
   int count = 0;
+  bool beside = false;  ///< the face that parts them is not the one where they meet
   void add(const FoundPoint& point) {
     if (count < kMostFound) points[count++] = point;
   }
@@ -44,6 +45,10 @@ double lowest(const Hull& hull, const Vec3& direction) {
     least = along < least ? along : least;
   }
   return least;
+}
+
+const Vec3& lowest_corner(const Hull& hull, const Vec3& direction) {
+  return *std::ranges::min_element(hull.corners, {}, [&](const Vec3& corner) { return direction.dot(corner); });
 }
 
 /// Two hulls, a lying at `place` in the frame of b, in which all directions are.
@@ -113,7 +118,7 @@ class HullPair {
     return edge_axis(of_a, of_b);
   }
 
-  /// The points where they are nearer than `reach`.
+  /// The points where they are nearer than `reach`; one at least of hulls that overlap.
   FoundPoints find_points(Feature feature, int of_a, int of_b, double reach) const {
     FoundPoints found;
     if (feature == Feature::edges) {
@@ -124,9 +129,14 @@ class HullPair {
     const Vec3 outward = (on_b ? 1 : -1) * normal(feature, of_a, of_b);
     const double offset = on_b ? b_.faces[of_b].offset : a_.faces[of_a].offset + outward.dot(place_.translation);
     const Polygon face = on_b ? polygon_of_b(of_b) : polygon_of_a(of_a);
-    Polygon shared = on_b ? polygon_of_a(facing_face(a_, place_.rotation.transpose() * outward))
-                          : polygon_of_b(facing_face(b_, outward));
+    const Vec3 outward_in_a = place_.rotation.transpose() * outward;
+    Polygon shared = on_b ? polygon_of_a(facing_face(a_, outward_in_a)) : polygon_of_b(facing_face(b_, outward));
     clip(shared, face, outward);
+    found.beside = shared.count == 0;
+    if (found.beside) {
+      const Vec3 deepest = on_b ? place_.to_world(lowest_corner(a_, outward_in_a)) : lowest_corner(b_, outward);
+      if (outward.dot(deepest) < offset) shared.add(deepest);
+    }
     for (int i = 0; i < shared.count; ++i) {
       const Vec3& point = shared.corners[i];
       const double distance = outward.dot(point) - offset;
@@ -345,7 +355,7 @@ void find_contacts(Manifold& manifold, const SizedHull& a, const SizedHull& b, c
     take_best_axis(manifold, pair, reach, kForFaces * radius, kLargestMargin * radius);
   if (manifold.separation > reach) return void(manifold.count = 0);
   FoundPoints found = pair.find_points(manifold.feature, manifold.of_a, manifold.of_b, reach);
-  if (found.count == 0 && manifold.feature != Feature::edges) {  // edges that cross beside the face that was preferred
+  if (found.beside && manifold.feature != Feature::edges) {  // edges may cross beside the face that was preferred
     take_best_axis(manifold, pair, reach, 0, kLargestMargin * radius);
     found = pair.find_points(manifold.feature, manifold.of_a, manifold.of_b, reach);
   }

@@ -13,9 +13,6 @@ namespace {
 constexpr double kStillFraction = 0.01;
 /// A share of the speed of a fall from the object's own height does not disturb sleepers.
 constexpr double kQuietFraction = 0.04;
-/// Up to this multiple of that speed, what has faces and corners is resisted as what rolls.
-constexpr double kRollingFraction = 5;
-
 /// How a rigid object answers torques, where it does [1/(kg·m²)].
 Mat3 spin_mobility(const Object& object) {
   if (!object.moves() || object.elastic) return Mat3::Zero();
@@ -41,19 +38,12 @@ double ContactWorld::Impl::quiet_speed(const Object& object) const {
   return kQuietFraction * std::sqrt(gravity.norm() * object.shape.radius);
 }
 
-/// Whether an object is nearly at rest.
-bool ContactWorld::Impl::hardly_moves(const Object& object) const {
-  return !object.moves() || object.speed() < kRollingFraction * quiet_speed(object);
-}
-
-/// What rolls loses spin to each contact, and to friction, which follows, speed. What has faces and corners stops by
-/// them but for its last rocking.
+/// What rolls or rocks loses spin to each contact, and to friction, which follows, speed.
 void ContactWorld::Impl::resist_rolling() {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& contact = contacts[i];
     const double pushing = contact.normal.dot(contact.impulse);
     const Object &a = objects[contact.a], &b = objects[contact.b];
-    if (!a.is_sphere() && !b.is_sphere() && !(hardly_moves(a) && hardly_moves(b))) continue;
     const double resistance = std::max(a.surface.rolling_resistance, b.surface.rolling_resistance);
     if (!(pushing > 0) || resistance == 0) continue;
     const auto arm = [&](const Object& object) {

@@ -206,7 +206,6 @@ struct ContactWorld::Impl : contact::ContactState {
   double touching_speed(const contact::Object& a, const contact::Object& b, double dt) const;
   void resist_rolling();
   void resist_rolling(const Contact& contact, double limit);
-  bool hardly_moves(const contact::Object& object) const;
   void fall_asleep(double dt);
   void wake_up(ProxyId id);
   void wake_neighbours(ProxyId id);
