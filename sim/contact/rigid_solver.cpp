@@ -21,7 +21,7 @@ constexpr int kPushSweeps = 10;
 /// A substep is solved until no velocity changes by more than this share of what external forces give in it, or after
 /// so much work: rows times sweeps. A group of which nothing is remembered has all of its impulses to find.
 constexpr double kResidual = 1e-3;
-constexpr int kWork = 1'000, kMaxSweeps = 8, kColdWork = 20'000, kMaxColdSweeps = 200;
+constexpr int kWork = 1'000, kMaxSweeps = 8, kColdWork = 60'000, kMaxColdSweeps = 200;
 /// Blows are solved until no velocity changes by more than this share of the fastest, or for so much work.
 constexpr double kTolerance = 1e-6;
 constexpr int kBlowSweeps = 60, kMinBlowSweeps = 4, kBlowWork = 12'000;
