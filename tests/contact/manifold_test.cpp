@@ -52,6 +52,22 @@ struct RandomPair {
   Hull a, b;
 };
 
+TEST(Hull, ABoxHasSixSidesHoweverItIsRoundedOrSlightlyBent) {
+  for (const double bend : {0.0, 1e-12, 1e-6, 1e-4})
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      std::mt19937 random(seed);
+      std::uniform_real_distribution<double> uniform(-1, 1);
+      ConvexPart corners = box_part(Vec3(0.12, 0.08, 0.1));
+      const Quat turn = Quat(uniform(random), uniform(random), uniform(random), uniform(random)).normalized();
+      for (Vec3& corner : corners)
+        corner = turn * corner + 0.1 * bend * Vec3(uniform(random), uniform(random), uniform(random));
+      const Hull hull(convex_hull(corners));
+      EXPECT_EQ(hull.faces.size(), 6u) << bend << ' ' << seed;
+      EXPECT_EQ(hull.edges.size(), 12u) << bend << ' ' << seed;
+      for (const Vec3& corner : corners) EXPECT_LT(height_over(hull, corner), 1e-15);
+    }
+}
+
 TEST(Manifold, NoDirectionPartsOverlappingHullsBetterThanItsNormal) {
   constexpr double kReach = 0.02, kForFaces = 2e-3 * 0.7;  // so much a face may be worse than two edges
   int overlapping = 0;
