@@ -181,10 +181,15 @@ class HullPair {
     const Triple left(place_.rotation * a_.faces[edge.left].normal),
         right(place_.rotation * a_.faces[edge.right].normal);
     const Triple along(place_.rotation * (a_.corners[edge.to] - a_.corners[edge.from]));
+    std::array<double, kMostFound> tilts;  // of b's faces along the edge
+    const int tilt_count = std::min(static_cast<int>(b_.faces.size()), kMostFound);
+    for (int face = 0; face < tilt_count; ++face) tilts[face] = -dot(Triple(b_.faces[face].normal), along);
+    const auto tilt = [&](int face) {
+      return face < tilt_count ? tilts[face] : -dot(Triple(b_.faces[face].normal), along);
+    };
     for (int j = 0; j < static_cast<int>(b_.edges.size()); ++j) {
       const Hull::Edge& other = b_.edges[j];
-      const double first = -dot(Triple(b_.faces[other.left].normal), along),
-                   second = -dot(Triple(b_.faces[other.right].normal), along);
+      const double first = tilt(other.left), second = tilt(other.right);
       if (first * second >= 0) continue;
       const Triple along_b = Triple(b_.corners[other.to]) - Triple(b_.corners[other.from]);
       const double third = dot(left, along_b), fourth = dot(right, along_b);

@@ -8,7 +8,6 @@
 
 #include "sim/contact/triple.h"
 #include "sim/core/parallel.h"
-#include "sim/core/rotation.h"
 
 namespace griffith::contact {
 namespace {
@@ -43,6 +42,12 @@ struct Motion {
   }
 };
 
+/// A body's rotation since the start of the step.
+struct Turn {
+  Quat whole = Quat::Identity();
+  Mat3 less_identity = Mat3::Zero();
+};
+
 /// A contact as the substeps need it. Impulses are along the block's axes, on a.
 struct Point {
   Triple arm_a, arm_b;
@@ -71,11 +76,11 @@ struct Block {
 
 class GroupStep {
  public:
-  GroupStep(std::span<RigidBody> bodies, std::span<Motion> motions, std::span<Mat3> turned,
+  GroupStep(std::span<RigidBody> bodies, std::span<Motion> motions, std::span<Turn> turns,
             std::span<RigidContact> contacts, const RigidGroup& group, double dt)
       : bodies_(bodies),
         motions_(motions),
-        turned_(turned),
+        turns_(turns),
         contacts_(contacts),
         group_(group),
         dt_(dt),
@@ -239,8 +244,8 @@ class GroupStep {
     if (a_moves) apart += Triple(bodies_[block.a].displacement);
     if (b_moves) apart -= Triple(bodies_[block.b].displacement);
     const double along = dot(block.normal, apart);
-    const Triple down_a = a_moves ? transposed_times(turned_[block.a], block.normal) : Triple(),
-                 down_b = b_moves ? transposed_times(turned_[block.b], block.normal) : Triple();
+    const Triple down_a = a_moves ? transposed_times(turns_[block.a].less_identity, block.normal) : Triple(),
+                 down_b = b_moves ? transposed_times(turns_[block.b].less_identity, block.normal) : Triple();
     for (int i = block.begin; i < block.end; ++i) {
       Point& point = points_[i];
       point.gap = point.distance + time * point.driven + along + dot(down_a, point.arm_a) - dot(down_b, point.arm_b);
@@ -377,17 +382,12 @@ class GroupStep {
     const Motion& motion = motions_[i];
     body.displacement += h_ * motion.velocity.vector();
     body.rotation += h_ * motion.spin.vector();
-    if (!body.is_round) turned_[i] = rotation_less_identity(body.rotation);
-  }
-
-  /// Rodrigues' rotation.
-  static Mat3 rotation_less_identity(const Vec3& turn) {
-    const double square = turn.squaredNorm();
-    if (square == 0) return Mat3::Zero();
-    const Mat3 cross = cross_matrix(turn), twice = turn * turn.transpose() - square * Mat3::Identity();
-    if (square < 1e-8) return cross + 0.5 * twice;
-    const double angle = std::sqrt(square);
-    return std::sin(angle) / angle * cross + (1 - std::cos(angle)) / square * twice;
+    if (body.is_round) return;
+    Quat& turn = turns_[i].whole;
+    const Vec3 half = 0.5 * h_ * motion.spin.vector();
+    turn.coeffs() += (Quat(0, half.x(), half.y(), half.z()) * turn).coeffs();
+    turn.normalize();
+    turns_[i].less_identity = turn.toRotationMatrix() - Mat3::Identity();
   }
 
   // The end of a step.
@@ -456,7 +456,7 @@ class GroupStep {
 
   std::span<RigidBody> bodies_;
   std::span<Motion> motions_;
-  std::span<Mat3> turned_;  // rotations since the start less the identity
+  std::span<Turn> turns_;
   std::span<RigidContact> contacts_;
   const RigidGroup& group_;
   std::vector<Point> points_;
@@ -472,7 +472,7 @@ class GroupStep {
 int solve_rigid(std::span<RigidBody> bodies, std::span<RigidContact> contacts, std::span<const RigidGroup> groups,
                 double dt) {
   std::vector<Motion> motions(bodies.size());
-  std::vector<Mat3> turned(bodies.size(), Mat3::Zero());
+  std::vector<Turn> turns(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i)
     motions[i] = {Triple(bodies[i].velocity),
                   Triple(bodies[i].spin),
@@ -482,7 +482,7 @@ int solve_rigid(std::span<RigidBody> bodies, std::span<RigidContact> contacts, s
                   Triple()};
   std::vector<int> work(groups.size());
   parallel_for(static_cast<int>(groups.size()), 1, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i) work[i] = GroupStep(bodies, motions, turned, contacts, groups[i], dt).solve();
+    for (int i = begin; i < end; ++i) work[i] = GroupStep(bodies, motions, turns, contacts, groups[i], dt).solve();
   });
   return std::accumulate(work.begin(), work.end(), 0);
 }
