@@ -79,8 +79,10 @@ double ContactWorld::Impl::reach(const Object& a, const Object& b, double dt) co
                         : b.kind == Kind::ground ? a.shape.radius
                                                  : std::min(a.shape.radius, b.shape.radius);
   if (a.kind == Kind::projectile || b.kind == Kind::projectile) return kContactReach * radius;  // it is swept
+  if (dt == 0) return kContactReach * radius;
   const Vec3 &of_a = a.state.velocity, &of_b = b.state.velocity;
-  const double speed = std::max({(of_a - of_b).norm(), of_a.norm(), of_b.norm()}) + turning_speed(a) + turning_speed(b);
+  const double square = std::max({(of_a - of_b).squaredNorm(), of_a.squaredNorm(), of_b.squaredNorm()});
+  const double speed = std::sqrt(square) + turning_speed(a) + turning_speed(b);
   return kContactReach * radius + std::min(dt * speed, radius);
 }
 
