@@ -2,11 +2,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numeric>
 
-#include "sim/contact/triple.h"
+#include "sim/contact/rigid_rows.h"
 #include "sim/core/parallel.h"
 
 namespace griffith::contact {
@@ -25,53 +24,10 @@ constexpr int kWork = 1'000, kMaxSweeps = 8, kColdWork = 60'000, kMaxColdSweeps 
 constexpr double kTolerance = 1e-6;
 constexpr int kBlowSweeps = 60, kMinBlowSweeps = 4, kBlowWork = 12'000;
 
-/// What contacts change of a body in a step, and how it answers them.
-struct Motion {
-  Triple velocity, spin;
-  double inverse_mass = 0;
-  Symmetric inverse_inertia;
-  Triple push_velocity, push_spin;
-
-  void push(const Triple& arm, const Triple& impulse) {
-    velocity += inverse_mass * impulse;
-    spin += inverse_inertia * cross(arm, impulse);
-  }
-  void push_out(const Triple& arm, const Triple& impulse) {
-    push_velocity += inverse_mass * impulse;
-    push_spin += inverse_inertia * cross(arm, impulse);
-  }
-};
-
 /// A body's rotation since the start of the step.
 struct Turn {
   Quat whole = Quat::Identity();
   Mat3 less_identity = Mat3::Zero();
-};
-
-/// A contact as the substeps need it. Impulses are along the block's axes, on a.
-struct Point {
-  Triple arm_a, arm_b;
-  double inverse_normal = 0;                  ///< 1 / compliance along the normal [kg]
-  double couple_x = 0, couple_y = 0;          ///< compliance of the tangents under a normal impulse [1/kg]
-  double xx = 0, xy = 0, yy = 0;              ///< inverse of the tangents' compliance [kg]
-  double inverse_largest = 0;                 ///< of the largest eigenvalue of that compliance [kg]
-  double target = 0;                          ///< of the parting in the present substep [m/s]
-  double normal = 0, first = 0, second = 0;   ///< impulse of a substep [N·s]
-  double distance = 0, gap = 0, resting = 0;  ///< at the start, in the present substep, left in the end [m]
-  double driven = 0;                          ///< speed of the gap's opening by what contacts do not move [m/s]
-  double pushed = 0;                          ///< out of an overlap
-  double restitution = 0, approach = 0, fall = 0;
-  Triple total, force;       ///< of the step [N·s]; of the last substep [N]
-  Triple before, direction;  ///< impulses before the present sweep; the last change [N·s]
-  bool pushes = false;       ///< or has pushed out
-};
-
-/// Contacts of two bodies with the same normal.
-struct Block {
-  int a = 0, b = 0;
-  Triple normal, first, second;
-  double friction = 0;
-  int begin = 0, end = 0;  ///< of its points
 };
 
 class GroupStep {
@@ -84,151 +40,28 @@ class GroupStep {
         contacts_(contacts),
         group_(group),
         dt_(dt),
-        h_(dt / kSubsteps) {
-    make_blocks();
-    color_blocks();
+        h_(dt / kSubsteps),
+        rows_(motions, contacts, group, h_),
+        is_cold_(rows_.is_cold()) {
+    for (const int i : group_.bodies) acceleration_ = std::max(acceleration_, bodies_[i].acceleration.norm());
   }
 
   int solve() {
     int sweeps = 0;
     for (int substep = 0; substep < kSubsteps; ++substep) {
       for (const int i : group_.bodies) accelerate(i);
-      for_each_block([&](Block& block) { start(block, substep * h_); });
+      rows_.for_each_block([&](Block& block) { start(block, substep * h_); });
       sweeps += relax_all();
-      for (Point& point : points_) point.total += Triple{point.normal, point.first, point.second};
+      for (Point& point : rows_.points) point.total += Triple{point.normal, point.first, point.second};
       for (const int i : group_.bodies) move(i);
     }
     sweeps += rebound();
     push_apart();
     finish();
-    return static_cast<int>(points_.size()) * sweeps;
+    return static_cast<int>(rows_.points.size()) * sweeps;
   }
 
  private:
-  // Preparation.
-
-  void make_blocks() {
-    points_.resize(group_.contacts.size());
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-      const RigidContact& contact = contacts_[group_.contacts[i]];
-      const RigidContact* last = i > 0 ? &contacts_[group_.contacts[i - 1]] : nullptr;
-      if (!last || last->a != contact.a || last->b != contact.b || last->normal != contact.normal)
-        blocks_.push_back(block_of(contact, static_cast<int>(i)));
-      blocks_.back().end = static_cast<int>(i) + 1;
-      prepare(points_[i], blocks_.back(), contact);
-    }
-    is_cold_ = std::ranges::all_of(points_, [](const Point& point) { return point.normal == 0; });
-    for (const int i : group_.bodies) acceleration_ = std::max(acceleration_, bodies_[i].acceleration.norm());
-    std::ranges::stable_sort(blocks_, {},
-                             [&](const Block& block) { return contacts_[group_.contacts[block.begin]].fallen; });
-  }
-
-  static Block block_of(const RigidContact& contact, int begin) {
-    Block block;
-    block.a = contact.a;
-    block.b = contact.b;
-    const Vec3 first = contact.normal.unitOrthogonal();
-    block.normal = Triple(contact.normal);
-    block.first = Triple(first);
-    block.second = cross(block.normal, block.first);
-    block.friction = contact.friction;
-    block.begin = begin;
-    return block;
-  }
-
-  void prepare(Point& point, const Block& block, const RigidContact& contact) const {
-    const Motion &a = motions_[contact.a], &b = motions_[contact.b];
-    point.arm_a = Triple(contact.arm_a);
-    point.arm_b = Triple(contact.arm_b);
-    point.distance = contact.distance;
-    point.resting = contact.resting;
-    point.restitution = contact.restitution;
-    point.approach = contact.approach;
-    point.fall = contact.fall;
-    const auto driven = [&](const Motion& motion, const Triple& arm) {
-      return motion.inverse_mass > 0 ? 0 : dot(block.normal, motion.velocity + cross(motion.spin, arm));
-    };
-    point.driven = driven(a, point.arm_a) - driven(b, point.arm_b);
-    const Triple* const axes[3] = {&block.normal, &block.first, &block.second};
-    Triple levers_a[3], levers_b[3];
-    for (int k = 0; k < 3; ++k) {
-      levers_a[k] = cross(point.arm_a, *axes[k]);
-      levers_b[k] = cross(point.arm_b, *axes[k]);
-    }
-    const auto compliance = [&](int i, int k) {
-      return (i == k ? a.inverse_mass + b.inverse_mass : 0) + dot(levers_a[i], a.inverse_inertia * levers_a[k]) +
-             dot(levers_b[i], b.inverse_inertia * levers_b[k]);
-    };
-    point.inverse_normal = 1 / compliance(0, 0);
-    point.couple_x = compliance(1, 0);
-    point.couple_y = compliance(2, 0);
-    const double xx = compliance(1, 1), xy = compliance(1, 2), yy = compliance(2, 2), determinant = xx * yy - xy * xy;
-    point.xx = yy / determinant;
-    point.xy = -xy / determinant;
-    point.yy = xx / determinant;
-    const double mean = (xx + yy) / 2;
-    point.inverse_largest = 1 / (mean + std::sqrt(std::max(0.0, mean * mean - determinant)));
-    const Triple start = h_ * Triple(contact.force);
-    point.normal = std::max(0.0, dot(block.normal, start));
-    if (block.friction == 0) return;
-    point.first = dot(block.first, start);
-    point.second = dot(block.second, start);
-  }
-
-  /// Sorts the blocks of a large group by colors, so that those of one color share no body that contacts move and may
-  /// be solved side by side. What is left over has a color for each.
-  void color_blocks() {
-    constexpr int kWorthIt = 128, kColors = 24;
-    colors_ = {0};
-    if (static_cast<int>(blocks_.size()) < kWorthIt) return void(colors_.push_back(static_cast<int>(blocks_.size())));
-    std::vector<unsigned> used(bodies_.size(), 0);
-    std::vector<int> color_of(blocks_.size());
-    std::vector<int> counts(kColors + 1, 0);
-    for (std::size_t i = 0; i < blocks_.size(); ++i) {
-      unsigned taken = 0;
-      for (const int side : {blocks_[i].a, blocks_[i].b})
-        if (motions_[side].inverse_mass > 0) taken |= used[side];
-      const int color = std::min(std::countr_one(taken), kColors);
-      for (const int side : {blocks_[i].a, blocks_[i].b}) used[side] |= 1u << color;
-      color_of[i] = color;
-      ++counts[color];
-    }
-    order_by_color(color_of, counts);
-  }
-
-  void order_by_color(const std::vector<int>& color_of, const std::vector<int>& counts) {
-    std::vector<int> next;
-    int sum = 0;
-    for (std::size_t color = 0; color < counts.size(); ++color) {
-      next.push_back(sum);
-      sum += counts[color];
-      if (counts[color] > 0 && color + 1 < counts.size()) colors_.push_back(sum);
-    }
-    for (int i = colors_.back(); i < sum; ++i) colors_.push_back(i + 1);
-    std::vector<Block> ordered(blocks_.size());
-    for (std::size_t i = 0; i < blocks_.size(); ++i) ordered[next[color_of[i]]++] = blocks_[i];
-    blocks_ = std::move(ordered);
-  }
-
-  template <class Use>
-  void for_each_block(Use use) {
-    constexpr int kBlocksAtOnce = 64;
-    if (colors_.size() == 2) {
-      for (Block& block : blocks_) use(block);
-      return;
-    }
-    for (std::size_t color = 0; color + 1 < colors_.size(); ++color) {
-      const int begin = colors_[color], count = colors_[color + 1] - begin;
-      if (count < 2 * kBlocksAtOnce) {
-        for (int i = begin; i < begin + count; ++i) use(blocks_[i]);
-        continue;
-      }
-      parallel_parts(count, kBlocksAtOnce, [&](int first, int last) {
-        for (int i = begin + first; i < begin + last; ++i) use(blocks_[i]);
-      });
-    }
-  }
-
   // A substep.
 
   void accelerate(int i) const {
@@ -247,7 +80,7 @@ class GroupStep {
     const Triple down_a = a_moves ? transposed_times(turns_[block.a].less_identity, block.normal) : Triple(),
                  down_b = b_moves ? transposed_times(turns_[block.b].less_identity, block.normal) : Triple();
     for (int i = block.begin; i < block.end; ++i) {
-      Point& point = points_[i];
+      Point& point = rows_.points[i];
       point.gap = point.distance + time * point.driven + along + dot(down_a, point.arm_a) - dot(down_b, point.arm_b);
       point.target = -std::max(point.gap, 0.0) / h_;
       if (point.normal == 0) {
@@ -264,19 +97,19 @@ class GroupStep {
 
   /// Returns the sweeps.
   int relax_all() {
-    const int count = static_cast<int>(points_.size());
+    const int count = static_cast<int>(rows_.points.size());
     const int most =
         is_cold_ ? std::clamp(kColdWork / count, 1, kMaxColdSweeps) : std::clamp(kWork / count, 1, kMaxSweeps);
     if (most == 1) {
-      for_each_block([&](Block& block) { relax(block); });
+      rows_.for_each_block([&](Block& block) { relax(block); });
       return 1;
     }
     double last_size = 0;
-    for (Point& point : points_) point.direction = Triple();
+    for (Point& point : rows_.points) point.direction = Triple();
     for (int done = 1;; ++done) {
-      for (Point& point : points_) point.before = {point.normal, point.first, point.second};
+      for (Point& point : rows_.points) point.before = {point.normal, point.first, point.second};
       double change = 0;
-      for (Block& block : blocks_) change = std::max(change, relax(block));
+      for (Block& block : rows_.blocks) change = std::max(change, relax(block));
       if (done == most || change <= kResidual * h_ * acceleration_) return done;
       last_size = extrapolate(last_size);
     }
@@ -286,14 +119,14 @@ class GroupStep {
   /// 2010). Returns the size of the sweep's change.
   double extrapolate(double last_size) {
     double size = 0;
-    for (const Point& point : points_) {
+    for (const Point& point : rows_.points) {
       const Triple step = Triple{point.normal, point.first, point.second} - point.before;
       size += dot(step, step) / point.inverse_normal;
     }
     const double share = size < last_size ? size / last_size : 0;
-    for (const Block& block : blocks_)
+    for (const Block& block : rows_.blocks)
       for (int i = block.begin; i < block.end; ++i) {
-        Point& point = points_[i];
+        Point& point = rows_.points[i];
         const Triple more = share * point.direction;
         point.direction = Triple{point.normal, point.first, point.second} - point.before + more;
         if (dot(more, more) == 0) continue;
@@ -311,7 +144,7 @@ class GroupStep {
     Motion a = motions_[block.a], b = motions_[block.b];
     double largest = 0;
     for (int i = block.begin; i < block.end; ++i) {
-      Point& point = points_[i];
+      Point& point = rows_.points[i];
       const Triple velocity = a.velocity + cross(a.spin, point.arm_a) - b.velocity - cross(b.spin, point.arm_b);
       const double along = dot(block.normal, velocity) - point.target;
       if (point.normal == 0 && along >= 0) continue;
@@ -353,19 +186,20 @@ class GroupStep {
   /// Takes out a share of the overlaps by displacements that let nothing else overlap, beside the true velocities.
   void push_apart() {
     bool any = false;
-    for (Point& point : points_) {
+    for (Point& point : rows_.points) {
       const double overlap = -point.resting - point.gap;
       const double share = kPushedOut * std::min(1.0, overlap / (kFullyPushed * point.resting));
       point.target = overlap > 0 ? share * overlap : overlap;
       any |= overlap > 0;
     }
-    for (int sweep = 0; any && sweep < kPushSweeps; ++sweep) for_each_block([&](Block& block) { push_apart(block); });
+    for (int sweep = 0; any && sweep < kPushSweeps; ++sweep)
+      rows_.for_each_block([&](Block& block) { push_apart(block); });
   }
 
   void push_apart(Block& block) {
     Motion &a = motions_[block.a], &b = motions_[block.b];
     for (int i = block.begin; i < block.end; ++i) {
-      Point& point = points_[i];
+      Point& point = rows_.points[i];
       const double moved = dot(block.normal, a.push_velocity + cross(a.push_spin, point.arm_a) - b.push_velocity -
                                                  cross(b.push_spin, point.arm_b));
       const double next = std::max(0.0, point.pushed + point.inverse_normal * (point.target - moved)),
@@ -405,13 +239,13 @@ class GroupStep {
 
   /// Lets what has struck part again; all else in the group goes on touching. Returns the sweeps.
   int rebound() {
-    for (Point& point : points_) {
+    for (Point& point : rows_.points) {
       point.force = Triple{point.normal, point.first, point.second};
       point.normal = point.first = point.second = 0;
     }
-    for_each_block([&](Block& block) { start(block, dt_); });
+    rows_.for_each_block([&](Block& block) { start(block, dt_); });
     double fastest = 0;
-    for (Point& point : points_) {
+    for (Point& point : rows_.points) {
       if (!(point.restitution > 0) || !(point.total.x > 0)) continue;
       const double speed = rebound_speed(point);
       if (!(speed > 0)) continue;
@@ -419,23 +253,23 @@ class GroupStep {
       fastest = std::max(fastest, point.approach);
     }
     if (fastest == 0) return 0;
-    const int sweeps = std::clamp(kBlowWork / static_cast<int>(points_.size()), kMinBlowSweeps, kBlowSweeps);
+    const int sweeps = std::clamp(kBlowWork / static_cast<int>(rows_.points.size()), kMinBlowSweeps, kBlowSweeps);
     int done = 0;
     for (double change = fastest; done < sweeps && change > kTolerance * fastest; ++done) {
       change = 0;
-      for (Block& block : blocks_) change = std::max(change, relax(block));
+      for (Block& block : rows_.blocks) change = std::max(change, relax(block));
     }
-    for (Point& point : points_) point.total += Triple{point.normal, point.first, point.second};
+    for (Point& point : rows_.points) point.total += Triple{point.normal, point.first, point.second};
     return done;
   }
 
   void finish() {
-    for (const Block& block : blocks_)
+    for (const Block& block : rows_.blocks)
       for (int i = block.begin; i < block.end; ++i) {
         const auto along_axes = [&](const Triple& values) {
           return (values.x * block.normal + values.y * block.first + values.z * block.second).vector();
         };
-        const Point& point = points_[i];
+        const Point& point = rows_.points[i];
         contacts_[group_.contacts[i]].impulse = along_axes(point.total);
         contacts_[group_.contacts[i]].force = along_axes(point.force) / h_;
         if (!(point.total.x > 0) && !(point.pushed > 0)) continue;
@@ -459,11 +293,9 @@ class GroupStep {
   std::span<Turn> turns_;
   std::span<RigidContact> contacts_;
   const RigidGroup& group_;
-  std::vector<Point> points_;
-  std::vector<Block> blocks_;
-  std::vector<int> colors_;  // begins of ranges of blocks, and the end
   double dt_, h_;
-  bool is_cold_ = false;
+  RigidRows rows_;
+  bool is_cold_;
   double acceleration_ = 0;  // the largest by external forces [m/s²]
 };
 
