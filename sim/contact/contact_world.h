@@ -67,19 +67,20 @@ struct ElasticObject {
   Eigen::Matrix3Xd free_velocities;  ///< one column a contact [m/s]
 };
 
-/// Finds and solves the contacts of everything. Bullet, in double precision, finds them.
+/// Finds and solves the contacts of everything.
 ///
-/// A substep is: add, reshape() and remove(), set_state() of all proxies, detect(), solve(), advance(), impulses out
-/// of contacts(). Spheres and convex projectiles are moved by advance(), and gravity acts on them there; proxies are
-/// not: their owner sets velocities that hold all external forces already, and places them with the next set_state(),
-/// after adding position_correction().
+/// A substep is: add, reshape() and remove(), set_state() of all proxies, detect(), set_velocity(), solve(), advance(),
+/// impulses out of contacts(). Spheres and convex projectiles are moved by advance(), and gravity acts on them there;
+/// proxies are not: their owner sets velocities that hold what external forces give them in the substep, after
+/// detect(), so that rigid ones get it bit by bit; and places them with the next set_state(), after adding
+/// position_correction().
 ///
 /// The impulses of a free rigid object sum up to its change of momentum, to rounding, linear and angular (at the
 /// contacts' points). What touches an elastic object does not bounce, since that rebounds by itself, nor does what
 /// comes no faster than by a fall within two substeps or through a small share of the objects' size. A gap that closes
 /// within `dt` at a higher speed is struck at once with the full approach speed; at a lower one, objects come to touch.
-/// Overlap is taken out by a tenth a substep through position_correction(), which adds no velocity and lifts no more
-/// than the substep let fall or slowed down: what rests in others stays there.
+/// Overlap is taken out by a share a substep through position_correction(), which adds no velocity and lifts no more
+/// than contacts have taken from the motion: what is put to rest in others stays there.
 ///
 /// The same calls give the same bits. Results depend on the history of contacts (the solver starts from the last
 /// impulses), which a copy has too. States must be finite: asserted.
@@ -135,8 +136,9 @@ class ContactWorld {
   /// Overlap that a fresh crack left between two objects and that stays allowed [m], mostly 0.
   double allowed_overlap(ProxyId a, ProxyId b) const;
 
-  /// Contacts at the present poses. Invalidates spans handed out before.
-  void detect();
+  /// Contacts at the present poses; with a `dt` [s], those too whose gaps would close within that time at the present
+  /// velocities. Invalidates spans handed out before.
+  void detect(double dt = 0);
   std::span<Contact> contacts();
   std::span<const Contact> contacts() const;
   /// Takes out the contacts that are marked and puts in others, between nodes of an object and the other's surface. The
@@ -182,8 +184,9 @@ class ContactWorld {
   /// short has not fallen as fast as the whole of its fall would have made it.
   Vec3 velocity_after(const Vec3& velocity, const Vec3& displacement, double dt) const;
 
-  /// The displacement that removes what is left of an overlap, as a rigid motion (translation [m], rotation vector
-  /// [rad] about the centre of mass), from the last advance(). Zero for most.
+  /// What a proxy is to be displaced by beside its velocities times `dt`, as a rigid motion (translation [m], rotation
+  /// vector [rad] about the centre of mass), from the last advance(): the way that it went among its contacts, and out
+  /// of what is left of overlaps. Zero for what touches nothing.
   struct Correction {
     Vec3 translation = Vec3::Zero(), rotation = Vec3::Zero();
   };

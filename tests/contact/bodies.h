@@ -53,8 +53,10 @@ inline void solve(ContactWorld& world, double dt) {
 
 inline void substep(ContactWorld& world, const std::vector<ProxyId>& proxies, double dt,
                     const Vec3& gravity = Vec3::Zero()) {
+  world.detect(dt);
   accelerate(world, proxies, dt * gravity);
-  solve(world, dt);
+  world.solve(dt);
+  world.advance(dt);
   for (ProxyId id : proxies) advance(world, id, dt);
 }
 

@@ -79,11 +79,12 @@ TEST(ConvexProjectile, NoneOfThemPassesThroughAThinPlate) {
         testing::solve(world, kDt);
         for (const Contact& contact : world.contacts()) total += contact.a == shot ? contact.impulse : -contact.impulse;
         if (!kinematic) testing::advance(world, plate, kDt);
+        const Vec3 over = world.state(plate).pose.to_local(world.state(shot).pose.translation);
+        if (over.head<2>().cwiseAbs().maxCoeff() > size.x() / 2) break;  // it has slid off
+        ASSERT_GT(over.z(), 0) << "corners " << shape.size() << " at " << shape.front().transpose() << ", trial "
+                               << trial;
       }
-      const RigidState end = world.state(shot), plate_end = world.state(plate);
-      EXPECT_GT((end.pose.translation - plate_end.pose.translation).dot(plate_end.pose.rotation * Vec3::UnitZ()), 0)
-          << "corners " << shape.size() << " at " << shape.front().transpose() << ", trial " << trial;
-      EXPECT_LT((end.velocity - state.velocity - total).norm(), 1e-9);
+      EXPECT_LT((world.state(shot).velocity - state.velocity - total).norm(), 1e-9);
     }
 }
 

@@ -79,12 +79,12 @@ TEST(ProxyContact, OverlapIsAllowedWhereACrackLeftItAndNowhereElse) {
       boxes.push_back(world.add_proxy(box_parts(size), box_mass(size, 5), Mobility::free, at(Vec3(x, 0, 0)), {}));
     world.detect();
     world.set_state(boxes[1], at(Vec3(0.49, 0, 0)));
-    for (int i = 0; i < 60; ++i) substep(world, boxes, kHalfDt);
+    for (int i = 0; i < 120; ++i) substep(world, boxes, kHalfDt);
     const double apart = (world.state(boxes[1]).pose.translation - world.state(boxes[0]).pose.translation).norm();
-    EXPECT_NEAR(apart, fresh ? 0.98 : 1.0, 1e-3);
+    EXPECT_NEAR(apart, fresh ? 0.98 : 1.0, 2e-3);
     EXPECT_LT(world.state(boxes[0]).velocity.norm() + world.state(boxes[1]).velocity.norm(), 1e-9);
     world.detect();
-    EXPECT_LT(world.max_penetration(), 1e-3);
+    EXPECT_LT(world.max_penetration(), 2e-3);
   }
 }
 
@@ -219,7 +219,7 @@ TEST(ProxyContact, NormalsPointFromBToAWhicheverIsMadeOfParts) {
 TEST(ProxyContact, ImpulsesAreTheChangesOfMomentumInAHeap) {
   const Vec3 gravity(1, -9.81, 0);
   ContactWorld world(gravity);
-  world.add_ground(0, {0.8, 0.1});
+  world.add_ground(0, {0.8, 0.1, 0});
   std::mt19937 random(11);
   std::uniform_real_distribution<double> uniform(-1, 1);
   std::vector<ProxyId> chunks;
@@ -227,7 +227,7 @@ TEST(ProxyContact, ImpulsesAreTheChangesOfMomentumInAHeap) {
   for (int i = 0; i < 40; ++i) {
     const Vec3 place(0.4 * uniform(random), 0.6 + 0.5 * uniform(random), 0.4 * uniform(random));
     const std::vector<ConvexPart> parts = {random_chunk(random, 0.1)};
-    chunks.push_back(world.add_proxy(parts, mass, Mobility::free, at(place), {0.5 + 0.4 * uniform(random), 0.3}));
+    chunks.push_back(world.add_proxy(parts, mass, Mobility::free, at(place), {0.5 + 0.4 * uniform(random), 0.3, 0}));
   }
   for (int step = 0; step < 200; ++step) {
     const double dt = step % 7 < 3 ? 1.0 / 960 : 1.0 / 120;
@@ -247,7 +247,6 @@ TEST(ProxyContact, ImpulsesAreTheChangesOfMomentumInAHeap) {
       const Mat3 rotation = before[i].pose.rotation.toRotationMatrix();
       const Mat3 inertia = rotation * mass.inertia * rotation.transpose();
       ASSERT_LT((mass.mass * (after.velocity - before[i].velocity - dt * gravity) - impulse).norm(), 1e-9);
-      if (after.velocity.norm() < 0.5) continue;  // what is slow stops rolling
       ASSERT_LT((inertia * (after.angular_velocity - before[i].angular_velocity) - angular_impulse).norm(), 1e-9);
     }
     for (ProxyId id : chunks) advance(world, id, dt);

@@ -13,8 +13,13 @@ static_assert(sizeof(Allowance) == sizeof(double) + 2 * sizeof(ProxyId), "it has
 
 std::uint64_t hash_of_rest(const Object& object, std::uint64_t seed) {
   const Vec3& place = object.resting_place.translation;
-  const std::array<double, 6> values = {place.x(),         place.y(),           place.z(),
-                                        object.still_time, object.impact_speed, object.asleep ? 1.0 : 0.0};
+  const std::array<double, 7> values = {place.x(),
+                                        place.y(),
+                                        place.z(),
+                                        object.still_time,
+                                        object.dissipated,
+                                        object.impact_speed,
+                                        object.asleep ? 1.0 : 0.0};
   return hash_values(std::span<const double>(values), seed);
 }
 
@@ -25,7 +30,7 @@ std::uint64_t ContactWorld::memory_hash() const {
   hash = hash_values(impl_->node_contacts, hash);
   hash = hash_values(impl_->allowances, hash);
   for (const Object& object : impl_->objects)
-    if (object.body) hash = hash_of_rest(object, hash);
+    if (object.exists) hash = hash_of_rest(object, hash);
   return hash;
 }
 

@@ -13,13 +13,6 @@ namespace {
 constexpr double kStillFraction = 0.01;
 /// A share of the speed of a fall from the object's own height does not disturb sleepers.
 constexpr double kQuietFraction = 0.04;
-/// Up to this multiple of that speed, what touches something stops turning at this rate [1/s].
-constexpr double kRollingFraction = 5, kRollingResistance = 3;
-
-bool is_round(const Object& object) {
-  return object.kind == Kind::projectile && object.shape.parts.front()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
-}
-
 /// How a rigid object answers torques, where it does [1/(kg·m²)].
 Mat3 spin_mobility(const Object& object) {
   if (!object.moves() || object.elastic) return Mat3::Zero();
@@ -31,7 +24,7 @@ void set_asleep(Object& object, bool asleep) {
   object.asleep = asleep;
   object.still_time = asleep ? 0 : ContactWorld::kTimeToSleep / 2;  // it may soon fall asleep again
   object.resting_place = object.state.pose;
-  object.body->forceActivationState(asleep ? ISLAND_SLEEPING : ACTIVE_TAG);
+  object.active = !asleep;
 }
 
 }  // namespace
@@ -45,16 +38,18 @@ double ContactWorld::Impl::quiet_speed(const Object& object) const {
   return kQuietFraction * std::sqrt(gravity.norm() * object.shape.radius);
 }
 
-/// What rolls loses spin to each contact, and to friction, which follows, speed.
+/// What rolls or rocks loses spin to each contact, and to friction, which follows, speed.
 void ContactWorld::Impl::resist_rolling() {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& contact = contacts[i];
     const double pushing = contact.normal.dot(contact.impulse);
     const Object &a = objects[contact.a], &b = objects[contact.b];
-    if (!is_round(a) && !is_round(b)) continue;  // what has faces and corners stops by them
     const double resistance = std::max(a.surface.rolling_resistance, b.surface.rolling_resistance);
     if (!(pushing > 0) || resistance == 0) continue;
-    const double a_arm = a.is_free() ? solved[i].a.arm.norm() : 0, b_arm = b.is_free() ? solved[i].b.arm.norm() : 0;
+    const auto arm = [&](const Object& object) {
+      return object.is_free() ? (contact.position - object.state.pose.translation).norm() : 0;
+    };
+    const double a_arm = arm(a), b_arm = arm(b);
     resist_rolling(contact, resistance * pushing * (a_arm > 0 && b_arm > 0 ? std::min(a_arm, b_arm) : a_arm + b_arm));
   }
 }
@@ -70,19 +65,6 @@ void ContactWorld::Impl::resist_rolling(const Contact& contact, double limit) {
   const Vec3 impulse = std::min(limit, stopping) * axis;
   a.state.angular_velocity -= spin_mobility(a) * impulse;
   b.state.angular_velocity += spin_mobility(b) * impulse;
-}
-
-/// Debris that hardly moves stops turning.
-void ContactWorld::Impl::quieten(double dt) {
-  std::vector<bool> touches(objects.size(), false);
-  for (const Contact& contact : contacts)
-    if (!contact.impulse.isZero(0)) touches[contact.a] = touches[contact.b] = true;
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    Object& object = objects[i];
-    if (!touches[i] || !object.moves() || object.elastic) continue;
-    if (object.speed() < kRollingFraction * quiet_speed(object))
-      object.state.angular_velocity /= 1 + dt * kRollingResistance;
-  }
 }
 
 /// What lies still for long enough among neighbours that do so too sleeps.
@@ -118,23 +100,24 @@ void ContactWorld::Impl::wake_up(ProxyId id) {
 }
 
 void ContactWorld::Impl::wake_neighbours(ProxyId id) {
-  const btCollisionObject* object = objects[id].body.get();
-  dispatcher.visit_touching([&](const btPersistentManifold* manifold) {
-    if (manifold->getBody0() != object && manifold->getBody1() != object) return;
-    for (const btCollisionObject* side : {manifold->getBody0(), manifold->getBody1()})
-      if (side->getUserIndex() >= 0) wake_up(ProxyId(side->getUserIndex()));
-  });
+  for (const Pair& pair : pairs)
+    if ((pair.a == id.index() || pair.b == id.index()) && pair.count > 0)
+      wake_up(ProxyId(pair.a == id.index() ? pair.b : pair.a));
 }
 
 /// Wakes what something touches that is not quiet or has just left its place.
-void ContactWorld::Impl::wake_disturbed() {
-  for (const btPersistentManifold* manifold : manifolds) {
-    const ProxyId a(manifold->getBody0()->getUserIndex()), b(manifold->getBody1()->getUserIndex());
-    for (const auto& [sleeper, other] : {std::pair(a, b), std::pair(b, a)}) {
-      const Object& disturber = objects[other];
-      if (!objects[sleeper].asleep || !disturber.body->isActive()) continue;
-      if (disturber.still_time == 0 || disturber.speed() > quiet_speed(objects[sleeper])) wake_up(sleeper);
-    }
+void ContactWorld::Impl::wake_disturbed(double dt) {
+  for (const Pair& pair : pairs) {
+    if (objects[pair.a].asleep == objects[pair.b].asleep || pair.count == 0) continue;
+    const int sleeper = objects[pair.a].asleep ? pair.a : pair.b;
+    const Object& disturber = objects[sleeper == pair.a ? pair.b : pair.a];
+    if (!disturber.active) continue;
+    if (disturber.still_time > 0 && disturber.speed() <= quiet_speed(objects[sleeper])) continue;
+    const Manifold& manifold = manifolds[pair.manifold];
+    const auto near = [&](const Manifold::Point& point) {
+      return is_near(pair, contact_at(pair, manifold, point, objects[pair.a].place, objects[pair.b].place), dt);
+    };
+    if (std::ranges::any_of(manifold.listed(), near)) wake_up(ProxyId(sleeper));
   }
 }
 

@@ -37,23 +37,17 @@ SolverBody rigid_solver_body(const Object& object) {
   return solver_body;
 }
 
-double smaller_radius(const Object& a, const Object& b) {
-  if (a.kind == Kind::ground) return b.shape.radius;
-  return b.kind == Kind::ground ? a.shape.radius : std::min(a.shape.radius, b.shape.radius);
-}
-
-/// Kinetic energy of a free object, if it moved so as it lies [J].
-double kinetic_energy(const Object& object, const Vec3& velocity, const Vec3& spin) {
-  const Vec3 own_spin = object.state.pose.rotation.conjugate() * spin;
-  return 0.5 *
-         (velocity.squaredNorm() / object.inverse_mass + own_spin.dot(object.inverse_inertia.inverse() * own_spin));
-}
-
 Vec3 rigid_velocity(const SolverBody& solver_body, const ContactEnd& end) {
   return solver_body.velocity + solver_body.angular_velocity.cross(end.arm);
 }
 
 }  // namespace
+
+double contact::kinetic_energy(const Object& object, const Vec3& velocity, const Vec3& spin) {
+  const Vec3 own_spin = object.state.pose.rotation.conjugate() * spin;
+  return 0.5 *
+         (velocity.squaredNorm() / object.inverse_mass + own_spin.dot(object.inverse_inertia.inverse() * own_spin));
+}
 
 double contact::distance_beyond(double distance, double allowed_overlap) {
   return distance < 0 ? std::min(0.0, distance + allowed_overlap) : distance;
@@ -71,18 +65,20 @@ std::vector<SolverBody> ContactWorld::Impl::rigid_solver_bodies(double dt) const
   return made;
 }
 
+/// Those of groups with something elastic. Sweeps down through a pile carry its load at once.
 std::vector<ContactConstraint> ContactWorld::Impl::constraints(double dt) const {
-  std::vector<ContactConstraint> made(contacts.size());
+  std::vector<ContactConstraint> made(elastic_contacts.size());
   for (std::size_t i = 0; i < made.size(); ++i) {
-    const Contact& contact = contacts[i];
+    const Contact& contact = contacts[elastic_contacts[i]];
     const Object &a = objects[contact.a], &b = objects[contact.b];
     ContactConstraint& row = made[i];
     row.a = {static_cast<int>(contact.a.index()), -1, contact.position - a.state.pose.translation};
     row.b = {static_cast<int>(contact.b.index()), -1, contact.position - b.state.pose.translation};
     row.axes = contact_axes(contact.normal);
     row.friction = std::sqrt(a.surface.friction * b.surface.friction);
-    // The last impulse, as a mean force along the axes: they hardly turn.
-    row.impulse = dt * remembered_force(memories[i]);
+    // The last impulse, as a mean force: contacts hardly turn.
+    row.impulse = dt * (row.axes.transpose() * remembered_force(memories[elastic_contacts[i]]));
+    row.impulse[0] = std::max(0.0, row.impulse[0]);
     if (row.friction == 0) row.impulse.tail<2>().setZero();
   }
   return made;
@@ -124,15 +120,27 @@ double ContactWorld::Impl::target_velocity(const Contact& contact, double dt) co
 
 int ContactWorld::Impl::solve(double dt, std::span<const ElasticObject> elastic) {
   assert(dt > 0);
-  std::vector<SolverBody> solver_bodies = rigid_solver_bodies(dt);
-  solved = constraints(dt);
   for (Object& object : objects) object.elastic = false;
+  for (const ElasticObject& object : elastic) objects[object.object].elastic = true;
+  split_groups();
+  const int work = solve_rigid_groups(dt);
+  prepare_elastic_groups(dt, elastic);
+  return work;
+}
+
+/// Finds the laws of the contacts that the owner is to solve.
+void ContactWorld::Impl::prepare_elastic_groups(double dt, std::span<const ElasticObject> elastic) {
+  row_of.assign(contacts.size(), -1);
+  for (std::size_t i = 0; i < elastic_contacts.size(); ++i) row_of[elastic_contacts[i]] = static_cast<int>(i);
+  solved = constraints(dt);
+  free_velocities.assign(solved.size(), Vec3::Zero());
+  if (solved.empty()) return;
+  const std::vector<SolverBody> solver_bodies = rigid_solver_bodies(dt);
   std::vector<const ElasticObject*> elastic_of(objects.size(), nullptr);
   for (const ElasticObject& object : elastic) {
-    objects[object.object].elastic = true;
     elastic_of[object.object] = &object;
     for (std::size_t point = 0; point < object.contacts.size(); ++point) {
-      ContactConstraint& row = solved[object.contacts[point]];
+      ContactConstraint& row = solved[row_of[object.contacts[point]]];
       (row.a.solver_body == object.object.index() ? row.a : row.b).point = static_cast<int>(point);
     }
   }
@@ -140,55 +148,28 @@ int ContactWorld::Impl::solve(double dt, std::span<const ElasticObject> elastic)
     if (const ElasticObject* object = elastic_of[end.solver_body]) return Vec3(object->free_velocities.col(end.point));
     return rigid_velocity(solver_bodies[end.solver_body], end);
   };
-  free_velocities.resize(contacts.size());
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
+  for (std::size_t i = 0; i < solved.size(); ++i) {
+    Contact& contact = contacts[elastic_contacts[i]];
     free_velocities[i] = free_velocity(solved[i].a) - free_velocity(solved[i].b);
-    contacts[i].approach = -contacts[i].normal.dot(free_velocities[i]);
-    solved[i].target_velocity = target_velocity(contacts[i], dt);
+    contact.approach = -contact.normal.dot(free_velocities[i]);
+    contact.impulse.setZero();
+    solved[i].target_velocity = target_velocity(contact, dt);
   }
-  const int relaxations = solve_rigid_groups(solver_bodies);
-  for (std::size_t i = 0; i < contacts.size(); ++i) contacts[i].impulse = solved[i].axes * solved[i].impulse;
-  return relaxations;
-}
-
-int ContactWorld::Impl::solve_rigid_groups(std::vector<SolverBody>& solver_bodies) {
-  const std::vector<int> groups = connected_groups(static_cast<int>(objects.size()), touching_pairs());
-  const std::vector<bool> is_elastic = are_in_elastic_groups(groups);
-  std::vector<ContactConstraint> rows;
-  std::vector<std::size_t> indices;
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    if (!is_elastic[contacts[i].a] && !is_elastic[contacts[i].b]) {
-      rows.push_back(solved[i]);
-      indices.push_back(i);
-    }
-  const int relaxations = solve_impulses(rows, solver_bodies);
-  for (std::size_t i = 0; i < rows.size(); ++i) solved[indices[i]] = rows[i];
-  return relaxations;
-}
-
-/// True for objects of groups with one that is elastic; false for what no impulse moves.
-std::vector<bool> ContactWorld::Impl::are_in_elastic_groups(const std::vector<int>& groups) const {
-  std::vector<bool> of_group(objects.size(), false), of_object(objects.size(), false);
-  for (std::size_t i = 0; i < objects.size(); ++i)
-    if (objects[i].elastic) of_group[groups[i]] = true;
-  for (std::size_t i = 0; i < objects.size(); ++i) of_object[i] = objects[i].responds() && of_group[groups[i]];
-  return of_object;
 }
 
 std::vector<std::vector<int>> ContactWorld::Impl::elastic_groups() const {
   const std::vector<int> groups = connected_groups(static_cast<int>(objects.size()), touching_pairs());
-  const std::vector<bool> is_elastic = are_in_elastic_groups(groups);
   std::vector<int> index_of(objects.size(), -1);
   std::vector<std::vector<int>> found;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const ProxyId object = is_elastic[contacts[i].a] ? contacts[i].a : contacts[i].b;
-    if (!is_elastic[object]) continue;
+  for (const int i : elastic_contacts) {
+    const ProxyId object = objects[contacts[i].a].responds() ? contacts[i].a : contacts[i].b;
+    if (!objects[object].responds()) continue;
     int& index = index_of[groups[object]];
     if (index < 0) {
       index = static_cast<int>(found.size());
       found.emplace_back();
     }
-    found[index].push_back(static_cast<int>(i));
+    found[index].push_back(i);
   }
   return found;
 }
@@ -203,9 +184,10 @@ std::vector<std::pair<int, int>> ContactWorld::Impl::touching_pairs() const {
 }
 
 void ContactWorld::Impl::remember_impulses(double dt) {
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const Vec3 force = solved[i].axes.transpose() * contacts[i].impulse / dt;
-    remember_force(memories[i], {std::max(0.0, force[0]), force[1], force[2]});
+  for (const int i : elastic_contacts) {
+    const Contact& contact = contacts[i];
+    const double pushing = contact.normal.dot(contact.impulse);
+    remember_force(memories[i], (contact.impulse + std::max(0.0, -pushing) * contact.normal) / dt);
   }
 }
 
@@ -213,19 +195,19 @@ void ContactWorld::Impl::advance(double dt) {
   remember_impulses(dt);
   read_back_impulses(dt);
   resist_rolling();
-  quieten(dt);
   correct_positions(solved, dt);
+  move_rigid_groups(dt);
   move_projectiles(dt);
 }
 
 std::vector<ContactWorld::Impl::Momentum> ContactWorld::Impl::impulse_sums() const {
   std::vector<Momentum> sums(objects.size());
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const Vec3& impulse = contacts[i].impulse;
-    sums[contacts[i].a].linear += impulse;
-    sums[contacts[i].b].linear -= impulse;
-    sums[contacts[i].a].angular += solved[i].a.arm.cross(impulse);
-    sums[contacts[i].b].angular -= solved[i].b.arm.cross(impulse);
+  for (const Contact& contact : contacts) {
+    const Vec3& impulse = contact.impulse;
+    sums[contact.a].linear += impulse;
+    sums[contact.b].linear -= impulse;
+    sums[contact.a].angular += (contact.position - objects[contact.a].state.pose.translation).cross(impulse);
+    sums[contact.b].angular -= (contact.position - objects[contact.b].state.pose.translation).cross(impulse);
   }
   return sums;
 }
@@ -236,8 +218,9 @@ void ContactWorld::Impl::read_back_impulses(double dt) {
   for (std::size_t i = 0; i < objects.size(); ++i) {
     Object& object = objects[i];
     if (!object.moves() || object.elastic) continue;
-    const SolverBody solver_body = rigid_solver_body(object);
     if (object.kind == Kind::projectile) object.state.velocity += dt * gravity;
+    if (sums[i].linear.isZero(0)) continue;
+    const SolverBody solver_body = rigid_solver_body(object);
     object.state.velocity += solver_body.inverse_mass * sums[i].linear;
     object.state.angular_velocity += solver_body.inverse_inertia * sums[i].angular;
   }
@@ -249,7 +232,7 @@ void ContactWorld::Impl::correct_positions(const std::vector<ContactConstraint>&
   std::vector<ContactConstraint> overlaps = constraints;
   bool any = false;
   for (std::size_t i = 0; i < overlaps.size(); ++i) {
-    const Contact& contact = contacts[i];
+    const Contact& contact = contacts[elastic_contacts[i]];
     const double distance = distance_beyond(contact.distance, allowance(contact.a, contact.b));
     const double excess = -distance - kRestingFraction * smaller_radius(objects[contact.a], objects[contact.b]);
     overlaps[i].friction = 0;
@@ -273,7 +256,7 @@ void ContactWorld::Impl::limit_lift(double dt) {
   std::vector<double> lifted(objects.size(), 0.0), lost(objects.size(), 0.0);
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const Object& object = objects[i];
-    if (!object.moves()) continue;
+    if (!object.moves() || moves_rigidly[i]) continue;
     const double mass = 1 / object.inverse_mass;
     lifted[groups[i]] -= mass * gravity.dot(object.correction.translation);
     lost[groups[i]] += kinetic_energy(object, object.first_velocity, object.first_spin) -

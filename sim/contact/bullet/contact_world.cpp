@@ -11,7 +11,6 @@ using namespace contact;
 
 namespace {
 
-constexpr int kMovingGroup = 1, kKinematicGroup = 2, kGroundGroup = 4;
 /// A held object that is displaced by a smaller share of its radius since it last moved does not disturb sleepers.
 constexpr double kNegligibleMove = 1e-5;
 
@@ -20,115 +19,7 @@ constexpr double kNegligibleMove = 1e-5;
          state.angular_velocity.allFinite();
 }
 
-/// What may touch what: supported bodies bend and swing down to the ground, but keep out of each other's way.
-int partners_of(int group) {
-  switch (group) {
-    case kMovingGroup:
-      return kMovingGroup | kKinematicGroup | kGroundGroup;
-    case kKinematicGroup:
-      return kMovingGroup | kGroundGroup;
-    default:
-      return kMovingGroup | kKinematicGroup;
-  }
-}
-
-bool is_retired(const btBroadphaseProxy* proxy) {
-  return static_cast<const btCollisionObject*>(proxy->m_clientObject)->getUserIndex() == kRetired;
-}
-
-/// Bullet takes the memory for its algorithms from a pool of pieces of one size.
-btDefaultCollisionConstructionInfo with_room_for(int pairs) {
-  btDefaultCollisionConstructionInfo info;
-  info.m_defaultMaxPersistentManifoldPoolSize = info.m_defaultMaxCollisionAlgorithmPoolSize = pairs;
-  info.m_customCollisionAlgorithmMaxElementSize = static_cast<int>(
-      std::max({sizeof(HullHullAlgorithm), sizeof(SphereHullAlgorithm), sizeof(SphereGroundAlgorithm)}));
-  return info;
-}
-
-struct DeletePairs final : btOverlapCallback {
-  bool all = false;
-  bool processOverlap(btBroadphasePair& pair) override {
-    return all || is_retired(pair.m_pProxy0) || is_retired(pair.m_pProxy1);
-  }
-};
-
 }  // namespace
-
-namespace contact {
-
-OwnedObject::OwnedObject(const OwnedObject& other) {
-  if (!other) return;
-  object_ = std::make_unique<btCollisionObject>(*other.object_);
-  object_->setBroadphaseHandle(nullptr);
-  object_->setWorldArrayIndex(-1);
-}
-
-void CollisionWorld::updateAabbs() {
-  for (int i = 0; i < m_collisionObjects.size(); ++i) {
-    const btCollisionObject* object = m_collisionObjects[i];
-    if (!object->isActive() && !object->isStaticObject()) continue;
-    btBroadphaseProxy* proxy = m_collisionObjects[i]->getBroadphaseHandle();
-    btVector3 minimum, maximum;
-    object->getCollisionShape()->getAabb(object->getWorldTransform(), minimum, maximum);
-    if (!object->getCollisionShape()->isInfinite()) {
-      const btScalar reach = contact_reach(*object);
-      minimum -= btVector3(reach, reach, reach);
-      maximum += btVector3(reach, reach, reach);
-    }
-    if (minimum != proxy->m_aabbMin || maximum != proxy->m_aabbMax)
-      tree_->setAabbForceUpdate(proxy, minimum, maximum, getDispatcher());
-  }
-}
-
-}  // namespace contact
-
-ContactWorld::Impl::Impl(const Vec3& world_gravity, int pairs_expected)
-    : configuration(with_room_for(pairs_expected)),
-      dispatcher(&configuration),
-      broadphase(&pairs),
-      world(&dispatcher, &broadphase, &configuration) {
-  assert(world_gravity.allFinite());
-  gravity = world_gravity;
-  broadphase.m_cupdates = 100;  // drop pairs as soon as they part
-  ground_hull.m_swapped = ground_sphere.m_swapped = true;
-  dispatcher.registerCollisionCreateFunc(CONVEX_HULL_SHAPE_PROXYTYPE, STATIC_PLANE_PROXYTYPE, &hull_ground);
-  dispatcher.registerCollisionCreateFunc(STATIC_PLANE_PROXYTYPE, CONVEX_HULL_SHAPE_PROXYTYPE, &ground_hull);
-  dispatcher.registerCollisionCreateFunc(CONVEX_HULL_SHAPE_PROXYTYPE, CONVEX_HULL_SHAPE_PROXYTYPE, &hull_hull);
-  dispatcher.registerCollisionCreateFunc(SPHERE_SHAPE_PROXYTYPE, SPHERE_SHAPE_PROXYTYPE, &sphere_sphere);
-  dispatcher.registerCollisionCreateFunc(SPHERE_SHAPE_PROXYTYPE, CONVEX_HULL_SHAPE_PROXYTYPE, &sphere_hull);
-  dispatcher.registerCollisionCreateFunc(CONVEX_HULL_SHAPE_PROXYTYPE, SPHERE_SHAPE_PROXYTYPE, &sphere_hull);
-  dispatcher.registerCollisionCreateFunc(SPHERE_SHAPE_PROXYTYPE, STATIC_PLANE_PROXYTYPE, &sphere_ground);
-  dispatcher.registerCollisionCreateFunc(STATIC_PLANE_PROXYTYPE, SPHERE_SHAPE_PROXYTYPE, &ground_sphere);
-}
-
-/// Most copies are kept and not used: they have little room for more.
-ContactWorld::Impl::Impl(const Impl& other)
-    : Impl(other.gravity, std::clamp(static_cast<int>(other.dispatcher.pair_count()), 64, 4096)) {
-  ContactState::operator=(other);
-  enter_all(other);
-  dispatcher.restore(other.dispatcher.memories(), [&](int index) { return objects[index].body.get(); });
-}
-
-/// In the order in which they entered the other world, by which Bullet orders the sides of pairs, and with the boxes
-/// that they have there.
-void ContactWorld::Impl::enter_all(const Impl& other) {
-  std::vector<int> order;
-  for (std::size_t i = 0; i < objects.size(); ++i)
-    if (objects[i].body) order.push_back(static_cast<int>(i));
-  const auto their_proxy = [&](int i) { return other.objects[i].body->getBroadphaseHandle(); };
-  std::ranges::sort(order, {}, [&](int i) { return their_proxy(i)->m_uniqueId; });
-  for (int i : order) {
-    enter(objects[i]);
-    broadphase.setAabbForceUpdate(objects[i].body->getBroadphaseHandle(), their_proxy(i)->m_aabbMin,
-                                  their_proxy(i)->m_aabbMax, &dispatcher);
-  }
-}
-
-ContactWorld::Impl::~Impl() {
-  DeletePairs delete_pairs;
-  delete_pairs.all = true;
-  pairs.processAllOverlappingPairs(&delete_pairs, &dispatcher);
-}
 
 ProxyId ContactWorld::Impl::add(Object object, const RigidMass& mass) {
   const ProxyId id(objects.size());
@@ -143,44 +34,26 @@ void ContactWorld::Impl::attach(ProxyId id, const RigidMass& mass) {
   assert(!is_free || (mass.mass > 0 && mass.inertia.allFinite()));
   object.inverse_mass = is_free ? 1 / mass.mass : 0;
   object.inverse_inertia = is_free ? Mat3(mass.inertia.inverse()) : Mat3(Mat3::Zero());
-  object.body = OwnedObject(std::make_unique<btCollisionObject>());
-  object.body->setCollisionShape(object.shape.root());
-  object.body->setUserIndex(id.index());
-  object.body->setCollisionFlags(is_free ? 0 : static_cast<int>(btCollisionObject::CF_STATIC_OBJECT));
-  // A pair is looked at when one of them is active: what cannot move is not.
-  object.body->forceActivationState(is_free ? ACTIVE_TAG : ISLAND_SLEEPING);
-  place(object);
-  enter(object);
+  object.exists = object.fresh = true;
+  object.active = is_free;
   object.resting_place = object.state.pose;
-  object.fresh = true;
+  place(object);
 }
 
-void ContactWorld::Impl::enter(Object& object) {
-  const bool is_free = object.mobility == Mobility::free;
-  const int group = is_free ? kMovingGroup : object.kind == Kind::ground ? kGroundGroup : kKinematicGroup;
-  world.addCollisionObject(object.body.get(), group, partners_of(group));
-}
-
-void ContactWorld::Impl::retire(Object& object) {
-  const int index = object.body->getUserIndex();
-  dispatcher.forget_if([&](const PairKey& pair) { return pair.first == index || pair.second == index; });
-  object.body->setUserIndex(kRetired);
-  retired.push_back({std::move(object.shape), std::move(object.body)});
-  manifolds.clear();
+void ContactWorld::Impl::retire(ProxyId id) {
+  Object& object = objects[id];
+  const int index = static_cast<int>(id.index());
+  erase_pairs([&](const Pair& pair) { return pair.a == index || pair.b == index; });
+  for (const int leaf : object.leaves) tree.remove(leaf);
+  object.leaves.clear();
+  object.exists = object.active = false;
   contacts.clear();
-}
-
-void ContactWorld::Impl::delete_retired() {
-  if (retired.empty()) return;
-  DeletePairs delete_pairs;
-  pairs.processAllOverlappingPairs(&delete_pairs, &dispatcher);
-  for (Retired& object : retired) world.removeCollisionObject(object.body.get());
-  retired.clear();
+  memories.clear();
 }
 
 void ContactWorld::Impl::place(Object& object) {
   assert(is_valid(object.state));
-  object.body->setWorldTransform(to_bullet(object.state.pose));
+  object.place = {object.state.pose.rotation.toRotationMatrix(), object.state.pose.translation};
 }
 
 ContactWorld::ContactWorld(const Vec3& gravity) : impl_(std::make_unique<Impl>(gravity)) {}
@@ -192,8 +65,7 @@ ContactWorld& ContactWorld::operator=(ContactWorld&&) noexcept = default;
 
 ProxyId ContactWorld::add_ground(double height, const SurfaceProperties& surface) {
   impl_->ground_height = height;
-  return impl_->add(
-      {.kind = Kind::ground, .mobility = Mobility::kinematic, .shape = ground_shape(height), .surface = surface}, {});
+  return impl_->add({.kind = Kind::ground, .mobility = Mobility::kinematic, .shape = {}, .surface = surface}, {});
 }
 
 ProxyId ContactWorld::add_sphere(double radius, double mass, const RigidState& state,
@@ -243,10 +115,10 @@ std::vector<ProxyId> ContactWorld::add_proxies(std::span<const Proxy> proxies) {
 void ContactWorld::reshape(ProxyId proxy, std::span<const ConvexPart> parts, const RigidMass& mass, Mobility mobility,
                            const RigidState& state) {
   Object& object = impl_->objects[proxy];
-  assert(object.kind == Kind::proxy && object.body);
+  assert(object.kind == Kind::proxy && object.exists);
   impl_->wake_up(proxy);
   impl_->wake_neighbours(proxy);
-  impl_->retire(object);
+  impl_->retire(proxy);
   object.mobility = mobility;
   object.state = state;
   object.shape = hull_shape(parts);
@@ -254,19 +126,19 @@ void ContactWorld::reshape(ProxyId proxy, std::span<const ConvexPart> parts, con
 }
 
 void ContactWorld::remove(ProxyId object) {
-  assert(impl_->objects[object].body);
+  assert(impl_->objects[object].exists);
   impl_->wake_up(object);
   impl_->wake_neighbours(object);
-  impl_->retire(impl_->objects[object]);
+  impl_->retire(object);
 }
 
 void ContactWorld::set_state(ProxyId object, const RigidState& state) {
   Object& changed = impl_->objects[object];
-  assert(changed.kind != Kind::ground && changed.body);
+  assert(changed.kind != Kind::ground && changed.exists);
   if (changed.mobility == Mobility::kinematic) {
     const bool moved =
         has_left(changed.resting_place, state.pose, kNegligibleMove * changed.shape.radius, changed.shape.radius);
-    changed.body->forceActivationState(moved ? ACTIVE_TAG : ISLAND_SLEEPING);
+    changed.active = moved;
     if (moved) changed.resting_place = state.pose;
   }
   changed.state = state;
@@ -285,7 +157,7 @@ void ContactWorld::set_surface(ProxyId object, const SurfaceProperties& surface)
 
 RigidState ContactWorld::state(ProxyId object) const { return impl_->objects[object].state; }
 std::optional<ProxyId> ContactWorld::ground() const {
-  const auto found = std::ranges::find(impl_->objects, contact::Kind::ground, &contact::Object::kind);
+  const auto found = std::ranges::find(impl_->objects, Kind::ground, &Object::kind);
   if (found == impl_->objects.end()) return {};
   return ProxyId(static_cast<int>(found - impl_->objects.begin()));
 }
@@ -294,7 +166,7 @@ bool ContactWorld::moves(ProxyId object) const { return impl_->objects[object].m
 double ContactWorld::allowed_overlap(ProxyId a, ProxyId b) const {
   return std::max(impl_->allowance(a, b), impl_->allowance(b, a));
 }
-void ContactWorld::detect() { impl_->detect(); }
+void ContactWorld::detect(double dt) { impl_->detect(dt); }
 std::span<Contact> ContactWorld::contacts() { return impl_->contacts; }
 std::span<const Contact> ContactWorld::contacts() const { return impl_->contacts; }
 std::vector<int> ContactWorld::drop_near_misses(double dt, std::span<const double> approach) {
@@ -307,12 +179,13 @@ void ContactWorld::drop_contacts_of(const std::vector<bool>& objects) { impl_->d
 int ContactWorld::solve(double dt, std::span<const ElasticObject> elastic) { return impl_->solve(dt, elastic); }
 std::vector<std::vector<int>> ContactWorld::elastic_groups() const { return impl_->elastic_groups(); }
 ContactWorld::Law ContactWorld::law(int contact) const {
-  const contact::ContactConstraint& row = impl_->solved[contact];
-  return {row.axes,  row.target_velocity, row.friction, impl_->free_velocities[contact],
+  const int index = impl_->row_of[contact];
+  const ContactConstraint& row = impl_->solved[index];
+  return {row.axes,  row.target_velocity, row.friction, impl_->free_velocities[index],
           row.a.arm, row.b.arm,           row.impulse};
 }
 std::optional<RigidMass> ContactWorld::rigid_mass(ProxyId object) const {
-  const contact::Object& found = impl_->objects[object];
+  const Object& found = impl_->objects[object];
   if (!found.moves() || found.elastic) return {};
   const Mat3 rotation = found.state.pose.rotation.toRotationMatrix();
   return RigidMass{1 / found.inverse_mass, rotation * found.inverse_inertia.inverse() * rotation.transpose()};
@@ -334,13 +207,10 @@ std::vector<ContactWorld::Encounter> ContactWorld::expected_impacts(double dt, d
   return impl_->expected_impacts(dt, minimum_speed, tolerance, matters);
 }
 std::size_t ContactWorld::memory() const {
-  constexpr std::size_t kOfBullet = 1200;  // an object of its own, its proxy and what finds them
-  const std::size_t pairs = impl_->dispatcher.pair_count();
-  const std::size_t in_pools =
-      std::max<std::size_t>(pairs, 64) * (sizeof(btPersistentManifold) + sizeof(HullHullAlgorithm));
-  return impl_->objects.size() * (sizeof(Object) + kOfBullet) + in_pools +
-         pairs * (sizeof(PairMemory) + sizeof(PairKey) + 40) +
-         impl_->contacts.size() * (sizeof(Contact) + sizeof(ContactConstraint));
+  return impl_->objects.size() * (sizeof(Object) + sizeof(RigidBody)) + impl_->tree.memory() +
+         impl_->pairs.size() * sizeof(Pair) + impl_->manifolds.size() * sizeof(Manifold) +
+         impl_->contacts.size() * (sizeof(Contact) + sizeof(Memory) + sizeof(int)) +
+         impl_->solved.size() * sizeof(ContactConstraint);
 }
 double ContactWorld::max_penetration() const {
   double deepest = 0;

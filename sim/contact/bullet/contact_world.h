@@ -2,46 +2,30 @@
 
 // Private to sim/contact: what ContactWorld keeps.
 
-#include <btBulletCollisionCommon.h>
-
+#include <functional>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <tuple>
 #include <vector>
 
-#include "sim/contact/bullet/dispatcher.h"
-#include "sim/contact/bullet/ground_contact.h"
-#include "sim/contact/bullet/hull_contact.h"
+#include "sim/contact/box_tree.h"
 #include "sim/contact/bullet/shapes.h"
-#include "sim/contact/bullet/sphere_contact.h"
 #include "sim/contact/bullet/sweep.h"
 #include "sim/contact/contact_world.h"
 #include "sim/contact/impulse_solver.h"
+#include "sim/contact/manifold.h"
+#include "sim/contact/rigid_solver.h"
 
 namespace griffith::contact {
 
+struct Object;
+double smaller_radius(const Object& a, const Object& b);
+/// Kinetic energy of a free object, if it moved so as it lies [J].
+double kinetic_energy(const Object& object, const Vec3& velocity, const Vec3& spin);
 /// Distance less the overlap that is allowed; a gap stays a gap.
 double distance_beyond(double distance, double allowed_overlap);
 
 enum class Kind { ground, projectile, proxy };
-
-/// Bullet's object of one of ours. A copy has the same place and activity, and is in no world yet.
-class OwnedObject {
- public:
-  OwnedObject() = default;
-  explicit OwnedObject(std::unique_ptr<btCollisionObject> object) : object_(std::move(object)) {}
-  OwnedObject(OwnedObject&&) noexcept = default;
-  OwnedObject& operator=(OwnedObject&&) noexcept = default;
-  OwnedObject(const OwnedObject& other);
-  OwnedObject& operator=(const OwnedObject& other) { return *this = OwnedObject(other); }
-  btCollisionObject* get() const { return object_.get(); }
-  btCollisionObject* operator->() const { return object_.get(); }
-  explicit operator bool() const { return object_ != nullptr; }
-
- private:
-  std::unique_ptr<btCollisionObject> object_;
-};
 
 struct alignas(64) Object {
   // What a substep asks of every object, moving or not, in one line of the cache.
@@ -50,32 +34,37 @@ struct alignas(64) Object {
   bool asleep = false;      ///< lies still: neither moved nor looked at until something disturbs it
   bool elastic = false;     ///< its owner answers the impulses of the present solve
   bool fresh = true;        ///< its shape has not yet been seen by detect()
-  OwnedObject body = {};    ///< null once removed
+  bool exists = true;       ///< until removed
+  bool active = true;       ///< what is not active is looked at only where something active comes near: sleepers, the
+                            ///< ground, and what is held and was not just displaced
   double inverse_mass = 0;  ///< 0 when held
   double impact_speed = std::numeric_limits<double>::infinity();  ///< from which it could be hurt [m/s]
   double still_time = 0;                                          ///< that it has hardly left its resting place [s]
   std::optional<bool> settled = {};  ///< whether it has come to rest, where its owner tells
 
   Shape shape;
-  RigidState state = {};  ///< as its owner set it or, after advance(), with the solved velocities
+  Place place = {};              ///< as `state` has it
+  std::vector<int> leaves = {};  ///< per part, in the tree of boxes
+  RigidState state = {};         ///< as its owner set it or, after advance(), with the solved velocities
   SurfaceProperties surface = {};
   Vec3 first_velocity = Vec3::Zero(), first_spin = Vec3::Zero();  ///< when the substep began
   Mat3 inverse_inertia = Mat3::Zero();                            ///< in its own frame
   ContactWorld::Correction correction = {};
   Vec3 pushed_out = Vec3::Zero();  ///< projectiles: the correction that the last advance() made [m]
   Pose resting_place = {};         ///< that it has hardly left
+  double dissipated = 0;           ///< what contacts took from its motion and pushing out has not given back [J]
 
-  bool is_free() const { return body && mobility == Mobility::free; }
+  bool is_free() const { return exists && mobility == Mobility::free; }
   bool moves() const { return is_free() && !asleep; }
-  bool is_sphere() const {
-    return kind != Kind::ground && shape.parts.front()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
-  }
+  bool is_sphere() const { return shape.is_sphere(); }
   /// Whether it is awake and might fall asleep.
   bool may_sleep() const { return moves() || (settled && !asleep); }
   /// Of its convex parts; the ground counts as one.
   std::size_t part_count() const { return kind == Kind::ground ? 1 : shape.parts.size(); }
   /// Speed of its fastest point [m/s].
   double speed() const { return state.velocity.norm() + state.angular_velocity.norm() * shape.radius; }
+  /// With which it goes in this substep of `dt` [s], corrections and all [m/s].
+  Vec3 mean_velocity(double dt) const { return state.velocity + correction.translation / dt; }
   bool is_still() const { return state.velocity.isZero(0) && state.angular_velocity.isZero(0); }
   /// Whether impulses change its velocities in the present solve.
   bool responds() const { return elastic || moves(); }
@@ -89,12 +78,6 @@ bool may_touch(const Object& a, const Vec3& start, const Vec3& displacement, con
 
 /// Whether a point of an object of this radius has gone farther than `distance` [m] from where it was.
 bool has_left(const Pose& then, const Pose& now, double distance, double radius);
-
-/// What is left of an object or a shape that is gone, until Bullet lets go of it.
-struct Retired {
-  Shape shape;
-  OwnedObject body;
-};
 
 /// Overlap that a pair is allowed because a crack left it behind. Ordered by the pair.
 struct Allowance {
@@ -110,13 +93,26 @@ struct NodeContact {
   auto key() const { return std::tie(a, b, node_a, node_b); }
 };
 
-/// Where the impulse of a contact is kept until the next substep: in Bullet's point, or with the owner's contacts.
+/// Two convex parts with boxes that meet. Ordered by the objects, then the parts.
+struct Pair {
+  int a, b;            ///< objects, a < b
+  int part_a, part_b;  ///< 0 in the ground
+  int manifold;        ///< index into ContactState::manifolds
+  int count = 0;       ///< of its points
+  auto key() const { return std::tie(a, b, part_a, part_b); }
+};
+
+/// A contact at a point of a manifold, its objects lying as told.
+Contact contact_at(const Pair& pair, const Manifold& manifold, const Manifold::Point& point, const Place& a,
+                   const Place& b);
+
+/// Where the force of a contact is kept until the next substep: with a pair's points, or with the owner's contacts.
 struct Memory {
-  btManifoldPoint* point = nullptr;
+  int manifold = -1, point = 0;
   int node_contact = -1;  ///< index into ContactState::node_contacts
 };
 
-/// What a world keeps from one substep to the next beside what Bullet remembers of pairs: a value.
+/// What a world keeps from one substep to the next: a value.
 struct ContactState {
   Vec3 gravity = Vec3::Zero();
   double ground_height = 0;
@@ -125,27 +121,21 @@ struct ContactState {
   std::vector<Contact> contacts;
   std::vector<NodeContact> node_contacts;       ///< that the owner put in
   std::vector<NodeContact> past_node_contacts;  ///< of the last substep, by key
-  std::vector<ContactConstraint> solved;        ///< per contact: as solve() found it
-  std::vector<Vec3> free_velocities;            ///< per contact: of a relative to b in solve(), without impulses [m/s]
-};
+  std::vector<Memory> memories;                 ///< per contact
 
-/// Pairs of objects with near bounding boxes. Bullet's own goes through all pairs twice for each object that leaves;
-/// here leaving objects are collected and their pairs deleted in one pass.
-class PairCache final : public btHashedOverlappingPairCache {
- public:
-  void removeOverlappingPairsContainingProxy(btBroadphaseProxy*, btDispatcher*) override {}
-  void cleanProxyFromPairs(btBroadphaseProxy*, btDispatcher*) override {}
-};
+  BoxTree tree;                     ///< boxes of all parts, with room to move in
+  std::vector<Pair> pairs;          ///< in their order
+  std::vector<Manifold> manifolds;  ///< of the pairs; those of parted pairs are used again
+  std::vector<int> free_manifolds;
 
-/// Bounding boxes without Bullet's fixed margins of centimetres.
-class CollisionWorld final : public btCollisionWorld {
- public:
-  CollisionWorld(btDispatcher* dispatcher, btDbvtBroadphase* broadphase, btCollisionConfiguration* configuration)
-      : btCollisionWorld(dispatcher, broadphase, configuration), tree_(broadphase) {}
-  void updateAabbs() override;
-
- private:
-  btDbvtBroadphase* tree_;
+  /// What solve() asked of each contact, in groups with something elastic.
+  std::vector<ContactConstraint> solved;
+  std::vector<Vec3> free_velocities;     ///< per row of `solved`: of a relative to b, without impulses [m/s]
+  std::vector<int> row_of;               ///< per contact: index into `solved`, -1 where all is rigid
+  std::vector<RigidBody> rigid_bodies;   ///< per object, as the last solve() moved them
+  std::vector<RigidGroup> rigid_groups;  ///< those without anything elastic, of the last solve()
+  std::vector<bool> moves_rigidly;       ///< per object: in one of these
+  std::vector<int> elastic_contacts;     ///< all others
 };
 
 }  // namespace griffith::contact
@@ -153,31 +143,34 @@ class CollisionWorld final : public btCollisionWorld {
 namespace griffith {
 
 struct ContactWorld::Impl : contact::ContactState {
-  /// `pairs`: how many there will be about; more of them cost more.
-  explicit Impl(const Vec3& world_gravity, int pairs = 4096);
-  Impl(const Impl& other);
-  ~Impl();
+  explicit Impl(const Vec3& world_gravity) { gravity = world_gravity; }
 
   // Objects.
   ProxyId add(contact::Object object, const RigidMass& mass);
   void attach(ProxyId id, const RigidMass& mass);
-  void enter(contact::Object& object);
-  void enter_all(const Impl& other);
-  void retire(contact::Object& object);
-  void delete_retired();
+  void retire(ProxyId id);
   void place(contact::Object& object);
 
   // Detection.
-  void detect();
+  void detect(double dt);
   bool all_at_rest() const;
-  void collect_manifolds();
-  void forget_parted();
+  std::vector<contact::BoxTree::Item> update_boxes(double dt);
+  contact::Box box_of(const contact::Object& object, int part, double dt) const;
+  void update_pairs(std::span<const contact::BoxTree::Item> moved);
+  void drop_parted_pairs(const std::vector<bool>& moved);
+  void add_pairs_of(const contact::BoxTree::Item& item, std::vector<contact::Pair>& found) const;
+  bool may_meet(const contact::Object& a, const contact::Object& b) const;
+  void erase_pairs(const std::function<bool(const contact::Pair&)>& gone);
+  void find_points(double dt);
+  int find_points(const contact::Pair& pair, double gap);
+  void find_points(const contact::Pair& pair, contact::Manifold& manifold, double gap) const;
+  double reach(const contact::Object& a, const contact::Object& b, double dt) const;
   void update_allowances();
   double allowance(ProxyId a, ProxyId b) const;
-  void wake_disturbed();
-  void list_contacts();
-  void sort_by_height();
-  void list_pair(std::span<btPersistentManifold* const> of_pair);
+  bool is_near(const contact::Pair& pair, const Contact& contact, double dt) const;
+  void wake_disturbed(double dt);
+  void list_contacts(double dt);
+  void list_pair(std::span<const contact::Pair> of_pair, double dt);
   void replace_contacts(const std::vector<bool>& taken_out, std::span<const Contact> put_in);
   Vec3 remembered_force(const contact::Memory& memory) const;
   void remember_force(const contact::Memory& memory, const Vec3& force);
@@ -186,9 +179,12 @@ struct ContactWorld::Impl : contact::ContactState {
   void drop_contacts_of(const std::vector<bool>& dropped);
   std::vector<int> drop_near_misses(double dt, std::span<const double> approach);
   int solve(double dt, std::span<const ElasticObject> elastic);
-  int solve_rigid_groups(std::vector<contact::SolverBody>& solver_bodies);
+  void prepare_elastic_groups(double dt, std::span<const ElasticObject> elastic);
   std::vector<std::vector<int>> elastic_groups() const;
-  std::vector<bool> are_in_elastic_groups(const std::vector<int>& groups) const;
+  void split_groups();
+  int solve_rigid_groups(double dt);
+  contact::RigidBody rigid_body(const contact::Object& object, double dt) const;
+  contact::RigidContact rigid_contact(std::size_t contact, double dt) const;
   std::vector<contact::SolverBody> rigid_solver_bodies(double dt) const;
   std::vector<contact::ContactConstraint> constraints(double dt) const;
   double target_velocity(const Contact& contact, double dt) const;
@@ -202,6 +198,7 @@ struct ContactWorld::Impl : contact::ContactState {
   };
   std::vector<Momentum> impulse_sums() const;
   void read_back_impulses(double dt);
+  void move_rigid_groups(double dt);
   void correct_positions(const std::vector<contact::ContactConstraint>& constraints, double dt);
   void limit_lift(double dt);
 
@@ -210,7 +207,6 @@ struct ContactWorld::Impl : contact::ContactState {
   double touching_speed(const contact::Object& a, const contact::Object& b, double dt) const;
   void resist_rolling();
   void resist_rolling(const Contact& contact, double limit);
-  void quieten(double dt);
   void fall_asleep(double dt);
   void wake_up(ProxyId id);
   void wake_neighbours(ProxyId id);
@@ -249,21 +245,6 @@ struct ContactWorld::Impl : contact::ContactState {
                                                          double minimum_speed, double tolerance) const;
   std::vector<ContactWorld::Encounter> expected_impacts(double dt, double minimum_speed, double tolerance,
                                                         const PairFilter& matters) const;
-
-  std::vector<contact::Retired> retired;  ///< deleted with the next detection; they outlive what knows them
-  btDefaultCollisionConfiguration configuration;
-  contact::Dispatcher dispatcher;
-  contact::AlgorithmFactory<contact::HullGroundAlgorithm> hull_ground, ground_hull;
-  contact::AlgorithmFactory<contact::SphereSphereAlgorithm> sphere_sphere;
-  contact::AlgorithmFactory<contact::SphereHullAlgorithm> sphere_hull;
-  contact::AlgorithmFactory<contact::SphereGroundAlgorithm> sphere_ground, ground_sphere;
-  contact::AlgorithmFactory<contact::HullHullAlgorithm> hull_hull;
-  contact::PairCache pairs;
-  btDbvtBroadphase broadphase;
-  contact::CollisionWorld world;
-
-  std::vector<btPersistentManifold*> manifolds;  ///< those with points, in an order that depends on ids alone
-  std::vector<contact::Memory> memories;         ///< per contact, between detect() and advance()
 };
 
 }  // namespace griffith

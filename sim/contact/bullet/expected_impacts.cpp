@@ -66,8 +66,7 @@ struct FlyingPart {
     if (flight.object.is_sphere()) return {touched};
     std::vector<Vec3> points;
     const Pose pose = flight.pose_after(time);
-    for (const btVector3& corner : static_cast<const HullShape&>(*flight.object.shape.parts[index]).corners())
-      points.push_back(pose.to_world(from_bullet(corner)));
+    for (const Vec3& corner : flight.object.shape.hull(index).corners) points.push_back(pose.to_world(corner));
     return points;
   }
 };
@@ -186,7 +185,7 @@ std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double
   };
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const Object& object = objects[i];
-    if (!object.body) continue;
+    if (!object.exists) continue;
     if (object.kind == Kind::ground) {
       for (std::size_t j = 0; j < objects.size(); ++j)
         if (objects[j].moves()) look(j, i);

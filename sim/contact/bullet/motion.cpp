@@ -41,9 +41,7 @@ struct Sweep {
 };
 
 btTransform moved_to(const Object& object, const Vec3& center) {
-  btTransform place = object.body->getWorldTransform();
-  place.setOrigin(to_bullet(center));
-  return place;
+  return to_bullet(Pose{center, object.state.pose.rotation});
 }
 
 /// Calls `use` with the touch of each pair of convex parts that comes near enough, and b's part.
@@ -67,7 +65,7 @@ Quat rotated(const Quat& rotation, const Vec3& turn) {
 /// Where an object will be after a share (0..1) of the substep, moving uniformly. Projectiles have turned already.
 Pose pose_after(const Object& object, double fraction, double dt) {
   Pose pose = object.state.pose;
-  pose.translation += fraction * (dt * object.state.velocity + object.correction.translation);
+  pose.translation += fraction * dt * object.mean_velocity(dt);
   if (object.kind != Kind::projectile)
     pose.rotation =
         rotated(pose.rotation, fraction * (dt * object.state.angular_velocity + object.correction.rotation));
@@ -110,19 +108,18 @@ void ContactWorld::Impl::move_projectiles(double dt) {
   for (std::size_t i = 0; i < objects.size(); ++i)
     if (objects[i].kind == Kind::projectile && objects[i].moves()) projectiles.push_back(i);
   for (std::size_t i : projectiles) {
-    Object& object = objects[i];
-    object.state.pose.translation += object.correction.translation;
-    object.pushed_out = object.correction.translation;
-    turn_free(object, dt);
-    object.correction = {};
+    if (!moves_rigidly[i]) objects[i].pushed_out = objects[i].correction.translation;
+    turn_free(objects[i], dt);
   }
   std::vector<Vec3> ends;
   for (std::size_t i : projectiles) ends.push_back(swept_end(objects[i], dt, {}));
   for (std::size_t i = 0; i < projectiles.size(); ++i) {
-    RigidState& state = objects[projectiles[i]].state;
-    state.velocity = velocity_after(state.velocity, ends[i] - state.pose.translation, dt);
-    state.pose.translation = ends[i];
-    place(objects[projectiles[i]]);
+    Object& object = objects[projectiles[i]];
+    const Vec3 mean = object.mean_velocity(dt);
+    object.state.velocity += velocity_after(mean, ends[i] - object.state.pose.translation, dt) - mean;
+    object.state.pose.translation = ends[i];
+    object.correction = {};
+    place(object);
   }
 }
 
@@ -164,7 +161,7 @@ double ContactWorld::Impl::deepest_overlap(const Object& object) const {
   double deepest = 0;
   const Vec3& center = object.state.pose.translation;
   for (const Object& other : objects) {
-    if (&other == &object || !other.body || other.kind == Kind::ground) continue;
+    if (&other == &object || !other.exists || other.kind == Kind::ground) continue;
     if (!may_touch(object, center, Vec3::Zero(), other, 0, ground_height)) continue;
     for (std::size_t part = 0; part < other.shape.parts.size(); ++part) {
       const PlacedShape shape = placed(other, part, moved_to(other, other.state.pose.translation), ground_height);
@@ -184,7 +181,7 @@ bool ContactWorld::Impl::LeftSurface::is(const Object& other, std::size_t other_
 /// What it strikes stops it for the rest of `dt`, or pushes it on, no faster than it came, so that the next detection
 /// finds both in touch.
 Vec3 ContactWorld::Impl::swept_end(const Object& projectile, double dt, const SweepRule& rule) const {
-  Vec3 center = projectile.state.pose.translation, velocity = projectile.state.velocity;
+  Vec3 center = projectile.state.pose.translation, velocity = projectile.mean_velocity(dt);
   double fraction = 0;
   std::vector<LeftSurface> parting;
   for (int turns = 0; turns < kMaxTurns; ++turns) {
@@ -210,7 +207,7 @@ Vec3 ContactWorld::Impl::swept_end(const Object& projectile, double dt, const Sw
 Vec3 ContactWorld::Impl::velocity_at_touch(const Object& projectile, Vec3 velocity, const TouchAhead& touch,
                                            const Vec3& center, double dt) const {
   const double pushed = touch.normal.dot(velocity_of_met(projectile, *touch.met, center, touch.fraction, dt));
-  const double approach = pushed - touch.normal.dot(velocity), speed = projectile.state.velocity.norm();
+  const double approach = pushed - touch.normal.dot(velocity), speed = projectile.mean_velocity(dt).norm();
   if (approach <= 0) return velocity;
   const double came = touch.fraction * dt * (projectile.state.velocity - touch.met->state.velocity).norm();
   const bool just_solved = came < 10 * kTouchFraction * projectile.shape.radius;
@@ -257,7 +254,7 @@ std::vector<ContactWorld::Impl::TouchAhead> ContactWorld::Impl::touches_ahead(co
   std::vector<TouchAhead> touches;
   const Vec3 displacement = (1 - fraction) * dt * velocity;
   for (const Object& other : objects) {
-    if (&other == &projectile || !other.body || !may_come_near(projectile, center, displacement, other, fraction, dt))
+    if (&other == &projectile || !other.exists || !may_come_near(projectile, center, displacement, other, fraction, dt))
       continue;
     if (rule.stops && !rule.stops(ProxyId(&other - objects.data()))) continue;
     const double gap = -allowed_depth(projectile, other);

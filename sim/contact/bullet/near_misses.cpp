@@ -20,7 +20,7 @@ std::vector<int> ContactWorld::Impl::drop_near_misses(double dt, std::span<const
     const Contact& contact = contacts[i];
     const double speed =
         std::max({approach[i], kPassedOn * struck[contact.a], kPassedOn * struck[contact.b]}) + gravity.norm() * dt;
-    return contact.distance <= kSafety * speed * dt || remembered_force(memories[i])[0] > 0;
+    return contact.distance <= kSafety * speed * dt || contact.normal.dot(remembered_force(memories[i])) > 0;
   };
   std::vector<int> index(contacts.size(), -1);
   std::size_t kept = 0;

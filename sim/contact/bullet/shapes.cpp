@@ -20,22 +20,13 @@ double largest_distance(const std::vector<Vec3>& points, const Vec3& from) {
 
 }  // namespace
 
-HullShape::HullShape(const ConvexPart& part) : contact_reach_(kContactReach * largest_distance(part, Vec3::Zero())) {
-  const ConvexHull hull = convex_hull(part);
+HullShape::HullShape(const ConvexHull& hull) : hull_(hull) {
   const double size = largest_distance(hull.corners, hull.corners.front());
   const bool solid = hull.volume > 1e-9 * size * size * size;
   const double margin = solid ? kMarginFraction * hull.volume / hull.area : kFlatMarginFraction * size;
-  for (const Vec3& corner : hull.corners) corners_.push_back(to_bullet(corner));
   setMargin(margin);
   for (const Vec3& corner : solid ? shrunken_corners(hull, margin) : hull.corners) addPoint(to_bullet(corner), false);
   recalcLocalAabb();
-}
-
-void HullShape::getAabb(const btTransform& transform, btVector3& minimum, btVector3& maximum) const {
-  btConvexHullShape::getAabb(transform, minimum, maximum);
-  const btVector3 reach(contact_reach_, contact_reach_, contact_reach_);
-  minimum -= reach;
-  maximum += reach;
 }
 
 Shape sphere_shape(double radius) {
@@ -46,24 +37,13 @@ Shape sphere_shape(double radius) {
   return shape;
 }
 
-Shape ground_shape(double height) {
-  Shape shape;
-  shape.whole = std::make_shared<btStaticPlaneShape>(btVector3(0, 1, 0), height);
-  return shape;
-}
-
 Shape hull_shape(std::span<const ConvexPart> parts) {
   assert(!parts.empty());
   Shape shape;
   for (const ConvexPart& part : parts) {
     shape.radius = std::max(shape.radius, largest_distance(part, Vec3::Zero()));
-    shape.parts.push_back(std::make_shared<HullShape>(part));
+    shape.parts.push_back(std::make_shared<HullShape>(convex_hull(part)));
   }
-  if (parts.size() == 1) return shape;
-  auto compound = std::make_shared<btCompoundShape>(true, static_cast<int>(parts.size()));
-  compound->setMargin(0);
-  for (const auto& hull : shape.parts) compound->addChildShape(btTransform::getIdentity(), hull.get());
-  shape.whole = std::move(compound);
   return shape;
 }
 

@@ -178,18 +178,13 @@ void respond(WorldState& world, TouchedBodies& touched, double dt) {
 
 void apply_corrections(WorldState& world) {
   for (Body& body : world.bodies) {
-    if (body.asleep || body.supported()) continue;
+    if (body.asleep || body.supported() || body.rigid) continue;  // what is rigid is led to where its contacts leave it
     const ContactWorld::Correction correction = world.contact_world.position_correction(body.proxy);
     if (correction.translation.isZero(0) && correction.rotation.isZero(0)) continue;
     const Mat3 turn = rotation_by(correction.rotation).toRotationMatrix();
     const Vec3 center = body.motion.center;
     body.motion.center += correction.translation;
     world.energy.limited += body.motion.mass * world.model->scene.gravity.dot(correction.translation);
-    if (body.rigid) {
-      body.orientation = (Quat(turn) * body.orientation).normalized();
-      body.motion.inertia = turn * body.motion.inertia * turn.transpose();
-      continue;
-    }
     for (NodeId node : body.nodes) {
       Vec3& position = world.nodes.positions[node];
       position = body.motion.center + turn * (position - center);
@@ -251,7 +246,7 @@ void make_first_struck_elastic(WorldState& world, double duration) {
 }
 
 void resolve_contacts(WorldState& world, double dt) {
-  world.contact_world.detect();  // before the prediction, by which all that rests is about to fall
+  world.contact_world.detect(dt);  // before the prediction, by which all that rests is about to fall
   drop_contacts_of_shocks(world);
   wake_disturbed_bodies(world, dt);
   spread_contacts(world, dt);

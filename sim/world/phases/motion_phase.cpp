@@ -121,12 +121,12 @@ void move_swinging(WorldState& world, const Body& body, const Pivot& pivot, cons
   add_spin_to_edges(world, body, spin);
 }
 
-/// How far a rigid body gets [m]. What is fast stops at what it meets, or it would pass through thin bodies. Pieces of
-/// one body, much of a size, may pass through one another.
+/// How far a rigid body gets, to where its contacts leave it [m]. What is fast stops at what it meets, or it would pass
+/// through thin bodies. Pieces of one body, much of a size, may pass through one another.
 Vec3 way_of(const WorldState& world, const Body& body, double dt) {
   constexpr double kSlowFraction = 0.25;  // of its size: so much overlap would still be found
   const double slow = kSlowFraction * body.extent;
-  const Vec3 displacement = dt * body.motion.velocity;
+  const Vec3 displacement = dt * body.motion.velocity + world.contact_world.position_correction(body.proxy).translation;
   if (displacement.norm() < slow) return displacement;
   const auto stops = [&](ProxyId proxy) {
     constexpr double kMuchLarger = 2;
@@ -142,11 +142,12 @@ Vec3 way_of(const WorldState& world, const Body& body, double dt) {
 void move_rigid(WorldState& world, Body& body, double dt) {
   if (body.supported()) return;  // frozen: its supports hold it
   RigidMotion& motion = body.motion;
-  const Mat3 turn = free_turn(motion.inertia, motion.angular_velocity, dt);
+  const ContactWorld::Correction correction = world.contact_world.position_correction(body.proxy);
+  const Mat3 turn = free_turn(motion.inertia, motion.angular_velocity, dt) * rotation_by(correction.rotation);
   const Vec3 angular_momentum = motion.inertia * motion.angular_velocity;
-  const Vec3 displacement = way_of(world, body, dt);
+  const Vec3 displacement = way_of(world, body, dt), mean = motion.velocity + correction.translation / dt;
   motion.center += displacement;
-  motion.velocity = world.contact_world.velocity_after(motion.velocity, displacement, dt);
+  motion.velocity += world.contact_world.velocity_after(mean, displacement, dt) - mean;
   motion.inertia = turn * motion.inertia * turn.transpose();
   motion.angular_velocity = motion.inertia.inverse() * angular_momentum;
   body.orientation = (Quat(turn) * body.orientation).normalized();

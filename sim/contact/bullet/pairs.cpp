@@ -1,0 +1,227 @@
+#include <algorithm>
+#include <cmath>
+
+#include "sim/contact/bullet/contact_world.h"
+#include "sim/contact/bullet/sweep.h"
+#include "sim/core/parallel.h"
+
+namespace griffith {
+
+using namespace contact;
+
+namespace {
+
+/// Room that a box has to move in before it enters the tree again, as a share of the object's radius.
+constexpr double kSlack = 0.1;
+
+double contact_reach(const Object& object) { return kContactReach * object.shape.radius; }
+
+/// Room along the way that it goes, in steps.
+constexpr double kStepsAhead = 3;
+
+/// How fast turning moves its points, at most [m/s].
+double turning_speed(const Object& object) {
+  return object.is_sphere() ? 0 : object.state.angular_velocity.norm() * object.shape.radius;
+}
+
+/// Where two convex parts meet that are not both solid hulls: in a point.
+void find_point(Manifold& manifold, const PlacedShape& a, const PlacedShape& b, const Place& place_a,
+                const Place& place_b, double reach) {
+  const Separation apart = a.convex ? separation(a, b) : separation(b, a);
+  const bool found = apart.distance < reach && !apart.normal.isZero();
+  if (!found) return void(manifold.count = 0);
+  const Vec3 other = apart.point_on_b + apart.distance * apart.normal,
+             normal = a.convex ? apart.normal : Vec3(-apart.normal);
+  const FoundPoint point{place_b.to_local(a.convex ? other : apart.point_on_b),
+                         place_b.to_local(a.convex ? apart.point_on_b : other), apart.distance};
+  set_points(manifold, {&point, 1}, place_b.rotation.transpose() * normal, relative(place_a, place_b),
+             std::numeric_limits<double>::max());
+}
+
+/// Where a hull meets the ground: its lower corners, whatever their depth. A thin slab's upper side is within reach
+/// too.
+void find_ground_points(Manifold& manifold, const Hull& hull, const Place& place, double height, bool hull_is_a,
+                        double reach, double tolerance) {
+  const double lift = place.translation.y() - height;
+  const Vec3 up = place.rotation.row(1).transpose();
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (const Vec3& corner : hull.corners) {
+    const double y = up.dot(corner) + lift;
+    lowest = std::min(lowest, y);
+    highest = std::max(highest, y);
+  }
+  if (!(lowest < reach)) return void(manifold.count = 0);
+  const double limit = std::min(reach, (lowest + highest) / 2);
+  std::array<FoundPoint, kMostFound> found;
+  std::size_t count = 0;
+  for (const Vec3& corner : hull.corners) {
+    const double y = up.dot(corner) + lift;
+    if (y > limit || count == found.size()) continue;
+    const Vec3 point = place.to_world(corner), foot(point.x(), height, point.z());
+    found[count++] = hull_is_a ? FoundPoint{point, foot, y} : FoundPoint{place.to_local(foot), corner, y};
+  }
+  const Place ground, a_in_b = hull_is_a ? relative(place, ground) : relative(ground, place);
+  set_points(manifold, {found.data(), count}, hull_is_a ? Vec3(Vec3::UnitY()) : Vec3(-up), a_in_b, tolerance);
+}
+
+/// Whether the spheres round two objects come within `gap` [m] of each other.
+bool spheres_meet(const Object& a, const Object& b, double gap) {
+  if (a.kind == Kind::ground || b.kind == Kind::ground) return true;
+  const double reach = a.shape.radius + b.shape.radius + gap;
+  return (a.place.translation - b.place.translation).squaredNorm() < reach * reach;
+}
+
+}  // namespace
+
+/// The gap below which two objects touch, or may within `dt` [s] [m].
+double ContactWorld::Impl::reach(const Object& a, const Object& b, double dt) const {
+  const double radius = a.kind == Kind::ground   ? b.shape.radius
+                        : b.kind == Kind::ground ? a.shape.radius
+                                                 : std::min(a.shape.radius, b.shape.radius);
+  if (a.kind == Kind::projectile || b.kind == Kind::projectile) return kContactReach * radius;  // it is swept
+  if (dt == 0) return kContactReach * radius;
+  const Vec3 &of_a = a.state.velocity, &of_b = b.state.velocity;
+  const double square = std::max({(of_a - of_b).squaredNorm(), of_a.squaredNorm(), of_b.squaredNorm()});
+  const double speed = std::sqrt(square) + turning_speed(a) + turning_speed(b);
+  return kContactReach * radius + std::min(dt * speed, radius);
+}
+
+Box ContactWorld::Impl::box_of(const Object& object, int part, double dt) const {
+  Vec3 center = object.place.translation, half = Vec3::Constant(object.shape.radius);
+  if (!object.is_sphere()) {
+    const Hull& hull = object.shape.hull(part);
+    center = object.place.to_world(hull.box_center);
+    half = object.place.rotation.cwiseAbs() * hull.box_half;
+  }
+  half.array() += contact_reach(object) + std::min(dt * turning_speed(object), object.shape.radius);
+  const Vec3 way = dt * object.state.velocity;
+  return {center - half + way.cwiseMin(0), center + half + way.cwiseMax(0)};
+}
+
+/// Returns what has left its box, or had none, with a new one.
+std::vector<BoxTree::Item> ContactWorld::Impl::update_boxes(double dt) {
+  std::vector<BoxTree::Item> moved;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    Object& object = objects[i];
+    if (!object.exists || object.kind == Kind::ground || !(object.active || object.fresh)) continue;
+    const bool is_new = object.leaves.empty();
+    if (is_new) object.leaves.resize(object.shape.parts.size());
+    for (std::size_t part = 0; part < object.leaves.size(); ++part) {
+      Box box = box_of(object, static_cast<int>(part), dt);
+      if (!is_new && tree.box(object.leaves[part]).holds(box)) continue;
+      const Vec3 slack = Vec3::Constant(kSlack * object.shape.radius), way = kStepsAhead * dt * object.state.velocity;
+      box = {box.low - slack + way.cwiseMin(0), box.high + slack + way.cwiseMax(0)};
+      const BoxTree::Item item{static_cast<int>(i), static_cast<int>(part)};
+      if (!is_new) tree.remove(object.leaves[part]);
+      object.leaves[part] = tree.insert(box, item);
+      moved.push_back(item);
+    }
+  }
+  return moved;
+}
+
+/// What is held bends and swings down to the ground, but keeps out of the way of what else is held.
+bool ContactWorld::Impl::may_meet(const Object& a, const Object& b) const {
+  return a.is_free() || b.is_free() || a.kind == Kind::ground || b.kind == Kind::ground;
+}
+
+void ContactWorld::Impl::erase_pairs(const std::function<bool(const Pair&)>& gone) {
+  std::erase_if(pairs, [&](const Pair& pair) {
+    if (!gone(pair)) return false;
+    manifolds[pair.manifold] = {};
+    free_manifolds.push_back(pair.manifold);
+    return true;
+  });
+}
+
+/// Drops pairs whose boxes have parted, of what has a new one.
+void ContactWorld::Impl::drop_parted_pairs(const std::vector<bool>& moved) {
+  const auto low = [&](int object, int part) { return tree.box(objects[object].leaves[part]).low.y(); };
+  erase_pairs([&](const Pair& pair) {
+    if (!moved[pair.a] && !moved[pair.b]) return false;
+    const Object &a = objects[pair.a], &b = objects[pair.b];
+    if (a.kind == Kind::ground) return low(pair.b, pair.part_b) > ground_height;
+    if (b.kind == Kind::ground) return low(pair.a, pair.part_a) > ground_height;
+    return !tree.box(a.leaves[pair.part_a]).meets(tree.box(b.leaves[pair.part_b]));
+  });
+}
+
+void ContactWorld::Impl::add_pairs_of(const BoxTree::Item& item, std::vector<Pair>& found) const {
+  const Object& object = objects[item.object];
+  const auto add = [&](const BoxTree::Item& other) {
+    if (other.object == item.object || !may_meet(object, objects[other.object])) return;
+    const bool first = item.object < other.object;
+    const BoxTree::Item &a = first ? item : other, &b = first ? other : item;
+    const Pair pair{a.object, b.object, a.part, b.part, -1, 0};
+    const auto known = std::ranges::lower_bound(pairs, pair.key(), std::ranges::less(), &Pair::key);
+    if (known == pairs.end() || known->key() != pair.key()) found.push_back(pair);
+  };
+  const Box& box = tree.box(object.leaves[item.part]);
+  tree.for_each(box, add);
+  for (std::size_t i = 0; i < objects.size() && box.low.y() <= ground_height; ++i)
+    if (objects[i].kind == Kind::ground && objects[i].exists) add({static_cast<int>(i), 0});
+}
+
+void ContactWorld::Impl::update_pairs(std::span<const BoxTree::Item> moved) {
+  if (moved.empty()) return;
+  std::vector<bool> has_moved(objects.size(), false);
+  for (const BoxTree::Item& item : moved) has_moved[item.object] = true;
+  drop_parted_pairs(has_moved);
+  std::vector<Pair> found;
+  for (const BoxTree::Item& item : moved) add_pairs_of(item, found);
+  if (found.empty()) return;
+  std::ranges::sort(found, std::ranges::less(), &Pair::key);
+  const auto same = [](const Pair& left, const Pair& right) { return left.key() == right.key(); };
+  found.erase(std::unique(found.begin(), found.end(), same), found.end());
+  for (Pair& pair : found) {
+    if (free_manifolds.empty()) {
+      free_manifolds.push_back(static_cast<int>(manifolds.size()));
+      manifolds.emplace_back();
+    }
+    pair.manifold = free_manifolds.back();
+    free_manifolds.pop_back();
+  }
+  const auto middle = static_cast<std::ptrdiff_t>(pairs.size());
+  pairs.insert(pairs.end(), found.begin(), found.end());
+  std::inplace_merge(pairs.begin(), pairs.begin() + middle, pairs.end(),
+                     [](const Pair& left, const Pair& right) { return left.key() < right.key(); });
+}
+
+/// Where the parts of each pair meet, of which one side may have moved.
+void ContactWorld::Impl::find_points(double dt) {
+  constexpr int kPairsAtOnce = 64;
+  parallel_for(static_cast<int>(pairs.size()), kPairsAtOnce, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) {
+      Pair& pair = pairs[i];
+      const Object &a = objects[pair.a], &b = objects[pair.b];
+      if (!a.active && !b.active && !a.fresh && !b.fresh) continue;
+      const double gap = reach(a, b, dt);
+      if (pair.count > 0 || spheres_meet(a, b, gap)) pair.count = find_points(pair, gap);
+    }
+  });
+}
+
+int ContactWorld::Impl::find_points(const Pair& pair, double gap) {
+  find_points(pair, manifolds[pair.manifold], gap);
+  return manifolds[pair.manifold].count;
+}
+
+void ContactWorld::Impl::find_points(const Pair& pair, Manifold& manifold, double gap) const {
+  const Object &a = objects[pair.a], &b = objects[pair.b];
+  const auto is_hull = [](const Object& object) { return object.kind != Kind::ground && !object.is_sphere(); };
+  if (is_hull(a) && is_hull(b) && a.shape.hull(pair.part_a).is_solid() && b.shape.hull(pair.part_b).is_solid())
+    return find_contacts(manifold, {a.shape.hull(pair.part_a), a.shape.radius},
+                         {b.shape.hull(pair.part_b), b.shape.radius}, relative(a.place, b.place), gap);
+  if (b.kind == Kind::ground && is_hull(a))
+    return find_ground_points(manifold, a.shape.hull(pair.part_a), a.place, ground_height, true, gap,
+                              0.1 * a.shape.radius);
+  if (a.kind == Kind::ground && is_hull(b))
+    return find_ground_points(manifold, b.shape.hull(pair.part_b), b.place, ground_height, false, gap,
+                              0.1 * b.shape.radius);
+  const auto shape = [&](const Object& object, int part) {
+    return placed(object, part, to_bullet(object.state.pose), ground_height);
+  };
+  find_point(manifold, shape(a, pair.part_a), shape(b, pair.part_b), a.place, b.place, gap);
+}
+
+}  // namespace griffith

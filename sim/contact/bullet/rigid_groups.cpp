@@ -1,0 +1,148 @@
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+
+#include "sim/contact/bullet/contact_world.h"
+#include "sim/geometry/disjoint_sets.h"
+
+namespace griffith {
+
+using namespace contact;
+
+namespace {
+
+/// The overlap, as a share of the smaller radius, that stays, so that all contacts of what rests go on touching.
+constexpr double kOverlapAtRest = 1.2e-3;
+
+}  // namespace
+
+double contact::smaller_radius(const Object& a, const Object& b) {
+  if (a.kind == Kind::ground) return b.shape.radius;
+  return b.kind == Kind::ground ? a.shape.radius : std::min(a.shape.radius, b.shape.radius);
+}
+
+/// Parts the contacts into those of groups of objects that touch in which all are rigid, and the others.
+void ContactWorld::Impl::split_groups() {
+  DisjointSets sets(static_cast<int>(objects.size()));
+  for (const Contact& contact : contacts)
+    if (objects[contact.a].responds() && objects[contact.b].responds())
+      sets.join(static_cast<int>(contact.a.index()), static_cast<int>(contact.b.index()));
+  constexpr int kNew = -1, kElastic = -2;
+  std::vector<int> group_of(objects.size(), kNew);  // of the sets' roots
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    if (objects[i].elastic) group_of[sets.find(static_cast<int>(i))] = kElastic;
+  rigid_groups.clear();
+  elastic_contacts.clear();
+  moves_rigidly.assign(objects.size(), false);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const ProxyId responding = objects[contacts[i].a].responds() ? contacts[i].a : contacts[i].b;
+    int& group = group_of[sets.find(static_cast<int>(responding.index()))];
+    if (group == kElastic || !objects[responding].responds()) {
+      elastic_contacts.push_back(static_cast<int>(i));
+      continue;
+    }
+    if (group == kNew) {
+      group = static_cast<int>(rigid_groups.size());
+      rigid_groups.emplace_back();
+    }
+    rigid_groups[group].contacts.push_back(static_cast<int>(i));
+    for (const ProxyId side : {contacts[i].a, contacts[i].b}) {
+      if (!objects[side].responds() || moves_rigidly[side]) continue;
+      moves_rigidly[side] = true;
+      rigid_groups[group].bodies.push_back(static_cast<int>(side.index()));
+    }
+  }
+}
+
+/// What a step of `dt` [s] begins with, and what external forces do in it.
+RigidBody ContactWorld::Impl::rigid_body(const Object& object, double dt) const {
+  RigidBody body;
+  body.velocity = object.state.velocity;
+  body.spin = object.state.angular_velocity;
+  if (!object.moves()) return body;
+  body.inverse_mass = object.inverse_mass;
+  body.is_round = object.is_sphere();
+  body.inverse_inertia = object.place.rotation * object.inverse_inertia * object.place.rotation.transpose();
+  body.acceleration = (object.state.velocity - object.first_velocity) / dt;
+  body.turning = (object.state.angular_velocity - object.first_spin) / dt;
+  if (object.kind == Kind::projectile) body.acceleration += gravity;
+  body.velocity = object.first_velocity;
+  body.spin = object.first_spin;
+  return body;
+}
+
+RigidContact ContactWorld::Impl::rigid_contact(std::size_t index, double dt) const {
+  const Contact& contact = contacts[index];
+  const Object &a = objects[contact.a], &b = objects[contact.b];
+  const RigidBody &body_a = rigid_bodies[contact.a], &body_b = rigid_bodies[contact.b];
+  RigidContact row;
+  row.a = static_cast<int>(contact.a.index());
+  row.b = static_cast<int>(contact.b.index());
+  row.normal = contact.normal;
+  row.arm_a = contact.position - a.state.pose.translation;
+  row.arm_b = contact.position - b.state.pose.translation;
+  const double allowed = allowance(contact.a, contact.b);
+  row.distance = distance_beyond(contact.distance, allowed);
+  row.resting = kOverlapAtRest * smaller_radius(a, b);
+  row.fallen = gravity.dot(contact.position);
+  row.friction = std::sqrt(a.surface.friction * b.surface.friction);
+  const auto speed = [&](const RigidBody& body, const Vec3& arm) {
+    return row.normal.dot(body.velocity + body.spin.cross(arm));
+  };
+  row.fall = -dt * (row.normal.dot(body_a.acceleration + body_a.turning.cross(row.arm_a)) -
+                    row.normal.dot(body_b.acceleration + body_b.turning.cross(row.arm_b)));
+  row.approach = speed(body_b, row.arm_b) - speed(body_a, row.arm_a) + row.fall;
+  const bool strikes = row.approach > touching_speed(a, b, dt) && row.approach * dt > contact.distance && allowed == 0;
+  row.restitution = strikes ? std::min(a.surface.restitution, b.surface.restitution) : 0;
+  row.force = remembered_force(memories[index]);
+  return row;
+}
+
+int ContactWorld::Impl::solve_rigid_groups(double dt) {
+  rigid_bodies.resize(objects.size());
+  std::vector<RigidContact> rows;
+  std::vector<int> contact_of;
+  for (const int i : std::views::iota(0, static_cast<int>(objects.size())))
+    rigid_bodies[i] = rigid_body(objects[i], dt);
+  for (RigidGroup& group : rigid_groups)
+    for (int& index : group.contacts) {
+      contact_of.push_back(index);
+      rows.push_back(rigid_contact(index, dt));
+      index = static_cast<int>(rows.size()) - 1;
+    }
+  const int work = solve_rigid(rigid_bodies, rows, rigid_groups, dt);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    Contact& contact = contacts[contact_of[i]];
+    contact.approach = rows[i].approach;
+    contact.impulse = rows[i].impulse;
+    remember_force(memories[contact_of[i]], rows[i].force);
+  }
+  return work;
+}
+
+/// Hands on where the substeps led, beside what the velocities at their end would. In each group the way out of
+/// overlaps lifts no more than its contacts have taken: energy does not grow.
+void ContactWorld::Impl::move_rigid_groups(double dt) {
+  for (const RigidGroup& group : rigid_groups) {
+    double lift = 0, dissipated = 0;
+    for (const int i : group.bodies) {
+      const Object& object = objects[i];
+      lift -= gravity.dot(rigid_bodies[i].push) / object.inverse_mass;
+      dissipated += object.dissipated + kinetic_energy(object, object.first_velocity, object.first_spin) -
+                    kinetic_energy(object, object.state.velocity, object.state.angular_velocity) +
+                    gravity.dot(rigid_bodies[i].displacement) / object.inverse_mass;
+    }
+    const double fraction = lift > 0 ? std::clamp(dissipated / lift, 0.0, 1.0) : 1;
+    const double left = (dissipated - fraction * lift) / static_cast<double>(group.bodies.size());
+    for (const int i : group.bodies) {
+      const RigidBody& body = rigid_bodies[i];
+      Object& object = objects[i];
+      object.dissipated = std::max(0.0, left);
+      object.pushed_out = fraction * body.push;
+      object.correction = {body.displacement + object.pushed_out - dt * object.state.velocity,
+                           body.rotation + fraction * body.push_rotation - dt * object.state.angular_velocity};
+    }
+  }
+}
+
+}  // namespace griffith

@@ -1,0 +1,158 @@
+#include "sim/contact/hull.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace griffith::contact {
+namespace {
+
+using Loop = std::vector<int>;
+/// The face on the left of each directed edge.
+using FaceAt = std::map<std::pair<int, int>, int>;
+
+/// As long as twice the area.
+Vec3 doubled_area(const std::vector<Vec3>& corners, const Loop& loop) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 2; i < loop.size(); ++i)
+    sum += (corners[loop[i - 1]] - corners[loop[0]]).cross(corners[loop[i]] - corners[loop[0]]);
+  return sum;
+}
+
+FaceAt face_at_edges(const std::vector<Loop>& loops) {
+  FaceAt face_at;
+  for (std::size_t face = 0; face < loops.size(); ++face)
+    for (std::size_t i = 0; i < loops[face].size(); ++i)
+      face_at[{loops[face][i], loops[face][(i + 1) % loops[face].size()]}] = static_cast<int>(face);
+  return face_at;
+}
+
+/// The edges between faces; none unless every edge has two.
+std::vector<Hull::Edge> edges_of(const std::vector<Loop>& loops) {
+  const FaceAt face_at = face_at_edges(loops);
+  std::vector<Hull::Edge> edges;
+  for (const auto& [ends, face] : face_at) {
+    const auto other = face_at.find({ends.second, ends.first});
+    if (other == face_at.end()) return {};
+    if (ends.first < ends.second) edges.push_back({ends.first, ends.second, face, other->second});
+  }
+  return edges;
+}
+
+/// Joins faces that lie in nearly one plane, as rounding or a slight deformation leaves them of a flat side.
+class FlatSides {
+ public:
+  FlatSides(const std::vector<Vec3>& corners, const std::vector<Loop>& loops, double size)
+      : corners_(corners), loops_(loops), face_at_(face_at_edges(loops)), side_of_(loops.size(), -1), size_(size) {}
+
+  std::vector<Loop> joined() {
+    std::vector<int> order(loops_.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(order, std::ranges::greater(),
+                             [&](int face) { return doubled_area(corners_, loops_[face]).norm(); });
+    std::vector<Loop> sides;
+    for (const int face : order) {
+      if (side_of_[face] >= 0) continue;
+      const std::vector<int> faces = faces_of_side(face);
+      if (const std::optional<Loop> outline = outline_of(faces)) {
+        sides.push_back(*outline);
+      } else {
+        for (const int part : faces) sides.push_back(loops_[part]);
+      }
+    }
+    return sides;
+  }
+
+ private:
+  /// The faces around one that lie in its plane.
+  std::vector<int> faces_of_side(int seed) {
+    std::vector<int> faces = {seed};
+    side_of_[seed] = seed;
+    const Vec3 normal = doubled_area(corners_, loops_[seed]).normalized();
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const Loop& loop = loops_[faces[i]];
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        const auto next = face_at_.find({loop[(k + 1) % loop.size()], loop[k]});
+        if (next == face_at_.end() || side_of_[next->second] >= 0 || !lies_in(next->second, normal, loops_[seed][0]))
+          continue;
+        side_of_[next->second] = seed;
+        faces.push_back(next->second);
+      }
+    }
+    return faces;
+  }
+
+  bool lies_in(int face, const Vec3& normal, int origin) const {
+    constexpr double kAlike = 1 - 1e-4, kFlat = 1e-3;  // cosine; share of the size
+    return normal.dot(doubled_area(corners_, loops_[face]).normalized()) > kAlike &&
+           std::ranges::all_of(loops_[face], [&](int corner) {
+             return std::abs(normal.dot(corners_[corner] - corners_[origin])) < kFlat * size_;
+           });
+  }
+
+  /// Once round some faces, if they have one outline.
+  std::optional<Loop> outline_of(const std::vector<int>& faces) const {
+    std::map<int, int> next;
+    std::size_t count = 0;
+    for (const int face : faces)
+      for (std::size_t k = 0; k < loops_[face].size(); ++k) {
+        const int from = loops_[face][k], to = loops_[face][(k + 1) % loops_[face].size()];
+        const auto other = face_at_.find({to, from});
+        if (other != face_at_.end() && side_of_[other->second] == side_of_[face]) continue;
+        next[from] = to;
+        ++count;
+      }
+    if (next.size() != count || count < 3) return {};
+    Loop outline;
+    for (int corner = next.begin()->first; outline.empty() || corner != outline[0]; corner = next.at(corner)) {
+      outline.push_back(corner);
+      if (outline.size() > count || !next.contains(corner)) return {};
+    }
+    return outline.size() == count ? std::optional(outline) : std::nullopt;
+  }
+
+  const std::vector<Vec3>& corners_;
+  const std::vector<Loop>& loops_;
+  FaceAt face_at_;
+  std::vector<int> side_of_;  // per face: the first of its side
+  double size_;
+};
+
+/// Whether a face has an area by which it tells which way it looks.
+bool has_normal(const std::vector<Vec3>& corners, const Loop& loop, double size) {
+  return doubled_area(corners, loop).norm() > 1e-9 * size * size;
+}
+
+Hull::Face face_of(const std::vector<Vec3>& corners, const Loop& loop, int first) {
+  const Vec3 normal = doubled_area(corners, loop).normalized();
+  double offset = normal.dot(corners[loop[0]]);
+  for (const int corner : loop) offset = std::max(offset, normal.dot(corners[corner]));
+  return {normal, offset, first, static_cast<int>(loop.size())};
+}
+
+}  // namespace
+
+Hull::Hull(const ConvexHull& hull) : corners(hull.corners) {
+  Eigen::AlignedBox3d box;
+  for (const Vec3& corner : corners) {
+    box.extend(corner);
+    center += corner / static_cast<double>(corners.size());
+  }
+  box_center = box.center();
+  box_half = 0.5 * box.sizes();
+  const double size = box.diagonal().norm();
+  if (!(hull.volume > 1e-9 * size * size * size)) return;
+  if (!std::ranges::all_of(hull.faces, [&](const Loop& loop) { return has_normal(corners, loop, size); })) return;
+  const std::vector<Loop> sides = FlatSides(corners, hull.faces, size).joined();
+  edges = edges_of(sides);
+  if (edges.empty()) return;
+  for (const Loop& loop : sides) {
+    faces.push_back(face_of(corners, loop, static_cast<int>(loops.size())));
+    loops.insert(loops.end(), loop.begin(), loop.end());
+  }
+}
+
+}  // namespace griffith::contact

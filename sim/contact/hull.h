@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/core/linear_algebra.h"
+#include "sim/geometry/convex_hull.h"
+
+namespace griffith::contact {
+
+/// A convex polyhedron with its faces and edges, in the frame of its object [m]. One that lies in a plane, on a line or
+/// in one spot has corners alone.
+struct Hull {
+  struct Face {
+    Vec3 normal;  ///< unit, outward
+    double offset;
+    int first, count;  ///< its corners: a range of `loops`, counter-clockwise seen from outside
+  };
+  struct Edge {
+    int from, to;     ///< corners, in the order in which the left face has them
+    int left, right;  ///< faces
+  };
+
+  explicit Hull(const ConvexHull& hull);
+
+  bool is_solid() const { return !edges.empty(); }
+
+  std::vector<Vec3> corners;
+  std::vector<Face> faces;
+  std::vector<int> loops;
+  std::vector<Edge> edges;
+  Vec3 center = Vec3::Zero();                               ///< of the corners
+  Vec3 box_center = Vec3::Zero(), box_half = Vec3::Zero();  ///< the box round them
+};
+
+}  // namespace griffith::contact

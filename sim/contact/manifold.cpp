@@ -1,0 +1,371 @@
+#include "sim/contact/manifold.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/contact/triple.h"
+
+namespace griffith::contact {
+namespace {
+
+using Feature = Manifold::Feature;
+
+/// Shares of the smaller radius: what hardly moves keeps its points; by so much an edge has to part a pair better than
+/// a face does; by so much another feature may be better before it is found.
+constexpr double kHardlyMoved = 4e-4, kForFaces = 2e-3, kLargestMargin = 1e-2;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Corners of a polygon and their number.
+struct Polygon {
+  static constexpr int kMaxCorners = kMostFound;
+  std::array<Vec3, kMaxCorners> corners;
+  int count = 0;
+  void add(const Vec3& corner) {
+    if (count < kMaxCorners) corners[count++] = corner;
+  }
+};
+
+struct FoundPoints {
+  std::array<FoundPoint, kMostFound> points;
+  int count = 0;
+  bool beside = false;  ///< the face that parts them is not the one where they meet
+  void add(const FoundPoint& point) {
+    if (count < kMostFound) points[count++] = point;
+  }
+  std::span<const FoundPoint> listed() const { return {points.data(), static_cast<std::size_t>(count)}; }
+};
+
+double lowest(const Hull& hull, const Vec3& direction) {
+  const double x = direction.x(), y = direction.y(), z = direction.z();
+  double least = kInfinity;
+  for (const Vec3& corner : hull.corners) {
+    const double along = x * corner.x() + y * corner.y() + z * corner.z();
+    least = along < least ? along : least;
+  }
+  return least;
+}
+
+const Vec3& lowest_corner(const Hull& hull, const Vec3& direction) {
+  return *std::ranges::min_element(hull.corners, {}, [&](const Vec3& corner) { return direction.dot(corner); });
+}
+
+/// Two hulls, a lying at `place` in the frame of b, in which all directions are.
+class HullPair {
+ public:
+  HullPair(const Hull& a, const Hull& b, const Place& place) : a_(a), b_(b), place_(place) {}
+
+  struct Axis {
+    Feature feature = Feature::none;
+    int of_a = 0, of_b = 0;
+    double separation = -kInfinity, score = -kInfinity;  // the score favors faces
+  };
+
+  double separation_along(Feature feature, int of_a, int of_b) const {
+    switch (feature) {
+      case Feature::face_of_a:
+        return separation_along_face_of_a(of_a);
+      case Feature::face_of_b:
+        return separation_along_face_of_b(of_b);
+      case Feature::edges: {
+        const Vec3 outward = edge_axis(of_a, of_b);
+        return outward.isZero(0) ? -kInfinity
+                                 : lowest(a_, place_.rotation.transpose() * outward) + outward.dot(place_.translation) +
+                                       lowest(b_, -outward);
+      }
+      default:
+        return -kInfinity;
+    }
+  }
+
+  /// The axis along which they are farthest apart, and how far behind the second is. Any that parts them by more than
+  /// `reach` will do.
+  Axis best_axis(double reach, double for_faces, double& margin) const {
+    Axis best;
+    double second = -kInfinity;
+    const auto consider = [&](const Axis& axis) {
+      if (axis.score > best.score) {
+        second = best.score;
+        best = axis;
+      } else {
+        second = std::max(second, axis.score);
+      }
+      return axis.separation > reach;
+    };
+    margin = -1;
+    for (int i = 0; i < static_cast<int>(b_.faces.size()); ++i) {
+      const double separation = separation_along_face_of_b(i);
+      if (consider({Feature::face_of_b, 0, i, separation, separation})) return best;
+    }
+    for (int i = 0; i < static_cast<int>(a_.faces.size()); ++i) {
+      const double separation = separation_along_face_of_a(i);
+      if (consider({Feature::face_of_a, i, 0, separation, separation})) return best;
+    }
+    for (int i = 0; i < static_cast<int>(a_.edges.size()); ++i)
+      if (for_each_facing_edge(i, [&](int j, double separation) {
+            return consider({Feature::edges, i, j, separation, separation - for_faces});
+          }))
+        return best;
+    margin = best.score - second;
+    return best;
+  }
+
+  /// Unit normal of a feature, from b to a; zero where edges are parallel.
+  Vec3 normal(Feature feature, int of_a, int of_b) const {
+    if (feature == Feature::face_of_b) return b_.faces[of_b].normal;
+    if (feature == Feature::face_of_a) return -(place_.rotation * a_.faces[of_a].normal);
+    return edge_axis(of_a, of_b);
+  }
+
+  /// The points where they are nearer than `reach`; one at least of hulls that overlap.
+  FoundPoints find_points(Feature feature, int of_a, int of_b, double reach) const {
+    FoundPoints found;
+    if (feature == Feature::edges) {
+      found.add(edge_point(of_a, of_b));
+      return found;
+    }
+    const bool on_b = feature == Feature::face_of_b;
+    const Vec3 outward = (on_b ? 1 : -1) * normal(feature, of_a, of_b);
+    const double offset = on_b ? b_.faces[of_b].offset : a_.faces[of_a].offset + outward.dot(place_.translation);
+    const Polygon face = on_b ? polygon_of_b(of_b) : polygon_of_a(of_a);
+    const Vec3 outward_in_a = place_.rotation.transpose() * outward;
+    Polygon shared = on_b ? polygon_of_a(facing_face(a_, outward_in_a)) : polygon_of_b(facing_face(b_, outward));
+    clip(shared, face, outward);
+    found.beside = shared.count == 0;
+    if (found.beside) {
+      const Vec3 deepest = on_b ? place_.to_world(lowest_corner(a_, outward_in_a)) : lowest_corner(b_, outward);
+      if (outward.dot(deepest) < offset) shared.add(deepest);
+    }
+    for (int i = 0; i < shared.count; ++i) {
+      const Vec3& point = shared.corners[i];
+      const double distance = outward.dot(point) - offset;
+      if (distance >= reach) continue;
+      const Vec3 beneath = point - distance * outward;
+      found.add(on_b ? FoundPoint{point, beneath, distance} : FoundPoint{beneath, point, distance});
+    }
+    return found;
+  }
+
+ private:
+  double separation_along_face_of_b(int face) const {
+    const Vec3& normal = b_.faces[face].normal;
+    return lowest(a_, place_.rotation.transpose() * normal) + normal.dot(place_.translation) - b_.faces[face].offset;
+  }
+
+  double separation_along_face_of_a(int face) const {
+    const Vec3 normal = place_.rotation * a_.faces[face].normal;
+    return lowest(b_, normal) - normal.dot(place_.translation) - a_.faces[face].offset;
+  }
+
+  Vec3 corner_of_a(int corner) const { return place_.to_world(a_.corners[corner]); }
+
+  /// Across two edges, from b to a.
+  Vec3 edge_axis(int of_a, int of_b) const {
+    constexpr double kParallel = 5e-3;  // the sine
+    const Hull::Edge &edge_a = a_.edges[of_a], &edge_b = b_.edges[of_b];
+    const Vec3 along_a = place_.rotation * (a_.corners[edge_a.to] - a_.corners[edge_a.from]);
+    const Vec3 along_b = b_.corners[edge_b.to] - b_.corners[edge_b.from];
+    const Vec3 across = along_a.cross(along_b);
+    const double square = across.squaredNorm();
+    if (square < kParallel * kParallel * along_a.squaredNorm() * along_b.squaredNorm()) return Vec3::Zero();
+    const Vec3 axis = across / std::sqrt(square);
+    return axis.dot(b_.corners[edge_b.from] - b_.center) >= 0 ? axis : Vec3(-axis);
+  }
+
+  /// Calls use(edge of b, separation) for the edges of b that may be nearest to an edge of a: their faces' normals
+  /// cross on the sphere. Stops where that says true, and returns it.
+  template <class Use>
+  bool for_each_facing_edge(int of_a, Use use) const {
+    const Hull::Edge& edge = a_.edges[of_a];
+    const Triple left(place_.rotation * a_.faces[edge.left].normal),
+        right(place_.rotation * a_.faces[edge.right].normal);
+    const Triple along(place_.rotation * (a_.corners[edge.to] - a_.corners[edge.from]));
+    std::array<double, kMostFound> tilts;  // of b's faces along the edge
+    const int tilt_count = std::min(static_cast<int>(b_.faces.size()), kMostFound);
+    for (int face = 0; face < tilt_count; ++face) tilts[face] = -dot(Triple(b_.faces[face].normal), along);
+    const auto tilt = [&](int face) {
+      return face < tilt_count ? tilts[face] : -dot(Triple(b_.faces[face].normal), along);
+    };
+    for (int j = 0; j < static_cast<int>(b_.edges.size()); ++j) {
+      const Hull::Edge& other = b_.edges[j];
+      const double first = tilt(other.left), second = tilt(other.right);
+      if (first * second >= 0) continue;
+      const Triple along_b = Triple(b_.corners[other.to]) - Triple(b_.corners[other.from]);
+      const double third = dot(left, along_b), fourth = dot(right, along_b);
+      if (third * fourth >= 0 || first * fourth <= 0) continue;
+      const Vec3 axis = edge_axis(of_a, j);
+      if (!axis.isZero(0) && use(j, axis.dot(corner_of_a(edge.from) - b_.corners[other.from]))) return true;
+    }
+    return false;
+  }
+
+  /// The face that looks most against a direction.
+  static int facing_face(const Hull& hull, const Vec3& direction) {
+    int best = 0;
+    double least = kInfinity;
+    for (int i = 0; i < static_cast<int>(hull.faces.size()); ++i) {
+      const double along = direction.dot(hull.faces[i].normal);
+      if (along >= least) continue;
+      least = along;
+      best = i;
+    }
+    return best;
+  }
+
+  /// Of a face with very many corners, some.
+  template <class Corner>
+  static Polygon polygon(const Hull& hull, int face, Corner corner) {
+    Polygon made;
+    const int stride = 1 + hull.faces[face].count / (Polygon::kMaxCorners / 2);
+    for (int i = 0; i < hull.faces[face].count; i += stride) made.add(corner(hull.loops[hull.faces[face].first + i]));
+    return made;
+  }
+  Polygon polygon_of_a(int face) const {
+    return polygon(a_, face, [&](int corner) { return corner_of_a(corner); });
+  }
+  Polygon polygon_of_b(int face) const {
+    return polygon(b_, face, [&](int corner) { return b_.corners[corner]; });
+  }
+
+  /// Leaves of a polygon what lies over a face.
+  static void clip(Polygon& polygon, const Polygon& face, const Vec3& outward) {
+    Polygon other;
+    Polygon *from = &polygon, *to = &other;
+    for (int side = 0; side < face.count && from->count > 0; ++side) {
+      const Vec3& start = face.corners[side];
+      const Vec3 across = (face.corners[(side + 1) % face.count] - start).cross(outward);
+      to->count = 0;
+      double here_side = across.dot(from->corners[0] - start);
+      for (int i = 0; i < from->count; ++i) {
+        const Vec3 &here = from->corners[i], &next = from->corners[i + 1 < from->count ? i + 1 : 0];
+        const double next_side = across.dot(next - start);
+        if (here_side <= 0) to->add(here);
+        if ((here_side < 0 && next_side > 0) || (here_side > 0 && next_side < 0))
+          to->add(here + here_side / (here_side - next_side) * (next - here));
+        here_side = next_side;
+      }
+      std::swap(from, to);
+    }
+    if (from != &polygon) polygon = *from;
+  }
+
+  /// Where two edges are nearest.
+  FoundPoint edge_point(int of_a, int of_b) const {
+    const Hull::Edge &edge_a = a_.edges[of_a], &edge_b = b_.edges[of_b];
+    const Vec3 start_a = corner_of_a(edge_a.from), along_a = corner_of_a(edge_a.to) - start_a;
+    const Vec3 start_b = b_.corners[edge_b.from], along_b = b_.corners[edge_b.to] - start_b;
+    const Vec3 apart = start_a - start_b;
+    const double aa = along_a.squaredNorm(), bb = along_b.squaredNorm(), ab = along_a.dot(along_b);
+    const double on_a = along_a.dot(apart), on_b = along_b.dot(apart), determinant = aa * bb - ab * ab;
+    const double share_a = std::clamp((ab * on_b - bb * on_a) / determinant, 0.0, 1.0);
+    const double share_b = std::clamp((ab * share_a + on_b) / bb, 0.0, 1.0);
+    const Vec3 point_a = start_a + share_a * along_a, point_b = start_b + share_b * along_b;
+    return {point_a, point_b, edge_axis(of_a, of_b).dot(point_a - point_b)};
+  }
+
+  const Hull &a_, &b_;
+  const Place& place_;
+};
+
+/// How far a point of the smaller of two objects has moved in the frame of the other, at most [m].
+double moved(const Place& then, const Place& now, double radius_a, double radius_b) {
+  const double turned = (now.rotation - then.rotation).norm();
+  if (radius_a <= radius_b) return (now.translation - then.translation).norm() + radius_a * turned;
+  const Vec3 b_then = then.rotation.transpose() * then.translation, b_now = now.rotation.transpose() * now.translation;
+  return (b_now - b_then).norm() + radius_b * turned;
+}
+
+/// The four that span the area: one that lies deep, the one farthest from it, and the farthest to both sides of these.
+int spanning_four(std::span<const FoundPoint> found, const Vec3& normal, std::array<int, 4>& kept) {
+  constexpr double kSlope = 0.01;  // how much outer ones may be less deep
+  const Vec3 outward = normal.unitOrthogonal();
+  const auto best = [&](auto score) {
+    int index = 0;
+    double most = -kInfinity;
+    for (int i = 0; i < static_cast<int>(found.size()); ++i)
+      if (const double value = score(found[i]); value > most) {
+        most = value;
+        index = i;
+      }
+    return index;
+  };
+  kept[0] = best([&](const FoundPoint& point) { return kSlope * outward.dot(point.on_b) - point.distance; });
+  const Vec3& first = found[kept[0]].on_b;
+  kept[1] = best([&](const FoundPoint& point) { return (point.on_b - first).squaredNorm(); });
+  const Vec3 across = (found[kept[1]].on_b - first).cross(normal);
+  kept[2] = best([&](const FoundPoint& point) { return across.dot(point.on_b - first); });
+  kept[3] = best([&](const FoundPoint& point) { return -across.dot(point.on_b - first); });
+  std::ranges::sort(kept);
+  return static_cast<int>(std::unique(kept.begin(), kept.end()) - kept.begin());
+}
+
+}  // namespace
+
+void set_points(Manifold& manifold, std::span<const FoundPoint> found, const Vec3& normal_in_b, const Place& a_in_b,
+                double tolerance) {
+  std::array<int, 4> kept = {0, 1, 2, 3};
+  const int count = found.size() <= 4 ? static_cast<int>(found.size()) : spanning_four(found, normal_in_b, kept);
+  const std::array<Manifold::Point, 4> before = manifold.points;
+  std::array<bool, 4> handed_on = {};
+  for (int i = 0; i < count; ++i) {
+    Manifold::Point& point = manifold.points[i];
+    point = {a_in_b.to_local(found[kept[i]].on_a), found[kept[i]].on_b};
+    int nearest = -1;
+    double least = tolerance * tolerance;
+    for (int k = 0; k < manifold.count; ++k) {
+      const double distance =
+          std::min((before[k].on_a - point.on_a).squaredNorm(), (before[k].on_b - point.on_b).squaredNorm());
+      if (handed_on[k] || distance >= least) continue;
+      least = distance;
+      nearest = k;
+    }
+    if (nearest < 0) continue;
+    handed_on[nearest] = true;
+    point.force = before[nearest].force;
+  }
+  manifold.count = count;
+  manifold.normal_in_b = normal_in_b;
+}
+
+namespace {
+
+/// Looks at all features of a pair; an edge has to part it better than a face by `for_faces` [m].
+void take_best_axis(Manifold& manifold, const HullPair& pair, double reach, double for_faces, double largest_margin) {
+  double margin = 0;
+  const HullPair::Axis axis = pair.best_axis(reach, for_faces, margin);
+  manifold.feature = axis.feature;
+  manifold.of_a = axis.of_a;
+  manifold.of_b = axis.of_b;
+  manifold.separation = axis.separation;
+  manifold.margin = std::min(0.5 * margin, largest_margin);
+  manifold.drift = 0;
+}
+
+}  // namespace
+
+void find_contacts(Manifold& manifold, const SizedHull& a, const SizedHull& b, const Place& a_in_b, double reach) {
+  const double since = moved(manifold.seen, a_in_b, a.radius, b.radius), radius = std::min(a.radius, b.radius);
+  if (manifold.feature != Feature::none) {
+    if (manifold.count > 0 && since < kHardlyMoved * radius && reach <= manifold.seen_reach) return;
+    if (manifold.count == 0 && manifold.separation - since > reach) return;
+  }
+  const HullPair pair(a.hull, b.hull, a_in_b);
+  manifold.drift += since;
+  manifold.seen = a_in_b;
+  manifold.seen_reach = reach;
+  manifold.separation = pair.separation_along(manifold.feature, manifold.of_a, manifold.of_b);
+  const bool lost = manifold.separation == -kInfinity;
+  if (!(manifold.separation > reach) && (lost || !(manifold.drift < manifold.margin)))
+    take_best_axis(manifold, pair, reach, kForFaces * radius, kLargestMargin * radius);
+  if (manifold.separation > reach) return void(manifold.count = 0);
+  FoundPoints found = pair.find_points(manifold.feature, manifold.of_a, manifold.of_b, reach);
+  if (found.beside && manifold.feature != Feature::edges) {  // edges may cross beside the face that was preferred
+    take_best_axis(manifold, pair, reach, 0, kLargestMargin * radius);
+    found = pair.find_points(manifold.feature, manifold.of_a, manifold.of_b, reach);
+  }
+  set_points(manifold, found.listed(), pair.normal(manifold.feature, manifold.of_a, manifold.of_b), a_in_b,
+             0.1 * radius);
+}
+
+}  // namespace griffith::contact

@@ -1,0 +1,322 @@
+#include "sim/contact/rigid_solver.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "sim/contact/rigid_rows.h"
+#include "sim/core/parallel.h"
+
+namespace griffith::contact {
+namespace {
+
+constexpr int kSubsteps = 8;
+/// The share of an overlap that goes in a step, beyond what is left: less where it is small, lest pushing should keep
+/// what rocks rocking. That share is reached at this multiple of what is left.
+constexpr double kPushedOut = 0.2, kFullyPushed = 4;
+constexpr int kPushSweeps = 10;
+/// A substep is solved until no velocity changes by more than this share of what external forces give in it, or after
+/// so much work: rows times sweeps. A group of which nothing is remembered has all of its impulses to find.
+constexpr double kResidual = 1e-3;
+constexpr int kWork = 1'000, kMaxSweeps = 8, kColdWork = 60'000, kMaxColdSweeps = 200;
+/// Blows are solved until no velocity changes by more than this share of the fastest, or for so much work.
+constexpr double kTolerance = 1e-6;
+constexpr int kBlowSweeps = 60, kMinBlowSweeps = 4, kBlowWork = 12'000;
+
+/// A body's rotation since the start of the step.
+struct Turn {
+  Quat whole = Quat::Identity();
+  Mat3 less_identity = Mat3::Zero();
+};
+
+class GroupStep {
+ public:
+  GroupStep(std::span<RigidBody> bodies, std::span<Motion> motions, std::span<Turn> turns,
+            std::span<RigidContact> contacts, const RigidGroup& group, double dt)
+      : bodies_(bodies),
+        motions_(motions),
+        turns_(turns),
+        contacts_(contacts),
+        group_(group),
+        dt_(dt),
+        h_(dt / kSubsteps),
+        rows_(motions, contacts, group, h_),
+        is_cold_(rows_.is_cold()) {
+    for (const int i : group_.bodies) acceleration_ = std::max(acceleration_, bodies_[i].acceleration.norm());
+  }
+
+  int solve() {
+    int sweeps = 0;
+    for (int substep = 0; substep < kSubsteps; ++substep) {
+      for (const int i : group_.bodies) accelerate(i);
+      rows_.for_each_block([&](Block& block) { start(block, substep * h_); });
+      sweeps += relax_all();
+      for (Point& point : rows_.points) point.total += Triple{point.normal, point.first, point.second};
+      for (const int i : group_.bodies) move(i);
+    }
+    sweeps += rebound();
+    push_apart();
+    finish();
+    return static_cast<int>(rows_.points.size()) * sweeps;
+  }
+
+ private:
+  // A substep.
+
+  void accelerate(int i) const {
+    motions_[i].velocity += h_ * Triple(bodies_[i].acceleration);
+    motions_[i].spin += h_ * Triple(bodies_[i].turning);
+  }
+
+  /// Where the gaps are, and the impulses of the last substep again.
+  void start(Block& block, double time) {
+    Motion a = motions_[block.a], b = motions_[block.b];
+    const bool a_moves = a.inverse_mass > 0, b_moves = b.inverse_mass > 0;
+    Triple apart;
+    if (a_moves) apart += Triple(bodies_[block.a].displacement);
+    if (b_moves) apart -= Triple(bodies_[block.b].displacement);
+    const double along = dot(block.normal, apart);
+    const Triple down_a = a_moves ? transposed_times(turns_[block.a].less_identity, block.normal) : Triple(),
+                 down_b = b_moves ? transposed_times(turns_[block.b].less_identity, block.normal) : Triple();
+    for (int i = block.begin; i < block.end; ++i) {
+      Point& point = rows_.points[i];
+      point.gap = point.distance + time * point.driven + along + dot(down_a, point.arm_a) - dot(down_b, point.arm_b);
+      point.target = -std::max(point.gap, 0.0) / h_;
+      if (point.normal == 0) {
+        point.first = point.second = 0;
+        continue;
+      }
+      const Triple impulse = point.normal * block.normal + point.first * block.first + point.second * block.second;
+      a.push(point.arm_a, impulse);
+      b.push(point.arm_b, -impulse);
+    }
+    if (a_moves) motions_[block.a] = a;
+    if (b_moves) motions_[block.b] = b;
+  }
+
+  /// Returns the sweeps.
+  int relax_all() {
+    const int count = static_cast<int>(rows_.points.size());
+    const int most =
+        is_cold_ ? std::clamp(kColdWork / count, 1, kMaxColdSweeps) : std::clamp(kWork / count, 1, kMaxSweeps);
+    if (most == 1) {
+      rows_.for_each_block([&](Block& block) { relax(block); });
+      return 1;
+    }
+    double last_size = 0;
+    for (Point& point : rows_.points) point.direction = Triple();
+    for (int done = 1;; ++done) {
+      for (Point& point : rows_.points) point.before = {point.normal, point.first, point.second};
+      double change = 0;
+      for (Block& block : rows_.blocks) change = std::max(change, relax(block));
+      if (done == most || change <= kResidual * h_ * acceleration_) return done;
+      last_size = extrapolate(last_size);
+    }
+  }
+
+  /// Goes on from a sweep along the conjugate direction, unless the sweeps do not converge (Silcowitz, Niebe & Erleben
+  /// 2010). Returns the size of the sweep's change.
+  double extrapolate(double last_size) {
+    double size = 0;
+    for (const Point& point : rows_.points) {
+      const Triple step = Triple{point.normal, point.first, point.second} - point.before;
+      size += dot(step, step) / point.inverse_normal;
+    }
+    const double share = size < last_size ? size / last_size : 0;
+    for (const Block& block : rows_.blocks)
+      for (int i = block.begin; i < block.end; ++i) {
+        Point& point = rows_.points[i];
+        const Triple more = share * point.direction;
+        point.direction = Triple{point.normal, point.first, point.second} - point.before + more;
+        if (dot(more, more) == 0) continue;
+        point.normal += more.x, point.first += more.y, point.second += more.z;
+        const Triple impulse = more.x * block.normal + more.y * block.first + more.z * block.second;
+        if (motions_[block.a].inverse_mass > 0) motions_[block.a].push(point.arm_a, impulse);
+        if (motions_[block.b].inverse_mass > 0) motions_[block.b].push(point.arm_b, -impulse);
+      }
+    return size;
+  }
+
+  /// Solves a block's points one after the other among the others' present impulses, so that its sides part at least at
+  /// the target and sliding is stopped within friction's disc; returns the largest change of a normal velocity.
+  double relax(Block& block) {
+    Motion a = motions_[block.a], b = motions_[block.b];
+    double largest = 0;
+    for (int i = block.begin; i < block.end; ++i) {
+      Point& point = rows_.points[i];
+      const Triple velocity = a.velocity + cross(a.spin, point.arm_a) - b.velocity - cross(b.spin, point.arm_b);
+      const double along = dot(block.normal, velocity) - point.target;
+      if (point.normal == 0 && along >= 0) continue;
+      const double next = std::max(0.0, point.normal - point.inverse_normal * along), change = next - point.normal;
+      Triple impulse = change * block.normal;
+      point.normal = next;
+      if (block.friction > 0) impulse += friction_change(block, point, velocity, change);
+      a.push(point.arm_a, impulse);
+      b.push(point.arm_b, -impulse);
+      largest = std::max(largest, std::abs(change) / point.inverse_normal);
+    }
+    if (a.inverse_mass > 0) motions_[block.a].velocity = a.velocity, motions_[block.a].spin = a.spin;
+    if (b.inverse_mass > 0) motions_[block.b].velocity = b.velocity, motions_[block.b].spin = b.spin;
+    return largest;
+  }
+
+  /// The change of the tangential impulse: what stops the sliding, where the limit allows it; else as much as it
+  /// allows, against the sliding.
+  static Triple friction_change(const Block& block, Point& point, const Triple& velocity, double change) {
+    const double limit = block.friction * point.normal;
+    const double x = dot(block.first, velocity) + change * point.couple_x,
+                 y = dot(block.second, velocity) + change * point.couple_y;
+    double next_x = point.first - (point.xx * x + point.xy * y), next_y = point.second - (point.xy * x + point.yy * y);
+    if (next_x * next_x + next_y * next_y > limit * limit) {
+      next_x = point.first - point.inverse_largest * x;
+      next_y = point.second - point.inverse_largest * y;
+      const double length = std::sqrt(next_x * next_x + next_y * next_y);
+      if (length > limit) {
+        next_x *= limit / length;
+        next_y *= limit / length;
+      }
+    }
+    const Triple impulse = (next_x - point.first) * block.first + (next_y - point.second) * block.second;
+    point.first = next_x;
+    point.second = next_y;
+    return impulse;
+  }
+
+  /// Takes out a share of the overlaps by displacements that let nothing else overlap, beside the true velocities.
+  void push_apart() {
+    bool any = false;
+    for (Point& point : rows_.points) {
+      const double overlap = -point.resting - point.gap;
+      const double share = kPushedOut * std::min(1.0, overlap / (kFullyPushed * point.resting));
+      point.target = overlap > 0 ? share * overlap : overlap;
+      any |= overlap > 0;
+    }
+    for (int sweep = 0; any && sweep < kPushSweeps; ++sweep)
+      rows_.for_each_block([&](Block& block) { push_apart(block); });
+  }
+
+  void push_apart(Block& block) {
+    Motion &a = motions_[block.a], &b = motions_[block.b];
+    for (int i = block.begin; i < block.end; ++i) {
+      Point& point = rows_.points[i];
+      const double moved = dot(block.normal, a.push_velocity + cross(a.push_spin, point.arm_a) - b.push_velocity -
+                                                 cross(b.push_spin, point.arm_b));
+      const double next = std::max(0.0, point.pushed + point.inverse_normal * (point.target - moved)),
+                   pushed = next - point.pushed;
+      if (pushed == 0) continue;
+      point.pushed = next;
+      if (a.inverse_mass > 0) a.push_out(point.arm_a, pushed * block.normal);
+      if (b.inverse_mass > 0) b.push_out(point.arm_b, -pushed * block.normal);
+    }
+  }
+
+  void move(int i) const {
+    RigidBody& body = bodies_[i];
+    const Motion& motion = motions_[i];
+    body.displacement += h_ * motion.velocity.vector();
+    body.rotation += h_ * motion.spin.vector();
+    if (body.is_round) return;
+    Quat& turn = turns_[i].whole;
+    const Vec3 half = 0.5 * h_ * motion.spin.vector();
+    turn.coeffs() += (Quat(0, half.x(), half.y(), half.z()) * turn).coeffs();
+    turn.normalize();
+    turns_[i].less_identity = turn.toRotationMatrix() - Mat3::Identity();
+  }
+
+  // The end of a step.
+
+  /// The velocity of parting that leads back to restitution² of the height that a contact fell from, or would have
+  /// gone on falling from. Stepped as falls are, one with g keeps v²/2 + g y + g dt v/2, v downwards.
+  double rebound_speed(const Point& point) const {
+    const double gain = point.fall, before = point.approach - gain, weight = 2 * gain / dt_;
+    // The top of the steps lies up to g dt²/8 above that of the fall.
+    const double over = gain * gain / 4, square = point.restitution * point.restitution;
+    const double left = square * (before * before + gain * before + weight * std::max(0.0, point.distance)) -
+                        weight * std::max(0.0, point.gap) - over;
+    return left > 0 ? gain / 2 + std::sqrt(gain * gain / 4 + left) : 0;
+  }
+
+  /// Lets what has struck part again; all else in the group goes on touching. Returns the sweeps.
+  int rebound() {
+    for (Point& point : rows_.points) {
+      point.force = Triple{point.normal, point.first, point.second};
+      point.normal = point.first = point.second = 0;
+    }
+    rows_.for_each_block([&](Block& block) { start(block, dt_); });
+    double fastest = 0;
+    for (Point& point : rows_.points) {
+      if (!(point.restitution > 0) || !(point.total.x > 0)) continue;
+      const double speed = rebound_speed(point);
+      if (!(speed > 0)) continue;
+      point.target = speed;
+      fastest = std::max(fastest, point.approach);
+    }
+    if (fastest == 0) return 0;
+    const int sweeps = std::clamp(kBlowWork / static_cast<int>(rows_.points.size()), kMinBlowSweeps, kBlowSweeps);
+    int done = 0;
+    for (double change = fastest; done < sweeps && change > kTolerance * fastest; ++done) {
+      change = 0;
+      for (Block& block : rows_.blocks) change = std::max(change, relax(block));
+    }
+    for (Point& point : rows_.points) point.total += Triple{point.normal, point.first, point.second};
+    return done;
+  }
+
+  void finish() {
+    for (const Block& block : rows_.blocks)
+      for (int i = block.begin; i < block.end; ++i) {
+        const auto along_axes = [&](const Triple& values) {
+          return (values.x * block.normal + values.y * block.first + values.z * block.second).vector();
+        };
+        const Point& point = rows_.points[i];
+        contacts_[group_.contacts[i]].impulse = along_axes(point.total);
+        contacts_[group_.contacts[i]].force = along_axes(point.force) / h_;
+        if (!(point.total.x > 0) && !(point.pushed > 0)) continue;
+        for (const int side : {block.a, block.b})
+          if (motions_[side].inverse_mass > 0) bodies_[side].touched = true;
+      }
+    for (const int i : group_.bodies) {
+      RigidBody& body = bodies_[i];
+      body.velocity = motions_[i].velocity.vector();
+      body.spin = motions_[i].spin.vector();
+      body.push = motions_[i].push_velocity.vector();
+      body.push_rotation = motions_[i].push_spin.vector();
+      if (body.touched) continue;
+      body.displacement = dt_ * body.velocity;  // as what flies alone
+      body.rotation = dt_ * body.spin;
+    }
+  }
+
+  std::span<RigidBody> bodies_;
+  std::span<Motion> motions_;
+  std::span<Turn> turns_;
+  std::span<RigidContact> contacts_;
+  const RigidGroup& group_;
+  double dt_, h_;
+  RigidRows rows_;
+  bool is_cold_;
+  double acceleration_ = 0;  // the largest by external forces [m/s²]
+};
+
+}  // namespace
+
+int solve_rigid(std::span<RigidBody> bodies, std::span<RigidContact> contacts, std::span<const RigidGroup> groups,
+                double dt) {
+  std::vector<Motion> motions(bodies.size());
+  std::vector<Turn> turns(bodies.size());
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    motions[i] = {Triple(bodies[i].velocity),
+                  Triple(bodies[i].spin),
+                  bodies[i].inverse_mass,
+                  Symmetric(bodies[i].inverse_inertia),
+                  Triple(),
+                  Triple()};
+  std::vector<int> work(groups.size());
+  parallel_for(static_cast<int>(groups.size()), 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i) work[i] = GroupStep(bodies, motions, turns, contacts, groups[i], dt).solve();
+  });
+  return std::accumulate(work.begin(), work.end(), 0);
+}
+
+}  // namespace griffith::contact

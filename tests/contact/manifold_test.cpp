@@ -1,0 +1,130 @@
+#include "sim/contact/manifold.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sim/geometry/convex_hull.h"
+#include "tests/contact/bodies.h"
+
+namespace griffith {
+namespace {
+
+using namespace testing;
+using contact::Hull;
+using contact::Manifold;
+using contact::Place;
+
+/// How far a point lies outside of a hull, at most; negative inside.
+double height_over(const Hull& hull, const Vec3& point) {
+  double height = -std::numeric_limits<double>::infinity();
+  for (const Hull::Face& face : hull.faces) height = std::max(height, face.normal.dot(point) - face.offset);
+  return height;
+}
+
+/// By how much a direction parts two hulls, b in its frame and a at a place in it.
+double gap_along(const Hull& a, const Hull& b, const Place& place, const Vec3& direction) {
+  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+  for (const Vec3& corner : a.corners) lowest = std::min(lowest, direction.dot(place.to_world(corner)));
+  for (const Vec3& corner : b.corners) highest = std::max(highest, direction.dot(corner));
+  return lowest - highest;
+}
+
+struct RandomPair {
+  explicit RandomPair(unsigned seed) : random(seed), a(convex_hull(part(seed))), b(convex_hull(part(seed / 2))) {}
+  ConvexPart part(unsigned choice) { return choice % 2 == 0 ? box_part(Vec3(0.4, 0.7, 1)) : random_chunk(random, 0.5); }
+  Vec3 direction() {
+    std::normal_distribution<double> normal;
+    return Vec3(normal(random), normal(random), normal(random)).normalized();
+  }
+  Place place() {
+    std::uniform_real_distribution<double> uniform(0, 1);
+    return {Eigen::AngleAxisd(3 * uniform(random), direction()).toRotationMatrix(),
+            1.1 * uniform(random) * direction()};
+  }
+  Manifold found(const Place& place, double reach) const {
+    Manifold manifold;
+    contact::find_contacts(manifold, {a, 0.7}, {b, 0.7}, place, reach);
+    return manifold;
+  }
+
+  std::mt19937 random;
+  Hull a, b;
+};
+
+TEST(Hull, ABoxHasSixSidesHoweverItIsRoundedOrSlightlyBent) {
+  for (const double bend : {0.0, 1e-12, 1e-6, 1e-4})
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      std::mt19937 random(seed);
+      std::uniform_real_distribution<double> uniform(-1, 1);
+      ConvexPart corners = box_part(Vec3(0.12, 0.08, 0.1));
+      const Quat turn = Quat(uniform(random), uniform(random), uniform(random), uniform(random)).normalized();
+      for (Vec3& corner : corners)
+        corner = turn * corner + 0.1 * bend * Vec3(uniform(random), uniform(random), uniform(random));
+      const Hull hull(convex_hull(corners));
+      EXPECT_EQ(hull.faces.size(), 6u) << bend << ' ' << seed;
+      EXPECT_EQ(hull.edges.size(), 12u) << bend << ' ' << seed;
+      for (const Vec3& corner : corners) EXPECT_LT(height_over(hull, corner), 1e-15);
+    }
+}
+
+TEST(Manifold, NoDirectionPartsOverlappingHullsBetterThanItsNormal) {
+  constexpr double kReach = 0.02, kForFaces = 2e-3 * 0.7;  // so much a face may be worse than two edges
+  int overlapping = 0;
+  for (unsigned seed = 0; seed < 100; ++seed) {
+    RandomPair pair(seed);
+    const Place place = pair.place();
+    const Manifold manifold = pair.found(place, kReach);
+    const double best = manifold.separation;
+    for (int i = 0; i < 300 && best <= 0; ++i)
+      ASSERT_LE(gap_along(pair.a, pair.b, place, pair.direction()), best + kForFaces + 1e-9) << seed;
+    if (manifold.count == 0) continue;
+    EXPECT_NEAR(gap_along(pair.a, pair.b, place, manifold.normal_in_b), best, 1e-9) << seed;
+    overlapping += best < 0;
+  }
+  EXPECT_GT(overlapping, 30);
+}
+
+TEST(Manifold, ItsPointsLieOnBothSurfaces) {
+  constexpr double kReach = 0.02;
+  int touching = 0;
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    RandomPair pair(seed);
+    const Place place = pair.place();
+    const Manifold manifold = pair.found(place, kReach);
+    touching += manifold.count > 0;
+    for (const Manifold::Point& point : manifold.listed()) {
+      const Vec3 apart = place.to_world(point.on_a) - point.on_b;
+      EXPECT_LT((apart - apart.dot(manifold.normal_in_b) * manifold.normal_in_b).norm(), 1e-9) << seed;
+      EXPECT_LT(apart.dot(manifold.normal_in_b), kReach);
+      EXPECT_LT(height_over(pair.a, point.on_a), std::max(1e-9, apart.norm())) << seed;
+      EXPECT_LT(height_over(pair.b, point.on_b), std::max(1e-9, apart.norm())) << seed;
+    }
+  }
+  EXPECT_GT(touching, 60);
+}
+
+TEST(Manifold, FollowedStepByStepItIsAsFoundAtOnce) {
+  constexpr double kReach = 0.014;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    RandomPair pair(seed);
+    Place place = pair.place();
+    Manifold followed;
+    const Vec3 way = -0.004 * place.translation.normalized();
+    const Mat3 turn = Eigen::AngleAxisd(0.01, pair.direction()).toRotationMatrix();
+    for (int step = 0; step < 100; ++step) {
+      place = {turn * place.rotation, place.translation + way};
+      contact::find_contacts(followed, {pair.a, 0.7}, {pair.b, 0.7}, place, kReach);
+      const Manifold fresh = pair.found(place, kReach);
+      ASSERT_EQ(followed.count > 0, fresh.count > 0 || followed.separation <= kReach) << seed << ' ' << step;
+      if (followed.count == 0 || fresh.count == 0) continue;
+      // What was kept may be worse by no more than what it is kept for.
+      EXPECT_NEAR(gap_along(pair.a, pair.b, place, followed.normal_in_b),
+                  gap_along(pair.a, pair.b, place, fresh.normal_in_b), kReach)
+          << seed << ' ' << step;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace griffith
