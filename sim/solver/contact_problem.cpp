@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "sim/core/rotation.h"
+#include "sim/solver/conjugate_gradient.h"
 #include "sim/solver/contact_cone.h"
 #include "sim/solver/contact_jacobian.h"
 #include "sim/solver/contact_preconditioner.h"
@@ -453,6 +454,24 @@ ContactSolveReport solve_contact_problem(std::span<const DeformableInertia> defo
   changes.clear();
   for (std::size_t i = 0; i < deformable.size(); ++i) changes.push_back(solver.change(i, deformable[i]));
   return report;
+}
+
+NodeVectors respond_alone(const DeformableInertia& body, const NodeVectors& impulses, double relative_residual,
+                          int max_iterations) {
+  if (!body.matrix) return impulses * body.masses.cwiseInverse().asDiagonal();
+  NodeVectors rest = impulses, deforming = NodeVectors::Zero(3, impulses.cols());
+  NodeVectors whole = deforming;
+  if (body.whole.exists()) {
+    whole = body.whole.momentum_of(impulses);
+    rest -= whole;
+    for (Eigen::Index i = 0; i < body.whole.masses.size(); ++i)
+      whole.col(i) /= body.whole.damping * body.whole.masses[i];
+    whole = body.whole.part_of(whole);
+  }
+  conjugate_gradient(*body.matrix, *body.preconditioner, rest, deforming, relative_residual, std::sqrt(dot(rest, rest)),
+                     max_iterations);
+  if (body.whole.exists()) deforming -= body.whole.part_of(deforming);
+  return whole + deforming;
 }
 
 }  // namespace griffith

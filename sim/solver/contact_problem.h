@@ -88,4 +88,9 @@ ContactSolveReport solve_contact_problem(std::span<const DeformableInertia> defo
                                          std::span<const RigidInertia> rigid, std::span<FrictionContact> contacts,
                                          const ContactTolerance& tolerance, std::vector<NodeVectors>& changes);
 
+/// Change of the velocities of a body by impulses on its rows alone [N·s]; the momentum of the whole is exact. The rest
+/// stops at a residual of `relative_residual`.
+NodeVectors respond_alone(const DeformableInertia& body, const NodeVectors& impulses, double relative_residual,
+                          int max_iterations);
+
 }  // namespace griffith

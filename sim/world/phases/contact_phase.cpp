@@ -101,12 +101,20 @@ bool make_struck_bodies_elastic(WorldState& world, double dt) {
   return any;
 }
 
-void push_rigid_velocities(WorldState& world) {
+/// Hands the motions of bodies to the contact world, but for those that it moves as rigid ones itself: per BodyId.
+void push_rigid_velocities(WorldState& world, const std::vector<bool>& moved = {}) {
   for (const Body& body : world.bodies) {
-    if (body.asleep || body.supported()) continue;
+    if (body.asleep || body.supported() || (!moved.empty() && moved[body.id])) continue;
     const RigidMotion motion = body.rigid ? body.motion : motion_of(world, body);
     world.contact_world.set_velocity(body.proxy, motion.velocity, motion.angular_velocity);
   }
+}
+
+/// Deformable bodies that the contact world moved as rigid ones, per BodyId.
+std::vector<bool> taken_for_rigid(const WorldState& world, const TouchedBodies& touched) {
+  std::vector<bool> taken(world.bodies.size(), false);
+  for (const TouchedBody& of : touched.bodies) taken[of.body] = !of.is_coupled;
+  return taken;
 }
 
 void read_back_rigid_velocities(WorldState& world) {
@@ -158,6 +166,11 @@ void respond(WorldState& world, TouchedBody& touched, const ElasticObject& objec
   if (impulses.isZero(0)) return;
   std::vector<Vec3>& nodal = world.scratch.contact_impulses;
   add_nodal_impulses(world, touched, impulses, nodal);
+  if (!touched.is_coupled) {
+    const ImplicitStep step = implicit_step(world, body, dt);
+    touched.change = respond_alone(deformable_inertia(world, body, dt), body.system->gather(nodal),
+                                   step.relative_residual, step.max_iterations);
+  }
   if (world.integrates_explicitly()) {
     touched.change = respond_explicitly(world, body, dt, nodal);
   } else {
@@ -253,7 +266,7 @@ void resolve_contacts(WorldState& world, double dt) {
   push_rigid_velocities(world);
   TouchedBodies touched = solve_contacts(world, dt);
   respond(world, touched, dt);
-  push_rigid_velocities(world);
+  push_rigid_velocities(world, taken_for_rigid(world, touched));
   world.contact_world.advance(dt);
   read_back_rigid_velocities(world);
   book_rigid_contacts(world, dt);

@@ -4,7 +4,9 @@
 #include <numeric>
 
 #include "sim/core/parallel.h"
+#include "sim/geometry/disjoint_sets.h"
 #include "sim/solver/contact_problem.h"
+#include "sim/world/bodies/bodies.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/whole_motion.h"
 #include "sim/world/world_state.h"
@@ -23,7 +25,9 @@ struct Group {
   ContactSolveReport report;
 };
 
-DeformableInertia inertia_of(const WorldState& world, const Body& body, double dt) {
+}  // namespace
+
+DeformableInertia deformable_inertia(const WorldState& world, const Body& body, double dt) {
   DeformableInertia inertia;
   inertia.whole = whole_motion(world, body, dt);
   if (!world.integrates_explicitly()) {
@@ -37,6 +41,8 @@ DeformableInertia inertia_of(const WorldState& world, const Body& body, double d
   return inertia;
 }
 
+namespace {
+
 /// Builds the problems of all groups.
 class GroupBuilder {
  public:
@@ -46,6 +52,7 @@ class GroupBuilder {
         dt_(dt),
         body_of_object_(world.body_of_proxy.size() + world.projectiles.size() + 1, -1) {
     for (std::size_t i = 0; i < touched.objects.size(); ++i) {
+      if (!touched.bodies[i].is_coupled) continue;
       const ElasticObject& object = touched.objects[i];
       grow(object.object);
       touched_of(object.object) = static_cast<int>(i);
@@ -107,7 +114,7 @@ class GroupBuilder {
     int& body = body_of_object_[object.index()];
     if (body < 0) {
       body = static_cast<int>(group.deformable.size());
-      group.deformable.push_back(inertia_of(world_, world_.bodies[touched_.bodies[touched].body], dt_));
+      group.deformable.push_back(deformable_inertia(world_, world_.bodies[touched_.bodies[touched].body], dt_));
       group.touched.push_back(touched);
     }
     const auto point = std::ranges::lower_bound(points_, std::pair(contact, touched), {},
@@ -141,10 +148,61 @@ ContactTolerance tolerance_of(const WorldState& world, double dt) {
 
 }  // namespace
 
+namespace {
+
+/// True if a body cannot deform visibly before it breaks, and nothing drives it.
+bool hardly_deforms(const WorldState& world, const Body& body) {
+  constexpr double kVisible = 1e-3;  // of its extent
+  const double strain = min_breaking_stress(world, body, false) / world.material_of(body).young_modulus;
+  const bool is_driven = std::ranges::any_of(body.system->supports(), [&](NodeId node) {
+    return !world.nodes.constraints[node].velocity.isZero(0);
+  });
+  return strain * body.extent < kVisible * body.element_size && !is_driven && !world.integrates_explicitly();
+}
+
+/// Number of objects in the group of each object that contacts move, per ProxyId.
+std::vector<int> group_sizes(const WorldState& world, const std::vector<bool>& responds) {
+  DisjointSets sets(static_cast<int>(responds.size()));
+  for (const Contact& contact : std::as_const(world.contact_world).contacts())
+    if (responds[contact.a] && responds[contact.b])
+      sets.join(static_cast<int>(contact.a.index()), static_cast<int>(contact.b.index()));
+  std::vector<int> counts(responds.size(), 0), of_object(responds.size(), 0);
+  for (std::size_t i = 0; i < responds.size(); ++i) counts[sets.find(static_cast<int>(i))] += responds[i];
+  for (std::size_t i = 0; i < responds.size(); ++i) of_object[i] = counts[sets.find(static_cast<int>(i))];
+  return of_object;
+}
+
+/// Decides which bodies take part in the contact problem as they deform.
+void couple(const WorldState& world, TouchedBodies& touched) {
+  constexpr int kLargeGroup = 5;  // objects
+  std::size_t objects = world.body_of_proxy.size();
+  for (const Contact& contact : std::as_const(world.contact_world).contacts())
+    objects = std::max<std::size_t>(objects, std::max(contact.a.index(), contact.b.index()) + 1);
+  std::vector<bool> responds(objects, false);
+  for (const Contact& contact : std::as_const(world.contact_world).contacts())
+    for (const ProxyId side : {contact.a, contact.b}) responds[side] = world.contact_world.moves(side);
+  for (const ElasticObject& object : touched.objects) responds[object.object] = true;
+  const std::vector<int> sizes = group_sizes(world, responds);
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i)
+    touched.bodies[i].is_coupled = sizes[touched.objects[i].object] <= kLargeGroup ||
+                                   !hardly_deforms(world, world.bodies[touched.bodies[i].body]);
+}
+
+/// The bodies that are coupled, with their places in `touched`.
+std::vector<ElasticObject> coupled_objects(const TouchedBodies& touched) {
+  std::vector<ElasticObject> coupled;
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i)
+    if (touched.bodies[i].is_coupled) coupled.push_back(touched.objects[i]);
+  return coupled;
+}
+
+}  // namespace
+
 void solve_elastic_contacts(WorldState& world, TouchedBodies& touched, double dt) {
+  couple(world, touched);
   for (std::size_t i = 0; i < touched.bodies.size(); ++i)
     touched.objects[i].free_velocities = point_velocities(world, touched.bodies[i]);
-  world.contact_world.solve(dt, touched.objects);
+  world.contact_world.solve(dt, coupled_objects(touched));
   std::vector<Group> groups;
   GroupBuilder builder(world, touched, dt);
   for (std::vector<int>& contacts : world.contact_world.elastic_groups())
