@@ -280,8 +280,8 @@ class ContactSolver {
 
   /// Errors of the lift close or open gaps a little, which the next step corrects.
   double negligible_lift(double lift) const {
-    constexpr double kOfChange = 0.01;
-    return std::max(kOfChange * std::max(to_change_, lift), tolerance_.negligible_speed);
+    constexpr double kOfTolerance = 10;
+    return std::max(kOfTolerance * tolerance_.relative * std::max(to_change_, lift), tolerance_.negligible_speed);
   }
 
   ConeProjection project(std::size_t i, const Vec3& u) const {

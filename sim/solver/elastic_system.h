@@ -106,6 +106,8 @@ class ElasticSystem {
   /// forces of the last solve() and change the velocities of the rows by `change`.
   void add_reactions(double dt, std::span<const Vec3> impulses, std::span<const NodeConstraint> constraints,
                      const NodeVectors& change);
+  /// Takes out of velocities, one column a row, what constraints block.
+  void project(NodeVectors& x) const;
   const BlockSparseMatrix& matrix() const { return rows_->matrix; }
   /// Of matrix(), after assemble().
   const RigidModePreconditioner& preconditioner() const { return **preconditioner_; }
@@ -123,7 +125,6 @@ class ElasticSystem {
                             std::span<const NodeConstraint> constraints, std::span<const int> row_of_node,
                             std::span<const int> row_of_edge);
   void project_sliding_rows();
-  void project(NodeVectors& x) const;
   /// b becomes S (b − A w).
   void project_right_hand_side(std::span<const NodeConstraint> constraints, NodeVectors& b) const;
   /// Completes the impulses that reactions_ holds, −(M v + h f) of the supports, to reaction forces.

@@ -299,11 +299,12 @@ EnergyAccount spent_in_move(const WorldState& world, const Body& body, const Bod
   for (NodeId node : body.system->supports())
     spent.supports += dt * world.nodes.reactions[node].dot(world.nodes.constraints[node].velocity);
   spent.plastic = plastic_work(world, body, before);
-  spent.material_damping = 2 * dt * material.mass_damping * nodes.predicted +
-                           material.stiffness_damping / dt * elastic.change;
+  spent.material_damping = 2 * dt * material.mass_damping * nodes.predicted;
+  if (move == ElasticMove::linearized)  // of a nonlinear step, part of what time integration takes
+    spent.material_damping += material.stiffness_damping / dt * elastic.change;
   if (move != ElasticMove::linearized) {
-    spent.time_integration = nodes.before + spent.loads + nodes.gravity + spent.supports + body.contact_work - nodes.after -
-                    stored - spent.plastic - spent.material_damping;
+    spent.time_integration = nodes.before + spent.loads + nodes.gravity + spent.supports + body.contact_work -
+                             nodes.after - stored - spent.plastic - spent.material_damping;
   } else {
     const double forces = (body.start.rigid ? 0 : elastic.first) + (world.integrates_explicitly() ? 0 : elastic.change);
     spent.time_integration =

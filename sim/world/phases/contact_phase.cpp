@@ -174,6 +174,7 @@ void respond(WorldState& world, TouchedBody& touched, const ElasticObject& objec
   if (world.integrates_explicitly()) {
     touched.change = respond_explicitly(world, body, dt, nodal);
   } else {
+    body.system->project(touched.change);
     body.system->add_reactions(dt, nodal, world.nodes.constraints, touched.change);
     read_back_reactions(world, body);
   }

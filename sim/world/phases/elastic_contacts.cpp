@@ -140,7 +140,7 @@ class GroupBuilder {
 ContactTolerance tolerance_of(const WorldState& world, double dt) {
   constexpr double kNegligible = 1e-6;  // of what gravity adds in a substep
   ContactTolerance tolerance;
-  tolerance.relative = std::min(1e-3, 10 * world.model->scene.simulation.relative_residual);
+  tolerance.relative = std::min(1e-4, world.model->scene.simulation.relative_residual);
   tolerance.negligible_speed = std::max(1e-12, kNegligible * dt * world.model->scene.gravity.norm());
   tolerance.max_iterations = world.model->scene.simulation.max_solver_iterations;
   return tolerance;
@@ -154,9 +154,8 @@ namespace {
 bool hardly_deforms(const WorldState& world, const Body& body) {
   constexpr double kVisible = 1e-3;  // of its extent
   const double strain = min_breaking_stress(world, body, false) / world.material_of(body).young_modulus;
-  const bool is_driven = std::ranges::any_of(body.system->supports(), [&](NodeId node) {
-    return !world.nodes.constraints[node].velocity.isZero(0);
-  });
+  const bool is_driven = std::ranges::any_of(
+      body.system->supports(), [&](NodeId node) { return !world.nodes.constraints[node].velocity.isZero(0); });
   return strain * body.extent < kVisible * body.element_size && !is_driven && !world.integrates_explicitly();
 }
 
@@ -184,8 +183,8 @@ void couple(const WorldState& world, TouchedBodies& touched) {
   for (const ElasticObject& object : touched.objects) responds[object.object] = true;
   const std::vector<int> sizes = group_sizes(world, responds);
   for (std::size_t i = 0; i < touched.bodies.size(); ++i)
-    touched.bodies[i].is_coupled = sizes[touched.objects[i].object] <= kLargeGroup ||
-                                   !hardly_deforms(world, world.bodies[touched.bodies[i].body]);
+    touched.bodies[i].is_coupled =
+        sizes[touched.objects[i].object] <= kLargeGroup || !hardly_deforms(world, world.bodies[touched.bodies[i].body]);
 }
 
 /// The bodies that are coupled, with their places in `touched`.

@@ -11,6 +11,7 @@
 
 #include "sim/core/sort_unique.h"
 #include "sim/mesh/topology.h"
+#include "sim/world/bodies/bodies.h"
 
 namespace griffith {
 namespace {
@@ -19,6 +20,7 @@ constexpr double kAlike = 0.95;        // cosine between normals of one face
 constexpr double kReach = 0.5;         // of an element: farther nodes do not touch
 constexpr double kGroundReach = 0.02;  // of an element: a gap that still counts as touching the ground
 constexpr double kForesight = 2;       // of the way of a node in a substep
+constexpr double kClosing = 0.9;       // of it: the gap closes in the substep, which ends before what microsteps follow
 constexpr double kSamePlace = 0.01;    // of an element
 
 /// Coordinates in the contact plane and along the normal.
@@ -190,11 +192,16 @@ void add_ground_contacts(const WorldState& world, const Body& body, ProxyId grou
                          std::vector<Contact>& added) {
   const double height = world.model->scene.ground->height, reach = kGroundReach * body.element_size;
   const double fall = std::max(0.0, -dt * dt * world.model->scene.gravity.y());
+  const bool has_microsteps = world.model->scene.simulation.integrator == Integrator::hybrid;
+  const double left_to_microsteps =
+      has_microsteps ? damage_speed(world, body) : std::numeric_limits<double>::infinity();
   std::vector<NodeId> nodes;
   for (const SurfaceFace& face : body.surface)
     for (const NodeId node : face_nodes(world.mesh, face.tet, face.face)) {
-      const double way = std::max(0.0, -dt * world.nodes.velocities[node].y()) + fall;
-      if (!world.nodes.has_support[node] && world.nodes.positions[node].y() - height < reach + kForesight * way)
+      const double speed = std::max(0.0, -world.nodes.velocities[node].y());
+      const double foresight = speed < left_to_microsteps ? kForesight : kClosing;
+      if (!world.nodes.has_support[node] &&
+          world.nodes.positions[node].y() - height < reach + foresight * (dt * speed + fall))
         nodes.push_back(node);
     }
   sort_unique(nodes);

@@ -76,9 +76,7 @@ class Deformation {
   }
   void project(NodeVectors& impulses) const {
     remove_whole(impulses);
-    const std::span<const NodeId> nodes = body_.system->nodes();
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      impulses.col(i) = Vec3(world_.nodes.constraints[nodes[i]].allowed * impulses.col(i));
+    body_.system->project(impulses);
   }
 
   /// Begins with the guess, or from rest where that has less energy.
@@ -117,6 +115,7 @@ class Deformation {
     conjugate_gradient(body_.system->matrix(), body_.system->preconditioner(), residual, d, kForcing,
                        std::sqrt(dot(residual, residual)), world_.model->scene.simulation.max_solver_iterations);
     if (whole_.exists()) d -= whole_.part_of(d);
+    body_.system->project(d);
     return d;
   }
 
