@@ -98,8 +98,8 @@ class ElasticSystem {
   /// edges without values.
   NodeVectors gather(std::span<const Vec3> values, std::span<const Vec3> of_edges = {}) const;
 
-  /// What the supports did in the last solve() and add_reactions(), per node of supports(): the force on the node in its
-  /// blocked directions [N], from the balance of its momentum.
+  /// What the supports did in the last solve() and add_reactions(), per node of supports(): the force on the node in
+  /// its blocked directions [N], from the balance of its momentum.
   std::span<const Vec3> reaction_forces() const { return reactions_; }
 
   /// Adds to reaction_forces() what supports do against `impulses` (per node of the mesh [N·s]) that come on top of the

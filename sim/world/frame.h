@@ -82,7 +82,7 @@ struct StepReport {
   double max_relative_residual = 0;  ///< largest in any body and substep
   int unconverged_solves = 0;        ///< stopped by the iteration limit
   int inverted_tets = 0;
-  int unconverged_motions = 0;       ///< deformations of bodies whose nonlinear step did not converge
+  int unconverged_motions = 0;   ///< deformations of bodies whose nonlinear step did not converge
   int unconverged_contacts = 0;  ///< contacts of elastic bodies that did not meet their law within the tolerance
   int contact_iterations = 0;    ///< of the linear systems of their impulses, together
   int sleeping_bodies = 0;

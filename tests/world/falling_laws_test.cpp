@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/world/contact_case.h"
 #include "tests/world/contact_scenes.h"
 
 namespace griffith {
@@ -11,7 +12,7 @@ using testing::box;
 using testing::ContactCase;
 using testing::preset;
 
-class FlightLaw : public ::testing::TestWithParam<ContactCase> {};
+class FlightLaw : public testing::ContactLaw<ContactCase> {};
 
 TEST_P(FlightLaw, WhatFallsWithoutSpinDoesNotTurn) {
   const ContactCase& at = GetParam();
@@ -66,7 +67,7 @@ TEST_P(FlightLaw, DebrisThatSpinsKeepsItsEnergyAndAngularMomentum) {
 INSTANTIATE_TEST_SUITE_P(Grid, FlightLaw, ::testing::ValuesIn(testing::contact_cases({0.01, 0.05, 1, 10})),
                          testing::contact_case_name);
 
-class StrikingLaw : public ::testing::TestWithParam<ContactCase> {};
+class StrikingLaw : public testing::ContactLaw<ContactCase> {};
 
 Scene ball_at_ground(const ContactCase& at, const Material& material, double height, double speed) {
   Scene scene = testing::empty_scene(at);

@@ -7,6 +7,7 @@
 
 #include "sim/core/parallel.h"
 #include "sim/scene/scene_writer.h"
+#include "tests/world/contact_case.h"
 #include "tests/world/contact_scenes.h"
 #include "tests/world/overlaps.h"
 #include "tests/world/random_contact_scene.h"
@@ -70,7 +71,7 @@ std::uint64_t hash_with_two_threads(const Scene& scene) {
   return world.state_hash();
 }
 
-class RandomContact : public ::testing::TestWithParam<int> {};
+class RandomContact : public testing::ContactLaw<int> {};
 
 TEST_P(RandomContact, KeepsEnergyBoundsAndSleeps) {
   const unsigned seed = static_cast<unsigned>(GetParam());

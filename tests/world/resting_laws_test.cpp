@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/world/contact_case.h"
 #include "tests/world/contact_scenes.h"
 
 namespace griffith {
@@ -126,7 +127,7 @@ std::vector<RestingCase> resting_cases() {
   return cases;
 }
 
-class RestingLaw : public ::testing::TestWithParam<RestingCase> {};
+class RestingLaw : public testing::ContactLaw<RestingCase> {};
 
 /// Steps on to `time` [s] unless something cracks.
 void stand_to(World& world, double time) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/world/contact_case.h"
 #include "tests/world/contact_scenes.h"
 
 namespace griffith {
@@ -12,7 +13,7 @@ using testing::ContactCase;
 using testing::kEarthGravity;
 using testing::preset;
 
-class SlidingLaw : public ::testing::TestWithParam<ContactCase> {};
+class SlidingLaw : public testing::ContactLaw<ContactCase> {};
 
 /// A granite block on a slope of `degrees`, friction 0.6: gravity leans instead of the ground.
 Scene block_on_slope(const ContactCase& at, double degrees, double element) {

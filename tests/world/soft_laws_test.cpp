@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "tests/world/contact_case.h"
 #include "tests/world/contact_scenes.h"
 
 namespace griffith {
@@ -39,7 +40,7 @@ double plane_strain_modulus(const Material& material) {
 /// The mass of the ball as it is meshed [kg].
 double mass_of(const World& world) { return world.frame().totals.mass; }
 
-class DroppedSoftBall : public ::testing::TestWithParam<ContactCase> {};
+class DroppedSoftBall : public testing::ContactLaw<ContactCase> {};
 
 /// The share of its energy that implicit Euler leaves an oscillation of angular frequency w after a quarter of a
 /// period: each step has 1/(1 + w²h²) of it.
@@ -79,7 +80,7 @@ TEST_P(DroppedSoftBall, IsSquashedByAThirdOfItsSize) {
 INSTANTIATE_TEST_SUITE_P(Grid, DroppedSoftBall, ::testing::ValuesIn(testing::contact_cases({1, 4, 10})),
                          testing::contact_case_name);
 
-class RestingSoftBall : public ::testing::TestWithParam<ContactCase> {};
+class RestingSoftBall : public testing::ContactLaw<ContactCase> {};
 
 // Hertz: m g = (4/3) E* √R d^(3/2). Explicit steps of the same elements give three quarters of that d, a fifth of the
 // radius: a ball is no half-space, and the contact is as wide as two or four elements.
@@ -100,7 +101,7 @@ TEST_P(RestingSoftBall, LiesOnTheGroundAsFlatAsHertzSays) {
 INSTANTIATE_TEST_SUITE_P(Grid, RestingSoftBall, ::testing::ValuesIn(testing::contact_cases({0.02, 0.2, 1, 10})),
                          testing::contact_case_name);
 
-class ThrownPlate : public ::testing::TestWithParam<ContactCase> {};
+class ThrownPlate : public testing::ContactLaw<ContactCase> {};
 
 /// A soft plate with a hole, upright, thrown at the ground.
 Scene thrown_plate(const ContactCase& at, const Material& material, double speed) {

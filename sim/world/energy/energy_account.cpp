@@ -37,7 +37,7 @@ constexpr std::array kEntries = {
                 "What external forces would have done more to scaled bodies under their full stiffness, and what their "
                 "change of shape takes when scaling ends.",
                 lost, &EnergyAccount::scaling},
-    EnergyEntry{"limited", "Limited", "Cut off by limits: shortened motions, overlaps pushed out, frozen bodies.", lost,
+    EnergyEntry{"limited", "Limited", "Cut off by limits: overlaps pushed out, frozen bodies.", lost,
                 &EnergyAccount::limited},
     EnergyEntry{
         "fracture_energy", "Fracture energy",

@@ -25,7 +25,7 @@ struct EnergyAccount {
   double time_integration = 0;   ///< what the implicit step damps, and how far a step's end is from its middle
   double hand_over = 0;          ///< bodies that turn rigid, fall asleep, enter or leave microsteps, or are cut
   double scaling = 0;            ///< forces that scaled bodies lack, and what their shape loses when scaling ends
-  double limited = 0;            ///< cut off by limits: shortened motions, pushed out overlaps, frozen bodies
+  double limited = 0;            ///< cut off by limits: pushed out overlaps, frozen bodies
   // Beside the account: cracks open for nothing, and what they release ends as waves among the losses.
   double crack_area = 0;       ///< opened so far, one side of each crack [m²]
   double fracture_energy = 0;  ///< what opening it would take, K_Ic² (1 − ν²) / E times the area

@@ -54,7 +54,8 @@ enum class ElasticMove { linearized, nonlinear, unconverged };
 /// energy of the change of velocities and the elastic energy of the change of strains. `external` forces as in
 /// predict_velocities().
 EnergyAccount spent_in_move(const WorldState& world, const Body& body, const BodySnapshot& before,
-                            const ElasticWorks& elastic, const std::vector<Vec3>& external, double dt, ElasticMove move);
+                            const ElasticWorks& elastic, const std::vector<Vec3>& external, double dt,
+                            ElasticMove move);
 /// What a static equilibrium took, a step without inertia, from a body that had `stresses` (stresses_of()). Prescribed
 /// supports went on for `displacement_time` [s].
 EnergyAccount spent_in_equilibrium(const WorldState& world, const Body& body, const BodySnapshot& before,
