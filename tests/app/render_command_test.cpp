@@ -155,7 +155,7 @@ TEST(RenderCommand, PanelsOfSeveralViewsDoNotKeepTheViewBefore) {
 TEST(RenderCommand, WithoutBackgroundEveryPixelIsTheObjectsOrNothing) {
   // Without what shades the ground, and without shards and lines of cracks, of which rounding in depth, which the
   // ground changes, shows one or the other.
-  const std::string common = "--frame 5 --no-legend --samples 1 --view speed --set view/quality=draft";
+  const std::string common = "--frame 4 --no-legend --samples 1 --view speed --set view/quality=draft";
   files_of_render("clear", common + " --transparent --records");
   files_of_render("full", common);
   const render::Image clear = render::load_png(test_folder() / "clear/w.png");

@@ -173,7 +173,8 @@ std::vector<int> group_sizes(const WorldState& world, const std::vector<bool>& r
 
 /// Decides which bodies take part in the contact problem as they deform.
 void couple(const WorldState& world, TouchedBodies& touched) {
-  constexpr int kLargeGroup = 5;  // objects
+  constexpr int kLargeGroup = 5;            // objects
+  constexpr std::size_t kLargeBody = 4096;  // nodes: factoring its aggregates with contacts takes a tenth of a second
   std::size_t objects = world.body_of_proxy.size();
   for (const Contact& contact : std::as_const(world.contact_world).contacts())
     objects = std::max<std::size_t>(objects, std::max(contact.a.index(), contact.b.index()) + 1);
@@ -183,8 +184,9 @@ void couple(const WorldState& world, TouchedBodies& touched) {
   for (const ElasticObject& object : touched.objects) responds[object.object] = true;
   const std::vector<int> sizes = group_sizes(world, responds);
   for (std::size_t i = 0; i < touched.bodies.size(); ++i)
-    touched.bodies[i].is_coupled =
-        sizes[touched.objects[i].object] <= kLargeGroup || !hardly_deforms(world, world.bodies[touched.bodies[i].body]);
+    touched.bodies[i].is_coupled = (sizes[touched.objects[i].object] <= kLargeGroup &&
+                                    world.bodies[touched.bodies[i].body].nodes.size() <= kLargeBody) ||
+                                   !hardly_deforms(world, world.bodies[touched.bodies[i].body]);
 }
 
 /// The bodies that are coupled, with their places in `touched`.
