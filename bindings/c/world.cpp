@@ -7,6 +7,7 @@
 #include "bindings/c/guarded.h"
 #include "bindings/c/handles.h"
 #include "sim/scene/edit_scene.h"
+#include "sim/scene/scene_fields.h"
 #include "sim/scene/scene_reader.h"
 
 using namespace griffith;
@@ -27,6 +28,13 @@ Monitor monitor_of(const griffith_monitor* monitor) {
 
 Vec3 vector_of(const double (&values)[3]) { return {values[0], values[1], values[2]}; }
 
+bool is_within(const Numbers& range, double value) { return value >= range.minimum && value <= range.maximum; }
+
+bool is_within(const Numbers& range, const Vec3& values) {
+  return is_within(range, values.minCoeff<Eigen::PropagateNaN>()) &&
+         is_within(range, values.maxCoeff<Eigen::PropagateNaN>());
+}
+
 ProjectileBurst burst_of(const griffith_shot& shot) {
   ProjectileBurst burst;
   burst.position = vector_of(shot.position);
@@ -34,12 +42,12 @@ ProjectileBurst burst_of(const griffith_shot& shot) {
   burst.speed = shot.speed;
   burst.mass = shot.mass;
   burst.radius = shot.radius;
-  require(burst.position.allFinite(), "shot.position", "is not finite");
-  require(burst.direction.allFinite() && !burst.direction.isZero(0), "shot.direction", "has no direction",
-          "any length but 0");
-  require(std::isfinite(shot.speed) && shot.speed >= 0, "shot.speed", "is no speed", "0 m/s or more");
-  require(std::isfinite(shot.mass) && shot.mass > 0, "shot.mass", "is no mass", "above 0 kg");
-  require(std::isfinite(shot.radius) && shot.radius > 0, "shot.radius", "is no radius", "above 0 m");
+  require(is_within(kPlace, burst.position), "shot.position", "is out of range", "-1e6 to 1e6 m");
+  require(is_within(kDirection, burst.direction) && !burst.direction.isZero(0), "shot.direction", "has no direction",
+          "any length but 0, components of -1e6 to 1e6");
+  require(is_within(kShotSpeed, shot.speed), "shot.speed", "is out of range", "0 to 1e5 m/s");
+  require(is_within(kShotMass, shot.mass), "shot.mass", "is out of range", "1e-6 to 1e9 kg");
+  require(is_within(kShotRadius, shot.radius), "shot.radius", "is out of range", "1e-4 to 1e4 m");
   return burst;
 }
 

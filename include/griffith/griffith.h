@@ -130,11 +130,11 @@ GRIFFITH_API griffith_status griffith_world_step(griffith_world* world, int32_t 
 
 /* A sphere to be launched at once. */
 typedef struct griffith_shot {
-  double position[3];  /* of its center [m] */
-  double direction[3]; /* of flight, any length but 0 */
-  double speed;        /* [m/s], >= 0 */
-  double mass;         /* [kg], > 0 */
-  double radius;       /* [m], > 0 */
+  double position[3];  /* of its center [m], -1e6 to 1e6 */
+  double direction[3]; /* of flight, any length but 0, -1e6 to 1e6 */
+  double speed;        /* [m/s], 0 to 1e5 */
+  double mass;         /* [kg], 1e-6 to 1e9 */
+  double radius;       /* [m], 1e-4 to 1e4 */
 } griffith_shot;
 
 GRIFFITH_API griffith_status griffith_world_fire(griffith_world* world, const griffith_shot* shot,

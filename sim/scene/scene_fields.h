@@ -30,6 +30,9 @@ inline constexpr std::int64_t kMaxProjectiles = 10'000;
 inline constexpr double kMaxSteps = 1e9;
 
 inline constexpr Numbers kPlace = between(-1e6, 1e6, "m");
+inline constexpr Numbers kShotSpeed = between(0, 1e5, "m/s");
+inline constexpr Numbers kShotMass = between(1e-6, 1e9, "kg");
+inline constexpr Numbers kShotRadius = between(1e-4, 1e4, "m");
 inline constexpr Numbers kDirection = {.minimum = -1e6, .maximum = 1e6, .unit = "-", .nonzero = true};
 
 /// Whether T may be absent, which a file shows as null.
@@ -226,9 +229,9 @@ void describe(Archive& archive, ProjectileBurst& burst) {
   archive.field("start", burst.start, between(0, 1e6, "s"), "When the first one is launched");
   archive.field("position", burst.position, kPlace, "Where the centre of mass starts");
   archive.field("direction", burst.direction, kDirection, "Direction of flight; any length but 0");
-  archive.field("speed", burst.speed, between(0, 1e5, "m/s"), "Speed at launch");
-  archive.field("mass", burst.mass, between(1e-6, 1e9, "kg"), "Mass");
-  archive.field("radius", burst.radius, between(1e-4, 1e4, "m"), "Radius of a sphere");
+  archive.field("speed", burst.speed, kShotSpeed, "Speed at launch");
+  archive.field("mass", burst.mass, kShotMass, "Mass");
+  archive.field("radius", burst.radius, kShotRadius, "Radius of a sphere");
   archive.field("density", burst.density, between(0.01, 1e6, "kg/m³"),
                 "Says the mass in place of \"mass\"; null: it does not");
   archive.field("shape", burst.shape, Parts{}, "Another shape than a sphere; null: a sphere");

@@ -1,6 +1,7 @@
 // Scenes and worlds of the C interface: errors with their places, copies, recordings, and nothing left behind.
 #include <malloc.h>
 
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 
@@ -112,6 +113,24 @@ TEST(CWorlds, RecordingsAreMadeAgain) {
   while (!replay.at_end()) replay.advance();
   EXPECT_FALSE(replay.difference());
   EXPECT_EQ(replay.world().state_hash(), griffith_world_state_hash(world.get()));
+}
+
+TEST(CWorlds, ShotsHaveTheRangesOfScenes) {
+  const OwnedWorld world = make_world(kShotWall);
+  const griffith_shot shot = {{0, 1, 3}, {0, 0, -1}, 20, 10, 0.1};
+  const auto problem_place = [&](const auto& change) -> std::string {
+    griffith_shot wrong = shot;
+    change(wrong);
+    griffith_error error;
+    EXPECT_EQ(griffith_world_fire(world.get(), &wrong, &error), GRIFFITH_INVALID_ARGUMENT);
+    return error.where;
+  };
+  EXPECT_EQ(problem_place([](griffith_shot& s) { s.radius = 1e300; }), "shot.radius");
+  EXPECT_EQ(problem_place([](griffith_shot& s) { s.mass = 1e-7; }), "shot.mass");
+  EXPECT_EQ(problem_place([](griffith_shot& s) { s.speed = 2e5; }), "shot.speed");
+  EXPECT_EQ(problem_place([](griffith_shot& s) { s.position[1] = -2e6; }), "shot.position");
+  EXPECT_EQ(problem_place([](griffith_shot& s) { s.direction[2] = std::nan(""); }), "shot.direction");
+  EXPECT_EQ(griffith_world_fire(world.get(), &shot, nullptr), GRIFFITH_OK);
 }
 
 TEST(CWorlds, ARecordingMissesNothing) {
