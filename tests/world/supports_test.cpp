@@ -156,7 +156,7 @@ std::pair<int, int> held_pieces(const Frame& frame) {
 }
 
 TEST(Supports, PiecesHeldByANodeOrAnEdgeAloneAreFreeUnlessTheyWereHeldSoFromTheStart) {
-  World wall(shot_wall(Vec3(3, 3, 1), 1.5, brick(0.024)));
+  World wall(shot_wall(Vec3(3, 3, 1), 0.5, brick(0.2)));
   for (int i = 0; i < 60; ++i) wall.step();
   EXPECT_GT(wall.frame().bodies.size(), 5u);
   EXPECT_GT(held_pieces(wall.frame()).first, 0);
