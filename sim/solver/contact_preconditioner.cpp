@@ -51,11 +51,24 @@ ContactPreconditioner::ContactPreconditioner(std::span<const DeformableInertia> 
     : deformable_(deformable), rigid_(rigid), bodies_(deformable.size()) {
   std::vector<std::vector<int>> touched = touched_rows(deformable.size(), contacts);
   for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_[i].touched = std::move(touched[i]);
+  reduce_coarse_spaces();
   number_unknowns();
   build_jacobian(contacts);
   build_pattern();
   find_slots();
   factors_.analyzePattern(matrix_);
+}
+
+void ContactPreconditioner::reduce_coarse_spaces() {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (aggregate_count(deformable_[i]) == 0) continue;
+    const RigidModePreconditioner& modes = *deformable_[i].preconditioner;
+    std::vector<int> aggregates;
+    for (const int row : bodies_[i].touched)
+      if (row < modes.node_rows()) aggregates.push_back(modes.aggregate_of(row));
+    sort_unique(aggregates);
+    bodies_[i].reduction.emplace(modes.coarse_matrix(), aggregates);
+  }
 }
 
 void ContactPreconditioner::number_unknowns() {
@@ -64,7 +77,7 @@ void ContactPreconditioner::number_unknowns() {
     body.offset = rigid_offset_;
     body.first_touched = unknowns_;
     body.first_aggregate = unknowns_ + 3 * static_cast<int>(body.touched.size());
-    unknowns_ = body.first_aggregate + 6 * aggregate_count(deformable_[i]);
+    unknowns_ = body.first_aggregate + (body.reduction ? 6 * body.reduction->kept() : 0);
     rigid_offset_ += 3 * deformable_[i].rows();
   }
   first_rigid_ = unknowns_;
@@ -81,8 +94,8 @@ void ContactPreconditioner::add_side(const ContactSide& side, const Mat3& axes) 
     if (row < 0) continue;
     const Mat3 weight = axes * side.point.weights[i];
     jacobian_.add(body.row_unknown(row), weight);
-    if (aggregate_count(inertia) == 0 || row >= inertia.preconditioner->node_rows()) continue;
-    jacobian_.add(body.first_aggregate + 6 * inertia.preconditioner->aggregate_of(row),
+    if (!body.reduction || row >= inertia.preconditioner->node_rows()) continue;
+    jacobian_.add(body.first_aggregate + 6 * body.reduction->slot(inertia.preconditioner->aggregate_of(row)),
                   weight * rigid_modes(inertia.preconditioner->arm(row)));
   }
 }
@@ -102,8 +115,8 @@ void ContactPreconditioner::build_pattern() {
     for (const int row : body.touched)
       add_block(inverse_diagonal(deformable_[i], row).inverse(), body.row_unknown(row), body.row_unknown(row),
                 triplets);
-    if (aggregate_count(deformable_[i]) == 0) continue;
-    const Eigen::SparseMatrix<double>& coarse = deformable_[i].preconditioner->coarse_matrix();
+    if (!body.reduction) continue;
+    const Eigen::SparseMatrix<double>& coarse = body.reduction->matrix();
     for (int column = 0; column < coarse.outerSize(); ++column)
       for (Eigen::SparseMatrix<double>::InnerIterator entry(coarse, column); entry; ++entry)
         if (entry.row() >= column)
@@ -157,19 +170,39 @@ bool ContactPreconditioner::factor(const std::vector<Mat3>& stiffness) {
   return factors_.info() == Eigen::Success;
 }
 
+namespace {
+
+/// Rᵀ r of a body's coarse space.
+Eigen::VectorXd coarse_residual(const RigidModePreconditioner& modes, const Eigen::Ref<const Eigen::VectorXd>& r) {
+  Eigen::VectorXd coarse = Eigen::VectorXd::Zero(6 * modes.aggregate_count());
+  for (int row = 0; row < modes.node_rows(); ++row) {
+    const Vec3 at_row = r.segment<3>(3 * row);
+    const int first = 6 * modes.aggregate_of(row);
+    coarse.segment<3>(first) += at_row;
+    coarse.segment<3>(first + 3) += modes.arm(row).cross(at_row);
+  }
+  return coarse;
+}
+
+/// Adds R c to z.
+void add_coarse(const RigidModePreconditioner& modes, const Eigen::VectorXd& coarse, Eigen::Ref<Eigen::VectorXd> z) {
+  for (int row = 0; row < modes.node_rows(); ++row) {
+    const int first = 6 * modes.aggregate_of(row);
+    z.segment<3>(3 * row) += coarse.segment<3>(first) + coarse.segment<3>(first + 3).cross(modes.arm(row));
+  }
+}
+
+}  // namespace
+
 void ContactPreconditioner::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) const {
   Eigen::VectorXd reduced = Eigen::VectorXd::Zero(unknowns_);
+  std::vector<Eigen::VectorXd> coarse(bodies_.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BodyUnknowns& body = bodies_[i];
     for (const int row : body.touched) reduced.segment<3>(body.row_unknown(row)) = r.segment<3>(body.offset + 3 * row);
-    if (aggregate_count(deformable_[i]) == 0) continue;
-    const RigidModePreconditioner& modes = *deformable_[i].preconditioner;
-    for (int row = 0; row < modes.node_rows(); ++row) {
-      const Vec3 at_row = r.segment<3>(body.offset + 3 * row);
-      const int first = body.first_aggregate + 6 * modes.aggregate_of(row);
-      reduced.segment<3>(first) += at_row;
-      reduced.segment<3>(first + 3) += modes.arm(row).cross(at_row);
-    }
+    if (!body.reduction) continue;
+    coarse[i] = coarse_residual(*deformable_[i].preconditioner, r.segment(body.offset, 3 * deformable_[i].rows()));
+    reduced.segment(body.first_aggregate, 6 * body.reduction->kept()) = body.reduction->restrict(coarse[i]);
   }
   reduced.tail(unknowns_ - first_rigid_) = r.tail(r.size() - rigid_offset_);
   const Eigen::VectorXd solved = factors_.solve(reduced);
@@ -177,16 +210,13 @@ void ContactPreconditioner::apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) 
   z.resize(r.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const BodyUnknowns& body = bodies_[i];
+    auto of_body = z.segment(body.offset, 3 * deformable_[i].rows());
     for (int row = 0; row < deformable_[i].rows(); ++row)
-      z.segment<3>(body.offset + 3 * row) = inverse_diagonal(deformable_[i], row) * r.segment<3>(body.offset + 3 * row);
-    for (const int row : body.touched) z.segment<3>(body.offset + 3 * row) = solved.segment<3>(body.row_unknown(row));
-    if (aggregate_count(deformable_[i]) == 0) continue;
-    const RigidModePreconditioner& modes = *deformable_[i].preconditioner;
-    for (int row = 0; row < modes.node_rows(); ++row) {
-      const int first = body.first_aggregate + 6 * modes.aggregate_of(row);
-      z.segment<3>(body.offset + 3 * row) +=
-          solved.segment<3>(first) + solved.segment<3>(first + 3).cross(modes.arm(row));
-    }
+      of_body.segment<3>(3 * row) = inverse_diagonal(deformable_[i], row) * r.segment<3>(body.offset + 3 * row);
+    for (const int row : body.touched) of_body.segment<3>(3 * row) = solved.segment<3>(body.row_unknown(row));
+    if (!body.reduction) continue;
+    const auto kept = solved.segment(body.first_aggregate, 6 * body.reduction->kept());
+    add_coarse(*deformable_[i].preconditioner, body.reduction->extend(kept, coarse[i]), of_body);
   }
   z.tail(r.size() - rigid_offset_) = solved.tail(unknowns_ - first_rigid_);
 }

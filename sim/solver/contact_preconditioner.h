@@ -1,9 +1,11 @@
 #pragma once
 
 #include <Eigen/SparseCholesky>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "sim/solver/coarse_reduction.h"
 #include "sim/solver/contact_jacobian.h"
 #include "sim/solver/contact_problem.h"
 
@@ -15,7 +17,8 @@ namespace griffith {
 /// displacements y and rigid motions c of aggregates, v = y + R c, under the energy yᵀ D y + cᵀ Rᵀ A R c. Here the
 /// contacts act in that space: its matrix
 ///   diag(D, Rᵀ A R) + Πᵀ Jᵀ G J Π,   Π (y, c) = y + R c
-/// is factored without the nodes that nothing touches, whose y follows alone. The number of iterations so depends on
+/// is factored without the nodes that nothing touches, whose y follows alone, and, where they are few, with the
+/// aggregates alone that contacts touch (CoarseReduction). The number of iterations so depends on
 /// the stiffness of the contacts as little as on that of the bodies (fictitious space lemma: Nepomnyaschikh 1991).
 /// Rigid bodies are aggregates without local displacements, solved exactly.
 class ContactPreconditioner {
@@ -31,13 +34,15 @@ class ContactPreconditioner {
   void apply(const Eigen::VectorXd& r, Eigen::VectorXd& z) const;
 
  private:
-  /// Unknowns of a deformable body: touched rows first, then six for each aggregate.
+  /// Unknowns of a deformable body: touched rows first, then six for each aggregate that is not eliminated.
   struct BodyUnknowns {
-    std::vector<int> touched;  ///< rows, ascending
+    std::vector<int> touched;                  ///< rows, ascending
+    std::optional<CoarseReduction> reduction;  ///< none without a coarse space
     int first_touched = 0, first_aggregate = 0;
     int offset = 0;  ///< in the vector of all velocities
     int row_unknown(int row) const;
   };
+  void reduce_coarse_spaces();
   void number_unknowns();
   void build_jacobian(std::span<const FrictionContact> contacts);
   void add_side(const ContactSide& side, const Mat3& axes);

@@ -21,11 +21,14 @@ bool moves_with_supports(const WorldState& world, const Body& body) {
          pivot_of(supports, world.nodes.constraints, world.nodes.positions).has_value();
 }
 
-/// True if a body cannot deform visibly before it breaks.
+/// True if a body cannot deform visibly before it breaks: a beam of length l and thickness t that carries a load in its
+/// middle has bent by ε l²/(6 t) where its surface reaches the strain ε.
 bool hardly_deforms(const WorldState& world, const Body& body) {
-  constexpr double kVisible = 1e-3;  // of its extent
-  const double strain = min_breaking_stress(world, body, false) / world.material_of(body).young_modulus;
-  return strain * body.extent < kVisible * body.element_size;
+  constexpr double kVisible = 1e-2;  // of its extent
+  const Material& material = world.material_of(body);
+  const double thickness = body.motion.mass / material.density / (body.extent * body.extent);
+  const double strain = min_breaking_stress(world, body, false) / material.young_modulus;
+  return strain * body.extent / (6 * thickness) < kVisible;
 }
 
 /// Number of objects in the group of each object that contacts move, per ProxyId.
