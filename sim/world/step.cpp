@@ -53,9 +53,13 @@ void fracture(WorldState& world, double substep) {
 
 /// Contacts and motion of everything but the bodies in shock.
 void move(WorldState& world, double dt) {
-  record_substep_start(world);
-  update_supports(world, world.time, dt);
   StepTimings& timings = world.report.milliseconds;
+  update_supports(world, world.time, dt);
+  {
+    PhaseTimer timer(timings.contact);
+    find_contacts(world, dt);
+  }
+  record_substep_start(world);
   std::vector<Vec3> external;
   {
     PhaseTimer timer(timings.elasticity);

@@ -66,6 +66,7 @@ struct alignas(64) Body {
   ProxyId proxy;
   int quiet_steps = 0;     ///< steps in a row with next to no stress
   bool rigid = false;      ///< moves as a whole: nothing about it is elastic until it is hit
+  bool quasi_static = false;  ///< touches as a rigid body; its deformation follows what acts on it without waves
   bool untouched = false;  ///< rigid for less than 20 steps in free flight: elastic once touched
   bool asleep = false;     ///< lies still, under whatever stress there is, until something disturbs it
 

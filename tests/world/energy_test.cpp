@@ -192,8 +192,7 @@ TEST(Energy, AWallWhoseDebrisIsShotAgainGainsNone) {
     const Frame frame = world.frame();
     const double now = mechanical_energy(scene, frame);
     if (frame.projectiles.size() == launched && launched > 0) {
-      // Stiff bodies of large groups touch as rigid ones: the speed at which they deform is not in their contacts.
-      EXPECT_LE(now, before + 5e-4 * now) << "step " << step;
+      EXPECT_LE(now, before + 2) << "step " << step;
     }
     launched = frame.projectiles.size();
     before = now;

@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+#include <utility>
+
 #include "sim/world/world.h"
 #include "tests/world/measures.h"
 #include "tests/world/scenes.h"
@@ -133,6 +137,37 @@ TEST(Supports, OneThatIsTornOffCarriesNothing) {
     world.step();
     for (const Vec3& reaction : world.frame().nodes.reactions) EXPECT_TRUE(reaction.isZero(0));
   }
+}
+
+/// Counts the pieces that supports hold, and of those the ones held by no face.
+std::pair<int, int> held_pieces(const Frame& frame) {
+  std::map<BodyId, int> most;  // corners of one element
+  for (std::size_t i = 0; i < frame.elements.tets.size(); ++i) {
+    const auto& corners = frame.elements.tets[i];
+    const auto held =
+        std::ranges::count_if(corners, [&](NodeId node) { return frame.nodes.has_support[node.index()]; });
+    int& known = most[frame.elements.bodies[i]];
+    known = std::max(known, static_cast<int>(held));
+  }
+  const auto is_held = [](const auto& entry) { return entry.second > 0; };
+  const auto is_unbonded = [](const auto& entry) { return entry.second == 1 || entry.second == 2; };
+  return {static_cast<int>(std::ranges::count_if(most, is_held)),
+          static_cast<int>(std::ranges::count_if(most, is_unbonded))};
+}
+
+TEST(Supports, PiecesHeldByANodeOrAnEdgeAloneAreFreeUnlessTheyWereHeldSoFromTheStart) {
+  World wall(shot_wall(Vec3(3, 3, 1), 0.5, brick(0.2)));
+  for (int i = 0; i < 60; ++i) wall.step();
+  EXPECT_GT(wall.frame().bodies.size(), 5u);
+  EXPECT_GT(held_pieces(wall.frame()).first, 0);
+  EXPECT_EQ(held_pieces(wall.frame()).second, 0);
+
+  Scene pendulum = supported_block({support_of(SupportKind::fixed, SphereRegion{Vec3(0.5, 0.5, 0.5), 0.01})});
+  pendulum.gravity = Vec3(0, -9.81, 0);
+  pendulum.simulation.fracture = true;
+  World hanging(pendulum);
+  for (int i = 0; i < 20; ++i) hanging.step();
+  EXPECT_EQ(held_pieces(hanging.frame()), std::pair(1, 1));
 }
 
 TEST(Supports, OverlappingOnesHoldTogether) {

@@ -8,6 +8,7 @@
 #include "sim/fracture/resistance.h"
 #include "sim/mesh/topology.h"
 #include "sim/world/bodies/collision_shape.h"
+#include "sim/world/conditions/supports.h"
 #include "sim/world/energy/energy_phase.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/motion_phase.h"
@@ -240,7 +241,13 @@ void assign_pieces(WorldState& world, BodyId id, std::vector<std::vector<TetId>>
 
 void split_bodies(WorldState& world, std::span<const BodyId> opened) {
   const std::size_t first_new = world.bodies.size();
-  for (BodyId id : opened) assign_pieces(world, id, connected_components(world.mesh, world.bodies[id].tets));
+  for (BodyId id : opened) {
+    const std::size_t first = world.bodies.size();
+    assign_pieces(world, id, connected_components(world.mesh, world.bodies[id].tets));
+    std::vector<BodyId> pieces = {id};
+    for (std::size_t i = first; i < world.bodies.size(); ++i) pieces.push_back(world.bodies[i].id);
+    release_unbonded(world, pieces);
+  }
   std::vector<BodyId> changed(opened.begin(), opened.end());
   const std::span<Body> parted = std::span(world.bodies).subspan(first_new);
   for (const Body& body : parted) changed.push_back(body.id);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <span>
 
 #include "sim/world/world_state.h"
 
@@ -30,16 +31,25 @@ bool release(WorldState& world, NodeId node) {
   return true;
 }
 
-/// The most corners that supports hold of an element at the node.
-long firmness(const WorldState& world, NodeId node) {
+/// The most corners that supports hold of one of the elements.
+long firmness(const WorldState& world, std::span<const TetId> tets) {
   long maximum = 0;
-  for (TetId tet : world.mesh->stars[node]) {
-    const auto& corners = world.mesh->tets[tet];
-    maximum = std::max(maximum, static_cast<long>(std::count_if(corners.begin(), corners.end(), [&](NodeId corner) {
-                         return world.nodes.has_support[corner] != 0;
-                       })));
-  }
+  for (const TetId tet : tets)
+    maximum = std::max<long>(maximum, std::ranges::count_if(world.mesh->tets[tet], [&](NodeId corner) {
+                               return world.nodes.has_support[corner] != 0;
+                             }));
   return maximum;
+}
+
+/// The same of the elements at a node.
+long firmness(const WorldState& world, NodeId node) { return firmness(world, world.mesh->stars[node]); }
+
+constexpr long kFace = 3;  // corners of an element
+
+/// True if three corners belong to one element.
+bool has_face(const std::vector<TetCorner>& corners) {
+  std::map<TetId, long> counts;
+  return std::ranges::any_of(corners, [&](const TetCorner& corner) { return ++counts[corner.tet] == kFace; });
 }
 
 void block(NodeConstraint& constraint, const Support& support, const Vec3& velocity) {
@@ -52,8 +62,10 @@ void block(NodeConstraint& constraint, const Support& support, const Vec3& veloc
 void place_supports(WorldState& world, int scene_body, const RestBody& body, std::vector<InputError>& findings) {
   const std::vector<Support>& supports = world.model->scene.bodies[scene_body].supports;
   for (std::size_t i = 0; i < supports.size(); ++i) {
-    world.supports.push_back({supports[i], corners_at(body, nodes_in(body, supports[i].region))});
-    if (!world.supports.back().corners.empty()) continue;
+    PlacedSupport& placed = world.supports.emplace_back();
+    placed = {supports[i], corners_at(body, nodes_in(body, supports[i].region))};
+    placed.holds_faces = has_face(placed.corners);
+    if (!placed.corners.empty()) continue;
     findings.emplace_back("#/bodies/" + std::to_string(scene_body) + "/supports/" + std::to_string(i) + "/region",
                           "holds no node", "make it larger, or move it: regions are in the body's rest space");
   }
@@ -81,6 +93,26 @@ bool reassign_supports(WorldState& world, std::span<const NodeCopy> copies) {
   for (NodeId node : loose) torn |= release(world, node);
   if (torn) hold_again(world);
   return torn;
+}
+
+void release_unbonded(WorldState& world, std::span<const BodyId> pieces) {
+  bool torn = false;
+  for (const BodyId id : pieces) {
+    if (firmness(world, world.bodies[id].tets) >= kFace) continue;
+    const auto is_held = [&](const TetCorner& corner) { return world.elements.bodies[corner.tet] == id; };
+    bool released = false;
+    for (PlacedSupport& placed : world.supports)
+      if (placed.holds_faces && placed.support.can_tear) released |= std::erase_if(placed.corners, is_held) > 0;
+    if (!released) continue;
+    torn = true;
+    world.bodies[id].system.reset();
+    for (const TetId tet : world.bodies[id].tets)
+      for (const NodeId node : world.mesh->tets[tet]) {
+        world.nodes.constraints[node] = {};
+        world.nodes.has_support[node] = 0;
+      }
+  }
+  if (torn) hold_again(world);
 }
 
 void update_supports(WorldState& world, double time, double dt) {

@@ -13,6 +13,7 @@ struct WorldState;
 struct PlacedSupport {
   Support support;
   std::vector<TetCorner> corners;  ///< all at its nodes: where a crack parts one, it holds both, until it tears
+  bool holds_faces = false;        ///< of elements, when it was placed
 };
 
 /// Finds the nodes of a body's supports, once; one that holds none becomes a finding. Then update_supports().
@@ -30,6 +31,9 @@ bool reassign_supports(WorldState& world, std::span<const NodeCopy> copies);
 /// Prescribed supports that stop within the substep move slower, so that they get exactly as far as they should. Which
 /// directions are blocked never changes.
 void update_supports(WorldState& world, double time, double dt);
+/// Takes pieces off supports that hold them by a node or an edge alone: no area bonds them. What a support held by
+/// nodes or edges from the start, as a roller does, stays held.
+void release_unbonded(WorldState& world, std::span<const BodyId> pieces);
 /// Sets the constraints for the present moment, after supports lost or gained nodes.
 void hold_again(WorldState& world);
 

@@ -15,6 +15,7 @@
 #include "sim/world/phases/expected_impacts.h"
 #include "sim/world/phases/face_contacts.h"
 #include "sim/world/phases/motion_phase.h"
+#include "sim/world/phases/quasi_static.h"
 #include "sim/world/phases/rest_phase.h"
 #include "sim/world/phases/touched_body.h"
 #include "sim/world/shock/struck_bodies.h"
@@ -114,7 +115,7 @@ void push_rigid_velocities(WorldState& world, const std::vector<bool>& moved = {
 /// Deformable bodies that the contact world moved as rigid ones, per BodyId.
 std::vector<bool> taken_for_rigid(const WorldState& world, const TouchedBodies& touched) {
   std::vector<bool> taken(world.bodies.size(), false);
-  for (const TouchedBody& of : touched.bodies) taken[of.body] = !of.is_coupled;
+  for (const TouchedBody& of : touched.bodies) taken[of.body] = world.bodies[of.body].quasi_static;
   return taken;
 }
 
@@ -167,7 +168,7 @@ void respond(WorldState& world, TouchedBody& touched, const ElasticObject& objec
   if (impulses.isZero(0)) return;
   std::vector<Vec3>& nodal = world.scratch.contact_impulses;
   add_nodal_impulses(world, touched, impulses, nodal);
-  if (!touched.is_coupled) {
+  if (body.quasi_static) {
     const ImplicitStep step = implicit_step(world, body, dt);
     touched.change = respond_alone(deformable_inertia(world, body, dt), body.system->gather(nodal),
                                    step.relative_residual, step.max_iterations);
@@ -180,6 +181,7 @@ void respond(WorldState& world, TouchedBody& touched, const ElasticObject& objec
     read_back_reactions(world, body);
   }
   add_changes(world, touched);
+  if (body.quasi_static && !reaches_equilibrium(world, body, dt)) keep_whole_motion(world, body);
   body.contact_work = impulses.cwiseProduct(point_velocities(world, touched)).sum();
 }
 
@@ -260,9 +262,13 @@ void make_first_struck_elastic(WorldState& world, double duration) {
     }
 }
 
-void resolve_contacts(WorldState& world, double dt) {
+void find_contacts(WorldState& world, double dt) {
   world.contact_world.detect(dt);  // before the prediction, by which all that rests is about to fall
   drop_contacts_of_shocks(world);
+  choose_quasi_static_bodies(world);
+}
+
+void resolve_contacts(WorldState& world, double dt) {
   wake_disturbed_bodies(world, dt);
   spread_contacts(world, dt);
   push_rigid_velocities(world);

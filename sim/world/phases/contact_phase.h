@@ -12,7 +12,9 @@ void place_proxies(WorldState& world);
 std::vector<Vec3> external_forces(const WorldState& world, double dt);
 /// Bodies that nothing has touched yet become elastic where something strikes them within `duration` [s].
 void make_first_struck_elastic(WorldState& world, double duration);
-/// Finds all contacts and changes the velocities so that nothing penetrates; moves the projectiles.
+/// Finds all contacts within a substep of `dt` [s], and the bodies that are quasi-static in it.
+void find_contacts(WorldState& world, double dt);
+/// Changes the velocities so that nothing penetrates; moves the projectiles.
 void resolve_contacts(WorldState& world, double dt);
 
 }  // namespace griffith

@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "sim/core/parallel.h"
-#include "sim/geometry/disjoint_sets.h"
 #include "sim/solver/contact_problem.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/phases/elastic_phase.h"
@@ -52,7 +51,7 @@ class GroupBuilder {
         dt_(dt),
         body_of_object_(world.body_of_proxy.size() + world.projectiles.size() + 1, -1) {
     for (std::size_t i = 0; i < touched.objects.size(); ++i) {
-      if (!touched.bodies[i].is_coupled) continue;
+      if (world.bodies[touched.bodies[i].body].quasi_static) continue;
       const ElasticObject& object = touched.objects[i];
       grow(object.object);
       touched_of(object.object) = static_cast<int>(i);
@@ -150,60 +149,20 @@ ContactTolerance tolerance_of(const WorldState& world, double dt) {
 
 namespace {
 
-/// True if a body cannot deform visibly before it breaks, and nothing drives it.
-bool hardly_deforms(const WorldState& world, const Body& body) {
-  constexpr double kVisible = 1e-3;  // of its extent
-  const double strain = min_breaking_stress(world, body, false) / world.material_of(body).young_modulus;
-  const bool is_driven = std::ranges::any_of(
-      body.system->supports(), [&](NodeId node) { return !world.nodes.constraints[node].velocity.isZero(0); });
-  return strain * body.extent < kVisible * body.element_size && !is_driven && !world.integrates_explicitly();
-}
-
-/// Number of objects in the group of each object that contacts move, per ProxyId.
-std::vector<int> group_sizes(const WorldState& world, const std::vector<bool>& responds) {
-  DisjointSets sets(static_cast<int>(responds.size()));
-  for (const Contact& contact : std::as_const(world.contact_world).contacts())
-    if (responds[contact.a] && responds[contact.b])
-      sets.join(static_cast<int>(contact.a.index()), static_cast<int>(contact.b.index()));
-  std::vector<int> counts(responds.size(), 0), of_object(responds.size(), 0);
-  for (std::size_t i = 0; i < responds.size(); ++i) counts[sets.find(static_cast<int>(i))] += responds[i];
-  for (std::size_t i = 0; i < responds.size(); ++i) of_object[i] = counts[sets.find(static_cast<int>(i))];
-  return of_object;
-}
-
-/// Decides which bodies take part in the contact problem as they deform.
-void couple(const WorldState& world, TouchedBodies& touched) {
-  constexpr int kLargeGroup = 5;            // objects
-  constexpr std::size_t kLargeBody = 4096;  // nodes: factoring its aggregates with contacts takes a tenth of a second
-  std::size_t objects = world.body_of_proxy.size();
-  for (const Contact& contact : std::as_const(world.contact_world).contacts())
-    objects = std::max<std::size_t>(objects, std::max(contact.a.index(), contact.b.index()) + 1);
-  std::vector<bool> responds(objects, false);
-  for (const Contact& contact : std::as_const(world.contact_world).contacts())
-    for (const ProxyId side : {contact.a, contact.b}) responds[side] = world.contact_world.moves(side);
-  for (const ElasticObject& object : touched.objects) responds[object.object] = true;
-  const std::vector<int> sizes = group_sizes(world, responds);
-  for (std::size_t i = 0; i < touched.bodies.size(); ++i)
-    touched.bodies[i].is_coupled = (sizes[touched.objects[i].object] <= kLargeGroup &&
-                                    world.bodies[touched.bodies[i].body].nodes.size() <= kLargeBody) ||
-                                   !hardly_deforms(world, world.bodies[touched.bodies[i].body]);
-}
-
 /// The bodies that are coupled, with their places in `touched`.
-std::vector<ElasticObject> coupled_objects(const TouchedBodies& touched) {
+std::vector<ElasticObject> coupled_objects(const WorldState& world, const TouchedBodies& touched) {
   std::vector<ElasticObject> coupled;
   for (std::size_t i = 0; i < touched.bodies.size(); ++i)
-    if (touched.bodies[i].is_coupled) coupled.push_back(touched.objects[i]);
+    if (!world.bodies[touched.bodies[i].body].quasi_static) coupled.push_back(touched.objects[i]);
   return coupled;
 }
 
 }  // namespace
 
 void solve_elastic_contacts(WorldState& world, TouchedBodies& touched, double dt) {
-  couple(world, touched);
   for (std::size_t i = 0; i < touched.bodies.size(); ++i)
     touched.objects[i].free_velocities = point_velocities(world, touched.bodies[i]);
-  world.contact_world.solve(dt, coupled_objects(touched));
+  world.contact_world.solve(dt, coupled_objects(world, touched));
   std::vector<Group> groups;
   GroupBuilder builder(world, touched, dt);
   for (std::vector<int>& contacts : world.contact_world.elastic_groups())

@@ -9,8 +9,7 @@ namespace griffith {
 /// each group as one convex problem (sim/solver/contact_problem.h), and writes them into contacts(). Leaves what they
 /// change in the velocities of the elastic bodies in TouchedBody::change, as found by the solver; counts contacts
 /// that do not meet their law.
-/// In large groups, what hardly deforms takes part as a rigid body (TouchedBody::is_coupled); it deforms under the
-/// impulses that it got.
+/// What is quasi-static takes part as a rigid body and deforms under the impulses that it got.
 void solve_elastic_contacts(WorldState& world, TouchedBodies& touched, double dt);
 
 /// What resists changes of the velocities of a body in a substep of `dt` [s].

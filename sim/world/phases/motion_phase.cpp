@@ -251,10 +251,14 @@ Wrench wrench_of(const WorldState& world, const Body& body, const std::vector<Ve
   return wrench;
 }
 
-double mechanical_energy(const WorldState& world, const Body& body) {
-  double energy = elastic_energy(world, body);
+double kinetic_energy_of(const WorldState& world, const Body& body) {
+  double energy = kinetic_energy_of_edges(world, body);
   for (NodeId node : body.nodes) energy += 0.5 * world.nodes.masses[node] * world.nodes.velocities[node].squaredNorm();
-  return energy + kinetic_energy_of_edges(world, body);
+  return energy;
+}
+
+double mechanical_energy(const WorldState& world, const Body& body) {
+  return elastic_energy(world, body) + kinetic_energy_of(world, body);
 }
 
 void move_without_deforming(WorldState& world, const Body& body, const BodySnapshot& before,
@@ -275,6 +279,19 @@ void restore_angular_momentum(WorldState& world, const Body& body, const BodySna
   const Vec3 spin = now.inertia.inverse() * (first.inertia * first.angular_velocity) - now.angular_velocity;
   for (NodeId node : body.nodes) world.nodes.velocities[node] += spin.cross(world.nodes.positions[node] - now.center);
   add_spin_to_edges(world, body, spin);
+}
+
+void keep_whole_motion(WorldState& world, const Body& body) {
+  const std::function<Vec3(NodeId)> whole_velocity = rigid_velocity_of(world, body);
+  const Vec3 spin = body.supported() ? Vec3(Vec3::Zero()) : motion_of(world, body).angular_velocity;
+  for (NodeId node : body.nodes) world.nodes.velocities[node] = whole_velocity(node);
+  for (EdgeId edge : body.edges) world.edges.velocities[edge] = spin.cross(world.edges.offsets[edge]);
+}
+
+void stop_deforming(WorldState& world, const Body& body) {
+  const double before = kinetic_energy_of(world, body);
+  keep_whole_motion(world, body);
+  world.energy.hand_over += before - kinetic_energy_of(world, body);
 }
 
 void make_rigid(WorldState& world, Body& body) {

@@ -35,6 +35,12 @@ struct Wrench {
   Vec3 force = Vec3::Zero(), torque = Vec3::Zero();
 };
 Wrench wrench_of(const WorldState& world, const Body& body, const std::vector<Vec3>& forces);
+/// Leaves a deformable body the velocities of its motion as a whole alone.
+void keep_whole_motion(WorldState& world, const Body& body);
+/// The same; the energy of what is lost goes to EnergyAccount::hand_over.
+void stop_deforming(WorldState& world, const Body& body);
+/// Kinetic energy of a deformable body's nodes and edges [J].
+double kinetic_energy_of(const WorldState& world, const Body& body);
 /// Kinetic and elastic energy of a body [J].
 double mechanical_energy(const WorldState& world, const Body& body);
 /// Energy that a strain of this size stores all over a body [J].

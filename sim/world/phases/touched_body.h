@@ -21,9 +21,8 @@ struct TouchedPoint {
 struct TouchedBody {
   BodyId body;
   std::vector<TouchedPoint> points;  ///< per contact of the object
-  NodeVectors free;        ///< velocities of the rows of its system without the contacts, once it has answered [m/s]
-  NodeVectors change;      ///< what the contacts did to them [m/s]
-  bool is_coupled = true;  ///< its contacts feel that it deforms; else they take it for rigid
+  NodeVectors free;    ///< velocities of the rows of its system without the contacts, once it has answered [m/s]
+  NodeVectors change;  ///< what the contacts did to them [m/s]
 };
 
 /// The elastic bodies that touch something, and what the contact world knows of each, by body.

@@ -1,0 +1,75 @@
+#include "sim/world/phases/quasi_static.h"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "sim/geometry/disjoint_sets.h"
+#include "sim/solver/pivot.h"
+#include "sim/world/bodies/bodies.h"
+#include "sim/world/phases/motion_phase.h"
+
+namespace griffith {
+namespace {
+
+/// True if supports drive a body, or hold it so that it can swing.
+bool moves_with_supports(const WorldState& world, const Body& body) {
+  if (!body.supported()) return false;
+  const std::span<const NodeId> supports = body.system->supports();
+  const auto is_driven = [&](NodeId node) { return !world.nodes.constraints[node].velocity.isZero(0); };
+  return std::ranges::any_of(supports, is_driven) ||
+         pivot_of(supports, world.nodes.constraints, world.nodes.positions).has_value();
+}
+
+/// True if a body cannot deform visibly before it breaks.
+bool hardly_deforms(const WorldState& world, const Body& body) {
+  constexpr double kVisible = 1e-3;  // of its extent
+  const double strain = min_breaking_stress(world, body, false) / world.material_of(body).young_modulus;
+  return strain * body.extent < kVisible * body.element_size;
+}
+
+/// Number of objects in the group of each object that contacts move, per ProxyId.
+std::vector<int> group_sizes(const WorldState& world) {
+  std::size_t objects = world.body_of_proxy.size();
+  const std::span<const Contact> contacts = world.contact_world.contacts();
+  for (const Contact& contact : contacts)
+    objects = std::max<std::size_t>(objects, std::max(contact.a.index(), contact.b.index()) + 1);
+  std::vector<bool> responds(objects, false);
+  for (const Contact& contact : contacts)
+    for (const ProxyId side : {contact.a, contact.b}) {
+      const BodyId id = world.body_of(side);
+      responds[side] = world.contact_world.moves(side) || (id.valid() && world.bodies[id].sways());
+    }
+  DisjointSets sets(static_cast<int>(objects));
+  for (const Contact& contact : contacts)
+    if (responds[contact.a] && responds[contact.b])
+      sets.join(static_cast<int>(contact.a.index()), static_cast<int>(contact.b.index()));
+  std::vector<int> counts(objects, 0), of_object(objects, 0);
+  for (std::size_t i = 0; i < objects; ++i) counts[sets.find(static_cast<int>(i))] += responds[i];
+  for (std::size_t i = 0; i < objects; ++i) of_object[i] = counts[sets.find(static_cast<int>(i))];
+  return of_object;
+}
+
+}  // namespace
+
+bool reaches_equilibrium(const WorldState& world, const Body& body, double dt) {
+  constexpr double kTransits = 4;
+  return kTransits * body.extent < dt * bar_wave_speed(world.material_of(body));
+}
+
+void choose_quasi_static_bodies(WorldState& world) {
+  constexpr int kLargeGroup = 5;            // objects
+  constexpr std::size_t kLargeBody = 4096;  // nodes: factoring its aggregates with contacts takes a tenth of a second
+  if (world.integrates_explicitly()) return;
+  const double time_step = world.model->scene.simulation.time_step;
+  const std::vector<int> sizes = group_sizes(world);
+  for (Body& body : world.bodies) {
+    const int group = sizes[body.proxy];
+    const bool is_costly = group > kLargeGroup || (group > 0 && body.nodes.size() > kLargeBody);
+    body.quasi_static = is_costly && hardly_deforms(world, body) && reaches_equilibrium(world, body, time_step) &&
+                        !moves_with_supports(world, body);
+    if (body.quasi_static && body.sways()) stop_deforming(world, body);
+  }
+}
+
+}  // namespace griffith
