@@ -117,7 +117,7 @@ double ContactWorld::Impl::rebound_speed(const Contact& contact, double dt) cons
 /// steps before: as little as that was, so that it gives back no more than the energy that it took. Between two things,
 /// of which neither surface is exact, an overlap stays.
 double ContactWorld::Impl::parting_speed(const Contact& contact, double dt) const {
-  constexpr double kTolerance = 1e-2;  // of the approach, some times that of the owner
+  constexpr double kTolerance = 1e-3;  // of the approach, some times that of the owner
   const Object &a = objects[contact.a], &b = objects[contact.b];
   const bool is_on_ground = a.kind == Kind::ground || b.kind == Kind::ground;
   if (!is_on_ground || (!a.elastic && !b.elastic)) return 0;
