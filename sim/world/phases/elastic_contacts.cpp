@@ -6,6 +6,7 @@
 #include "sim/core/parallel.h"
 #include "sim/geometry/disjoint_sets.h"
 #include "sim/solver/contact_problem.h"
+#include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/whole_motion.h"
@@ -150,10 +151,19 @@ ContactTolerance tolerance_of(const WorldState& world, double dt) {
 
 namespace {
 
-/// True if a body cannot deform visibly before it breaks, and nothing drives it.
+NodeVectors columns_of(std::span<const NodeId> nodes, const std::vector<Vec3>& values) {
+  NodeVectors columns(3, static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t i = 0; i < nodes.size(); ++i) columns.col(static_cast<Eigen::Index>(i)) = values[nodes[i]];
+  return columns;
+}
+
+/// True if a body cannot deform visibly before it breaks, or by waves of what strikes it slowly, and nothing drives it.
 bool hardly_deforms(const WorldState& world, const Body& body) {
   constexpr double kVisible = 1e-3;  // of its extent
-  const double strain = min_breaking_stress(world, body, false) / world.material_of(body).young_modulus;
+  constexpr double kSlow = 1;        // [m/s]
+  const Material& material = world.material_of(body);
+  const double strain =
+      std::min(min_breaking_stress(world, body, false) / material.young_modulus, kSlow / bar_wave_speed(material));
   const bool is_driven = std::ranges::any_of(
       body.system->supports(), [&](NodeId node) { return !world.nodes.constraints[node].velocity.isZero(0); });
   return strain * body.extent < kVisible * body.element_size && !is_driven && !world.integrates_explicitly();
@@ -189,6 +199,27 @@ void couple(const WorldState& world, TouchedBodies& touched) {
                                    !hardly_deforms(world, world.bodies[touched.bodies[i].body]);
 }
 
+/// The bodies that are not coupled and that their supports let turn about a hinge or a joint.
+std::vector<HingedObject> hinged_objects(const WorldState& world, const TouchedBodies& touched, double dt) {
+  std::vector<HingedObject> hinged;
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
+    const Body& body = world.bodies[touched.bodies[i].body];
+    if (touched.bodies[i].is_coupled || !body.supported()) continue;
+    const auto pivot = pivot_of(body.system->supports(), world.nodes.constraints, world.nodes.positions);
+    if (!pivot) continue;
+    const std::span<const NodeId> nodes = body.system->nodes();
+    Eigen::VectorXd masses(static_cast<Eigen::Index>(nodes.size()));
+    for (std::size_t row = 0; row < nodes.size(); ++row) masses[row] = world.nodes.masses[nodes[row]];
+    const auto spin_of = [&](const std::vector<Vec3>& velocities) {
+      return turning_about(*pivot, columns_of(nodes, world.nodes.positions), columns_of(nodes, velocities), masses)
+          .spin;
+    };
+    hinged.push_back({body.proxy, body.motion.mass, pivot->place, whole_motion(world, body, dt).inverse_inertia,
+                      spin_of(world.scratch.substep_start.velocities), spin_of(world.nodes.velocities)});
+  }
+  return hinged;
+}
+
 /// The bodies that are coupled, with their places in `touched`.
 std::vector<ElasticObject> coupled_objects(const TouchedBodies& touched) {
   std::vector<ElasticObject> coupled;
@@ -203,7 +234,7 @@ void solve_elastic_contacts(WorldState& world, TouchedBodies& touched, double dt
   couple(world, touched);
   for (std::size_t i = 0; i < touched.bodies.size(); ++i)
     touched.objects[i].free_velocities = point_velocities(world, touched.bodies[i]);
-  world.contact_world.solve(dt, coupled_objects(touched));
+  world.contact_world.solve(dt, coupled_objects(touched), hinged_objects(world, touched, dt));
   std::vector<Group> groups;
   GroupBuilder builder(world, touched, dt);
   for (std::vector<int>& contacts : world.contact_world.elastic_groups())
