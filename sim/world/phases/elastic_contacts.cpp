@@ -157,13 +157,10 @@ NodeVectors columns_of(std::span<const NodeId> nodes, const std::vector<Vec3>& v
   return columns;
 }
 
-/// True if a body cannot deform visibly before it breaks, or by waves of what strikes it slowly, and nothing drives it.
+/// True if a body cannot deform visibly before it breaks, and nothing drives it.
 bool hardly_deforms(const WorldState& world, const Body& body) {
   constexpr double kVisible = 1e-3;  // of its extent
-  constexpr double kSlow = 1;        // [m/s]
-  const Material& material = world.material_of(body);
-  const double strain =
-      std::min(min_breaking_stress(world, body, false) / material.young_modulus, kSlow / bar_wave_speed(material));
+  const double strain = min_breaking_stress(world, body, false) / world.material_of(body).young_modulus;
   const bool is_driven = std::ranges::any_of(
       body.system->supports(), [&](NodeId node) { return !world.nodes.constraints[node].velocity.isZero(0); });
   return strain * body.extent < kVisible * body.element_size && !is_driven && !world.integrates_explicitly();
