@@ -67,6 +67,15 @@ struct ElasticObject {
   Eigen::Matrix3Xd free_velocities;  ///< one column a contact [m/s]
 };
 
+/// A held object that its supports let turn, taken for rigid.
+struct HingedObject {
+  ProxyId object;
+  double mass;            ///< [kg]
+  Vec3 place;             ///< that hardly moves [m]
+  Mat3 inverse_inertia;   ///< of turning about the axes that are free, world frame [1/(kg·m²)]
+  Vec3 first_spin, spin;  ///< when the substep begins and, as if nothing touched it, when it ends [rad/s]
+};
+
 /// Finds and solves the contacts of everything.
 ///
 /// A substep is: add, reshape() and remove(), set_state() of all proxies, detect(), set_velocity(), solve(), advance(),
@@ -153,9 +162,10 @@ class ContactWorld {
   /// detect(), if at all.
   void drop_contacts_of(const std::vector<bool>& objects);
   /// Writes the impulses of a substep of `dt` [s] > 0 into contacts(), except those of groups of objects that touch
-  /// and of which one is elastic: their owner solves them by law() and hands in set_impulse(). Returns how many times
-  /// a contact was solved, for those who count work.
-  int solve(double dt, std::span<const ElasticObject> elastic = {});
+  /// and of which one is elastic: their owner solves them by law() and hands in set_impulse(). What is hinged stands
+  /// still there. Its owner turns it by the impulses. Returns how many times a contact was solved, for those who count
+  /// work.
+  int solve(double dt, std::span<const ElasticObject> elastic = {}, std::span<const HingedObject> hinged = {});
   /// Contacts of the groups that the last solve() left to the owner, ascending in each.
   std::vector<std::vector<int>> elastic_groups() const;
   /// Law of a contact in the last solve().

@@ -153,6 +153,8 @@ Hull::Hull(const ConvexHull& hull) : corners(hull.corners) {
     faces.push_back(face_of(corners, loop, static_cast<int>(loops.size())));
     loops.insert(loops.end(), loop.begin(), loop.end());
   }
+  inner_radius = size;
+  for (const Face& face : faces) inner_radius = std::min(inner_radius, face.offset - face.normal.dot(center));
 }
 
 }  // namespace griffith::contact

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "sim/contact/triple.h"
 
@@ -51,10 +52,17 @@ const Vec3& lowest_corner(const Hull& hull, const Vec3& direction) {
   return *std::ranges::min_element(hull.corners, {}, [&](const Vec3& corner) { return direction.dot(corner); });
 }
 
+/// Edges of a hull that may part it from another best; all of those beyond so many.
+struct EdgeChoice {
+  std::array<bool, 2 * kMostFound> chosen;
+  bool holds(int edge) const { return edge >= static_cast<int>(chosen.size()) || chosen[edge]; }
+};
+
 /// Two hulls, a lying at `place` in the frame of b, in which all directions are.
 class HullPair {
  public:
-  HullPair(const Hull& a, const Hull& b, const Place& place) : a_(a), b_(b), place_(place) {}
+  HullPair(const Hull& a, const Hull& b, const Place& place)
+      : a_(a), b_(b), place_(place), center_of_a_(place.to_world(a.center)) {}
 
   struct Axis {
     Feature feature = Feature::none;
@@ -79,11 +87,12 @@ class HullPair {
     }
   }
 
-  /// The axis along which they are farthest apart, and how far behind the second is. Any that parts them by more than
-  /// `reach` will do.
+  /// The axis along which they are farthest apart, and how far behind the second is, if by less than `margin` [m]. Any
+  /// that parts them by more than `reach` will do. What cannot come within the margin of the best is not computed.
   Axis best_axis(double reach, double for_faces, double& margin) const {
     Axis best;
     double second = -kInfinity;
+    const double largest_margin = std::exchange(margin, -1);
     const auto consider = [&](const Axis& axis) {
       if (axis.score > best.score) {
         second = best.score;
@@ -93,21 +102,35 @@ class HullPair {
       }
       return axis.separation > reach;
     };
-    margin = -1;
+    const auto may_matter = [&](double largest_score) { return largest_score > best.score - largest_margin; };
     for (int i = 0; i < static_cast<int>(b_.faces.size()); ++i) {
+      const Hull::Face& face = b_.faces[i];
+      if (!may_matter(face.normal.dot(center_of_a_) - a_.inner_radius - face.offset)) continue;
       const double separation = separation_along_face_of_b(i);
       if (consider({Feature::face_of_b, 0, i, separation, separation})) return best;
     }
+    const Vec3 center_of_b = place_.to_local(b_.center), apart = a_.center - center_of_b;
     for (int i = 0; i < static_cast<int>(a_.faces.size()); ++i) {
+      const Hull::Face& face = a_.faces[i];
+      if (!may_matter(face.normal.dot(center_of_b) - b_.inner_radius - face.offset)) continue;
       const double separation = separation_along_face_of_a(i);
       if (consider({Feature::face_of_a, i, 0, separation, separation})) return best;
     }
-    for (int i = 0; i < static_cast<int>(a_.edges.size()); ++i)
-      if (for_each_facing_edge(i, [&](int j, double separation) {
+    const double inner = a_.inner_radius + b_.inner_radius + for_faces;
+    const auto may_edge_matter = [&](const Hull& hull, int edge, const Vec3& from_other) {
+      return may_matter(largest_along_edge(hull, edge, from_other) - inner);
+    };
+    EdgeChoice edges_of_b;
+    for (std::size_t j = 0; j < std::min(b_.edges.size(), edges_of_b.chosen.size()); ++j)
+      edges_of_b.chosen[j] = may_edge_matter(b_, static_cast<int>(j), b_.center - center_of_a_);
+    for (int i = 0; i < static_cast<int>(a_.edges.size()); ++i) {
+      if (!may_edge_matter(a_, i, apart)) continue;
+      if (for_each_facing_edge(i, edges_of_b, [&](int j, double separation) {
             return consider({Feature::edges, i, j, separation, separation - for_faces});
           }))
         return best;
-    margin = best.score - second;
+    }
+    margin = std::min(best.score - second, largest_margin);
     return best;
   }
 
@@ -160,6 +183,17 @@ class HullPair {
 
   Vec3 corner_of_a(int corner) const { return place_.to_world(a_.corners[corner]); }
 
+  /// The most of the way from the other's centre, in the hull's frame, along any axis that one of its edges gives, or
+  /// more: these lie against the normals of its faces.
+  static double largest_along_edge(const Hull& hull, int index, const Vec3& from_other) {
+    const Hull::Edge& edge = hull.edges[index];
+    if (hull.faces[edge.left].normal.dot(from_other) >= 0 && hull.faces[edge.right].normal.dot(from_other) >= 0)
+      return 0;
+    const Vec3 along = hull.corners[edge.to] - hull.corners[edge.from];
+    const double shared = along.dot(from_other);
+    return std::sqrt(std::max(0.0, from_other.squaredNorm() - shared * shared / along.squaredNorm()));
+  }
+
   /// Across two edges, from b to a.
   Vec3 edge_axis(int of_a, int of_b) const {
     constexpr double kParallel = 5e-3;  // the sine
@@ -173,10 +207,10 @@ class HullPair {
     return axis.dot(b_.corners[edge_b.from] - b_.center) >= 0 ? axis : Vec3(-axis);
   }
 
-  /// Calls use(edge of b, separation) for the edges of b that may be nearest to an edge of a: their faces' normals
+  /// Calls use(edge of b, separation) for those edges of b that may be nearest to an edge of a: their faces' normals
   /// cross on the sphere. Stops where that says true, and returns it.
   template <class Use>
-  bool for_each_facing_edge(int of_a, Use use) const {
+  bool for_each_facing_edge(int of_a, const EdgeChoice& edges_of_b, Use use) const {
     const Hull::Edge& edge = a_.edges[of_a];
     const Triple left(place_.rotation * a_.faces[edge.left].normal),
         right(place_.rotation * a_.faces[edge.right].normal);
@@ -188,6 +222,7 @@ class HullPair {
       return face < tilt_count ? tilts[face] : -dot(Triple(b_.faces[face].normal), along);
     };
     for (int j = 0; j < static_cast<int>(b_.edges.size()); ++j) {
+      if (!edges_of_b.holds(j)) continue;
       const Hull::Edge& other = b_.edges[j];
       const double first = tilt(other.left), second = tilt(other.right);
       if (first * second >= 0) continue;
@@ -266,6 +301,7 @@ class HullPair {
 
   const Hull &a_, &b_;
   const Place& place_;
+  Vec3 center_of_a_;
 };
 
 /// How far a point of the smaller of two objects has moved in the frame of the other, at most [m].
@@ -332,13 +368,13 @@ namespace {
 
 /// Looks at all features of a pair; an edge has to part it better than a face by `for_faces` [m].
 void take_best_axis(Manifold& manifold, const HullPair& pair, double reach, double for_faces, double largest_margin) {
-  double margin = 0;
+  double margin = 2 * largest_margin;
   const HullPair::Axis axis = pair.best_axis(reach, for_faces, margin);
   manifold.feature = axis.feature;
   manifold.of_a = axis.of_a;
   manifold.of_b = axis.of_b;
   manifold.separation = axis.separation;
-  manifold.margin = std::min(0.5 * margin, largest_margin);
+  manifold.margin = 0.5 * margin;
   manifold.drift = 0;
 }
 

@@ -31,7 +31,7 @@ void prepare(Point& point, const Block& block, const RigidContact& contact, cons
   point.approach = contact.approach;
   point.fall = contact.fall;
   const auto driven = [&](const Motion& motion, const Triple& arm) {
-    return motion.inverse_mass > 0 ? 0 : dot(block.normal, motion.velocity + cross(motion.spin, arm));
+    return motion.moves ? 0 : dot(block.normal, motion.velocity + cross(motion.spin, arm));
   };
   point.driven = driven(a, point.arm_a) - driven(b, point.arm_b);
   const Triple* const axes[3] = {&block.normal, &block.first, &block.second};
@@ -63,19 +63,28 @@ void prepare(Point& point, const Block& block, const RigidContact& contact, cons
 }  // namespace
 
 RigidRows::RigidRows(std::span<const Motion> motions, std::span<const RigidContact> contacts, const RigidGroup& group,
-                     double substep)
-    : points(group.contacts.size()) {
-  for (std::size_t i = 0; i < points.size(); ++i) {
+                     double substep) {
+  for (std::size_t i = 0; i < group.contacts.size(); ++i) {
     const RigidContact& contact = contacts[group.contacts[i]];
     const RigidContact* last = i > 0 ? &contacts[group.contacts[i - 1]] : nullptr;
     if (!last || last->a != contact.a || last->b != contact.b || last->normal != contact.normal)
       blocks.push_back(block_of(contact, static_cast<int>(i)));
     blocks.back().end = static_cast<int>(i) + 1;
-    prepare(points[i], blocks.back(), contact, motions[contact.a], motions[contact.b], substep);
   }
   std::ranges::stable_sort(blocks, {},
                            [&](const Block& block) { return contacts[group.contacts[block.begin]].fallen; });
   color_blocks(motions);
+  points.reserve(group.contacts.size());
+  for (Block& block : blocks) {
+    const int first = block.begin, count = block.end - first;
+    block.begin = static_cast<int>(points.size());
+    block.end = block.begin + count;
+    for (int i = first; i < first + count; ++i) {
+      const int contact = group.contacts[i];
+      points.emplace_back().contact = contact;
+      prepare(points.back(), block, contacts[contact], motions[block.a], motions[block.b], substep);
+    }
+  }
 }
 
 bool RigidRows::is_cold() const {
@@ -93,7 +102,7 @@ void RigidRows::color_blocks(std::span<const Motion> motions) {
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     unsigned taken = 0;
     for (const int side : {blocks[i].a, blocks[i].b})
-      if (motions[side].inverse_mass > 0) taken |= used[side];
+      if (motions[side].moves) taken |= used[side];
     const int color = std::min(std::countr_one(taken), kColors);
     for (const int side : {blocks[i].a, blocks[i].b}) used[side] |= 1u << color;
     color_of[i] = color;

@@ -14,6 +14,7 @@ namespace griffith::contact {
 /// What contacts change of a body in a step, and how it answers them.
 struct Motion {
   Triple velocity, spin;
+  bool moves = false, is_hinged = false;
   double inverse_mass = 0;
   Symmetric inverse_inertia;
   Triple push_velocity, push_spin;
@@ -23,27 +24,33 @@ struct Motion {
     spin += inverse_inertia * cross(arm, impulse);
   }
   void push_out(const Triple& arm, const Triple& impulse) {
+    if (!moves || is_hinged) return;
     push_velocity += inverse_mass * impulse;
     push_spin += inverse_inertia * cross(arm, impulse);
   }
+  bool is_pushed_out() const {
+    return push_velocity.x != 0 || push_velocity.y != 0 || push_velocity.z != 0 || push_spin.x != 0 ||
+           push_spin.y != 0 || push_spin.z != 0;
+  }
 };
 
-/// A contact as the substeps need it. Impulses are along the block's axes, on a.
+/// A contact as the substeps need it, what each sweep reads first. Impulses are along the block's axes, on a.
 struct Point {
   Triple arm_a, arm_b;
-  double inverse_normal = 0;                  ///< 1 / compliance along the normal [kg]
-  double couple_x = 0, couple_y = 0;          ///< compliance of the tangents under a normal impulse [1/kg]
-  double xx = 0, xy = 0, yy = 0;              ///< inverse of the tangents' compliance [kg]
-  double inverse_largest = 0;                 ///< of the largest eigenvalue of that compliance [kg]
-  double target = 0;                          ///< of the parting in the present substep [m/s]
-  double normal = 0, first = 0, second = 0;   ///< impulse of a substep [N·s]
-  double distance = 0, gap = 0, resting = 0;  ///< at the start, in the present substep, left in the end [m]
-  double driven = 0;                          ///< speed of the gap's opening by what contacts do not move [m/s]
-  double pushed = 0;                          ///< out of an overlap
+  double inverse_normal = 0;                 ///< 1 / compliance along the normal [kg]
+  double couple_x = 0, couple_y = 0;         ///< compliance of the tangents under a normal impulse [1/kg]
+  double xx = 0, xy = 0, yy = 0;             ///< inverse of the tangents' compliance [kg]
+  double inverse_largest = 0;                ///< of the largest eigenvalue of that compliance [kg]
+  double target = 0;                         ///< of the parting in the present substep [m/s]
+  double normal = 0, first = 0, second = 0;  ///< impulse of a substep [N·s]
+  double distance = 0, gap = 0;              ///< at the start, in the present substep [m]
+  double driven = 0;                         ///< speed of the gap's opening by what contacts do not move [m/s]
+  Triple total;                              ///< impulse of the step [N·s]
+  Triple force;                              ///< of the last substep [N]
+  double resting = 0, pushed = 0;            ///< overlap that stays, what went of one [m]
   double restitution = 0, approach = 0, fall = 0;
-  Triple total, force;       ///< of the step [N·s]; of the last substep [N]
   Triple before, direction;  ///< impulses before the present sweep; the last change [N·s]
-  bool pushes = false;       ///< or has pushed out
+  int contact = 0;           ///< index into all
 };
 
 /// Contacts of two bodies with the same normal.
@@ -52,6 +59,7 @@ struct Block {
   Triple normal, first, second;
   double friction = 0;
   int begin = 0, end = 0;  ///< of its points
+  bool overlaps = false;   ///< by more than may stay
 };
 
 /// The contacts of a group, those of two bodies together. Blocks lie in the order in which they are solved: down
@@ -63,8 +71,8 @@ class RigidRows {
   RigidRows(std::span<const Motion> motions, std::span<const RigidContact> contacts, const RigidGroup& group,
             double substep);
 
-  std::vector<Point> points;  ///< as the group's contacts
   std::vector<Block> blocks;
+  std::vector<Point> points;  ///< in the order of the blocks
 
   /// True if nothing is known of the impulses.
   bool is_cold() const;

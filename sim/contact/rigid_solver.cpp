@@ -52,7 +52,6 @@ class GroupStep {
       for (const int i : group_.bodies) accelerate(i);
       rows_.for_each_block([&](Block& block) { start(block, substep * h_); });
       sweeps += relax_all();
-      for (Point& point : rows_.points) point.total += Triple{point.normal, point.first, point.second};
       for (const int i : group_.bodies) move(i);
     }
     sweeps += rebound();
@@ -69,10 +68,10 @@ class GroupStep {
     motions_[i].spin += h_ * Triple(bodies_[i].turning);
   }
 
-  /// Where the gaps are, and the impulses of the last substep again.
+  /// Where the gaps are, and the impulses of the last substep again, which count towards the step's.
   void start(Block& block, double time) {
     Motion a = motions_[block.a], b = motions_[block.b];
-    const bool a_moves = a.inverse_mass > 0, b_moves = b.inverse_mass > 0;
+    const bool a_moves = a.moves, b_moves = b.moves;
     Triple apart;
     if (a_moves) apart += Triple(bodies_[block.a].displacement);
     if (b_moves) apart -= Triple(bodies_[block.b].displacement);
@@ -83,6 +82,7 @@ class GroupStep {
       Point& point = rows_.points[i];
       point.gap = point.distance + time * point.driven + along + dot(down_a, point.arm_a) - dot(down_b, point.arm_b);
       point.target = -std::max(point.gap, 0.0) / h_;
+      if (time > 0) point.total += Triple{point.normal, point.first, point.second};
       if (point.normal == 0) {
         point.first = point.second = 0;
         continue;
@@ -132,8 +132,8 @@ class GroupStep {
         if (dot(more, more) == 0) continue;
         point.normal += more.x, point.first += more.y, point.second += more.z;
         const Triple impulse = more.x * block.normal + more.y * block.first + more.z * block.second;
-        if (motions_[block.a].inverse_mass > 0) motions_[block.a].push(point.arm_a, impulse);
-        if (motions_[block.b].inverse_mass > 0) motions_[block.b].push(point.arm_b, -impulse);
+        if (motions_[block.a].moves) motions_[block.a].push(point.arm_a, impulse);
+        if (motions_[block.b].moves) motions_[block.b].push(point.arm_b, -impulse);
       }
     return size;
   }
@@ -156,8 +156,8 @@ class GroupStep {
       b.push(point.arm_b, -impulse);
       largest = std::max(largest, std::abs(change) / point.inverse_normal);
     }
-    if (a.inverse_mass > 0) motions_[block.a].velocity = a.velocity, motions_[block.a].spin = a.spin;
-    if (b.inverse_mass > 0) motions_[block.b].velocity = b.velocity, motions_[block.b].spin = b.spin;
+    if (a.moves) motions_[block.a].velocity = a.velocity, motions_[block.a].spin = a.spin;
+    if (b.moves) motions_[block.b].velocity = b.velocity, motions_[block.b].spin = b.spin;
     return largest;
   }
 
@@ -186,11 +186,15 @@ class GroupStep {
   /// Takes out a share of the overlaps by displacements that let nothing else overlap, beside the true velocities.
   void push_apart() {
     bool any = false;
-    for (Point& point : rows_.points) {
-      const double overlap = -point.resting - point.gap;
-      const double share = kPushedOut * std::min(1.0, overlap / (kFullyPushed * point.resting));
-      point.target = overlap > 0 ? share * overlap : overlap;
-      any |= overlap > 0;
+    for (Block& block : rows_.blocks) {
+      for (int i = block.begin; i < block.end; ++i) {
+        Point& point = rows_.points[i];
+        const double overlap = -point.resting - point.gap;
+        const double share = kPushedOut * std::min(1.0, overlap / (kFullyPushed * point.resting));
+        point.target = overlap > 0 ? share * overlap : overlap;
+        block.overlaps |= overlap > 0;
+      }
+      any |= block.overlaps;
     }
     for (int sweep = 0; any && sweep < kPushSweeps; ++sweep)
       rows_.for_each_block([&](Block& block) { push_apart(block); });
@@ -198,6 +202,7 @@ class GroupStep {
 
   void push_apart(Block& block) {
     Motion &a = motions_[block.a], &b = motions_[block.b];
+    if (!block.overlaps && !a.is_pushed_out() && !b.is_pushed_out()) return;
     for (int i = block.begin; i < block.end; ++i) {
       Point& point = rows_.points[i];
       const double moved = dot(block.normal, a.push_velocity + cross(a.push_spin, point.arm_a) - b.push_velocity -
@@ -206,8 +211,8 @@ class GroupStep {
                    pushed = next - point.pushed;
       if (pushed == 0) continue;
       point.pushed = next;
-      if (a.inverse_mass > 0) a.push_out(point.arm_a, pushed * block.normal);
-      if (b.inverse_mass > 0) b.push_out(point.arm_b, -pushed * block.normal);
+      a.push_out(point.arm_a, pushed * block.normal);
+      b.push_out(point.arm_b, -pushed * block.normal);
     }
   }
 
@@ -241,9 +246,10 @@ class GroupStep {
   int rebound() {
     for (Point& point : rows_.points) {
       point.force = Triple{point.normal, point.first, point.second};
+      point.total += point.force;
       point.normal = point.first = point.second = 0;
     }
-    rows_.for_each_block([&](Block& block) { start(block, dt_); });
+    rows_.for_each_block([&](Block& block) { start(block, dt_); });  // adds nothing to the totals now
     double fastest = 0;
     for (Point& point : rows_.points) {
       if (!(point.restitution > 0) || !(point.total.x > 0)) continue;
@@ -270,11 +276,11 @@ class GroupStep {
           return (values.x * block.normal + values.y * block.first + values.z * block.second).vector();
         };
         const Point& point = rows_.points[i];
-        contacts_[group_.contacts[i]].impulse = along_axes(point.total);
-        contacts_[group_.contacts[i]].force = along_axes(point.force) / h_;
+        contacts_[point.contact].impulse = along_axes(point.total);
+        contacts_[point.contact].force = along_axes(point.force) / h_;
         if (!(point.total.x > 0) && !(point.pushed > 0)) continue;
         for (const int side : {block.a, block.b})
-          if (motions_[side].inverse_mass > 0) bodies_[side].touched = true;
+          if (motions_[side].moves) bodies_[side].touched = true;
       }
     for (const int i : group_.bodies) {
       RigidBody& body = bodies_[i];
@@ -308,6 +314,8 @@ int solve_rigid(std::span<RigidBody> bodies, std::span<RigidContact> contacts, s
   for (std::size_t i = 0; i < bodies.size(); ++i)
     motions[i] = {Triple(bodies[i].velocity),
                   Triple(bodies[i].spin),
+                  bodies[i].moves,
+                  bodies[i].is_hinged,
                   bodies[i].inverse_mass,
                   Symmetric(bodies[i].inverse_inertia),
                   Triple(),

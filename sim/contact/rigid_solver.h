@@ -7,8 +7,10 @@
 
 namespace griffith::contact {
 
-/// A rigid body in a step. One that contacts do not move has no inverse mass.
+/// A rigid body in a step, about its centre of mass or the place of its hinge.
 struct RigidBody {
+  bool moves = false;                                 ///< by contacts
+  bool is_hinged = false;                             ///< not moved out of overlaps
   double inverse_mass = 0;                            ///< [1/kg]
   bool is_round = false;                              ///< turning does not change its gaps
   Mat3 inverse_inertia = Mat3::Zero();                ///< world frame, as it lies when the step begins [1/(kg·m²)]
@@ -23,7 +25,7 @@ struct RigidBody {
 struct RigidContact {
   int a, b;                     ///< bodies
   Vec3 normal;                  ///< unit, from b to a
-  Vec3 arm_a, arm_b;            ///< from the centres [m]
+  Vec3 arm_a, arm_b;            ///< from the centres or hinges [m]
   double fallen;                ///< how deep it lies along gravity: sweeps down through a pile carry its load at once
   double distance;              ///< [m], negative where they overlap by more than is allowed
   double resting;               ///< overlap that stays [m]

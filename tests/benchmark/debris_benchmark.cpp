@@ -50,7 +50,7 @@ Scene falling_bricks(int count) {
     brick.shape = BoxShape{kBrick, kBrick, BoxPattern::five_tet};
     brick.position = brick_place(i);
     brick.rotation_degrees = brick_turn(i);
-    brick.material.tensile_strength = 1e9;
+    brick.material.tensile_strength = 5e8;
     brick.material.fracture_toughness = 1e12;
   }
   return scene;

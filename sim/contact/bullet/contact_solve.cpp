@@ -130,10 +130,12 @@ double ContactWorld::Impl::target_velocity(const Contact& contact, double dt) co
   return contact.distance > 0 ? -contact.distance / dt : parting_speed(contact, dt);
 }
 
-int ContactWorld::Impl::solve(double dt, std::span<const ElasticObject> elastic) {
+int ContactWorld::Impl::solve(double dt, std::span<const ElasticObject> elastic, std::span<const HingedObject> hinges) {
   assert(dt > 0);
-  for (Object& object : objects) object.elastic = false;
+  for (Object& object : objects) object.elastic = false, object.hinge = -1;
   for (const ElasticObject& object : elastic) objects[object.object].elastic = true;
+  hinged.assign(hinges.begin(), hinges.end());
+  for (std::size_t i = 0; i < hinged.size(); ++i) objects[hinged[i].object].hinge = static_cast<int>(i);
   split_groups();
   const int work = solve_rigid_groups(dt);
   prepare_elastic_groups(dt, elastic);
@@ -203,13 +205,23 @@ void ContactWorld::Impl::remember_impulses(double dt) {
   }
 }
 
+void ContactWorld::Impl::note_carried() {
+  for (Object& object : objects) object.carried = false;
+  for (const Contact& contact : contacts)
+    for (const auto& [one, other] : {std::pair(contact.a, contact.b), std::pair(contact.b, contact.a)})
+      if (objects[one].kind == Kind::ground && !contact.impulse.isZero(0))
+        objects[other].carried = objects[other].mobility == Mobility::kinematic;
+}
+
 void ContactWorld::Impl::advance(double dt) {
   remember_impulses(dt);
+  note_carried();
   read_back_impulses(dt);
   resist_rolling();
   correct_positions(solved, dt);
   move_rigid_groups(dt);
-  move_projectiles(dt);
+  strays = find_strays(dt);
+  if (move_projectiles(dt)) strays = find_strays(dt);
 }
 
 std::vector<ContactWorld::Impl::Momentum> ContactWorld::Impl::impulse_sums() const {

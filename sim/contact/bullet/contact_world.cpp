@@ -47,6 +47,7 @@ void ContactWorld::Impl::retire(ProxyId id) {
   for (const int leaf : object.leaves) tree.remove(leaf);
   object.leaves.clear();
   object.exists = object.active = false;
+  if (index == ground) ground = -1;
   contacts.clear();
   memories.clear();
 }
@@ -65,7 +66,10 @@ ContactWorld& ContactWorld::operator=(ContactWorld&&) noexcept = default;
 
 ProxyId ContactWorld::add_ground(double height, const SurfaceProperties& surface) {
   impl_->ground_height = height;
-  return impl_->add({.kind = Kind::ground, .mobility = Mobility::kinematic, .shape = {}, .surface = surface}, {});
+  const ProxyId id =
+      impl_->add({.kind = Kind::ground, .mobility = Mobility::kinematic, .shape = {}, .surface = surface}, {});
+  impl_->ground = static_cast<int>(id.index());
+  return id;
 }
 
 ProxyId ContactWorld::add_sphere(double radius, double mass, const RigidState& state,
@@ -157,9 +161,8 @@ void ContactWorld::set_surface(ProxyId object, const SurfaceProperties& surface)
 
 RigidState ContactWorld::state(ProxyId object) const { return impl_->objects[object].state; }
 std::optional<ProxyId> ContactWorld::ground() const {
-  const auto found = std::ranges::find(impl_->objects, Kind::ground, &Object::kind);
-  if (found == impl_->objects.end()) return {};
-  return ProxyId(static_cast<int>(found - impl_->objects.begin()));
+  if (impl_->ground < 0) return {};
+  return ProxyId(impl_->ground);
 }
 bool ContactWorld::is_ground(ProxyId object) const { return impl_->objects[object].kind == Kind::ground; }
 bool ContactWorld::moves(ProxyId object) const { return impl_->objects[object].moves(); }
@@ -176,7 +179,9 @@ void ContactWorld::replace_contacts(const std::vector<bool>& taken_out, std::spa
   impl_->replace_contacts(taken_out, put_in);
 }
 void ContactWorld::drop_contacts_of(const std::vector<bool>& objects) { impl_->drop_contacts_of(objects); }
-int ContactWorld::solve(double dt, std::span<const ElasticObject> elastic) { return impl_->solve(dt, elastic); }
+int ContactWorld::solve(double dt, std::span<const ElasticObject> elastic, std::span<const HingedObject> hinged) {
+  return impl_->solve(dt, elastic, hinged);
+}
 std::vector<std::vector<int>> ContactWorld::elastic_groups() const { return impl_->elastic_groups(); }
 ContactWorld::Law ContactWorld::law(int contact) const {
   const int index = impl_->row_of[contact];

@@ -33,10 +33,12 @@ struct alignas(64) Object {
   Mobility mobility;
   bool asleep = false;      ///< lies still: neither moved nor looked at until something disturbs it
   bool elastic = false;     ///< its owner answers the impulses of the present solve
+  int hinge = -1;           ///< index into those of the present solve, -1 without one
   bool fresh = true;        ///< its shape has not yet been seen by detect()
   bool exists = true;       ///< until removed
   bool active = true;       ///< what is not active is looked at only where something active comes near: sleepers, the
                             ///< ground, and what is held and was not just displaced
+  bool carried = false;     ///< held, and the ground pushed it in the last substep
   double inverse_mass = 0;  ///< 0 when held
   double impact_speed = std::numeric_limits<double>::infinity();  ///< from which it could be hurt [m/s]
   double still_time = 0;                                          ///< that it has hardly left its resting place [s]
@@ -68,6 +70,8 @@ struct alignas(64) Object {
   bool is_still() const { return state.velocity.isZero(0) && state.angular_velocity.isZero(0); }
   /// Whether impulses change its velocities in the present solve.
   bool responds() const { return elastic || moves(); }
+  /// The same, or whether they turn it about a hinge.
+  bool yields() const { return responds() || hinge >= 0; }
 };
 
 /// A convex part of an object where the object lies there, or the ground.
@@ -106,6 +110,13 @@ struct Pair {
 Contact contact_at(const Pair& pair, const Manifold& manifold, const Manifold::Point& point, const Place& a,
                    const Place& b);
 
+/// What leaves its boxes in the tree within a step: by `distance` [m] at most; those that go farther, or have none, are
+/// listed.
+struct Strays {
+  double distance = 0;
+  std::vector<int> objects;
+};
+
 /// Where the force of a contact is kept until the next substep: with a pair's points, or with the owner's contacts.
 struct Memory {
   int manifold = -1, point = 0;
@@ -116,6 +127,7 @@ struct Memory {
 struct ContactState {
   Vec3 gravity = Vec3::Zero();
   double ground_height = 0;
+  int ground = -1;              ///< the object that is the ground, -1 without one
   std::vector<Object> objects;  ///< by ProxyId
   std::vector<Allowance> allowances;
   std::vector<Contact> contacts;
@@ -127,11 +139,13 @@ struct ContactState {
   std::vector<Pair> pairs;          ///< in their order
   std::vector<Manifold> manifolds;  ///< of the pairs; those of parted pairs are used again
   std::vector<int> free_manifolds;
+  Strays strays;  ///< as the last advance() moves everything
 
   /// What solve() asked of each contact, in groups with something elastic.
   std::vector<ContactConstraint> solved;
   std::vector<Vec3> free_velocities;     ///< per row of `solved`: of a relative to b, without impulses [m/s]
   std::vector<int> row_of;               ///< per contact: index into `solved`, -1 where all is rigid
+  std::vector<HingedObject> hinged;      ///< of the last solve()
   std::vector<RigidBody> rigid_bodies;   ///< per object, as the last solve() moved them
   std::vector<RigidGroup> rigid_groups;  ///< those without anything elastic, of the last solve()
   std::vector<bool> moves_rigidly;       ///< per object: in one of these
@@ -156,6 +170,10 @@ struct ContactWorld::Impl : contact::ContactState {
   bool all_at_rest() const;
   std::vector<contact::BoxTree::Item> update_boxes(double dt);
   contact::Box box_of(const contact::Object& object, int part, double dt) const;
+  double way_out(const contact::Object& object, double dt) const;
+  contact::Strays find_strays(double dt) const;
+  std::vector<int> objects_near(const contact::Box& box) const;
+  void for_each_near(double dt, const std::function<void(int, int)>& use) const;
   void update_pairs(std::span<const contact::BoxTree::Item> moved);
   void drop_parted_pairs(const std::vector<bool>& moved);
   void add_pairs_of(const contact::BoxTree::Item& item, std::vector<contact::Pair>& found) const;
@@ -178,12 +196,13 @@ struct ContactWorld::Impl : contact::ContactState {
   // Solving.
   void drop_contacts_of(const std::vector<bool>& dropped);
   std::vector<int> drop_near_misses(double dt, std::span<const double> approach);
-  int solve(double dt, std::span<const ElasticObject> elastic);
+  int solve(double dt, std::span<const ElasticObject> elastic, std::span<const HingedObject> hinges);
   void prepare_elastic_groups(double dt, std::span<const ElasticObject> elastic);
   std::vector<std::vector<int>> elastic_groups() const;
   void split_groups();
   int solve_rigid_groups(double dt);
   contact::RigidBody rigid_body(const contact::Object& object, double dt) const;
+  const Vec3& center(const contact::Object& object) const;
   contact::RigidContact rigid_contact(std::size_t contact, double dt) const;
   std::vector<contact::SolverBody> rigid_solver_bodies(double dt) const;
   std::vector<contact::ContactConstraint> constraints(double dt) const;
@@ -194,6 +213,7 @@ struct ContactWorld::Impl : contact::ContactState {
   std::vector<std::pair<int, int>> touching_pairs() const;
   void advance(double dt);
   void remember_impulses(double dt);
+  void note_carried();
   struct Momentum {
     Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
   };
@@ -213,7 +233,7 @@ struct ContactWorld::Impl : contact::ContactState {
   void wake_neighbours(ProxyId id);
 
   // Motion.
-  void move_projectiles(double dt);
+  bool move_projectiles(double dt);
   void turn_free(contact::Object& object, double dt);
   double deepest_overlap(const contact::Object& object) const;
   struct TouchAhead {

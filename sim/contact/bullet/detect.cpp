@@ -16,10 +16,11 @@ bool pair_less(const Allowance& left, const Allowance& right) {
   return std::tie(left.a, left.b) < std::tie(right.a, right.b);
 }
 
-/// Whether this is the ground under a supported body that has just moved: one that stands still loads its supports.
+/// Whether this is the ground under a supported body that has just moved or lies on it: another one that stands still
+/// loads its supports.
 bool is_kinematic_on_ground(const Object& a, const Object& b) {
   const bool has_ground = a.kind == Kind::ground || b.kind == Kind::ground;
-  return has_ground && (a.active || b.active);
+  return has_ground && (a.active || b.active || a.carried || b.carried) && !a.asleep && !b.asleep;
 }
 
 }  // namespace
@@ -31,8 +32,9 @@ Contact contact::contact_at(const Pair& pair, const Manifold& manifold, const Ma
 }
 
 bool ContactWorld::Impl::all_at_rest() const {
-  return std::none_of(objects.begin(), objects.end(),
-                      [](const Object& object) { return object.exists && (object.fresh || object.active); });
+  return std::none_of(objects.begin(), objects.end(), [](const Object& object) {
+    return object.exists && (object.fresh || object.active || (object.carried && !object.asleep));
+  });
 }
 
 void ContactWorld::Impl::detect(double dt) {

@@ -168,45 +168,25 @@ std::optional<ContactWorld::Encounter> ContactWorld::Impl::expected_impact(std::
   return impact;
 }
 
-/// Sorts the swept extents along x and looks at those that overlap, where at least one object is fast enough.
+/// Looks at pairs of which one object at least is fast enough.
 std::vector<ContactWorld::Encounter> ContactWorld::Impl::expected_impacts(double dt, double minimum_speed,
                                                                           double tolerance,
                                                                           const PairFilter& matters) const {
-  struct Extent {
-    std::size_t object;
-    Eigen::AlignedBox3d box;
-    bool fast;
-  };
-  std::vector<Extent> extents;
-  std::vector<std::pair<std::size_t, std::size_t>> near;
-  const auto look = [&](std::size_t a, std::size_t b) {
-    if (matters && !matters(ProxyId(static_cast<std::int64_t>(a)), ProxyId(static_cast<std::int64_t>(b)))) return;
-    near.emplace_back(a, b);
-  };
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    const Object& object = objects[i];
-    if (!object.exists) continue;
-    if (object.kind == Kind::ground) {
-      for (std::size_t j = 0; j < objects.size(); ++j)
-        if (objects[j].moves()) look(j, i);
-      continue;
-    }
-    const double speed = !object.moves() && object.is_still() ? 0 : highest_speed(flight_of(object, gravity), dt);
-    const Vec3 center = object.state.pose.translation, reach = Vec3::Constant(object.shape.radius + dt * speed);
-    extents.push_back({i, {center - reach, center + reach}, speed > minimum_speed / 2});
-  }
-  Eigen::AlignedBox3d fast;
-  for (const Extent& extent : extents)
-    if (extent.fast) fast.extend(extent.box);
-  std::erase_if(extents, [&](const Extent& extent) { return !extent.box.intersects(fast); });
-  std::stable_sort(extents.begin(), extents.end(),
-                   [](auto& left, auto& right) { return left.box.min().x() < right.box.min().x(); });
-  for (auto a = extents.begin(); a != extents.end(); ++a)
-    for (auto b = a + 1; b != extents.end() && b->box.min().x() <= a->box.max().x(); ++b) {
-      if ((!a->fast && !b->fast) || !a->box.intersects(b->box)) continue;
-      if (!objects[a->object].moves() && !objects[b->object].moves()) continue;
-      look(a->object, b->object);
-    }
+  std::vector<bool> fast(objects.size(), false);
+  for (std::size_t i = 0; i < objects.size(); ++i)
+    if (objects[i].exists && objects[i].kind != Kind::ground && (objects[i].moves() || !objects[i].is_still()))
+      fast[i] = highest_speed(flight_of(objects[i], gravity), dt) > minimum_speed / 2;
+  if (std::ranges::find(fast, true) == fast.end()) return {};
+  std::vector<std::pair<int, int>> near;
+  for_each_near(dt, [&](int a, int b) {
+    if ((fast[a] || fast[b]) && (objects[a].moves() || objects[b].moves())) near.emplace_back(a, b);
+  });
+  std::ranges::sort(near);
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  std::erase_if(near, [&](std::pair<int, int>& pair) {
+    if (pair.first == ground) std::swap(pair.first, pair.second);
+    return matters && !matters(ProxyId(pair.first), ProxyId(pair.second));
+  });
   std::vector<std::optional<Encounter>> met(near.size());
   parallel_for(static_cast<int>(near.size()), 16, [&](int begin, int end) {
     for (int i = begin; i < end; ++i)

@@ -102,8 +102,8 @@ Mat3 turn_of(const Object& object, double dt, double fraction) {
 
 }  // namespace
 
-/// Each is turned first, then moved as it lies then, so that it comes to touch what it meets.
-void ContactWorld::Impl::move_projectiles(double dt) {
+/// Each is turned first, then moved as it lies then, so that it comes to touch what it meets. True if there are any.
+bool ContactWorld::Impl::move_projectiles(double dt) {
   std::vector<std::size_t> projectiles;
   for (std::size_t i = 0; i < objects.size(); ++i)
     if (objects[i].kind == Kind::projectile && objects[i].moves()) projectiles.push_back(i);
@@ -121,6 +121,7 @@ void ContactWorld::Impl::move_projectiles(double dt) {
     object.correction = {};
     place(object);
   }
+  return !projectiles.empty();
 }
 
 Vec3 ContactWorld::Impl::velocity_after(const Vec3& velocity, const Vec3& displacement, double dt) const {
@@ -251,9 +252,12 @@ std::vector<ContactWorld::Impl::TouchAhead> ContactWorld::Impl::touches_ahead(co
                                                                               const Vec3& center, const Vec3& velocity,
                                                                               double fraction, double dt,
                                                                               const SweepRule& rule) const {
+  constexpr double kRoom = 1.001;
   std::vector<TouchAhead> touches;
-  const Vec3 displacement = (1 - fraction) * dt * velocity;
-  for (const Object& other : objects) {
+  const Vec3 displacement = (1 - fraction) * dt * velocity, reach = Vec3::Constant(kRoom * projectile.shape.radius);
+  const Box swept{center + displacement.cwiseMin(0) - reach, center + displacement.cwiseMax(0) + reach};
+  for (const int index : objects_near(swept)) {
+    const Object& other = objects[index];
     if (&other == &projectile || !other.exists || !may_come_near(projectile, center, displacement, other, fraction, dt))
       continue;
     if (rule.stops && !rule.stops(ProxyId(&other - objects.data()))) continue;

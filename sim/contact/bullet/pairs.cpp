@@ -86,6 +86,7 @@ double ContactWorld::Impl::reach(const Object& a, const Object& b, double dt) co
   return kContactReach * radius + std::min(dt * speed, radius);
 }
 
+/// The box that a part does not leave within `dt` [s].
 Box ContactWorld::Impl::box_of(const Object& object, int part, double dt) const {
   Vec3 center = object.place.translation, half = Vec3::Constant(object.shape.radius);
   if (!object.is_sphere()) {
@@ -96,6 +97,71 @@ Box ContactWorld::Impl::box_of(const Object& object, int part, double dt) const 
   half.array() += contact_reach(object) + std::min(dt * turning_speed(object), object.shape.radius);
   const Vec3 way = dt * object.state.velocity;
   return {center - half + way.cwiseMin(0), center + half + way.cwiseMax(0)};
+}
+
+/// How far an object may get out of its boxes in the tree within `dt` [s] at its present motion, 0 if it stays in them
+/// [m].
+double ContactWorld::Impl::way_out(const Object& object, double dt) const {
+  if (object.leaves.empty()) return std::numeric_limits<double>::infinity();
+  double farthest = -std::numeric_limits<double>::infinity();
+  for (std::size_t part = 0; part < object.leaves.size(); ++part) {
+    const Box box = box_of(object, static_cast<int>(part), dt), &room = tree.box(object.leaves[part]);
+    farthest = std::max({farthest, (room.low - box.low).maxCoeff(), (box.high - room.high).maxCoeff()});
+  }
+  const double corrected =
+      object.correction.translation.norm() + object.correction.rotation.norm() * object.shape.radius;
+  return std::max(0.0, farthest + corrected + dt * dt * gravity.norm());
+}
+
+Strays ContactWorld::Impl::find_strays(double dt) const {
+  Strays found;
+  for (int i = 0; i < static_cast<int>(objects.size()); ++i) {
+    if (!objects[i].exists || i == ground) continue;
+    const double out = way_out(objects[i], dt);
+    if (out > objects[i].shape.radius)
+      found.objects.push_back(i);
+    else
+      found.distance = std::max(found.distance, out);
+  }
+  return found;
+}
+
+/// Calls use(a, b) for all objects that may meet within `dt` [s] at their present motions, a < b, some of them twice.
+void ContactWorld::Impl::for_each_near(double dt, const std::function<void(int, int)>& use) const {
+  struct Stray {
+    int object;
+    Box box;
+  };
+  std::vector<Stray> leaving;
+  const auto use_ordered = [&](int a, int b) { use(std::min(a, b), std::max(a, b)); };
+  for (const Pair& pair : pairs) use(pair.a, pair.b);
+  for (int i = 0; i < static_cast<int>(objects.size()); ++i) {
+    const Object& object = objects[i];
+    if (!object.exists || i == ground || way_out(object, dt) == 0) continue;
+    const double reach = object.shape.radius + dt * object.speed() + dt * dt * gravity.norm();
+    const Vec3 &center = object.place.translation, room = Vec3::Constant(reach);
+    leaving.push_back({i, {center - room, center + room}});
+  }
+  for (const Stray& stray : leaving) {
+    if (ground >= 0 && stray.box.low.y() <= ground_height) use_ordered(stray.object, ground);
+    tree.for_each(stray.box, [&](const BoxTree::Item& item) {
+      if (item.object != stray.object) use_ordered(stray.object, item.object);
+    });
+  }
+  for (auto a = leaving.begin(); a != leaving.end(); ++a)
+    for (auto b = a + 1; b != leaving.end(); ++b)
+      if (a->box.meets(b->box)) use(a->object, b->object);
+}
+
+/// What may get into a box within the step of the last advance(), ascending.
+std::vector<int> ContactWorld::Impl::objects_near(const Box& box) const {
+  std::vector<int> near = strays.objects;
+  if (ground >= 0 && box.low.y() <= ground_height) near.push_back(ground);
+  const Vec3 room = Vec3::Constant(strays.distance);
+  tree.for_each({box.low - room, box.high + room}, [&](const BoxTree::Item& item) { near.push_back(item.object); });
+  std::ranges::sort(near);
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  return near;
 }
 
 /// Returns what has left its box, or had none, with a new one.
@@ -158,8 +224,7 @@ void ContactWorld::Impl::add_pairs_of(const BoxTree::Item& item, std::vector<Pai
   };
   const Box& box = tree.box(object.leaves[item.part]);
   tree.for_each(box, add);
-  for (std::size_t i = 0; i < objects.size() && box.low.y() <= ground_height; ++i)
-    if (objects[i].kind == Kind::ground && objects[i].exists) add({static_cast<int>(i), 0});
+  if (ground >= 0 && box.low.y() <= ground_height) add({ground, 0});
 }
 
 void ContactWorld::Impl::update_pairs(std::span<const BoxTree::Item> moved) {

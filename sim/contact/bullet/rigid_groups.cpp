@@ -13,6 +13,8 @@ namespace {
 
 /// The overlap, as a share of the smaller radius, that stays, so that all contacts of what rests go on touching.
 constexpr double kOverlapAtRest = 1.2e-3;
+/// A hinge gives way by this share of what the free body would: else what presses on it would find no compliance.
+constexpr double kGivesWay = 1e-3;
 
 }  // namespace
 
@@ -25,7 +27,7 @@ double contact::smaller_radius(const Object& a, const Object& b) {
 void ContactWorld::Impl::split_groups() {
   DisjointSets sets(static_cast<int>(objects.size()));
   for (const Contact& contact : contacts)
-    if (objects[contact.a].responds() && objects[contact.b].responds())
+    if (objects[contact.a].yields() && objects[contact.b].yields())
       sets.join(static_cast<int>(contact.a.index()), static_cast<int>(contact.b.index()));
   constexpr int kNew = -1, kElastic = -2;
   std::vector<int> group_of(objects.size(), kNew);  // of the sets' roots
@@ -35,9 +37,9 @@ void ContactWorld::Impl::split_groups() {
   elastic_contacts.clear();
   moves_rigidly.assign(objects.size(), false);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const ProxyId responding = objects[contacts[i].a].responds() ? contacts[i].a : contacts[i].b;
-    int& group = group_of[sets.find(static_cast<int>(responding.index()))];
-    if (group == kElastic || !objects[responding].responds()) {
+    const ProxyId yielding = objects[contacts[i].a].yields() ? contacts[i].a : contacts[i].b;
+    int& group = group_of[sets.find(static_cast<int>(yielding.index()))];
+    if (group == kElastic || !objects[yielding].yields()) {
       elastic_contacts.push_back(static_cast<int>(i));
       continue;
     }
@@ -47,7 +49,7 @@ void ContactWorld::Impl::split_groups() {
     }
     rigid_groups[group].contacts.push_back(static_cast<int>(i));
     for (const ProxyId side : {contacts[i].a, contacts[i].b}) {
-      if (!objects[side].responds() || moves_rigidly[side]) continue;
+      if (!objects[side].yields() || moves_rigidly[side]) continue;
       moves_rigidly[side] = true;
       rigid_groups[group].bodies.push_back(static_cast<int>(side.index()));
     }
@@ -59,6 +61,16 @@ RigidBody ContactWorld::Impl::rigid_body(const Object& object, double dt) const 
   RigidBody body;
   body.velocity = object.state.velocity;
   body.spin = object.state.angular_velocity;
+  body.moves = object.moves() || object.hinge >= 0;
+  if (object.hinge >= 0) {
+    const HingedObject& hinge = hinged[object.hinge];
+    body.is_hinged = true;
+    body.inverse_mass = kGivesWay / hinge.mass;
+    body.velocity.setZero();
+    body.spin = hinge.first_spin;
+    body.inverse_inertia = hinge.inverse_inertia;
+    body.turning = (hinge.spin - hinge.first_spin) / dt;
+  }
   if (!object.moves()) return body;
   body.inverse_mass = object.inverse_mass;
   body.is_round = object.is_sphere();
@@ -71,6 +83,11 @@ RigidBody ContactWorld::Impl::rigid_body(const Object& object, double dt) const 
   return body;
 }
 
+/// What it turns about [m].
+const Vec3& ContactWorld::Impl::center(const Object& object) const {
+  return object.hinge >= 0 ? hinged[object.hinge].place : object.state.pose.translation;
+}
+
 RigidContact ContactWorld::Impl::rigid_contact(std::size_t index, double dt) const {
   const Contact& contact = contacts[index];
   const Object &a = objects[contact.a], &b = objects[contact.b];
@@ -79,8 +96,8 @@ RigidContact ContactWorld::Impl::rigid_contact(std::size_t index, double dt) con
   row.a = static_cast<int>(contact.a.index());
   row.b = static_cast<int>(contact.b.index());
   row.normal = contact.normal;
-  row.arm_a = contact.position - a.state.pose.translation;
-  row.arm_b = contact.position - b.state.pose.translation;
+  row.arm_a = contact.position - center(a);
+  row.arm_b = contact.position - center(b);
   const double allowed = allowance(contact.a, contact.b);
   row.distance = distance_beyond(contact.distance, allowed);
   row.resting = kOverlapAtRest * smaller_radius(a, b);
@@ -124,19 +141,22 @@ int ContactWorld::Impl::solve_rigid_groups(double dt) {
 /// overlaps lifts no more than its contacts have taken: energy does not grow.
 void ContactWorld::Impl::move_rigid_groups(double dt) {
   for (const RigidGroup& group : rigid_groups) {
-    double lift = 0, dissipated = 0;
+    double lift = 0, dissipated = 0, count = 0;
     for (const int i : group.bodies) {
       const Object& object = objects[i];
+      if (!object.moves()) continue;
+      ++count;
       lift -= gravity.dot(rigid_bodies[i].push) / object.inverse_mass;
       dissipated += object.dissipated + kinetic_energy(object, object.first_velocity, object.first_spin) -
                     kinetic_energy(object, object.state.velocity, object.state.angular_velocity) +
                     gravity.dot(rigid_bodies[i].displacement) / object.inverse_mass;
     }
     const double fraction = lift > 0 ? std::clamp(dissipated / lift, 0.0, 1.0) : 1;
-    const double left = (dissipated - fraction * lift) / static_cast<double>(group.bodies.size());
+    const double left = (dissipated - fraction * lift) / count;
     for (const int i : group.bodies) {
       const RigidBody& body = rigid_bodies[i];
       Object& object = objects[i];
+      if (!object.moves()) continue;
       object.dissipated = std::max(0.0, left);
       object.pushed_out = fraction * body.push;
       object.correction = {body.displacement + object.pushed_out - dt * object.state.velocity,

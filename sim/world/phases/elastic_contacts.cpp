@@ -5,6 +5,7 @@
 
 #include "sim/core/parallel.h"
 #include "sim/solver/contact_problem.h"
+#include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/phases/elastic_phase.h"
 #include "sim/world/phases/whole_motion.h"
@@ -149,6 +150,33 @@ ContactTolerance tolerance_of(const WorldState& world, double dt) {
 
 namespace {
 
+NodeVectors columns_of(std::span<const NodeId> nodes, const std::vector<Vec3>& values) {
+  NodeVectors columns(3, static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t i = 0; i < nodes.size(); ++i) columns.col(static_cast<Eigen::Index>(i)) = values[nodes[i]];
+  return columns;
+}
+
+/// Quasi-static bodies that their supports let turn about a hinge or a joint.
+std::vector<HingedObject> hinged_objects(const WorldState& world, const TouchedBodies& touched, double dt) {
+  std::vector<HingedObject> hinged;
+  for (std::size_t i = 0; i < touched.bodies.size(); ++i) {
+    const Body& body = world.bodies[touched.bodies[i].body];
+    if (!body.quasi_static || !body.supported()) continue;
+    const auto pivot = pivot_of(body.system->supports(), world.nodes.constraints, world.nodes.positions);
+    if (!pivot) continue;
+    const std::span<const NodeId> nodes = body.system->nodes();
+    Eigen::VectorXd masses(static_cast<Eigen::Index>(nodes.size()));
+    for (std::size_t row = 0; row < nodes.size(); ++row) masses[row] = world.nodes.masses[nodes[row]];
+    const auto spin_of = [&](const std::vector<Vec3>& velocities) {
+      return turning_about(*pivot, columns_of(nodes, world.nodes.positions), columns_of(nodes, velocities), masses)
+          .spin;
+    };
+    hinged.push_back({body.proxy, body.motion.mass, pivot->place, whole_motion(world, body, dt).inverse_inertia,
+                      spin_of(world.scratch.substep_start.velocities), spin_of(world.nodes.velocities)});
+  }
+  return hinged;
+}
+
 /// The bodies that are coupled, with their places in `touched`.
 std::vector<ElasticObject> coupled_objects(const WorldState& world, const TouchedBodies& touched) {
   std::vector<ElasticObject> coupled;
@@ -162,7 +190,7 @@ std::vector<ElasticObject> coupled_objects(const WorldState& world, const Touche
 void solve_elastic_contacts(WorldState& world, TouchedBodies& touched, double dt) {
   for (std::size_t i = 0; i < touched.bodies.size(); ++i)
     touched.objects[i].free_velocities = point_velocities(world, touched.bodies[i]);
-  world.contact_world.solve(dt, coupled_objects(world, touched));
+  world.contact_world.solve(dt, coupled_objects(world, touched), hinged_objects(world, touched, dt));
   std::vector<Group> groups;
   GroupBuilder builder(world, touched, dt);
   for (std::vector<int>& contacts : world.contact_world.elastic_groups())

@@ -5,20 +5,15 @@
 #include <vector>
 
 #include "sim/geometry/disjoint_sets.h"
-#include "sim/solver/pivot.h"
 #include "sim/world/bodies/bodies.h"
 #include "sim/world/phases/motion_phase.h"
 
 namespace griffith {
 namespace {
 
-/// True if supports drive a body, or hold it so that it can swing.
-bool moves_with_supports(const WorldState& world, const Body& body) {
-  if (!body.supported()) return false;
-  const std::span<const NodeId> supports = body.system->supports();
-  const auto is_driven = [&](NodeId node) { return !world.nodes.constraints[node].velocity.isZero(0); };
-  return std::ranges::any_of(supports, is_driven) ||
-         pivot_of(supports, world.nodes.constraints, world.nodes.positions).has_value();
+bool is_driven(const WorldState& world, const Body& body) {
+  return std::ranges::any_of(body.system->supports(),
+                             [&](NodeId node) { return !world.nodes.constraints[node].velocity.isZero(0); });
 }
 
 /// True if a body cannot deform visibly before it breaks: a beam of length l and thickness t that carries a load in its
@@ -70,7 +65,7 @@ void choose_quasi_static_bodies(WorldState& world) {
     const int group = sizes[body.proxy];
     const bool is_costly = group > kLargeGroup || (group > 0 && body.nodes.size() > kLargeBody);
     body.quasi_static = is_costly && hardly_deforms(world, body) && reaches_equilibrium(world, body, time_step) &&
-                        !moves_with_supports(world, body);
+                        !is_driven(world, body);
     if (body.quasi_static && body.sways()) stop_deforming(world, body);
   }
 }
