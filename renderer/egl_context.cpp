@@ -15,7 +15,7 @@
 namespace griffith::render {
 
 struct EglState {
-  // The display is the process's own, shared by all contexts on its device: it is never terminated.
+  // The display belongs to the process and is shared by all contexts on its device: it is never terminated.
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLContext context = EGL_NO_CONTEXT;
   std::string renderer, version, origin;
@@ -52,7 +52,7 @@ std::string egl_error(const std::string& what) {
   }
 }
 
-/// The error of loading one of the libraries, any of which does; empty where one is there. It stays loaded.
+/// Loads one of the libraries permanently. Returns the error if none can be loaded, else an empty text.
 std::string why_missing(std::initializer_list<const char*> libraries) {
   std::string reasons;
   for (const char* library : libraries) {
@@ -62,7 +62,7 @@ std::string why_missing(std::initializer_list<const char*> libraries) {
   return reasons;
 }
 
-/// Libepoxy ends the program where it cannot load these.
+/// Throws RenderError if libraries are missing for which libepoxy would abort the program.
 void require_libraries() {
   if (const std::string reason = why_missing({"libEGL.so.1"}); !reason.empty())
     throw RenderError("no EGL, which pictures without a window need (Debian's package is libegl1):" + reason);
@@ -88,7 +88,7 @@ bool is_software(EGLDeviceEXT device) {
   return extensions && std::string_view(extensions).find("EGL_MESA_device_software") != std::string_view::npos;
 }
 
-/// One way to a context: a display's platform and the name it goes by in messages.
+/// One way to create a context: platform and name of a display.
 struct SubstepRetry {
   EGLenum platform;
   void* native_display;
@@ -96,7 +96,7 @@ struct SubstepRetry {
   bool maybe_hardware;
 };
 
-/// In the order in which they are tried.
+/// Returns the attempts in order.
 std::vector<SubstepRetry> attempts() {
   std::vector<SubstepRetry> hardware, software;
   const std::vector<EGLDeviceEXT> found = devices();
@@ -146,7 +146,7 @@ std::string gl_string(GLenum name) {
   return text ? reinterpret_cast<const char*>(text) : "";
 }
 
-/// Current when it returns; throws RenderError with the reason.
+/// Returns a current context. Throws RenderError with the reason.
 std::unique_ptr<EglState> make_context(const SubstepRetry& attempt) {
   auto state = std::make_unique<EglState>();
   open_display(*state, attempt);

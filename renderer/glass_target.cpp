@@ -13,7 +13,7 @@ struct GlassSum {
   GLenum layout;
 };
 
-// Differences of distances decide: 16 bits would be too few for the depths.
+// Differences of distances matter: 16 bits would be too few for the depths.
 constexpr std::array<GlassSum, 3> kGlassSums = {{{GL_COLOR_ATTACHMENT0, kColorSumsUnit, GL_RGBA32F, GL_RGBA},
                                                  {GL_COLOR_ATTACHMENT1, kWeightSumsUnit, GL_RGBA16F, GL_RGBA},
                                                  {GL_COLOR_ATTACHMENT2, kFaceSumsUnit, GL_RGBA16F, GL_RGBA}}};
@@ -88,7 +88,7 @@ void GlassTarget::make_distance_buffers() {
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, distances_.id(), 0);
 }
 
-/// Leaves depth untested.
+/// Leaves the depth test disabled.
 void GlassTarget::measure_distances(const Mat4& world_from_clip) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, target_.samples() > 1 ? multisampled_.id() : resolved_.id());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, depth_buffer_.id());

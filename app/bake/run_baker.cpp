@@ -20,7 +20,7 @@ MeshState mesh_of(const Frame& frame) {
           {frame.nodes.positions.begin(), frame.nodes.positions.end()}};
 }
 
-/// Bodies by scene body, then number.
+/// Returns the bodies sorted by scene body, then by number.
 std::vector<BodyId> sorted_pieces(const Frame& last) {
   std::vector<BodyId> pieces;
   for (const BodyView& body : last.bodies)
@@ -29,7 +29,7 @@ std::vector<BodyId> sorted_pieces(const Frame& last) {
   return pieces;
 }
 
-/// Frames a second: a whole number where the steps are so even, so that other programs count frames alike.
+/// Returns the frame rate, as an integer if the steps are that even, so that other programs count the same frames.
 double rate_of(std::span<const double> times, double time_step) {
   const double rate =
       times.size() < 2 ? 1 / time_step : static_cast<double>(times.size() - 1) / (times.back() - times.front());
@@ -37,7 +37,7 @@ double rate_of(std::span<const double> times, double time_step) {
   return whole > 0 && std::abs(rate - whole) < 1e-6 * whole ? whole : rate;
 }
 
-/// When the last crack so far opened; minus infinity: there is none.
+/// Returns the time of the last crack so far; minus infinity if there is none.
 double last_crack_time(const Frame& frame) {
   double last = -std::numeric_limits<double>::infinity();
   for (const std::array<double, 4>& tet : frame.elements.opened)
@@ -46,7 +46,7 @@ double last_crack_time(const Frame& frame) {
   return last;
 }
 
-/// When each thing last parted from another: with the last of its bonds.
+/// Sets the break time of each object to that of its last bond.
 void set_break_times(Bake& bake) {
   for (const BakedBond& bond : bake.bonds)
     for (const int thing : {bond.a, bond.b})
@@ -95,7 +95,7 @@ Bake RunBaker::finish(const Frame& last, bool deformed) {
   return bake;
 }
 
-/// Surfaces of the last frame's bodies with its nodes elsewhere, as they are.
+/// Returns the surfaces of the last frame's bodies with its nodes at other positions, without filled holes.
 std::vector<PieceSurface> RunBaker::open_surfaces_at(const Frame& last, std::span<const Vec3> positions) const {
   const FrameWithShards sharded(last, shards_);
   Frame moved = sharded.frame();
@@ -103,7 +103,7 @@ std::vector<PieceSurface> RunBaker::open_surfaces_at(const Frame& last, std::spa
   return parted_surfaces(moved, shards_.skins(), first_neighbours_);
 }
 
-/// What closes them, found at rest, where all parts of a piece fit together.
+/// Finds the triangles that close them, at rest, where all parts of a piece fit together.
 void RunBaker::find_holes(const Frame& last) {
   for (const PieceSurface& surface : open_surfaces_at(last, last.nodes.rest_positions))
     holes_.push_back(hole_triangles(surface));

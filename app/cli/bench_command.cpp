@@ -16,7 +16,7 @@ namespace {
 struct BenchOptions {
   BenchDefinition definition;
   std::vector<std::string> set;  ///< "POINTER=VALUE"
-  std::filesystem::path json;    ///< empty: the table alone
+  std::filesystem::path json;    ///< empty: prints only the table
 };
 
 void bench(BenchOptions options) {
@@ -29,7 +29,7 @@ void bench(BenchOptions options) {
   const TerminationHold hold;
   const std::vector<BenchResult> results = run_bench(definition, [&hold] { return hold.requested(); });
   print("%s", bench_table(results).c_str());
-  std::fflush(stdout);  // a signal that was held ends the program below
+  std::fflush(stdout);  // a pending signal ends the program below
   if (!options.json.empty()) replace_file(options.json, bench_json(definition, results));
 }
 

@@ -23,16 +23,16 @@
 namespace griffith::app {
 namespace {
 
-/// A bug report to be packed.
+/// Options of `bundle`.
 struct BundleOptions {
   std::filesystem::path input, output;
-  std::optional<int> frames;  ///< of a scene; 60 if not given
-  bool pack_outside = false;  ///< also files from outside the scene's folder
+  std::optional<int> frames;  ///< frames of a scene; 60 if not given
+  bool pack_outside = false;  ///< includes files from outside the scene's folder
   int threads = 1;
 };
 
-/// Draws a world that began as `first` as `griffith render` does, or says in `parts` why it cannot. Returns what drew
-/// it.
+/// Draws a world that began as `first` like `griffith render`, or reports in `parts` why it cannot. Returns the name of
+/// the renderer.
 std::string add_picture(const World& first, const World& world, const Scene& scene, ReportParts& parts) try {
   constexpr int kWidth = 1280, kHeight = 720;
   const render::EglContext context(std::nullopt);
@@ -49,7 +49,7 @@ std::string add_picture(const World& first, const World& world, const Scene& sce
   return "none";
 }
 
-/// Runs the scene, to its end or to what ended it.
+/// Runs the scene until its end or an error.
 Recording recorded_run(const BundleOptions& options, ReportParts& parts) {
   const Scene scene = read_scene(options.input);
   const World first = open_world(scene, options.input);
@@ -74,7 +74,7 @@ Recording recorded_run(const BundleOptions& options, ReportParts& parts) {
   return recording;
 }
 
-/// Replays a recording for its picture, and tells whether it comes out alike here.
+/// Replays a recording for its picture, and reports whether its results are the same here.
 Recording replayed(const BundleOptions& options, ReportParts& parts) {
   Recording recording = read_recording(options.input);
   Replay replay(recording);

@@ -28,7 +28,7 @@ namespace {
 constexpr int kMaxThreads = 1024;
 constexpr char kThreads[] = "--threads", kSet[] = "--set";
 
-/// The program without a command: the editor.
+/// Adds the editor, which runs if no command is given.
 void add_editor(CLI::App& program, EditorOptions& options, std::vector<std::string>& settings) {
   program.add_option("SCENE", options.scene, "Scene to open in the editor")->type_name("FILE");
   add_settings(program, settings);
@@ -39,7 +39,7 @@ void add_editor(CLI::App& program, EditorOptions& options, std::vector<std::stri
   add_threads(program);
 }
 
-/// "render, simulate and check".
+/// Joins names: "render, simulate and check".
 std::string names_of(const std::vector<Command>& commands) {
   std::string names;
   for (std::size_t i = 0; i < commands.size(); ++i) {
@@ -49,7 +49,7 @@ std::string names_of(const std::vector<Command>& commands) {
   return names;
 }
 
-/// Tells a slip in a command's name, which would be taken for a scene, from one in the name of a scene.
+/// Throws InputError for a missing scene, or for a misspelled command that would be taken for a scene.
 void require_scene(const std::filesystem::path& scene, const std::vector<Command>& commands) {
   std::error_code error;
   if (scene.empty() || std::filesystem::exists(scene, error)) return;
@@ -63,7 +63,7 @@ void require_scene(const std::filesystem::path& scene, const std::vector<Command
                    "the commands are " + names_of(commands) + "; --help describes them");
 }
 
-/// Prints what CLI11 makes of the arguments, which hold names of files; its exit code.
+/// Prints the message of CLI11, which may contain file names. Returns its exit code.
 int tell(const CLI::App& program, const CLI::Error& error) {
   std::ostringstream output, problems;
   const int code = program.exit(error, output, problems);
@@ -72,7 +72,7 @@ int tell(const CLI::App& program, const CLI::Error& error) {
   return code;
 }
 
-/// The message that CLI11 makes for --help, --version and bad usage; nothing where the arguments are good.
+/// Parses the arguments. Returns the exit code after --help, --version or bad usage; empty if the arguments are good.
 std::optional<ExitCode> parse(CLI::App& program, int argc, const char* const* argv, const EditorOptions& editor,
                               const std::vector<Command>& commands) {
   try {
@@ -87,13 +87,13 @@ std::optional<ExitCode> parse(CLI::App& program, int argc, const char* const* ar
   }
 }
 
-/// What --threads of a command limits, while it lives.
+/// Returns the thread limit set by --threads of a command.
 std::unique_ptr<ThreadLimit> thread_limit(const CLI::App& command) {
   const CLI::Option* option = command.get_option_no_throw(kThreads);
   return option && *option ? std::make_unique<ThreadLimit>(option->as<int>()) : nullptr;
 }
 
-/// Options of the editor that stand before a command would have no effect.
+/// Throws InputError for options of the editor before a command, which would have no effect.
 void refuse_options_before(const Command& command, const CLI::App& program) {
   const std::string& name = command.arguments->get_name();
   for (const char* option : {kThreads, kSet})
@@ -101,7 +101,7 @@ void refuse_options_before(const Command& command, const CLI::App& program) {
       throw InputError(option, "stands before the command " + name, "write it behind " + name);
 }
 
-/// Carries out what the arguments say; the exit code.
+/// Runs the command or the editor. Returns the exit code.
 ExitCode obey(int argc, const char* const* argv) {
   CLI::App program("Griffith, a workbench for brittle fracture: opens SCENE in the editor, or carries out a command.",
                    "griffith");

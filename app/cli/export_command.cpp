@@ -17,13 +17,13 @@
 namespace griffith::app {
 namespace {
 
-/// A run to be written for other programs.
+/// Options of `export`.
 struct ExportOptions {
   std::filesystem::path input;   ///< scene or recording
   std::vector<std::string> set;  ///< "POINTER=VALUE"
   std::string frames;            ///< "A:B" or "A:B:STEP"
   std::vector<std::filesystem::path> outputs;
-  bool deformed = false;  ///< with elastic deformation
+  bool deformed = false;  ///< includes elastic deformation
 };
 
 std::vector<int> frames_of(const ExportOptions& options) {
@@ -39,7 +39,7 @@ void check_bake_outputs(const ExportOptions& options) {
   }
 }
 
-/// Follows a world from its start to the last of the frames. `advance`: makes its next step.
+/// Follows a world from its start to the last frame. `advance`: makes the next step.
 template <class Advance>
 Bake baked_run(const World& world, const Scene& scene, const ExportOptions& options, const Advance& advance) {
   const std::vector<int> frames = frames_of(options);

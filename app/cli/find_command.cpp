@@ -17,7 +17,7 @@ struct FindOptions {
   Effort effort;
 };
 
-/// "1%" or "0.01" into a fraction.
+/// Parses "1%" or "0.01" into a fraction. Returns an error text for CLI11, or an empty one.
 std::string read_tolerance(const std::string& text, double& tolerance) {
   char* end = nullptr;
   tolerance = std::strtod(text.c_str(), &end);
@@ -27,7 +27,7 @@ std::string read_tolerance(const std::string& text, double& tolerance) {
   return "--tolerance: \"" + text + "\" is none: write 1% or 0.01, from 0.0001% to 50%";
 }
 
-/// Whether there is a value at which all conditions hold.
+/// Runs the search. True if all conditions hold at some value.
 bool run_find(const FindOptions& options) {
   if (!options.report.empty()) check_replaceable(options.report);
   const Find search = make_find(options.definition, options.effort);

@@ -17,14 +17,14 @@
 namespace griffith::app {
 namespace {
 
-/// A surface to be filled with tets, or tets to be looked at.
+/// Options of `mesh`: a surface to fill or tets to examine.
 struct MeshOptions {
-  std::filesystem::path input, output;  ///< no output: the table of quality alone
+  std::filesystem::path input, output;  ///< without an output only the table of quality is printed
   MeshingOptions meshing;
-  double scale = 1;                  ///< metres per unit of the file
-  double time_limit = 300;           ///< of TetGen [s]
-  std::int64_t memory_limit = 8192;  ///< of TetGen [MB]
-  bool cache = true;                 ///< use meshes made before
+  double scale = 1;                  ///< meters per unit of the file
+  double time_limit = 300;           ///< for TetGen [s]
+  std::int64_t memory_limit = 8192;  ///< for TetGen [MB]
+  bool cache = true;                 ///< uses cached meshes
   std::filesystem::path report;      ///< JSON; empty: none
 };
 
@@ -59,13 +59,13 @@ void warn_of(const std::vector<std::string>& findings, const MeshOptions& option
   for (const std::string& finding : findings) print_error("warning: %s: %s\n", options.input.c_str(), finding.c_str());
 }
 
-/// Writes the mesh and the report that are asked for.
+/// Writes the requested mesh and report.
 void write_outputs(const MeshOptions& options, const TetSoup& soup, const std::string& report, Outputs& outputs) {
   if (!options.output.empty()) outputs.write([&] { write_mesh(options.output, soup); });
   if (!options.report.empty()) outputs.write([&] { replace_file(options.report, report); });
 }
 
-/// Prints the quality of tets, which need no filling, and writes them in another format where that is asked for.
+/// Prints the quality of tets, and converts them if an output is given.
 void describe_tets(const MeshOptions& options) {
   CellReport cells;
   TetSoup soup = read_mesh(options.input, &cells);
@@ -97,7 +97,7 @@ void make_mesh(const MeshOptions& options) {
   outputs.finish();
 }
 
-/// How the tetrahedra are to be.
+/// Adds the options of the meshing.
 void add_meshing(CLI::App& command, MeshingOptions& meshing) {
   const std::map<std::string, MeshingMethod> methods = {{"automatic", MeshingMethod::automatic},
                                                         {"tetgen", MeshingMethod::tetgen},

@@ -26,11 +26,11 @@ namespace {
 
 struct RegressOptions {
   std::filesystem::path suite;
-  std::vector<std::filesystem::path> init;         ///< scenes; empty: there is a suite
-  std::optional<std::vector<std::string>> accept;  ///< pictures or jobs; empty: all that do not pass
+  std::vector<std::filesystem::path> init;         ///< scenes of a new suite; empty: the suite exists
+  std::optional<std::vector<std::string>> accept;  ///< pictures or jobs; empty: all that fail
   std::vector<std::string> only;                   ///< pictures or jobs; empty: all
   Shard shard;
-  int processes = 0;  ///< 0: as many as the machine has cores
+  int processes = 0;  ///< 0: number of cores
   double time_limit = 600;
   std::filesystem::path report, junit;
   std::optional<int> egl_device;
@@ -40,7 +40,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::ranges::find(names, name) != names.end();
 }
 
-/// The jobs that draw what `wanted` names: jobs or pictures; all where it is empty. Throws InputError for other names.
+/// Returns the jobs with or of the named pictures; all if `wanted` is empty. Throws InputError for unknown names.
 std::vector<RenderJob> wanted_jobs(const std::vector<RenderJob>& jobs, const std::vector<std::string>& wanted) {
   if (wanted.empty()) return jobs;
   std::set<std::string> known;
@@ -87,7 +87,7 @@ int print_results(const std::filesystem::path& suite, const std::vector<PictureR
   return failed;
 }
 
-/// Names of the pictures that `wanted` names: themselves or their jobs; all where it is empty.
+/// Returns the pictures that are named or belong to named jobs; all if `wanted` is empty.
 std::set<std::string> wanted_pictures(const std::vector<RenderJob>& jobs, const std::vector<std::string>& wanted) {
   std::set<std::string> pictures(wanted.begin(), wanted.end());
   for (const RenderJob& job : jobs)
@@ -96,14 +96,14 @@ std::set<std::string> wanted_pictures(const std::vector<RenderJob>& jobs, const 
   return pictures;
 }
 
-/// What the record of the picture says drew it; empty where it was not drawn.
+/// Returns the renderer of a drawn picture from its record; empty if it was not drawn.
 std::string drawn_by(const PictureResult& result) {
   for (const PictureResult::Row& row : result.metadata)
     if (row.name == "renderer" && row.actual) return *row.actual;
   return "";
 }
 
-/// Makes what was drawn and did not pass golden; the exit code.
+/// Accepts the new pictures that fail as golden ones. Returns the exit code.
 ExitCode accept_results(const SuiteRun& run, const std::vector<PictureResult>& results) {
   int accepted = 0, errors = 0;
   for (const PictureResult& result : results) {
@@ -150,7 +150,7 @@ void tell_unused(const SuiteRun& run, const std::vector<PictureResult>& results)
   }
 }
 
-/// Accepting writes no report.
+/// Checks that the report can be written; accepting writes none.
 void check_regress_outputs(const RegressOptions& options) {
   if (options.accept) return check_folder(options.suite / kGoldenFolder);
   check_replaceable(options.report);

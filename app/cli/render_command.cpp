@@ -23,17 +23,17 @@ constexpr int kMaxPixels = 16384;
 
 struct RenderOptions {
   RenderJob job;
-  std::filesystem::path output;    ///< a PNG file, or a folder for the pictures of a file of jobs
-  std::filesystem::path job_file;  ///< empty: `job` alone
-  std::string only;                ///< name of the one job of the file that is wanted; empty: all
+  std::filesystem::path output;    ///< a PNG file, or a folder for the pictures of a job file
+  std::filesystem::path job_file;  ///< empty: only `job`
+  std::string only;                ///< name of the only job of the file to draw; empty: all
   std::vector<std::string> set;    ///< "POINTER=VALUE"
   int frame = 0, every = 0;
-  std::string frames;  ///< as frames_from_text() has them; empty: `frame` and `every`
+  std::string frames;  ///< as in frames_from_text(); empty: `frame` and `every`
   PictureOutput pictures;
   std::optional<int> egl_device;
 };
 
-/// "1280x720" into two numbers; what is wrong with it.
+/// Parses "1280x720". Returns an error text for CLI11, or an empty one.
 std::string read_size(const std::string& text, RenderJob& job) {
   char rest = 0;
   const bool good = std::sscanf(text.c_str(), "%dx%d%c", &job.width, &job.height, &rest) == 2;
@@ -46,10 +46,10 @@ void require_png(const std::filesystem::path& path) {
   if (path.extension() != ".png") throw InputError(path.string(), "is no name of a PNG file", "end it in .png");
 }
 
-/// Whether the pictures are numbered even where there is one.
+/// True if even a single picture gets a numbered name.
 bool is_numbered(const RenderOptions& options) { return options.every > 0 || !options.frames.empty(); }
 
-/// What the arguments ask of the scene that they name.
+/// Returns the job of a scene on the command line.
 RenderJob single_job(const RenderOptions& options) {
   RenderJob job = options.job;
   job.name = options.output.stem().string();
@@ -74,7 +74,7 @@ std::vector<RenderJob> jobs_of(const RenderOptions& options) {
   return jobs;
 }
 
-/// A view or camera that comes twice would write the same files twice.
+/// Throws InputError for a repeated view or camera, which would write the same files twice.
 void check_names(const RenderJob& job) {
   std::set<std::string> names;
   for (const std::string& camera : job.cameras)
@@ -83,7 +83,7 @@ void check_names(const RenderJob& job) {
         throw InputError("--view and --camera", "name a picture twice", "give each once");
 }
 
-/// What can be told before the work of where its results go, and what the arguments do not say.
+/// Throws InputError for outputs that cannot be written or arguments that contradict each other, before the work.
 void check_arguments(const RenderOptions& options) {
   if (options.job_file.empty() == options.job.scene.empty())
     throw InputError("render", "needs a scene or --job-file FILE, and not both", "name what is to be drawn");

@@ -14,10 +14,10 @@
 namespace griffith::app {
 namespace {
 
-/// A recorded run to be made again.
+/// Options of `replay`.
 struct ReplayOptions {
   std::filesystem::path recording;
-  std::filesystem::path extract;  ///< folder for the recording's files, in place of a run; empty: run
+  std::filesystem::path extract;  ///< folder for the recording's files instead of a replay; empty: replays
 };
 
 ExitCode extract(const ReplayOptions& options) {

@@ -29,10 +29,10 @@ struct ScriptOptions {
   int width = 1500, height = 940;
 };
 
-/// The editor without a window: each frame takes the same time.
+/// The editor without a window; each frame takes the same time.
 class ScriptStage {
  public:
-  /// `graphics`: what draws.
+  /// `graphics`: name of the renderer.
   ScriptStage(const ScriptOptions& options, const Scene& scene, std::string graphics)
       : script_(options.script),
         graphics_(std::move(graphics)),
@@ -58,7 +58,7 @@ class ScriptStage {
   }
 
  private:
-  /// Throws InputError where something that the script asked for was not done but waits for an answer.
+  /// Throws InputError if a request of the script still waits for an answer.
   void require_answers() const {
     const ui::EditorState& state = editor_.state();
     if (state.replacement) fail(state.replacement->command, state.replacement->problem, "click replace/replace");

@@ -22,24 +22,24 @@
 namespace griffith::app {
 namespace {
 
-/// Steps without pictures.
+/// Options of `simulate`.
 struct SimulateOptions {
   std::filesystem::path scene;
   std::vector<std::string> set;  ///< "POINTER=VALUE"
   int frames = 0;
-  std::filesystem::path stats;          ///< empty: a summary on stdout
-  std::filesystem::path probes;         ///< empty: the scene's probes are not written down
+  std::filesystem::path stats;          ///< empty: prints a summary
+  std::filesystem::path probes;         ///< CSV of the scene's probes; empty: none
   std::filesystem::path energy;         ///< CSV of the energy account; empty: none
   std::filesystem::path events;         ///< JSON of all crack events; empty: none
   std::filesystem::path export_file;    ///< .vtu or .msh of the last frame; empty: none
   std::filesystem::path export_pieces;  ///< folder for the last frame's bodies as .obj; empty: none
-  std::filesystem::path outcomes;       ///< JSON of how it came out; empty: none
+  std::filesystem::path outcomes;       ///< JSON of the outcomes; empty: none
   std::filesystem::path record;         ///< recording of the run; empty: none
-  bool pack_outside = false;            ///< also files from outside the scene's folder, into the recording
-  int threads = 1;                      ///< in use, for the report
+  bool pack_outside = false;            ///< includes files from outside the scene's folder in the recording
+  int threads = 1;                      ///< number of threads, for the report
 };
 
-/// What can be told before the run of where its results go.
+/// Throws InputError for outputs that cannot be written, before the run.
 void check_outputs(const SimulateOptions& options) {
   if (!options.export_file.empty()) check_export_path(options.export_file);
   for (const std::filesystem::path& path : {options.stats, options.probes, options.energy, options.events,

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 struct SweepOptions {
   SweepDefinition definition;
   fs::path folder;
-  fs::path job_list;  ///< empty: the runs are made here
+  fs::path job_list;  ///< empty: runs the jobs itself
   bool collect = false, retry = false;
   std::optional<int> picture_frame;
   Effort effort;
@@ -49,7 +49,7 @@ void say_where_it_stands(const Sweep& sweep, const std::vector<std::optional<Run
   print("\n%s\n%s\n", (sweep.folder / "outcomes.csv").c_str(), (sweep.folder / "index.html").c_str());
 }
 
-/// Makes what is missing, then the table and the page of what is there.
+/// Makes the missing runs, then the table and the page of all.
 void carry_out(const Sweep& sweep, const SweepOptions& options) {
   const TerminationHold hold;
   const auto cancelled = [&hold] { return hold.requested(); };

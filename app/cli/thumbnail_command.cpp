@@ -26,14 +26,14 @@ void write_thumbnail(const std::filesystem::path& scene, const std::filesystem::
   replace_file(output, render::encode_png(thumbnail(read, scene)));
 }
 
-/// Draws the thumbnail that comes with a scene where it is missing, or older than the scene.
+/// Draws the thumbnail shipped with a scene if it is missing or older than the scene.
 void ship_thumbnail_of(const std::filesystem::path& scene) {
   if (shipped_thumbnail(scene)) return;
   ship_thumbnail(scene, thumbnail(read_scene(scene), scene));
   print("%s\n", shipped_thumbnail_file(scene).c_str());
 }
 
-/// Of scenes, and of all in folders, where what belongs to none is told.
+/// Draws missing thumbnails of scenes and of all scenes in folders, and reports stale files.
 void ship_thumbnails(const std::vector<std::filesystem::path>& paths) {
   const render::EglContext context;
   for (const std::filesystem::path& path : paths) {

@@ -13,7 +13,7 @@ void toggle(bool& value) { value = !value; }
 
 }  // namespace
 
-/// A line for each command of the registry.
+/// One entry for each command of the registry.
 std::span<const CommandAction> Editor::command_actions() {
   static constexpr auto kInTime = [](Editor& editor, const ui::Command& command) { editor.carry_out_in_time(command); };
   static constexpr auto kAddBody = [](Editor& editor, const ui::Command& command) { editor.add_new_body(command); };

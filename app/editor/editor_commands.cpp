@@ -75,7 +75,7 @@ void Editor::forget_waiting() {
 
 void Editor::receive_world() {
   if (state_.cancel_work) forget_waiting();
-  constexpr double kTravelTime = 0.03;  // of a drawn frame [s]
+  constexpr double kTravelTime = 0.03;  // fraction of a drawn frame [s]
   go_on_with_travel(kTravelTime);
   go_on_with_export();
   go_on_with_holding();
@@ -110,7 +110,7 @@ void Editor::give_up_work() {
   if (loader_.reason() == LoadReason::follow) {
     go_back_to_built();
   } else {
-    seen_revision_ = -1;  // it may have taken the place of a world that was to follow an edit
+    seen_revision_ = -1;  // it may have replaced a world that was to follow an edit
   }
 }
 
@@ -143,7 +143,7 @@ Editor::AimedShot Editor::aimed_at(const Vec2& cursor) const {
   const Vec3 direction = ray.direction.cast<double>(), eye = ray.origin.cast<double>();
   const double way = surface_hit(world().frame(), history_.scene().ground, eye, direction)
                          .value_or((camera_.target - camera_.position).norm());
-  // It leaves from beneath the eye, far enough ahead not to cover the picture.
+  // It starts below the eye, far enough ahead not to cover the picture.
   const double ahead = std::min(4 * state_.shot.radius, way / 2);
   const Vec3 muzzle = eye + ahead * direction - 2 * state_.shot.radius * Vec3::UnitY();
   const Vec3 target = eye + way * direction;

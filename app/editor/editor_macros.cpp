@@ -45,7 +45,7 @@ void Editor::toggle_macro_recording() {
     return log(ui::LogLevel::info, "What you do now is recorded as a macro, until you stop it.", ui::LogSpan::action);
   }
   recorded_macro_ = recorder_->text(macro_moment());
-  std::error_code error;  // where the folder cannot be made, saving tells
+  std::error_code error;  // if the folder cannot be made, saving reports it
   fs::create_directories(macro_folder_, error);
   recorder_.reset();
   ask_where_to_save_macro({});

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A proposal for the file of a run.
+/// Proposes a file name for a run.
 fs::path file_of_run(const std::string& scene, ui::SavedKind kind) {
   std::string name = scene.empty() ? "run" : scene;
   std::ranges::replace(name, '/', '-');
@@ -25,8 +25,8 @@ fs::path file_of_run(const std::string& scene, ui::SavedKind kind) {
   return name + (kind == ui::SavedKind::recording ? "" : " report") + ".tar.zst";
 }
 
-/// When the file, its other half (TetGen's), or what is in the folder was written last; the earliest time where there
-/// is none.
+/// Returns the latest modification time of the file, its second file (TetGen's) or the content of the folder; the
+/// earliest time if there is none.
 fs::file_time_type newest_time(const fs::path& path) {
   fs::file_time_type newest = time_of_file(path);
   if (path.extension() == ".node") newest = std::max(newest, time_of_file(fs::path(path).replace_extension(".ele")));

@@ -23,7 +23,7 @@ SurfaceShape shape_of(const ui::SurfaceRequest& request) {
   return shape;
 }
 
-/// A body on the ground, beside the others.
+/// Returns a body on the ground beside the others.
 BodyDescription standing_body(const SurfaceShape& shape, const Scene& scene, double free_x, const Monitor& monitor) {
   const Eigen::AlignedBox3d box = bounds(read_surface(shape.path, shape.scale, monitor));
   BodyDescription body;
@@ -34,7 +34,7 @@ BodyDescription standing_body(const SurfaceShape& shape, const Scene& scene, dou
   return body;
 }
 
-/// Makes a file's path start at the scene's folder, where it has one.
+/// Makes a file's path relative to the scene's folder, if it has one.
 void make_relative(BodyDescription& body, const fs::path& folder) {
   if (folder.empty()) return;
   fs::path& path = std::get<SurfaceShape>(body.shape).path;

@@ -17,7 +17,7 @@ std::string text_of(double factor) {
   return text;
 }
 
-/// What resists opening, times a factor.
+/// Returns the material with its resistance to fracture multiplied by a factor.
 Material stronger(Material material, double factor) {
   material.tensile_strength *= factor;
   material.fracture_toughness *= factor;
@@ -25,7 +25,8 @@ Material stronger(Material material, double factor) {
   return material;
 }
 
-/// Makes a step; whether the body stays whole at the place, whose nodes a change of thickness moves with rounding.
+/// Makes a step. True if the body does not crack at that place; a change of thickness moves its nodes by rounding
+/// errors.
 bool steps_whole(World& world, int scene_body, const Vec3& place, const Monitor& monitor) {
   constexpr double kRounding = 1e-9;
   if (monitor.is_cancelled()) throw Cancelled();
@@ -54,7 +55,7 @@ bool anything_flies(const RunToCrack& run) {
          std::ranges::any_of(shots_of(run), [](const ProjectileBurst& shot) { return shot.speed > 0; });
 }
 
-/// Builds the scene's world without telling of it.
+/// Builds the scene's world without a progress report.
 World build(const Scene& scene, const Monitor& monitor) { return World(scene, Monitor{{}, monitor.cancelled}); }
 
 std::size_t overlaps_in(const World& world) { return starting_overlaps(world.scene(), world.frame()).size(); }

@@ -14,7 +14,7 @@ using ui::format_quantity;
 
 std::string times(double factor) { return format_quantity(factor, "", 3) + " times"; }
 
-/// "4.1 MPa instead of 3 MPa"
+/// Compares values: "4.1 MPa instead of 3 MPa".
 std::string instead_of(double now, double factor, const char* unit) {
   return format_quantity(factor * now, unit, 3) + " instead of " + format_quantity(now, unit, 3);
 }
@@ -27,7 +27,7 @@ std::string strength_fact(const HoldingFactor& strength, const Material& materia
          instead_of(material.fracture_toughness, strength.holds, "Pa·√m") + ".";
 }
 
-/// The speed of all shots of a run that leave the start at one speed; 0: they differ, or bodies fly too.
+/// Returns the common speed of all shots of a run; 0 if they differ or bodies have initial velocities.
 double common_speed(const RunToCrack& run) {
   const std::vector<ProjectileBurst> shots = shots_of(run);
   const bool equal =
@@ -53,7 +53,7 @@ std::string thickness_fact(const std::optional<HoldingFactor>& factor, const Run
          instead_of(now->length, factor->holds, "m") + ".";
 }
 
-/// How often which of them was tried.
+/// Summarizes the trials.
 std::string effort(const HoldingAnswer& answer) {
   const int runs = (answer.slowness ? answer.slowness->runs : 0) + (answer.thickness ? answer.thickness->runs : 0);
   return "Tried, each to within 1 %: the step " + std::to_string(answer.strength.runs) +

@@ -29,7 +29,7 @@ HoldingAnswer HoldingSearch::search(const World& before) {
     answer.thickness = thickness_that_holds(run_, monitor);
   } catch (const Cancelled&) {
     answer.cancelled = true;
-  } catch (const std::exception& error) {  // of its memory, say: the editor goes on
+  } catch (const std::exception& error) {  // such as a lack of memory: the editor continues
     answer.problem = error.what();
   }
   return answer;

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Takes members from JSON over; those that are not there keep what they are.
+/// Reads members from JSON; absent ones keep their values.
 struct PreferenceReader {
   const Json& json;
   const fs::path& file;
@@ -63,7 +63,7 @@ void PreferencesFile::keep(const ui::Preferences& preferences) {
   kept_ = preferences;
   Json json;
   ui::each_preference(preferences, [&](const char* name, auto value, auto&&...) { json[name] = value; });
-  std::error_code error;  // where the folder cannot be made, writing tells
+  std::error_code error;  // if the folder cannot be made, writing reports it
   fs::create_directories(file_.parent_path(), error);
   replace_file(file_, json.dump(2) + "\n");
 }

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is larger holds no scene that someone would look for.
+/// Larger files are not scenes that a user would look for.
 constexpr std::int64_t kMostBytes = 64 << 20;
 
 std::string topic_of(const Scene& scene) {

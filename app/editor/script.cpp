@@ -17,10 +17,10 @@ namespace {
 
 constexpr int kMaxCount = 1'000'000;
 
-/// The words of a line, read one after another.
+/// Reads the words of a line one by one.
 class Words {
  public:
-  /// Parts `line` at blanks; what stands in "quotes" is one word. A # begins a comment.
+  /// Splits `line` at blanks; a text in "quotes" is one word. A # begins a comment.
   Words(std::string_view line, std::string place) : place_(std::move(place)) {
     for (std::size_t i = 0; i < line.size();) {
       if (line[i] == '#') break;
@@ -40,7 +40,7 @@ class Words {
   std::size_t left() const { return words_.size() - next_; }
   const std::string& place() const { return place_; }
 
-  /// The next word. `meaning`: what it should be, as "a tag".
+  /// Returns the next word. `meaning`: its expected meaning, as "a tag".
   std::string take(const std::string& meaning) {
     if (empty()) fail("lacks " + meaning, "write it at the end of the line");
     return words_[next_++];
@@ -68,7 +68,7 @@ class Words {
   }
 
  private:
-  /// The text from the quote at `i` to its end; `i` moves behind that.
+  /// Returns the text from the quote at `i` to its end; `i` moves past it.
   std::string quoted(std::string_view line, std::size_t& i) const {
     std::string text;
     for (++i; i < line.size() && line[i] != '"'; ++i) {
@@ -112,7 +112,7 @@ void read_command(Words& words, ScriptLine& line) {
   if (!info)
     words.fail("names no command: \"" + name + "\"", "the palette (Ctrl+P) and docs/scripts.md have their names");
   line.command.id = info->id;
-  const bool needed = info->menu == ui::Menu::none && !info->with_path;  // others ask for what they lack
+  const bool needed = info->menu == ui::Menu::none && !info->with_path;  // the others ask for a missing argument
   if (!needed && words.empty()) return;
   if (info->argument == ui::CommandArgument::none && !words.empty())
     words.fail("has \"" + words.take("") + "\" behind " + name + ", which takes no argument", "leave it out");
@@ -120,7 +120,7 @@ void read_command(Words& words, ScriptLine& line) {
   read_argument(words, info->argument, line.command);
 }
 
-/// Pairs of a pointer, with `before` in front of it, and a value.
+/// Reads pairs of a pointer, prefixed with `before`, and a value.
 void read_settings(Words& words, ScriptLine& line, const std::string& before) {
   do {
     const std::string pointer = scene_pointer(words.take("a field"), words.place());
@@ -202,7 +202,7 @@ struct VerbInfo {
   void (*read)(Words& words, ScriptLine& line);
 };
 
-/// In the order of Verb.
+/// By Verb.
 constexpr std::array<VerbInfo, 15> kVerbs = {{{"command", read_command},
                                               {"set", read_set},
                                               {"projectile", read_projectile},
@@ -270,7 +270,7 @@ std::string script_line(const ui::Command& command) {
     case ui::CommandArgument::none:
       break;
     case ui::CommandArgument::path:
-      // Given the file for which a dialog would ask, a command would need none.
+      // With the file for which its dialog would ask, a command needs no dialog.
       if (!command.path.empty() && !info.with_path) line << " " << script_word(command.path.string());
       break;
     case ui::CommandArgument::step:

@@ -10,7 +10,7 @@
 namespace griffith::app {
 namespace {
 
-/// Frames that a line takes at least: dialogs need some to find their place.
+/// Least number of frames for a line: dialogs need some to find their place.
 constexpr int kFramesToSettle = 4;
 
 ui::WidgetTag widget(const ScriptLine& line, const Editor& editor) {
@@ -21,7 +21,7 @@ ui::WidgetTag widget(const ScriptLine& line, const Editor& editor) {
   return *found;
 }
 
-/// Where the mouse goes on a widget.
+/// Returns the point of a widget that the mouse uses.
 ImVec2 place_on(const ScriptLine& line, const Editor& editor) {
   const ImVec2 place = widget(line, editor).center(), size = ImGui::GetIO().DisplaySize;
   if (place.x < 0 || place.y < 0 || place.x >= size.x || place.y >= size.y)

@@ -21,9 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Changes whenever thumbnails of a version are to be drawn anew.
+/// Changes whenever thumbnails of this version must be redrawn.
 constexpr char kThumbnailFormat[] = "griffith thumbnail 2 " GRIFFITH_VERSION "\n";
-/// Memory is all but unlimited: drivers reserve far more addresses than they use.
+/// Memory is practically unlimited: drivers reserve far more address space than they use.
 constexpr ProcessLimits kThumbnailLimits = {.seconds = 120, .memory_bytes = std::int64_t{1} << 40};
 
 /// Reads the picture in a file. Returns nothing if the file is missing or holds no picture.
@@ -50,7 +50,7 @@ void draw_thumbnail(const fs::path& program, const fs::path& scene, const fs::pa
 
 }  // namespace
 
-/// What both threads see.
+/// Data shared by both threads.
 struct ThumbnailMaker::Shared {
   std::atomic<bool> cancelled = false;
   std::mutex mutex;
@@ -87,7 +87,7 @@ void ThumbnailMaker::make_all(const std::vector<fs::path>& scenes, const Thumbna
       draw_thumbnail(source.program, scenes[i], entry, cancelled);
       if (std::optional<render::Image> picture = kept_thumbnail(entry)) shared.add(i, std::move(*picture));
     } catch (const std::runtime_error&) {
-      // Its card tells why it cannot be read; a picture that cannot be drawn is left out.
+      // The card of an unreadable scene shows the error; a picture that cannot be drawn is left out.
     }
   }
 }

@@ -23,7 +23,7 @@ tinygltf::Material gltf_material(const BakedMaterial& baked) {
   return material;
 }
 
-/// Morph targets: how far each frame's points are from those of the mesh.
+/// Adds morph targets: the displacements of each frame's points from those of the mesh.
 std::vector<std::map<std::string, int>> morph_targets(const BakedThing& thing, GlbBuffer& buffer) {
   std::vector<std::map<std::string, int>> targets;
   for (const std::vector<Vec3>& points : thing.deformed_points) {
@@ -61,7 +61,7 @@ Value bond_extras(const Bake& bake, const BakedBond& bond, int thing) {
   return Value(extras);
 }
 
-/// What programs keep as custom properties. `bonds`: of the thing.
+/// Returns custom properties. `bonds`: of the object.
 Value thing_extras(const Bake& bake, int index, std::span<const BakedBond* const> bonds) {
   const BakedThing& thing = bake.things[index];
   Value::Object extras = {{"mass", Value(thing.mass)},
@@ -85,7 +85,7 @@ tinygltf::Node gltf_node(const BakedThing& thing, int mesh) {
   return node;
 }
 
-/// Adds tracks to the one animation of the file.
+/// Adds tracks to the animation of the file.
 class AnimationWriter {
  public:
   AnimationWriter(const Bake& bake, GlbBuffer& buffer) : bake_(bake), buffer_(buffer) { animation_.name = "run"; }
@@ -113,7 +113,7 @@ class AnimationWriter {
     add_track(node, "scale", buffer_.add_key_times(times), buffer_.add_key_vectors(scales), "STEP");
   }
 
-  /// In each frame its morph target alone counts.
+  /// Adds a track that gives each frame its own morph target.
   void add_deformation(const BakedThing& thing, int node) {
     const std::size_t frames = thing.deformed_points.size();
     if (frames < 2) return;

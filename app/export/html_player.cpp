@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 static_assert(std::endian::native == std::endian::little, "browsers read numbers as they lie in memory");
 
-/// Numbers of four bytes, one after the other.
+/// Buffer of consecutive four-byte numbers.
 template <class Number>
 class Numbers {
  public:
@@ -32,7 +32,7 @@ class Numbers {
   std::vector<Number> values_;
 };
 
-/// What the header only counts, in the order in which it does.
+/// Arrays counted in the header, in its order.
 struct Arrays {
   Numbers<float> floats;
   Numbers<std::uint32_t> indices;
@@ -108,7 +108,8 @@ Json header(const Bake& bake, Arrays& arrays) {
   return header;
 }
 
-/// Data of a page; what would end the element is written otherwise, which JSON allows and base64 lacks.
+/// Returns a data element of a page. Text that would end the element is escaped, which JSON allows and base64 does not
+/// need.
 std::string data_element(const std::string& id, const std::string& text) {
   std::string safe;
   for (const char c : text) c == '<' ? safe += "\\u003c" : safe += c;

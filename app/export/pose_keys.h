@@ -6,8 +6,8 @@
 
 namespace griffith::app {
 
-/// The poses that tell where a thing was in all frames, by their numbers: the first one, and the ends of all stretches
-/// in which it rests.
+/// Returns the frames whose poses determine the motion of an object: the first one, and both ends of all intervals at
+/// rest.
 inline std::vector<int> pose_keys(const BakedThing& thing) {
   const auto rests = [&](int from) {
     const Pose &a = thing.poses[from], &b = thing.poses[from + 1];

@@ -6,7 +6,7 @@
 namespace griffith::app {
 namespace {
 
-/// "<frame>: <text of the key>" of each key, as time samples want it.
+/// Writes "<frame>: <text of the key>" for each key, the form of time samples.
 template <class Text>
 void append_samples(UsdaText& usda, const std::string& attribute, const BakedThing& thing, const Text& text) {
   usda.open(attribute + " =");
@@ -121,7 +121,7 @@ void append_material(UsdaText& usda, const BakedMaterial& material) {
   usda.close();
 }
 
-/// Bonds are a prim of arrays, one entry a bond.
+/// Writes the bonds as one prim of arrays, one element for each bond.
 void append_bonds(UsdaText& usda, const Bake& bake) {
   std::vector<Vec3> centers, normals;
   std::string from, to, areas, strengths, break_times;

@@ -8,9 +8,9 @@ namespace griffith::app {
 namespace {
 
 constexpr std::uint32_t kColors = 1u << 24;
-constexpr std::uint32_t kSpread = 0x9E3779 | 1;  // odd, so that multiplication modulo 2^24 can be undone
+constexpr std::uint32_t kSpread = 0x9E3779 | 1;  // odd, so that multiplication modulo 2^24 is invertible
 
-/// The factor that undoes `factor` modulo 2^32, and so 2^24: Newton's iteration doubles the bits that are right.
+/// Returns the inverse of `factor` modulo 2^32, and so 2^24: Newton's iteration doubles the correct bits.
 constexpr std::uint32_t inverse(std::uint32_t factor) {
   std::uint32_t result = factor;
   for (int i = 0; i < 5; ++i) result *= 2 - factor * result;

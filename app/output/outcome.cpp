@@ -21,7 +21,7 @@ double first_crack_time(const EndOfRun& run) {
   return run.frame.crack_events.empty() ? kNever : run.frame.crack_events.front().time;
 }
 
-/// Mass without the projectiles, so that it stays what it was [kg].
+/// Returns the mass without projectiles, which stays constant [kg].
 double mass_of_bodies(const Frame& frame) {
   return std::accumulate(frame.nodes.masses.begin(), frame.nodes.masses.end(), 0.0);
 }
@@ -29,7 +29,7 @@ double mass_of_bodies(const Frame& frame) {
 using Run = EndOfRun;
 using enum OutcomeListing;
 
-/// Outcomes that have a column wherever runs are compared.
+/// Returns the outcomes with a column in every comparison of runs.
 std::vector<OutcomeKind> main_outcomes() {
   return {
       {"pieces", "", "Connected pieces at the end, bodies that never broke among them", main,
@@ -75,7 +75,7 @@ std::vector<OutcomeKind> main_outcomes() {
   };
 }
 
-/// What statistics have besides, but for counters and energies.
+/// Returns the other outcomes of statistics, except counters and energies.
 std::vector<OutcomeKind> other_outcomes() {
   std::vector<OutcomeKind> kinds = {
       {"tets", "", "Tetrahedra", more,
@@ -106,7 +106,7 @@ OutcomeKind counter_outcome(const StepCounter& counter) {
   return {std::string(counter.key), std::string(counter.unit), std::string(counter.meaning), more, value};
 }
 
-/// The account of energy, entry by entry.
+/// Returns the entries of the energy account.
 std::vector<OutcomeKind> energy_outcomes() {
   std::vector<OutcomeKind> kinds;
   for (const EnergyEntry& entry : energy_entries()) {

@@ -33,7 +33,7 @@ double total_mass(const std::vector<Thing>& things) {
                          [](double sum, const Thing& thing) { return sum + thing.mass; });
 }
 
-/// Half of the mass is on either side of it along each axis.
+/// Returns the point with half of the mass on either side along each axis.
 Vec3 median_place(std::vector<Thing> things) {
   const double half = total_mass(things) / 2;
   Vec3 place;
@@ -47,7 +47,8 @@ Vec3 median_place(std::vector<Thing> things) {
   return place;
 }
 
-/// Round the nearest to the middle that have the share together. There are things.
+/// Returns the bounding box of the objects nearest to the median that have the fraction of the mass together. `objects`
+/// must not be empty.
 Box core(std::vector<Thing> things) {
   constexpr double kFraction = 0.95;
   const Vec3 middle = median_place(things);

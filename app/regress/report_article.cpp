@@ -8,7 +8,7 @@
 namespace griffith::app {
 namespace {
 
-/// An image with its caption. `kind`: the image's class.
+/// Returns an image with its caption. `kind`: the image's class.
 std::string figure(const std::string& png, const std::string& kind, const std::string& caption) {
   if (png.empty()) return "";
   return "<figure><img class=\"" + kind + "\" src=\"" + png_data_uri(png) + "\" alt=\"" + caption +
@@ -44,7 +44,7 @@ std::string article_header(const PictureResult& result, const std::string& ancho
          status_badge(result.status) + cause_badge(result) + "</header>\n";
 }
 
-/// Golden, actual and difference side by side.
+/// Returns golden, actual and difference side by side.
 std::string sides(const PictureResult& result) {
   const std::string figures = figure(result.golden, "golden", "golden") + figure(result.actual, "new", "new") +
                               figure(result.difference, "difference", "difference");
@@ -61,7 +61,7 @@ std::string rule_row(const ToleranceRule& rule) {
          rule_text(rule, rule.allowed) + "</td></tr>\n";
 }
 
-/// All rules, with what was found and what is allowed.
+/// Returns a table of all rules with measured and allowed values.
 std::string rule_table(const PictureResult& result) {
   std::string table =
       "<table><thead><tr><th>Compared</th><th class=\"number\">found</th><th class=\"number\">allowed</th></tr></thead>"
@@ -80,7 +80,7 @@ std::string worst_tile(const PictureResult& result) {
          figure(result.actual_tile, "tile", "new") + figure(result.difference_tile, "tile", "difference") + "</div>\n";
 }
 
-/// Both pictures in one place, which the script fills in, the worst tile and what the rules say.
+/// Returns the overlay of both pictures, filled in by the script, the worst tile and the rules.
 std::string closer_look(const PictureResult& result) {
   if (result.difference_tile.empty()) return "";
   constexpr char kStage[] =
@@ -100,7 +100,7 @@ std::string cell(const std::optional<std::string>& value, const std::string& att
   return "<td" + attributes + ">" + (value ? escape_markup(*value) : "<span class=\"muted\">none</span>") + "</td>";
 }
 
-/// Both values where they differ, one in place of both where they do not.
+/// Returns a row with both values if they differ, else with their common one.
 std::string value_row(const PictureResult::Row& row, bool has_golden, const std::string& kind) {
   const std::string name = "<td>" + escape_markup(row.name) + "</td>";
   if (!has_golden) return "<tr>" + name + cell(row.actual, kind) + "</tr>\n";

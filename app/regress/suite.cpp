@@ -23,7 +23,7 @@ bool is_golden(const fs::path& stem) {
   return fs::exists(stem.string() + ".png", error);
 }
 
-/// Folders in `folder`, sorted.
+/// Returns the folders in `folder`, sorted.
 std::vector<fs::path> folders_in(const fs::path& folder) {
   std::vector<fs::path> folders = files_in(folder);
   std::error_code error;
@@ -31,7 +31,7 @@ std::vector<fs::path> folders_in(const fs::path& folder) {
   return folders;
 }
 
-/// "wall", "wall_2", ...: the scene file's name, with a number where others have it.
+/// Returns a new name of a job: "wall", "wall_2", ...: the scene file's name, with a number if it is taken.
 std::string job_name(const fs::path& scene, std::set<std::string>& taken) {
   std::string stem = scene.stem().string();
   stem.erase(0, std::min(stem.find_first_not_of('.'), stem.size()));

@@ -20,7 +20,7 @@ std::optional<int> whole_number(const std::string& text) {
   return value;
 }
 
-/// The numbers of "0:240:10"; none where it is not of that form.
+/// Parses the numbers of "0:240:10"; empty for another form.
 std::optional<std::vector<int>> colon_numbers(const std::string& item) {
   std::vector<int> numbers;
   std::istringstream parts(item + ":");

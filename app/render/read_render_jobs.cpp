@@ -26,7 +26,7 @@ void read_names(const Place& place, std::vector<std::string>& names) {
     read(place.child(std::to_string(i), place.json[i]), names[i], Text{.minimum_length = 0});
 }
 
-/// Whether a picture may be of what a command does: none that reads or writes files, or leaves.
+/// True if a picture may show the result of a command: not one that reads or writes files, or quits.
 bool is_for_pictures(ui::CommandId id) {
   using enum ui::CommandId;
   constexpr std::array kOthers = {open,           save,        recover,    discard_copy, leave_copy, add_surface,
@@ -110,10 +110,10 @@ void read_job(const Place& place, RenderJob& job) {
   }
 }
 
-/// Of the name of a file: what has a meaning in shells, in pages or for a terminal.
+/// True for characters of file names that are special in shells, pages or terminals.
 bool is_awkward(unsigned char c) { return c < ' ' || c == 0x7F || c == '"' || c == '\'' || c == '`' || c == '\\'; }
 
-/// What a job that reads well may still lack.
+/// Throws InputError for what a well-formed job may still lack.
 void check_job(const Place& place, const RenderJob& job, std::set<std::string>& names) {
   if (job.scene.empty()) place.report("lacks \"scene\"", "add it: the scene file, from this file's folder on");
   if (job.name.empty()) place.report("lacks \"name\"", "add it: pictures are named by it");
@@ -132,7 +132,7 @@ void check_job(const Place& place, const RenderJob& job, std::set<std::string>& 
     place.report("has \"open_sections\" or \"commands\" without \"ui\"", "add \"ui\": true");
 }
 
-/// No picture may take the place of another one.
+/// Throws InputError if a picture would replace another one.
 void check_pictures(const Place& place, const RenderJob& job, std::set<std::string>& pictures) {
   constexpr std::size_t kMaxPictures = 100'000;
   if (job.frames.size() * job.cameras.size() * job.views.size() + pictures.size() > kMaxPictures)

@@ -20,7 +20,7 @@ std::string quoted(const std::string& word) {
   return text + "'";
 }
 
-/// The last lines that a program wrote, as one of at most 300 bytes.
+/// Returns the last lines of a program's output, joined and limited to 300 bytes.
 std::string last_words(std::string output) {
   constexpr std::size_t kLength = 300;
   std::ranges::replace(output, '\n', ' ');

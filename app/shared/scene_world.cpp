@@ -11,7 +11,8 @@ namespace {
 
 constexpr double kManyTets = 4e5, kManySplinters = 5e4;
 
-/// What building so many tetrahedra and splinters takes, on one core of a usual machine; empty where they are few.
+/// Describes the cost of building so many tetrahedra and splinters on one core of a usual machine; empty if they are
+/// few.
 std::string size_note(double tets, double splinters) {
   constexpr double kBytesPerTet = 1e3, kBytesPerSplinter = 16e3, kSecondsPerTet = 4e-6, kSecondsPerSplinter = 70e-6;
   if (tets < kManyTets && splinters < kManySplinters) return "";

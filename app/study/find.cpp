@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr int kDoublings = 10;
 constexpr char kParameter[] = "--parameter";
 
-/// Whether the scene can be read with this value.
+/// True if the scene can be read with this value.
 bool is_allowed(const Find& find, double value) try {
   std::vector<SceneSetting> settings = find.settings;
   settings.push_back({find.pointer, number_text(value)});
@@ -29,7 +29,7 @@ bool is_allowed(const Find& find, double value) try {
   return false;
 }
 
-/// The number that the scene has there now. Throws InputError for what is no number.
+/// Returns the scene's number in that field. Throws InputError if it is no number.
 double present_value(const Find& find) {
   const std::string text = scene_value(find.definition.scene, find.pointer, find.settings);
   const std::optional<double> number = number_in(text);
@@ -38,7 +38,7 @@ double present_value(const Find& find) {
   return *number;
 }
 
-/// Whether the field takes whole numbers alone: both ends are, and what lies beside them within is refused.
+/// True if the field accepts only integers: both ends are integers and a value between is rejected.
 bool takes_whole_numbers(const Find& find, double low, double high) {
   const bool ends = std::floor(low) == low && std::floor(high) == high;
   return ends && !is_allowed(find, low + 0.5) && !is_allowed(find, high - 0.5);
@@ -50,7 +50,7 @@ double listed_number(const std::string& text) {
   return *number;
 }
 
-/// The first values over the range; in whole numbers each once.
+/// Returns the initial values over the range, without duplicates if they are integers.
 std::vector<double> spread(const FlipSearch& search, const ValueRange& range, int points) {
   std::vector<double> values;
   for (int i = 0; i < points; ++i) {
@@ -60,7 +60,7 @@ std::vector<double> spread(const FlipSearch& search, const ValueRange& range, in
   return values;
 }
 
-/// What --parameter says: a field alone, its range, or values to try and no others.
+/// Reads --parameter: a field alone, its range, or the only values to try.
 void read_what_is_sought(Find& find) {
   const std::string& text = find.definition.parameter;
   if (text.find('=') == std::string::npos) {
@@ -94,7 +94,7 @@ SweepPlan repeats_of(const FindDefinition& definition, const Scene& scene) {
   return make_plan(std::move(parameters), 0, 0);
 }
 
-/// Settings of runs come one after another: none may take back what an earlier one says.
+/// Throws InputError if a later setting of the runs would override an earlier one.
 void check_pointers(const Find& find) {
   for (const Parameter& parameter : find.repeats.parameters)
     for (const std::string& repeated : parameter.pointers) {
@@ -114,7 +114,7 @@ void check_pointers(const Find& find) {
                          "look for another field, or leave it out of the condition");
 }
 
-/// What cannot be read fails here, before any run is made.
+/// Throws InputError for runs that cannot be read, before any run is made.
 void check_requests(const Find& find) {
   for (const double value : find.values)
     for (const Condition& condition : find.conditions)
@@ -122,8 +122,8 @@ void check_requests(const Find& find) {
         read_scene(find.definition.scene, find.request(value, condition, repeat).settings);
 }
 
-/// Which conditions hold, and on which side of its range each outcome lies that should be within one: values at which
-/// all hold may lie between two where none does.
+/// Returns which conditions hold, and on which side of its range each outcome lies that should be within one: values at
+/// which all hold may lie between two at which none does.
 State state_of(const std::vector<Condition>& conditions, const Trial& trial) {
   State state;
   for (std::size_t i = 0; i < conditions.size(); ++i) {
@@ -137,12 +137,12 @@ State state_of(const std::vector<Condition>& conditions, const Trial& trial) {
   return state;
 }
 
-/// Makes the runs of some values side by side.
+/// Makes the runs of several values in parallel.
 class Laboratory {
  public:
   Laboratory(const Find& find, const Effort& effort) : find_(find), effort_(effort) {}
 
-  /// How things stand at each value; what was tried before is not tried again.
+  /// Returns the state at each value; known values are not run again.
   std::vector<State> states(const std::vector<double>& values) {
     std::vector<double> fresh;
     for (const double value : values)

@@ -30,7 +30,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-/// "5", "log" and "5log" into `range`; false for another text.
+/// Parses "5", "log" and "5log" into `range`; false for another text.
 bool read_spacing(std::string text, ValueRange& range) {
   if (text.ends_with("log")) {
     range.logarithmic = true;

@@ -12,7 +12,7 @@ namespace {
 
 using Record = nlohmann::ordered_json;
 
-/// What never came is null, what is no number says so.
+/// Returns null for a time that never came, and a text for NaN.
 Record outcome_json(double value) {
   if (std::isnan(value)) return "nan";
   if (value == -kNever) return "-inf";

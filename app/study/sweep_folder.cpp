@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Definition = nlohmann::ordered_json;
 
-/// What has to be the same for the runs to be the same.
+/// Returns the definition that determines the runs.
 Definition definition_json(const SweepDefinition& definition) {
   return {{"program", "griffith " GRIFFITH_VERSION},
           {"scene_file", hash_text(hash_bytes(read_file(definition.scene)))},

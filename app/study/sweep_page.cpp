@@ -30,7 +30,7 @@ constexpr std::string_view kBody = R"html(
 <code id="bar-command"></code></div>
 )html";
 
-/// Opens the run from any working folder.
+/// Returns a command that opens the run from any working folder.
 std::string opening_command(const Sweep& sweep, std::size_t run) {
   RunRequest request = sweep.request(run);
   request.scene = fs::absolute(request.scene).lexically_normal();
@@ -75,7 +75,7 @@ PageData run_data(const Sweep& sweep, std::size_t run, const RunRecord& record) 
   return data;
 }
 
-/// JSON that may stand in an element of HTML.
+/// Returns JSON that may be embedded in an HTML element.
 std::string embedded(const PageData& data) {
   std::string text;
   for (const char c : data.dump(-1, ' ', false, PageData::error_handler_t::replace))

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMaxRuns = 100'000;
 
-/// 0 .. count - 1 in random order; std::shuffle differs between libraries.
+/// Returns 0 .. count - 1 in random order; std::shuffle differs between libraries.
 std::vector<int> permutation(int count, std::mt19937_64& random) {
   std::vector<int> order(static_cast<std::size_t>(count));
   std::iota(order.begin(), order.end(), 0);
@@ -43,7 +43,7 @@ void check_parameters(const std::vector<Parameter>& parameters, int samples) {
                      "give one without a count, as 1:10 or 1:10:log");
 }
 
-/// Each of the `runs` once with each of the values.
+/// Repeats each of the `runs` with each of the values.
 void multiply(std::vector<std::vector<std::string>>& runs, std::size_t parameter,
               const std::vector<std::string>& values) {
   if (runs.size() * values.size() > kMaxRuns)
@@ -58,7 +58,7 @@ void multiply(std::vector<std::vector<std::string>>& runs, std::size_t parameter
   runs = std::move(product);
 }
 
-/// One run a point of a Latin hypercube over the sampled parameters, without values for the others.
+/// Returns one run for each point of a Latin hypercube over the sampled parameters, without values for the others.
 std::vector<std::vector<std::string>> sampled_runs(const std::vector<Parameter>& parameters, int samples,
                                                    std::uint64_t seed) {
   std::vector<std::vector<std::string>> runs;

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Progress that several threads report to.
+/// Progress reported by several threads.
 class SharedProgress {
  public:
   SharedProgress(const char* label, std::size_t total) : progress_(label, static_cast<int>(total)) {}
@@ -57,11 +57,11 @@ std::string make_missing_pictures(const Sweep& sweep, const std::vector<std::opt
   fs::create_directories(sweep.picture_file(0).parent_path());
   SharedProgress progress("Drawing", runs.size());
   std::mutex mutex;
-  std::string problem;  // under `mutex`, as is what follows
+  std::string problem;  // under `mutex`, like the following
   bool any_drawn = false;
   const auto stop = [&] {
     const std::lock_guard lock(mutex);
-    return (!problem.empty() && !any_drawn) || cancelled();  // where none can be drawn no other will be
+    return (!problem.empty() && !any_drawn) || cancelled();  // if none can be drawn, no other will be
   };
   const auto work = [&](std::size_t i) {
     const std::vector<std::string> words =
@@ -75,7 +75,7 @@ std::string make_missing_pictures(const Sweep& sweep, const std::vector<std::opt
   };
   work_side_by_side(runs.size(), effort.jobs, work, stop);
   std::error_code ignored;
-  fs::remove(sweep.picture_file(0).parent_path(), ignored);  // where it is empty
+  fs::remove(sweep.picture_file(0).parent_path(), ignored);  // if it is empty
   return problem;
 }
 

@@ -10,7 +10,7 @@ using namespace griffith::c;
 
 namespace {
 
-/// How an entry of an array lies in memory.
+/// Memory layout of an entry of an array.
 template <class T>
 struct Layout;
 
@@ -62,13 +62,13 @@ griffith_array view_of(std::span<const T> values) {
   return view_of(values.data(), values.size(), sizeof(T));
 }
 
-/// One member of each struct of an array.
+/// Returns a view of one member of each struct of an array.
 template <class Struct, class T>
 griffith_array member_of(std::span<const Struct> values, T Struct::*member) {
   return view_of<T>(values.empty() ? nullptr : &(values.front().*member), values.size(), sizeof(Struct));
 }
 
-/// Numbers that lie `width` by `width` in a row.
+/// Returns a view of rows of `width` by `width` numbers.
 template <class T>
 griffith_array rows_of(const std::vector<T>& values, int width) {
   griffith_array view = view_of(values.data(), values.size() / width, width * sizeof(T));
@@ -82,7 +82,7 @@ griffith_array numbers_of(const std::vector<T>& values) {
   return view_of(std::span<const T>(values));
 }
 
-/// What arrays are views of.
+/// Objects behind the arrays.
 struct Source {
   Frame frame;
   const Surfaces& surfaces;

@@ -2,7 +2,7 @@
 
 using namespace griffith::c;
 
-// Pictures of a library that was built without the renderer.
+// Pictures in a library built without the renderer: always an error.
 
 griffith_status griffith_painter_create(const griffith_world*, std::int32_t, std::int32_t, const char*, const char*,
                                         griffith_painter**, griffith_error* error) {

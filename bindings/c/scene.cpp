@@ -15,13 +15,13 @@ namespace {
 
 constexpr char kScene[] = "scene";
 
-/// The pointer with its leading slash; "" stays the whole document.
+/// Returns the pointer with its leading slash; "" stays the whole document.
 std::string pointer_of(const char* pointer) {
   const std::string text = text_of(pointer, "pointer");
   return text.empty() ? text : scene_pointer(text, "pointer");
 }
 
-/// A copy that free() takes.
+/// Returns a copy for free().
 char* c_string(const std::string& text) {
   char* copy = static_cast<char*>(std::malloc(text.size() + 1));
   if (!copy) throw std::bad_alloc();

@@ -51,7 +51,7 @@ ProjectileBurst burst_of(const griffith_shot& shot) {
   return burst;
 }
 
-/// The burst that one entry of a scene's projectiles describes.
+/// Parses an entry of a scene's projectiles.
 ProjectileBurst burst_of(const World& world, const std::string& json) {
   Scene scene;
   scene.folder = world.scene().folder;
@@ -61,7 +61,7 @@ ProjectileBurst burst_of(const World& world, const std::string& json) {
   return with_shot.projectiles[0];
 }
 
-/// The material that a body has now, with one field changed.
+/// Returns the current material of a body with one field changed.
 Material changed_material(const World& world, int body, const std::string& field, const std::string& json) {
   Scene scene;
   scene.bodies = {world.scene().bodies[body]};

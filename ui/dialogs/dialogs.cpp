@@ -51,7 +51,7 @@ void error_dialog(Panel& panel) {
   ImGui::EndPopup();
 }
 
-/// What keys have asked for meanwhile: "Then: Delete, Delete".
+/// Names the commands that keys have queued: "Then: Delete, Delete".
 void waiting_line(Panel& panel) {
   std::string text;
   for (const Command& command : panel.state.waiting)
@@ -73,7 +73,7 @@ void work_dialog(Panel& panel) {
   ImGui::EndPopup();
 }
 
-/// Closes the dialog of work that is done: nothing in it says so itself.
+/// Closes the progress dialog once its work is done; nothing else closes it.
 void close_work_dialog() {
   if (!ImGui::IsPopupOpen(kWorkTitle)) return;
   if (ImGui::BeginPopupModal(kWorkTitle, nullptr, kDialogFlags)) {

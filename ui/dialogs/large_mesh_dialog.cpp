@@ -8,7 +8,7 @@
 namespace griffith::ui {
 namespace {
 
-/// To two digits: it is an estimate.
+/// Rounds an estimate to two digits.
 long long rounded(double count) {
   const double unit = std::pow(10, std::floor(std::log10(std::max(count, 1.0))) - 1);
   return std::llround(std::round(count / unit) * unit);

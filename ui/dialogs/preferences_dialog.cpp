@@ -10,7 +10,7 @@ void preference_row(Panel& panel, const char* tag, const char* label, const Numb
   number_field_row(panel, {.tag = tag, .label = label, .numbers = numbers}, value);
 }
 
-/// The size is taken when the mouse is let go: the field would run away from it.
+/// Applies the size when the mouse is released: during the drag the field would move away from the cursor.
 void scale_row(Panel& panel) {
   EditorState& state = panel.state;
   if (state.wanted_scale == 0) state.wanted_scale = state.preferences.ui_scale;

@@ -10,14 +10,14 @@ namespace griffith::ui {
 namespace {
 
 constexpr float kButtonWidth = 120;    // design pixels
-constexpr std::size_t kMaxLines = 12;  ///< of the list, before it scrolls
+constexpr std::size_t kMaxLines = 12;  ///< most lines before the list scrolls
 
 void set_name(SaveTarget& target, const std::string& name) {
   target.name = {};
   name.copy(target.name.data(), target.name.size() - 1);
 }
 
-/// The scenes that are there: a click takes the name.
+/// Lists the existing scenes; a click takes the name.
 void name_list(Panel& panel, SaveTarget& target) {
   if (target.there.empty()) return;
   const auto lines = static_cast<float>(std::min<std::size_t>(target.there.size(), kMaxLines));
@@ -29,7 +29,7 @@ void name_list(Panel& panel, SaveTarget& target) {
   ImGui::EndChild();
 }
 
-/// How the dialog goes for a kind of file.
+/// Texts of the dialog for a kind of file.
 struct SavedWords {
   const char* title;
   CommandId save, dialog;
@@ -52,7 +52,7 @@ SavedWords words_of(SavedKind kind) {
   }
 }
 
-/// The dialog that asks for another file than the command has.
+/// Returns the dialog that asks for another file than the command has.
 CommandId dialog_of(CommandId save) {
   for (const SavedKind kind :
        {SavedKind::recording, SavedKind::bug_report, SavedKind::plots, SavedKind::exported, SavedKind::macro})
@@ -80,7 +80,7 @@ void close(bool answered) {
   ImGui::EndPopup();
 }
 
-/// What can be exported, by how the file ends.
+/// Explains the formats by file name extension.
 void export_hint(const Panel& panel) {
   hint(panel, "Pieces, their motion and what held them: .glb (Blender, Unity, Unreal), .usda (USD), .json, .csv");
   hint(panel, "In a browser: .html");

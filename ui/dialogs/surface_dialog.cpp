@@ -12,7 +12,7 @@
 namespace griffith::ui {
 namespace {
 
-/// As MeshingMethod.
+/// Names in the order of MeshingMethod.
 const std::array<std::string, 3> kMethods = {"automatic", "TetGen", "volumetric"};
 
 void method_row(Panel& panel, MeshingMethod& method) {

@@ -8,10 +8,10 @@
 namespace griffith::ui {
 namespace {
 
-/// What is deeper is soon through [of the width].
+/// Fraction of the width from which an overlap counts as deep: bodies soon pass through each other.
 constexpr double kDeep = 0.25;
 
-/// How far a body reaches along a direction of the world [m]; infinite for one without a shape.
+/// Returns the extent of a body along a direction of the world [m]; infinite for a body without a shape.
 double width_along(const BodyView& body, const Vec3& direction) {
   const Vec3 own = body.orientation.conjugate() * direction;
   double low = std::numeric_limits<double>::infinity(), high = -low;

@@ -8,12 +8,12 @@
 namespace griffith::ui {
 namespace {
 
-// Utilizations: from the first on a node is near to breaking; below the second is what rounding leaves.
+// Utilizations: a node is close to fracture above the first; values below the second are rounding errors.
 constexpr double kNear = 0.8, kNoise = 1e-6;
 
 std::string percent(double fraction) { return format_quantity(100 * fraction, "", 3) + " %"; }
 
-/// Why what is overloaded has not parted.
+/// Explains why overloaded material has not separated.
 std::string why_whole(const Frame& frame, bool fracture) {
   if (!fracture) return "the scene does not let bodies break.";
   if (frame.report.cracks_postponed > 0)
@@ -22,13 +22,13 @@ std::string why_whole(const Frame& frame, bool fracture) {
   return "a crack that opened close by relieves it first, or all its elements lie on one side of the plane.";
 }
 
-/// `what`: "Broke", "Its piece broke" or "Shown".
+/// Describes a scaled impact. `what`: "Broke", "Its piece broke" or "Shown".
 std::string scaled_text(const std::string& what, const ScaledImpact& impact) {
   return " " + what + " at " + scale_text(impact) + ", " + format_quantity(1 / impact.factor, "", 2) +
          " times slower: " + reason(impact) + ".";
 }
 
-/// What stood in for the material when the node broke, now, or when its piece broke; empty where nothing did.
+/// Describes the stand-in material when the node broke, now, or when its piece broke; empty if there was none.
 std::string scaling_note(const NodeReport& report, const Frame& frame) {
   const BodyView& body = frame.bodies[report.body];
   if (!report.events.empty())
@@ -45,7 +45,7 @@ std::string breaking(const CrackEvent& event, const char* unit) {
   return text;
 }
 
-/// What the next step does. `now`: the utilization there is before it, if it was measured.
+/// Predicts the next step. `now`: utilization before it, if measured.
 std::string about_to_crack(const ComingCrack& coming, const Frame& frame, const NodeReport& report, const char* unit) {
   std::string text = "Cracks in the next step, at " + format_quantity(coming.time, "s", 3) + " (step " +
                      std::to_string(frame.step + 1) + "): a load of " + format_quantity(coming.load, unit, 3) +
@@ -55,7 +55,7 @@ std::string about_to_crack(const ComingCrack& coming, const Frame& frame, const 
   return text;
 }
 
-/// What the load does to what is there. `whole`: it has not cracked before.
+/// Describes the load on existing material. `whole`: the node has not cracked before.
 std::string under_load(const NodeState& state, const NodeReport& report, const Frame& frame, bool fracture) {
   const Material& material = frame.materials[frame.bodies[report.body].scene_body];
   const NodeSeparation& separation = report.separation;
@@ -82,7 +82,7 @@ std::string under_load(const NodeState& state, const NodeReport& report, const F
   return text;
 }
 
-/// What the motion of its piece means for the node; empty: nothing.
+/// Explains the effect of the piece's motion on the node; empty: none.
 std::string of_piece(NodeState::Piece piece) {
   switch (piece) {
     case NodeState::Piece::elastic:
@@ -114,7 +114,7 @@ NodeState::Load load_state(const NodeSeparation& separation) {
   return separation.utilization > 0 && separation.utilization < kNoise ? NodeState::Load::none : NodeState::Load::below;
 }
 
-/// Whether what was measured is the load under which the node cracked, and not one on what that left.
+/// True if the measured load is the one under which the node cracked, not one on the remaining material.
 bool is_load_of(const CrackEvent& crack, const NodeSeparation& separation) {
   constexpr double kRoundOff = 1e-9;
   return std::isfinite(separation.resistance) &&
@@ -130,7 +130,7 @@ Verdict::Kind kind_of(const NodeState& state) {
   return state.load == NodeState::Load::near ? Verdict::Kind::near : Verdict::Kind::holds;
 }
 
-/// But for what stood in for the material.
+/// Returns the verdict without the note on stand-in materials.
 Verdict bare_verdict(const NodeState& state, const NodeReport& report, const Frame& frame, bool fracture) {
   const char* unit = load_unit(frame.materials[frame.bodies[report.body].scene_body]);
   const bool rigid = state.piece != NodeState::Piece::elastic && state.piece != NodeState::Piece::asleep;

@@ -16,7 +16,7 @@ double length_of(const std::vector<Vec3>& way) {
   return length;
 }
 
-/// A ring as large as what is fired, a few pixels at least.
+/// Draws a ring as large as the projectile, at least a few pixels.
 void draw_impact(const Panel& panel, ImDrawList* list, const Vec3& place) {
   const ViewCamera camera = view_camera(panel);
   const std::optional<Vec2> pixel = camera.pixel(place);

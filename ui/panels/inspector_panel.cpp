@@ -14,9 +14,9 @@
 namespace griffith::ui {
 namespace {
 
-constexpr std::size_t kMaxElements = 8, kMaxEvents = 4;  // listed
+constexpr std::size_t kMaxElements = 8, kMaxEvents = 4;  // most rows of each list
 
-/// Three values with the prefix of the largest: "3.02, -1.85, -12.7 kPa".
+/// Formats three values with the prefix of the largest: "3.02, -1.85, -12.7 kPa".
 std::string triple(const Vec3& values, const char* unit) {
   const double largest = values.cwiseAbs().maxCoeff();
   const SiPrefix prefix = si_prefix(largest, unit);
@@ -37,7 +37,7 @@ void verdict_line(const Panel& panel, const Verdict& verdict) {
   tag_last_item(panel.tags, "inspector/verdict", verdict.text);
 }
 
-/// What was decided on.
+/// Shows load, resistance and utilization.
 void utilization_rows(const Panel& panel, const NodeReport& report, const Material& material) {
   const NodeSeparation& separation = report.separation;
   const char* unit = load_unit(material);
@@ -48,7 +48,7 @@ void utilization_rows(const Panel& panel, const NodeReport& report, const Materi
             separation.utilization > 0.8 ? palette::kWarning : palette::kText);
 }
 
-/// The separation tensor, which weighs elements against each other: of one alone, none is left.
+/// Shows the separation tensor, which compares elements with each other: that of a single element is zero.
 void tensor_rows(const Panel& panel, const NodeReport& report) {
   if (report.elements.size() == 1 && report.principal.values.isZero(0)) {
     value_row(panel, "Eigenvalues", "none: one element", palette::kTextDim);
@@ -62,7 +62,7 @@ void tensor_rows(const Panel& panel, const NodeReport& report) {
   value_row(panel, "Top eigenvector", direction_text(report.principal.directions.col(2)), palette::kText);
 }
 
-/// What there is at the time of the frame, all from its own stresses.
+/// Shows the load at the time of the frame, from its own stresses.
 void load_rows(const Panel& panel, const NodeReport& report, const Material& material) {
   value_row(panel, "Load now", format_quantity(report.load, load_unit(material)), palette::kText);
   hint(panel, origin_of_load(report, material));
@@ -71,7 +71,7 @@ void load_rows(const Panel& panel, const NodeReport& report, const Material& mat
   tensor_rows(panel, report);
 }
 
-/// One ranked element; a click selects it.
+/// Draws one ranked element; a click selects it.
 void element_row(Panel& panel, const ElementContribution& element, const char* unit, std::size_t rank) {
   char text[96];
   std::snprintf(text, sizeof text, "%zu   element %d, %s", rank + 1, element.tet.index(),

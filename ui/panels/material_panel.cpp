@@ -22,7 +22,7 @@ void keep(Panel& panel, const Edit& edit, const std::string& label, const Materi
   if (edit.finished) panel.history.finish();
 }
 
-/// What a material of that name is: one of the scene's own, or else a preset. Null where there is none.
+/// Returns the material of that name: one of the scene's own, else a preset. Null if there is none.
 const Material* original_of(const Scene& scene, const Material& material) {
   if (const auto own = std::ranges::find(scene.materials, material.name, &Material::name); own != scene.materials.end())
     return &*own;
@@ -33,10 +33,10 @@ const Material* original_of(const Scene& scene, const Material& material) {
 
 /// A property of the material.
 struct Row {
-  const char* name;  ///< in a scene file
+  const char* name;  ///< key in scene files
   const char* label;
   const char* tooltip = "";
-  double usual = 0;  ///< magnitude in usual materials, of what may be 0 and is no ratio
+  double usual = 0;  ///< magnitude in usual materials, for properties that may be 0 and are no ratio
 };
 
 void number_row(Panel& panel, Material& material, const Row& row, double& value,
@@ -56,20 +56,20 @@ void number_row(Panel& panel, Material& material, const Row& row, double Materia
   number_row(panel, material, row, material.*member, original ? std::optional(original->*member) : std::nullopt);
 }
 
-/// "brick", or "brick (edited)" where it is no more what has that name.
+/// Returns the preset's name: "brick", or "brick (edited)" if its values differ.
 std::string preset_text(const Scene& scene, const Material& material) {
   const Material* original = original_of(scene, material);
   return material.name + (original && *original != material ? " (edited)" : "");
 }
 
-/// Where a preset's numbers come from.
+/// Returns the source of a preset's numbers.
 std::string source_text(const Material& material) {
   for (const MaterialPreset& preset : material_presets())
     if (preset.material.name == material.name) return "Numbers of the preset: " + std::string(preset.source);
   return "";
 }
 
-/// Presets and the scene's own materials.
+/// Draws the list of presets and the scene's own materials.
 void preset_row(Panel& panel, Material& material) {
   const Scene& scene = panel.history.scene();
   std::vector<Material> offered = scene.materials;
@@ -85,7 +85,7 @@ void preset_row(Panel& panel, Material& material) {
   keep(panel, {true, true}, "Set material " + material.name, material);
 }
 
-/// Makes the body's material one of the scene's own under that name, in place of what had it.
+/// Saves the body's material as one of the scene's own under that name, replacing an earlier one.
 void keep_as(Panel& panel, Material material, const std::string& name) {
   const auto has_name = [&](const MaterialPreset& preset) {
     return preset.key == name || preset.material.name == name;
@@ -108,7 +108,7 @@ void keep_as(Panel& panel, Material material, const std::string& name) {
   panel.history.finish();
 }
 
-/// Materials of the scene's own: a name keeps the body's one, which other bodies may have then too.
+/// Draws the scene's own materials: under a name, other bodies can use the material too.
 void library_rows(Panel& panel, const Material& material) {
   const Scene& scene = panel.history.scene();
   std::array<char, 64> name = {};
@@ -187,7 +187,7 @@ void damping_rows(Panel& panel, Material& material) {
              &Material::mass_damping);
 }
 
-/// That what the sliders say is not what broke.
+/// Warns that the shown values are not those that broke.
 void scaled_row(Panel& panel) {
   for (const ScaledBreak& broken : scaled_breaks(panel.input.frame)) {
     if (broken.scene_body != panel.state.selected_body) continue;

@@ -6,10 +6,10 @@
 namespace griffith::ui {
 namespace {
 
-/// Frames in which panels unfold what is sought, find its place and scroll there.
+/// Frames in which panels unfold the field, find its position and scroll there.
 constexpr int kFramesToSeek = 4;
 
-/// Chooses what the problem is about, and has its field shown with the problem beside it.
+/// Chooses the entry of the problem, and shows its field with the problem beside it.
 void go_to_field(Panel& panel, const SceneProblem& problem) {
   const FieldPlace place = field_place(panel.history.scene(), problem.pointer);
   if (place.entry) choose_entries(panel.state, panel.history.scene(), {*place.entry});

@@ -14,7 +14,7 @@ namespace {
 constexpr std::array<const char*, 4> kCrackPlaces = {"none", "any", "of the selected body", "at the selected node"};
 constexpr ImU32 kImpactColor = IM_COL32(102, 187, 240, 255);
 
-/// What happened in the steps that the cursor points at.
+/// Describes the events of the steps under the cursor.
 std::string ticks_text(const TimeView& time, std::int64_t first, std::int64_t last) {
   int cracks = 0, impacts = 0;
   bool alarm = false;
@@ -28,7 +28,7 @@ std::string ticks_text(const TimeView& time, std::int64_t first, std::int64_t la
   return text;
 }
 
-/// Where steps are on the bar.
+/// Mapping of steps to the timeline.
 struct Scale {
   ImVec2 low, high;
   std::int64_t first, steps;
@@ -42,7 +42,7 @@ struct Scale {
   }
 };
 
-/// Ticks of cracks grow with their number, as its logarithm; those of impacts and alarms hang from above.
+/// Draws ticks: cracks grow with the logarithm of their number; impacts and alarms hang from above.
 void draw_ticks(const Panel& panel, const Scale& bar) {
   ImDrawList* list = ImGui::GetWindowDrawList();
   const float scale = ui_scale(panel), height = bar.high.y - bar.low.y;
@@ -57,7 +57,7 @@ void draw_ticks(const Panel& panel, const Scale& bar) {
   }
 }
 
-/// The past of the branch: a click or a drag goes there.
+/// Draws the past of the branch: a click or a drag goes there.
 void draw_bar(Panel& panel, float width) {
   const TimeView& time = panel.input.time;
   const float scale = ui_scale(panel), height = ImGui::GetFrameHeight();
@@ -84,7 +84,7 @@ void draw_bar(Panel& panel, float width) {
   }
 }
 
-/// "branch 1, from step 40 of branch 0".
+/// Names a branch: "branch 1, from step 40 of branch 0".
 std::string branch_text(const TimeView& time, int branch) {
   const TimeView::BranchView& view = time.branches[branch];
   std::string text = "branch " + std::to_string(branch);
@@ -93,7 +93,7 @@ std::string branch_text(const TimeView& time, int branch) {
   return text + ", to step " + std::to_string(view.last_step);
 }
 
-/// How many ancestors a branch has.
+/// Returns the number of ancestors of a branch.
 int depth_of(const TimeView& time, int branch) {
   int depth = 0;
   for (; time.branches[branch].parent >= 0; branch = time.branches[branch].parent) ++depth;
@@ -118,7 +118,7 @@ void branch_list(Panel& panel) {
   if (!open) tooltip("What was done otherwise in the past goes on beside what was.");
 }
 
-/// With which branch the shown one is compared, and how.
+/// Draws the choice of the compared branch and the style of the comparison.
 void comparison_fields(Panel& panel) {
   Comparison& comparison = panel.state.comparison;
   const auto choice = [&](const std::string& text, const char* name, std::optional<int> branch) {
@@ -133,7 +133,7 @@ void comparison_fields(Panel& panel) {
   tooltip("One picture through the other, in place of both side by side with a border to drag.");
 }
 
-/// Begins the popup of the button that was drawn last, above it, up to ImGui::EndPopup(), where it is open.
+/// True if the popup of the last button is open; begins it above the button, up to ImGui::EndPopup().
 bool begin_popup_above(const Panel& panel, const char* popup) {
   const ImVec2 corner(ImGui::GetItemRectMax().x, ImGui::GetItemRectMin().y - 4 * ui_scale(panel));
   ImGui::SetNextWindowPos(corner, ImGuiCond_Appearing, {1, 1});
@@ -153,13 +153,13 @@ void comparison_button(Panel& panel) {
   ImGui::EndPopup();
 }
 
-/// How wide a button with that text is, with the gap behind it.
+/// Returns the width of a button with that text and the gap after it.
 float button_room(const char* text) {
   const ImGuiStyle& style = ImGui::GetStyle();
   return ImGui::CalcTextSize(text).x + 2 * style.FramePadding.x + style.ItemSpacing.x;
 }
 
-/// A number that belongs to a check box.
+/// Draws a number that belongs to a check box.
 void limit_field(Panel& panel, const char* tag, const Numbers& numbers, const char* meaning, double& value,
                  bool whole = false) {
   ImGui::SameLine();

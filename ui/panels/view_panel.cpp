@@ -39,7 +39,7 @@ void color_map_row(Panel& panel) {
   if (chosen >= 0) panel.state.view.color_map = names[static_cast<std::size_t>(chosen)];
 }
 
-/// Both ends of a locked range, in the quantity's unit.
+/// Draws both ends of a locked range, in the quantity's unit.
 void range_rows(Panel& panel) {
   Vec2& range = *panel.state.view.range;
   Numbers numbers = range_of<ViewSettings>("range");
@@ -80,12 +80,12 @@ void range_part(Panel& panel) {
   if (always) tooltip("Automatic colours of what has a sign part at 0. Choose others for another range.");
 }
 
-/// A number of the view.
+/// Draws a number of the view.
 void view_row(Panel& panel, const std::string& name, const char* label, double& value) {
   number_field_row(panel, {.tag = "view/" + name, .label = label, .numbers = range_of<ViewSettings>(name)}, value);
 }
 
-/// Turns the slice to an axis, or to face the eye; it stays where it cuts the middle of the bodies.
+/// Aligns the slice with an axis or the view; it still passes through the same point at the center of the bodies.
 void align_slice(Panel& panel, const Vec3& normal) {
   const Vec3 middle = 0.5 * (panel.input.low + panel.input.high), unit = normal.normalized();
   panel.state.view.slice = SlicePlane{unit, unit.dot(middle)};
@@ -163,7 +163,7 @@ void layer_rows(Panel& panel) {
                    panel.state.view.fracture_planes);
 }
 
-/// Whether a view shows tetrahedra, not splinters, shards or surfaces of files: values belong to tetrahedra.
+/// True if a view shows tetrahedra rather than splinters, shards or surface files: values belong to tetrahedra.
 bool shows_tets(const ViewSettings& view) {
   if (!view.splinters || view.quantity == "tet" || view.elements != ElementStyle::surface) return true;
   const auto quantity = std::ranges::find(view_quantities(), view.quantity, &ViewQuantity::key);

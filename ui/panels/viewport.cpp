@@ -44,7 +44,7 @@ void mouse_input(Panel& panel) {
   const ImGuiIO& io = ImGui::GetIO();
   const float slack = kClickSlack * ui_scale(panel);
   const bool hovered = ImGui::IsItemHovered();
-  // The way to where the button went down is no drag, though a slow frame sees both at once.
+  // Motion to the point where the button went down is no drag, though a slow frame sees both at once.
   if (ImGui::IsItemActive() && !ImGui::IsItemActivated()) move_camera(state, io);
   const float notches = state.preferences.invert_zoom ? -io.MouseWheel : io.MouseWheel;
   if (hovered && notches != 0) state.camera_motion.zoom *= std::pow(kZoomPerNotch, notches);
@@ -55,7 +55,7 @@ void mouse_input(Panel& panel) {
   if (clicked) issue(panel, {.id = CommandId::pick, .cursor = cursor});
 }
 
-/// A dark rounded card to write on.
+/// Draws a dark rounded card behind text.
 void draw_card(ImDrawList* list, ImVec2 low, ImVec2 high, float scale) {
   list->AddRectFilled(low, high, IM_COL32(24, 27, 32, 200), 6 * scale);
 }
@@ -89,7 +89,7 @@ void draw_pause_mark(const Panel& panel, ImVec2 corner) {
   list->AddText({low.x + 34 * scale, (low.y + high.y - ImGui::GetFontSize()) / 2}, palette::kText, "Paused");
 }
 
-/// Why the simulation stopped by itself, and what may be asked then.
+/// Shows the reason why the simulation stopped by itself, with the search for the value that would have held.
 void draw_stop_card(Panel& panel, ImVec2 corner, ImVec2 end) {
   if (!panel.state.stop) return;
   const std::string& reason = panel.state.stop->reason;

@@ -77,7 +77,7 @@ void hint(const Panel& panel, const std::string& text) {
 
 namespace {
 
-/// Scrolls to the sought field, or what of it is shown: a part around it, or the first of its numbers.
+/// Scrolls to the sought field or its visible part: a section around it, or the first of its numbers.
 void scroll_if_sought(const Panel& panel, std::string_view tag) {
   EditorState& state = panel.state;
   if (!is_within(state.sought.tag + "/0", tag)) return;
