@@ -44,10 +44,10 @@ void add_fan(std::vector<std::uint32_t>& indices, const EmbeddedPolygon& polygon
 std::vector<float> packed(const std::vector<EmbeddedMaterial>& materials) {
   std::vector<float> values;
   values.reserve(kMaterialFloats * materials.size());
-  for (const auto& [color, variation, mottle, roughness, noise_size, fibre, clear_depth, grain, grain_size, dressed,
+  for (const auto& [color, variation, mottle, roughness, noise_size, fiber, clear_depth, grain, grain_size, dressed,
                     gloss] : materials)
-    values.insert(values.end(), {color.r, color.g, color.b, variation, mottle, roughness, noise_size, fibre.x(),
-                                 fibre.y(), fibre.z(), clear_depth, static_cast<float>(grain), grain_size, gloss});
+    values.insert(values.end(), {color.r, color.g, color.b, variation, mottle, roughness, noise_size, fiber.x(),
+                                 fiber.y(), fiber.z(), clear_depth, static_cast<float>(grain), grain_size, gloss});
   return values;
 }
 

@@ -70,7 +70,7 @@ enum class Grain {
   stones,    ///< rounded stones of three sizes in a matrix
   clay,      ///< small grains and pores
   sand,      ///< like stones, of similar tones
-  crystals,  ///< of several minerals, one dark
+  crystals,  ///< several minerals, one dark
   facets,    ///< crystals of one kind
   veins,     ///< the same, with dark veins through them
   rings      ///< growth rings with fibers
@@ -83,7 +83,7 @@ struct EmbeddedMaterial {
   float mottle = 0;                                 ///< relative variation of brightness within a piece
   float roughness = 0;                              ///< perturbation of the normal, as a slope
   float noise_size = 0.05f;                         ///< scale of mottle and roughness [m]
-  Eigen::Vector3f fibre = Eigen::Vector3f::Zero();  ///< direction times √(1 − 1/elongation) of noise along it
+  Eigen::Vector3f fiber = Eigen::Vector3f::Zero();  ///< direction times √(1 − 1/elongation) of noise along it
   float clear_depth = 0;                            ///< distance over which light takes the color [m]; 0: opaque
   Grain grain = Grain::none;
   float grain_size = 0.02f;  ///< size of its largest parts [m]

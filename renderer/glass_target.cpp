@@ -50,7 +50,7 @@ void make_glass_texture(const Texture& texture, int unit, GLint format, GLenum l
 GlassTarget::GlassTarget(const Target& target)
     : target_(target),
       program_("glass", shaders::background_vert, shaders::glass_blend_frag),
-      distance_program_("distance of what is opaque", shaders::background_vert, shaders::glass_distance_frag) {
+      distance_program_("distance of opaque objects", shaders::background_vert, shaders::glass_distance_frag) {
   const BoundFramebuffer previous;
   make_buffers();
   make_distance_buffers();

@@ -29,7 +29,7 @@ struct BakedMesh {
 };
 
 /// A piece at the end of the baked frames, or a projectile.
-struct BakedThing {
+struct BakedObject {
   std::string name;                  ///< unique identifier of letters, digits and _, e.g. "pane_0012"
   int scene_body = -1;               ///< index into Scene::bodies; -1: a projectile
   double mass = 0;                   ///< [kg]
@@ -47,7 +47,7 @@ struct BakedThing {
 
 /// Former connection of two pieces of one scene body that touched at rest.
 struct BakedBond {
-  int a = 0, b = 0;             ///< indices into Bake::things, a < b
+  int a = 0, b = 0;             ///< indices into Bake::objects, a < b
   double area = 0;              ///< [m²]
   Vec3 center = Vec3::Zero();   ///< area-weighted, world, as in the first frame [m]
   Vec3 normal = Vec3::UnitY();  ///< unit, from a to b, as in the first frame
@@ -63,8 +63,8 @@ struct Bake {
   double frames_per_second = 60;        ///< rate of the frames, rounded if a second is no whole number of steps
   std::vector<double> times;            ///< times of the frames, ascending [s]; at least one
   std::vector<BakedMaterial> materials;
-  std::vector<BakedThing> things;  ///< pieces by scene body and number, then projectiles
-  std::vector<BakedBond> bonds;    ///< sorted by a, then b
+  std::vector<BakedObject> objects;  ///< pieces by scene body and number, then projectiles
+  std::vector<BakedBond> bonds;      ///< sorted by a, then b
 };
 
 }  // namespace griffith::app

@@ -96,7 +96,7 @@ class PartedSplinters {
 /// Adds the faces of all splinters of the affected scene bodies, cut where two pieces share them.
 void add_parted_splinters(std::span<PieceSurface> surfaces, const Frame& frame, const PartedSplinters& splinters,
                           const std::vector<bool>& is_parted, const std::vector<bool>& is_skinned,
-                          std::span<const std::array<TetId, 4>> first_neighbours) {
+                          std::span<const std::array<TetId, 4>> first_neighbors) {
   const auto& parts = frame.splinters.parts;
   for (int part = 0; part < std::ssize(parts); ++part) {
     const int scene_body = frame.splinters.splinters[parts[part].splinter].scene_body;
@@ -106,7 +106,7 @@ void add_parted_splinters(std::span<PieceSurface> surfaces, const Frame& frame, 
       if (face.beyond < 0 ? !is_skinned[scene_body] : splinters.piece(face.beyond) != piece)
         splinters.add_face(surfaces[piece], face);
     for (int face = 0; face < 4; ++face) {
-      const TetId beyond = first_neighbours[parts[part].tet][face];
+      const TetId beyond = first_neighbors[parts[part].tet][face];
       const int other = beyond.valid() ? splinters.part_in(parts[part].splinter, beyond) : -1;
       if (other >= 0 && splinters.piece(other) != piece) splinters.add_cut(surfaces[piece], part, face);
     }
@@ -143,7 +143,7 @@ std::vector<bool> pieces_without_splinter(const Frame& frame, std::span<const Pi
 }  // namespace
 
 std::vector<PieceSurface> parted_surfaces(const Frame& frame, std::span<const Skin> skins,
-                                          std::span<const std::array<TetId, 4>> first_neighbours) {
+                                          std::span<const std::array<TetId, 4>> first_neighbors) {
   std::vector<PieceSurface> surfaces = piece_surfaces(frame, skins);
   const std::vector<bool> owns_none = pieces_without_splinter(frame, surfaces);
   std::vector<bool> is_parted(frame.materials.size()), is_skinned(frame.materials.size());
@@ -156,7 +156,7 @@ std::vector<PieceSurface> parted_surfaces(const Frame& frame, std::span<const Sk
     if (is_parted[skin.scene_body]) parted_skins.push_back(handed_out(skin, frame, owns_none));
   }
   std::vector<PieceSurface> parted = skin_surfaces(frame, parted_skins);
-  add_parted_splinters(parted, frame, PartedSplinters(frame, owns_none), is_parted, is_skinned, first_neighbours);
+  add_parted_splinters(parted, frame, PartedSplinters(frame, owns_none), is_parted, is_skinned, first_neighbors);
   for (const BodyView& body : frame.bodies) {
     if (!is_parted[body.scene_body]) continue;
     surfaces[body.id] = std::move(parted[body.id]);

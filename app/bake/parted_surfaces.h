@@ -14,6 +14,6 @@ namespace griffith::app {
 /// cuts. `first_neighbors`: of the tets before any fracture. Frames of the same topology give the same points in the
 /// same order.
 std::vector<PieceSurface> parted_surfaces(const Frame& frame, std::span<const Skin> skins,
-                                          std::span<const std::array<TetId, 4>> first_neighbours);
+                                          std::span<const std::array<TetId, 4>> first_neighbors);
 
 }  // namespace griffith::app

@@ -12,7 +12,7 @@ namespace {
 
 /// One side of a face opened by a crack.
 struct OpenedFace {
-  int thing = 0, scene_body = 0;
+  int object = 0, scene_body = 0;
   std::array<Vec3, 3> rest, first;  ///< corners at rest and in the first baked frame [m]
   double opened = 0;                ///< time of opening [s]
   double strength = 0;              ///< [Pa]
@@ -36,7 +36,7 @@ OpenedFace opened_face(const BondInput& input, TetId tet, int face) {
   const Corners then = input.history.corners(1, tet);
   const BodyId body = last.elements.bodies[tet];
   OpenedFace opened{
-      input.thing_of_body[body], last.bodies[body].scene_body, {}, {}, last.elements.opened[tet][face], 0};
+      input.object_of_body[body], last.bodies[body].scene_body, {}, {}, last.elements.opened[tet][face], 0};
   for (int i = 0; i < 3; ++i) {
     opened.rest[i] = last.nodes.rest_positions[last.elements.tets[tet][kTetFaces[face][i]]];
     opened.first[i] = then.col(kTetFaces[face][i]);
@@ -91,7 +91,7 @@ void add_face(BakedBond& bond, const OpenedFace& face) {
   const Vec3 area = area_vector(face.first) / 2;
   bond.area += area.norm();
   bond.center += area.norm() * middle_of(face.first);
-  bond.normal += face.thing == bond.a ? area : Vec3(-area);
+  bond.normal += face.object == bond.a ? area : Vec3(-area);
   bond.strength += area.norm() * face.strength;
   bond.break_time = std::max(bond.break_time.value_or(face.opened), face.opened);
 }
@@ -121,8 +121,8 @@ std::vector<BakedBond> piece_bonds(const BondInput& input) {
   const std::vector<int> partner = partners(faces);
   std::map<std::pair<int, int>, BakedBond> found;
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    if (partner[i] < 0 || faces[i].thing == faces[partner[i]].thing) continue;
-    const std::pair<int, int> pair = std::minmax(faces[i].thing, faces[partner[i]].thing);
+    if (partner[i] < 0 || faces[i].object == faces[partner[i]].object) continue;
+    const std::pair<int, int> pair = std::minmax(faces[i].object, faces[partner[i]].object);
     BakedBond& bond =
         found.try_emplace(pair, BakedBond{pair.first, pair.second, 0, Vec3::Zero(), Vec3::Zero(), 0, {}}).first->second;
     add_face(bond, faces[i]);

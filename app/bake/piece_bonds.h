@@ -20,7 +20,7 @@ struct BondInput {
   const Frame& last;
   const MeshHistory& history;
   std::span<const double> strength_factors;  ///< per node of state 0
-  std::span<const int> thing_of_body;        ///< per BodyId of `last`
+  std::span<const int> object_of_body;       ///< per BodyId of `last`
   double opened_before = 0;                  ///< faces opened until then are no bonds [s]
 };
 

@@ -6,11 +6,11 @@
 
 #include "app/bake/baked_materials.h"
 #include "app/bake/fill_holes.h"
+#include "app/bake/object_mesh.h"
+#include "app/bake/object_names.h"
 #include "app/bake/parted_surfaces.h"
 #include "app/bake/piece_bonds.h"
 #include "app/bake/piece_poses.h"
-#include "app/bake/thing_mesh.h"
-#include "app/bake/thing_names.h"
 
 namespace griffith::app {
 namespace {
@@ -49,8 +49,8 @@ double last_crack_time(const Frame& frame) {
 /// Sets the break time of each object to that of its last bond.
 void set_break_times(Bake& bake) {
   for (const BakedBond& bond : bake.bonds)
-    for (const int thing : {bond.a, bond.b})
-      bake.things[thing].break_time = std::max(bake.things[thing].break_time, bond.break_time);
+    for (const int object : {bond.a, bond.b})
+      bake.objects[object].break_time = std::max(bake.objects[object].break_time, bond.break_time);
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ RunBaker::RunBaker(const Frame& start, const Scene& scene)
     : scene_(scene),
       shards_(start, scene),
       strength_factors_(strength_factors_at_start(start, scene)),
-      first_neighbours_(start.elements.neighbours.begin(), start.elements.neighbours.end()),
+      first_neighbors_(start.elements.neighbours.begin(), start.elements.neighbours.end()),
       meshes_{mesh_of(start)} {}
 
 void RunBaker::follow(const Frame& frame) {
@@ -76,8 +76,8 @@ Bake RunBaker::finish(const Frame& last, bool deformed) {
   find_holes(last);
   const MeshHistory history(std::move(meshes_), last.nodes.rest_positions);
   const std::vector<BodyId> pieces = sorted_pieces(last);
-  std::vector<int> thing_of_body(last.bodies.size(), -1);
-  for (int i = 0; i < std::ssize(pieces); ++i) thing_of_body[pieces[i]] = i;
+  std::vector<int> object_of_body(last.bodies.size(), -1);
+  for (int i = 0; i < std::ssize(pieces); ++i) object_of_body[pieces[i]] = i;
   const std::vector<std::string> stems = name_stems(scene_);
   Bake bake;
   bake.scene_name = scene_.name;
@@ -87,10 +87,10 @@ Bake RunBaker::finish(const Frame& last, bool deformed) {
   const BakedMaterials materials = baked_materials(scene_, stems);
   bake.materials = materials.all;
   add_pieces(bake, last, history, pieces, stems);
-  for (BakedThing& thing : bake.things) thing.materials = materials.of_body[thing.scene_body];
+  for (BakedObject& object : bake.objects) object.materials = materials.of_body[object.scene_body];
   if (deformed) add_deformed_points(bake, last, history, pieces);
   add_projectiles(bake, last, stems.back(), materials.projectile);
-  bake.bonds = piece_bonds({last, history, strength_factors_, thing_of_body, opened_before_});
+  bake.bonds = piece_bonds({last, history, strength_factors_, object_of_body, opened_before_});
   set_break_times(bake);
   return bake;
 }
@@ -100,7 +100,7 @@ std::vector<PieceSurface> RunBaker::open_surfaces_at(const Frame& last, std::spa
   const FrameWithShards sharded(last, shards_);
   Frame moved = sharded.frame();
   moved.nodes.positions = positions;
-  return parted_surfaces(moved, shards_.skins(), first_neighbours_);
+  return parted_surfaces(moved, shards_.skins(), first_neighbors_);
 }
 
 /// Finds the triangles that close them, at rest, where all parts of a piece fit together.
@@ -122,14 +122,14 @@ void RunBaker::add_pieces(Bake& bake, const Frame& last, const MeshHistory& hist
   std::vector<int> numbers(scene_.bodies.size());
   for (const BodyId id : pieces) {
     const BodyView& body = last.bodies[id];
-    BakedThing& thing = bake.things.emplace_back();
-    thing.name = numbered_name(stems[body.scene_body], numbers[body.scene_body]++);
-    thing.scene_body = body.scene_body;
-    thing.mass = body.mass;
-    thing.is_supported = body.supported;
-    thing.broke_scaled = body.broke_scaled;
-    thing.poses = std::move(poses[id]);
-    thing.mesh = piece_mesh(surfaces[id], thing.poses.front().translation);
+    BakedObject& object = bake.objects.emplace_back();
+    object.name = numbered_name(stems[body.scene_body], numbers[body.scene_body]++);
+    object.scene_body = body.scene_body;
+    object.mass = body.mass;
+    object.is_supported = body.supported;
+    object.broke_scaled = body.broke_scaled;
+    object.poses = std::move(poses[id]);
+    object.mesh = piece_mesh(surfaces[id], object.poses.front().translation);
   }
 }
 
@@ -138,8 +138,8 @@ void RunBaker::add_deformed_points(Bake& bake, const Frame& last, const MeshHist
   for (int frame = 0; frame < std::ssize(times_); ++frame) {
     const std::vector<PieceSurface> surfaces = surfaces_at(last, history.positions(1 + frame));
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-      const Pose& pose = bake.things[i].poses[frame];
-      std::vector<Vec3>& points = bake.things[i].deformed_points.emplace_back();
+      const Pose& pose = bake.objects[i].poses[frame];
+      std::vector<Vec3>& points = bake.objects[i].deformed_points.emplace_back();
       for (const Vec3& point : surfaces[pieces[i]].points) points.push_back(pose.to_local(point));
     }
   }
@@ -147,15 +147,15 @@ void RunBaker::add_deformed_points(Bake& bake, const Frame& last, const MeshHist
 
 void RunBaker::add_projectiles(Bake& bake, const Frame& last, const std::string& stem, int material) const {
   for (int i = 0; i < std::ssize(last.projectiles); ++i) {
-    BakedThing& thing = bake.things.emplace_back();
-    thing.name = numbered_name(stem, i);
-    thing.mass = last.projectiles[i].mass;
-    thing.materials.fill(material);
-    thing.mesh = projectile_mesh(last.projectiles[i]);
+    BakedObject& object = bake.objects.emplace_back();
+    object.name = numbered_name(stem, i);
+    object.mass = last.projectiles[i].mass;
+    object.materials.fill(material);
+    object.mesh = projectile_mesh(last.projectiles[i]);
     const auto seen = [&](const std::vector<Pose>& poses) { return std::ssize(poses) > i; };
     const auto first = std::ranges::find_if(projectiles_, seen);
-    thing.first_frame = static_cast<int>(first - projectiles_.begin());
-    for (auto poses = first; poses != projectiles_.end(); ++poses) thing.poses.push_back((*poses)[i]);
+    object.first_frame = static_cast<int>(first - projectiles_.begin());
+    for (auto poses = first; poses != projectiles_.end(); ++poses) object.poses.push_back((*poses)[i]);
   }
 }
 

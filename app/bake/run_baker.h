@@ -39,9 +39,9 @@ class RunBaker {
 
   const Scene& scene_;
   Shards shards_;
-  std::vector<double> strength_factors_;                ///< per node of the start
-  std::vector<std::array<TetId, 4>> first_neighbours_;  ///< per tet of the start
-  std::vector<MeshState> meshes_;                       ///< mesh of the start, then those of the baked frames
+  std::vector<double> strength_factors_;               ///< per node of the start
+  std::vector<std::array<TetId, 4>> first_neighbors_;  ///< per tet of the start
+  std::vector<MeshState> meshes_;                      ///< mesh of the start, then those of the baked frames
   std::vector<double> times_;
   std::vector<std::vector<std::array<int, 3>>>
       holes_;                                   ///< per body of the last frame: triangles that close its surface

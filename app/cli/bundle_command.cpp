@@ -92,7 +92,7 @@ Recording replayed(const BundleOptions& options, ReportParts& parts) {
 void bundle(const BundleOptions& options) {
   const bool recorded = is_recording(options.input);
   if (recorded && options.frames)
-    throw InputError("--frames", "is given for a recording", "leave it out: a recording has its own steps");
+    throw InputError("--frames", "cannot be used with a recording", "leave it out: a recording has its own steps");
   check_replaceable(options.output);
   ReportParts parts;
   parts.log = "griffith bundle " + options.input.filename().string() + "\n";
@@ -107,10 +107,10 @@ void bundle(const BundleOptions& options) {
 
 Command add_bundle(CLI::App& program) {
   CLI::App* command =
-      program.add_subcommand("bundle", "Pack a run with all that it takes to make it again elsewhere: a bug report");
+      program.add_subcommand("bundle", "Pack a run with everything needed to repeat it elsewhere: a bug report");
   const auto options = std::make_shared<BundleOptions>();
   command->add_option("SCENE", options->input, "Scene file to run, or a recording")->required()->type_name("FILE");
-  command->add_option("--frames", options->frames, "Time steps of a scene, 60 if not given; a recording has its own")
+  command->add_option("--frames", options->frames, "Time steps of a scene; default: 60. A recording has its own")
       ->check(CLI::Range(0, kMaxFrames))
       ->type_name("N");
   command->add_option("-o,--output", options->output, "Bug report to write")->required()->type_name("FILE");

@@ -34,7 +34,7 @@ int count_problems(const std::vector<std::filesystem::path>& scenes, std::span<c
   for (const std::filesystem::path& path : scenes) {
     const std::vector<InputError> problems = problems_of(path, settings);
     for (const InputError& problem : problems) print_error("%s\n", printable(problem.what()).c_str());
-    if (problems.empty()) print("%s: good\n", path.c_str());
+    if (problems.empty()) print("%s: valid\n", path.c_str());
     count += static_cast<int>(problems.size());
   }
   if (count > 0) print_error("%d %s\n", count, count == 1 ? "problem" : "problems");

@@ -39,7 +39,7 @@ CLI::Option* add_pack_outside(CLI::App& command, bool& pack);
 inline OutsideFiles outside_files(bool pack) { return pack ? OutsideFiles::pack : OutsideFiles::refuse; }
 
 /// Adds --jobs, --time-limit and --memory-limit. `limits` must outlive the command.
-void add_effort(CLI::App& command, Effort& effort);
+void add_job_limits(CLI::App& command, JobLimits& job_limits);
 
 /// True if a file is a recording or a bug report rather than a scene: it begins with Zstandard's magic number. Throws
 /// InputError if it cannot be read.

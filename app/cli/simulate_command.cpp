@@ -94,7 +94,7 @@ void simulate(const SimulateOptions& options) {
 }  // namespace
 
 Command add_simulate(CLI::App& program) {
-  CLI::App* command = program.add_subcommand("simulate", "Step a scene without any graphics");
+  CLI::App* command = program.add_subcommand("simulate", "Simulate a scene without graphics");
   const auto options = std::make_shared<SimulateOptions>();
   command->add_option("SCENE", options->scene, "Scene file")->required()->type_name("FILE");
   add_settings(*command, options->set);
@@ -102,10 +102,10 @@ Command add_simulate(CLI::App& program) {
       ->required()
       ->check(CLI::Range(0, kMaxFrames))
       ->type_name("N");
-  command->add_option("--stats", options->stats, "Write what happened as JSON instead of a summary")->type_name("FILE");
-  command->add_option("--probes", options->probes, "Write the scene's probes as CSV, one row a time step")
+  command->add_option("--stats", options->stats, "Write statistics as JSON instead of a summary")->type_name("FILE");
+  command->add_option("--probes", options->probes, "Write the scene's probes as CSV, one row per time step")
       ->type_name("FILE");
-  command->add_option("--energy", options->energy, "Write where the energy went as CSV, one row a time step")
+  command->add_option("--energy", options->energy, "Write the energy account as CSV, one row per time step")
       ->type_name("FILE");
   command
       ->add_option("--events", options->events,
@@ -117,8 +117,7 @@ Command add_simulate(CLI::App& program) {
       ->add_option("--export-pieces", options->export_pieces,
                    "Write each body of the last time step as .obj into a folder, with its splinters if it has any")
       ->type_name("DIR");
-  command
-      ->add_option("--outcomes", options->outcomes, "Write how it came out as JSON: pieces, masses, cracks, energies")
+  command->add_option("--outcomes", options->outcomes, "Write the outcomes as JSON: pieces, masses, cracks, energies")
       ->type_name("FILE");
   CLI::Option* record =
       command->add_option("--record", options->record,

@@ -108,8 +108,8 @@ LockedFolder LockedFolder::make(const fs::path& prefix) {
     if (std::optional<LockedFolder> folder = take(path)) return std::move(*folder);
     rmdir(path.c_str());
   }
-  throw InputError(prefix.parent_path().string(), "takes no copy of the edits that are not saved",
-                   "save the scene in a folder that may be written to");
+  throw InputError(prefix.parent_path().string(), "cannot hold a copy of the unsaved edits",
+                   "save the scene in a writable folder");
 }
 
 std::optional<LockedFolder> LockedFolder::take(const fs::path& path) {
@@ -138,8 +138,8 @@ void Autosave::write(const Scene& scene, const fs::path& file) {
 
 void Autosave::begin_copy(const fs::path& file) {
   if (file.empty() && states_.empty())
-    throw InputError("the edits", "are copied nowhere until the scene is saved",
-                     "set HOME or XDG_STATE_HOME, or save it");
+    throw InputError("the edits", "are not copied until the scene is saved",
+                     "set HOME or XDG_STATE_HOME, or save the scene");
   std::error_code ignored;
   if (!states_.empty()) fs::create_directories(states_, ignored);
   own_ = LockedFolder::make(file.empty() ? states_ / kMark : prefix_beside(file));
@@ -183,7 +183,7 @@ std::string Autosave::found_text() const {
   return (origin.empty() ? std::string("a new scene") : origin.string()) + ", " + text;
 }
 
-LeftEdits Autosave::found_edits() const {
+UnsavedEdits Autosave::found_edits() const {
   const fs::path origin = origin_of(found_->path());
   const fs::path folder = origin.empty() ? fs::current_path() : origin.parent_path();
   return {with_paths_from(read_scene(found_->path() / kScene), folder), origin};

@@ -29,7 +29,7 @@ class LockedFolder {
 };
 
 /// Unsaved edits of a crashed run.
-struct LeftEdits {
+struct UnsavedEdits {
   Scene scene;
   std::filesystem::path file;  ///< file of the edited scene; empty if it had none yet
 };
@@ -56,7 +56,7 @@ class Autosave {
   /// Describes the found copy: "wall.json, 22 November 05:13".
   std::string found_text() const;
   /// Reads the found copy. Throws InputError if that fails.
-  LeftEdits found_edits() const;
+  UnsavedEdits found_edits() const;
   /// Makes the found copy this program's own.
   void adopt_found();
   void remove_found();

@@ -67,11 +67,11 @@ std::optional<Stop> passed_limit(const Breakpoints& breakpoints, const Frame& be
   const double unaccounted = std::abs(after.energy_of_step.unaccounted());
   if (breakpoints.on_energy && unaccounted > breakpoints.energy * turned_over && unaccounted > 0)
     return Stop{"The next step leaves " + ui::format_quantity(100 * unaccounted / turned_over, "", 3) +
-                    " % of the energy that it turns over unaccounted for.",
+                    " % of its energy turnover unaccounted for.",
                 {},
                 {}};
   if (breakpoints.on_failure && (after.report.unconverged_solves > 0 || after.report.non_finite_values > 0))
-    return Stop{"In the next step a solve does not converge, or values break down.", {}, {}};
+    return Stop{"In the next step a solve does not converge or values are not finite.", {}, {}};
   return {};
 }
 

@@ -68,7 +68,7 @@ void Editor::show_scene(Scene scene, std::filesystem::path path, const Scene* ed
   state_.last_shot.reset();
   history_ = ui::EditHistory(std::move(scene));
   if (edited) {
-    history_.change("Edits not saved", [&](Scene& changed) { changed = *edited; });
+    history_.change("Unsaved edits", [&](Scene& changed) { changed = *edited; });
     history_.finish();
   }
   copied_revision_ = -1;

@@ -80,13 +80,13 @@ class Editor {
   /// Executes a command and shows problems. Asks first if unsaved edits would be lost.
   void execute(const ui::Command& command);
   /// Returns the reason why the command is disabled; empty if it is enabled.
-  std::string_view why_not(ui::CommandId id) const;
+  std::string_view disabled_reason(ui::CommandId id) const;
   /// Opens a scene without asking about unsaved edits. A problem is shown and changes nothing. If building its world
   /// takes long, a dialog that can cancel it is shown until the scene appears.
   void open(const std::filesystem::path& path);
   /// Enables the list of recent scenes, copies of unsaved edits, and the recovery of edits of a crashed run. `states`:
   /// as for Autosave.
-  void keep_edits_safe(const std::filesystem::path& states);
+  void enable_autosave(const std::filesystem::path& states);
   /// Sets the source of thumbnails for the scene browser.
   void show_thumbnails(ThumbnailSource source) { thumbnail_source_ = std::move(source); }
   /// Copies unsaved edits as often as the preferences say; call it often. `now`: seconds of a steady clock.
@@ -131,7 +131,7 @@ class Editor {
 
  private:
   /// Delay before the window shows that work is in progress [s].
-  static constexpr double kPatience = 0.3;
+  static constexpr double kBusyIndicatorDelay = 0.3;
 
   /// `edited`: unsaved version of the scene.
   void show_scene(Scene scene, std::filesystem::path path, const Scene* edited = nullptr);
@@ -161,9 +161,9 @@ class Editor {
   /// are.
   double max_tets() const;
   /// Discards commands queued during work that failed, with a message.
-  void forget_waiting();
+  void discard_queued_commands();
   /// Ends work that led to no world; the shown one stays.
-  void give_up_work();
+  void end_work();
   void take_world(WorldLoader::Loaded loaded);
   void add_new_body(const ui::Command& command);
   void new_scene();
@@ -224,7 +224,7 @@ class Editor {
   /// Returns the loss that saving to the file would cause; empty if it is safe.
   std::string what_saving_would_lose(const std::filesystem::path& file) const;
   /// Offers the newest recoverable edits, of this scene or, at the start, of any.
-  void ask_for_left_edits(bool of_any);
+  void offer_recovery(bool of_any);
   /// Puts the scene's file on top of the recent ones.
   void remember_file();
   /// Provides the cards of scenes while the browser is shown.
@@ -261,7 +261,7 @@ class Editor {
   /// True if a breakpoint lies in the step just made from `before`; the step is then undone.
   bool stop_before_step(World before);
   /// Recomputes past steps toward the requested one, for at most that many seconds.
-  void go_on_with_travel(double seconds);
+  void continue_travel(double seconds);
   std::string travel_stage() const;
   void arrive();
   /// Makes the materials in force those of the scene, without an entry in its history.

@@ -23,7 +23,7 @@ Scene start_of(Scene scene) {
 
 void Editor::follow() {
   loader_.start(LoadReason::follow, history_.scene(), path_, max_tets());
-  loader_.wait(kPatience);
+  loader_.wait(kBusyIndicatorDelay);
   receive_world();
 }
 

@@ -106,7 +106,7 @@ void Editor::follow_step(std::optional<World> before, std::optional<StepPicture>
   step_seconds_ = step_seconds_ == 0 ? seconds : step_seconds_ + kNewest * (seconds - step_seconds_);
   if (frame.report.non_finite_values > 0) {
     log(ui::LogLevel::error,
-        "Step " + std::to_string(frame.step) + ": values are not finite or substeps too short, bodies were frozen.");
+        "Step " + std::to_string(frame.step) + ": values not finite or substeps too short; bodies were frozen.");
   }
 }
 

@@ -48,12 +48,11 @@ std::string formatted(const char* format, auto... values) {
 }
 
 std::vector<std::string> facts_of(const MeshQuality& quality) {
-  return {
-      formatted("%d tetrahedra, %d nodes, %.4g m³", quality.tets, quality.nodes, quality.volume),
-      formatted("edges from %.3g to %.3g m, %.3g m in the mean", quality.shortest_edge, quality.longest_edge,
-                quality.mean_edge),
-      formatted("angles between faces from %.1f° to %.1f°", quality.min_dihedral, quality.max_dihedral),
-      formatted("aspect ratio %.2f in the mean, %.1f at worst", quality.mean_aspect_ratio, quality.worst_aspect_ratio)};
+  return {formatted("%d tetrahedra, %d nodes, %.4g m³", quality.tets, quality.nodes, quality.volume),
+          formatted("edges from %.3g to %.3g m, mean %.3g m", quality.shortest_edge, quality.longest_edge,
+                    quality.mean_edge),
+          formatted("angles between faces from %.1f° to %.1f°", quality.min_dihedral, quality.max_dihedral),
+          formatted("aspect ratio mean %.2f, worst %.1f", quality.mean_aspect_ratio, quality.worst_aspect_ratio)};
 }
 
 }  // namespace

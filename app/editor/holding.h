@@ -11,10 +11,10 @@
 namespace griffith::app {
 
 /// Time that a node must hold in a repeated run [s], and largest factor of speed and thickness tried.
-inline constexpr double kTimeToStand = 0.1, kLargestFactor = 8;
+inline constexpr double kTimeToHold = 0.1, kLargestFactor = 8;
 
 /// Critical factor found by trial.
-struct HoldingFactor {
+struct CriticalFactor {
   double breaks = 1, holds = 1;  ///< tested factors: fails at the first, holds at the second
   bool breaks_at_one = true;     ///< else the crack depends on more than the changed quantity
   bool found = false;            ///< else it fails up to the largest factor
@@ -23,11 +23,11 @@ struct HoldingFactor {
 
 /// Returns the least factor of at least 1, to within 1 %, from which `holds` is true, by doubling and bisection up to
 /// `largest`. If it is not monotone, one of the transitions is found.
-HoldingFactor holding_factor(const std::function<bool(double)>& holds, double largest = 1024);
+CriticalFactor critical_factor(const std::function<bool(double)>& holds, double largest = 1024);
 
 /// Returns the factor on the strength (tensile strength, toughness and other resistances) of a scene body from which no
 /// crack opens at a node in the next step of `before`, by repeating that step. Throws Cancelled.
-HoldingFactor strength_that_holds(const World& before, int scene_body, NodeId node, const Monitor& monitor = {});
+CriticalFactor critical_strength_factor(const World& before, int scene_body, NodeId node, const Monitor& monitor = {});
 
 /// A run up to the step in which a node cracks, to be repeated from its start with a change.
 struct RunToCrack {
@@ -55,13 +55,13 @@ RunToCrack thickened(RunToCrack run, double factor);
 
 /// True if no crack opens at the place until a tenth of a second after the step to which the run leads. Throws
 /// InputError if the scene cannot be built, Cancelled.
-bool stands(const RunToCrack& run, const Monitor& monitor = {});
+bool node_holds(const RunToCrack& run, const Monitor& monitor = {});
 
 /// Returns the factor, up to 8, by which everything must be slower for the node to hold. Empty if nothing moves at the
 /// start.
-std::optional<HoldingFactor> slowness_that_holds(const RunToCrack& run, const Monitor& monitor = {});
+std::optional<CriticalFactor> critical_speed_factor(const RunToCrack& run, const Monitor& monitor = {});
 /// Returns the factor, up to 8, by which the body must be thicker for the node to hold. Empty if its shape has no
 /// thickness. Throws InputError if it would penetrate another body.
-std::optional<HoldingFactor> thickness_that_holds(const RunToCrack& run, const Monitor& monitor = {});
+std::optional<CriticalFactor> critical_thickness_factor(const RunToCrack& run, const Monitor& monitor = {});
 
 }  // namespace griffith::app

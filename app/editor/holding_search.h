@@ -13,8 +13,8 @@ namespace griffith::app {
 
 /// Changes with which a cracking node would have held.
 struct HoldingAnswer {
-  HoldingFactor strength;  ///< factor on the strength in the next step
-  std::optional<HoldingFactor> slowness,
+  CriticalFactor strength;  ///< factor on the strength in the next step
+  std::optional<CriticalFactor> speed,
       thickness;           ///< factors in the run; none: nothing moves, no thickness, or not tried
   std::string problem;     ///< reason why the search ended early; empty: none
   bool cancelled = false;  ///< true if it was cancelled early

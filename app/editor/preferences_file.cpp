@@ -40,7 +40,7 @@ struct PreferenceReader {
     if (!json.contains(name)) return;
     const bool good = json[name].is_array() && json[name].size() == value.size() &&
                       std::ranges::all_of(json[name], [](const Json& key) { return key.is_string(); });
-    if (!good) fail(name, "write " + std::to_string(value.size()) + " names of series, empty ones where none is");
+    if (!good) fail(name, "write " + std::to_string(value.size()) + " names of series; empty for none");
     value = json[name].get<ui::PlotChoice>();
   }
 };
@@ -51,8 +51,7 @@ ui::Preferences PreferencesFile::read() {
   std::error_code error;
   if (file_.empty() || !fs::exists(file_, error)) return kept_;
   const Json json = Json::parse(read_file(file_), nullptr, false);
-  if (!json.is_object())
-    throw InputError(file_.string(), "holds no preferences", "delete it: the usual ones are taken");
+  if (!json.is_object()) throw InputError(file_.string(), "holds no preferences", "delete it to use the defaults");
   ui::Preferences preferences;
   ui::each_preference(preferences, PreferenceReader{json, file_});
   return kept_ = preferences;

@@ -69,7 +69,7 @@ class BakeExport : public RunExport {
   }
   ~BakeExport() override { progress_.cancelled = true; }
 
-  std::optional<std::string> go_on() override {
+  std::optional<std::string> advance() override {
     if (result_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
     return result_.get();
   }
@@ -103,7 +103,7 @@ class PictureExport : public RunExport {
     if (is_video_path(path_)) video_.emplace(path_, view_.width, view_.height, rate);
   }
 
-  std::optional<std::string> go_on() override {
+  std::optional<std::string> advance() override {
     if (next_ <= timeline_.last_step()) {
       timeline_.go_to(next_);
       write(picture());

@@ -18,7 +18,7 @@ class RunExport {
 
   /// Continues. Returns the result when finished, as "pane.glb: 60 frames". Throws InputError or std::runtime_error if
   /// it cannot be written.
-  virtual std::optional<std::string> go_on() = 0;
+  virtual std::optional<std::string> advance() = 0;
   /// Describes the progress: "Drawing step 12 of 60".
   virtual std::string stage() const = 0;
   /// Cancels. Returns the completed part in the form of advance(); empty: nothing.

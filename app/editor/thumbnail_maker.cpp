@@ -34,7 +34,7 @@ std::optional<render::Image> kept_thumbnail(const fs::path& entry) try {
 }
 
 /// Reads the thumbnail that ships with the scene, or else the cached one.
-std::optional<render::Image> there_already(const fs::path& scene, const fs::path& folder) try {
+std::optional<render::Image> existing_thumbnail(const fs::path& scene, const fs::path& folder) try {
   if (std::optional<render::Image> picture = shipped_thumbnail(scene)) return picture;
   return folder.empty() ? std::nullopt : kept_thumbnail(thumbnail_entry(folder, scene));
 } catch (const InputError&) {
@@ -75,7 +75,7 @@ void ThumbnailMaker::make_all(const std::vector<fs::path>& scenes, const Thumbna
   const auto cancelled = [&] { return shared.cancelled.load(); };
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < scenes.size() && !cancelled(); ++i) {
-    std::optional<render::Image> picture = there_already(scenes[i], source.folder);
+    std::optional<render::Image> picture = existing_thumbnail(scenes[i], source.folder);
     if (!picture) missing.push_back(i);
     if (picture) shared.add(i, std::move(*picture));
   }

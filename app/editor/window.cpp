@@ -235,7 +235,7 @@ void follow_preferences(PreferencesFile& file, Editor& editor, ImGuiContextOwner
 /// Runs the simulation for users without a scene of their own, so that projectiles move.
 void begin_first_run(Editor& editor) {
   editor.execute({.id = ui::CommandId::toggle_run});
-  editor.log(ui::LogLevel::info, "Right-click the wall to fire at it. Help > Tour shows more.");
+  editor.log(ui::LogLevel::info, "Right-click the wall to fire at it. See Help > Tour.");
 }
 
 /// Waits a limited time until there is something to draw. True if there is.
@@ -320,7 +320,7 @@ void run_editor(const EditorOptions& options) {
   editor.state().preferences = read_preferences(preferences, editor);
   ImGuiContextOwner imgui(window.scale());
   WindowInput input(window, editor);
-  editor.keep_edits_safe(state_folder());
+  editor.enable_autosave(state_folder());
   editor.show_thumbnails({this_program(), thumbnail_cache()});
   editor.use_macros(macro_folder());
   editor.step_in_background();

@@ -79,7 +79,7 @@ class WorldLoader {
   Order order_;
   std::shared_ptr<Shared> shared_;
   std::future<Loaded> result_;
-  std::vector<std::future<Loaded>> given_up_;  ///< builds whose threads have not ended yet
+  std::vector<std::future<Loaded>> cancelled_;  ///< builds whose threads have not ended yet
 };
 
 }  // namespace griffith::app

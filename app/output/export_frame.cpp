@@ -95,7 +95,7 @@ void export_gmsh(const std::filesystem::path& path, const Frame& frame) {
 
 void check_export_path(const std::filesystem::path& path) {
   if (path.extension() == ".vtu" || path.extension() == ".msh") return;
-  throw InputError(path.string(), "is no kind of file that frames are exported to", "end its name in .vtu or .msh");
+  throw InputError(path.string(), "has no supported extension", "use .vtu or .msh");
 }
 
 void export_frame(const std::filesystem::path& path, const Frame& frame) {

@@ -131,7 +131,7 @@ void export_pieces(const std::filesystem::path& folder, const Frame& frame, cons
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!std::filesystem::is_directory(folder))
-    throw InputError(folder.string(), "is no folder and cannot be made one", "name a folder that may be written to");
+    throw InputError(folder.string(), "cannot be created as a folder", "name a writable folder");
   const FrameWithShards sharded(frame, shards);
   const std::vector<PieceSurface> surfaces = piece_surfaces(sharded.frame(), shards.skins());
   for (const BodyView& body : frame.bodies) {

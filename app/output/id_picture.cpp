@@ -25,7 +25,7 @@ render::Image id_picture(const render::IdImage& ids) {
   picture.rgba.reserve(4 * ids.ids.size());
   for (const std::int32_t id : ids.ids) {
     const std::uint32_t number = static_cast<std::uint32_t>(id) + 1;  // 0 for kNoId
-    if (number >= kColors) throw render::RenderError("no colour is left for the id " + std::to_string(id));
+    if (number >= kColors) throw render::RenderError("there is no color for the id " + std::to_string(id));
     const std::uint32_t color = number * kSpread % kColors;
     for (const int shift : {16, 8, 0}) picture.rgba.push_back(static_cast<std::uint8_t>(color >> shift));
     picture.rgba.push_back(255);

@@ -90,12 +90,12 @@ void save_picture(const std::filesystem::path& path, const render::Image& image)
 }
 
 void check_folder(const std::filesystem::path& folder) {
-  if (folder.empty()) throw InputError("the folder", "has no path", "name a folder that may be written to");
+  if (folder.empty()) throw InputError("the folder", "has no path", "name a writable folder");
   std::error_code error;
   std::filesystem::path there = std::filesystem::absolute(folder).lexically_normal();
   while (!std::filesystem::exists(there, error) && there.has_relative_path()) there = there.parent_path();
   if (!std::filesystem::is_directory(there, error) || access(there.c_str(), W_OK | X_OK) != 0)
-    throw InputError(folder.string(), "is no folder and cannot be made one", "name a folder that may be written to");
+    throw InputError(folder.string(), "cannot be created as a folder", "name a writable folder");
   remove_stale_files(folder);
 }
 
@@ -106,7 +106,7 @@ void check_stdout() {
   if (const int copy = dup(STDOUT_FILENO); written && copy >= 0) written = close(copy) == 0;
   if (written) return;
   const std::string reason = failed_before ? "" : ": " + std::generic_category().message(errno);
-  throw InputError("stdout", "cannot be written" + reason, "send the output where there is room");
+  throw InputError("stdout", "cannot be written" + reason, "free some space");
 }
 
 void Outputs::write(const std::function<void()>& output) try { output(); } catch (const InputError& error) {

@@ -54,13 +54,12 @@ bool is_video_path(const fs::path& path) { return kind_of(path) != nullptr; }
 
 void check_video_path(const fs::path& path) {
   if (!is_video_path(path))
-    throw InputError(path.string(), "is no kind of video that is written",
-                     "end its name in .mp4, .mkv, .mov, .webm or .gif");
+    throw InputError(path.string(), "has no supported video extension", "use .mp4, .mkv, .mov, .webm or .gif");
   check_replaceable(path);
   constexpr ProcessLimits kLimits = {.seconds = 20, .memory_bytes = std::int64_t{4} << 30};
   if (!run_process({"ffmpeg", "-version"}, kLimits).succeeded())
-    throw InputError(path.string(), "cannot be written: there is no ffmpeg",
-                     "install it (Debian's package ffmpeg), or write PNG files with -o");
+    throw InputError(path.string(), "cannot be written: ffmpeg is missing",
+                     "install it (Debian package ffmpeg), or write PNG files with -o");
 }
 
 VideoWriter::VideoWriter(fs::path path, int width, int height, double frames_per_second) : path_(std::move(path)) {

@@ -17,8 +17,8 @@ class BodyCells {
   /// `region`: contains all queried points.
   BodyCells(const Frame& frame, const HiddenBodies& hidden, const Eigen::AlignedBox3d& region)
       : frame_(frame), region_(region) {
-    constexpr double kMostCells = 64;  // along an edge
-    const double edge = std::max(mean_edge(), region.sizes().maxCoeff() / kMostCells);
+    constexpr double kMaxCells = 64;  // along an edge
+    const double edge = std::max(mean_edge(), region.sizes().maxCoeff() / kMaxCells);
     for (int axis = 0; axis < 3; ++axis) size_[axis] = static_cast<int>(region.sizes()[axis] / edge) + 1;
     edge_ = edge;
     tets_.resize(static_cast<std::size_t>(size_[0]) * size_[1] * size_[2]);

@@ -15,7 +15,7 @@ render::Rgb age_color(double age, double newest, double oldest) {
   return {fresh.r + t * (old.r - fresh.r), fresh.g + t * (old.g - fresh.g), fresh.b + t * (old.b - fresh.b)};
 }
 
-/// Adds the edges of an element, slightly shrunken so that neighbors can be told apart.
+/// Adds the edges of an element, slightly shrunken so that neighbors remain distinct.
 void add_outline(const ShownMesh& shown, TetId tet, const render::Rgb& color, render::DrawScene& picture) {
   constexpr double kShrink = 0.93;
   const Vec3 middle = shown.centroid(tet);

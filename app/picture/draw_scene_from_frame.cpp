@@ -183,7 +183,7 @@ void mark_node(const ShownMesh& shown, NodeId node, render::DrawScene& picture) 
 }
 
 /// Adds labels with the exaggeration of the deformation above the bodies.
-void tell_deformation(const ShownMesh& shown, render::DrawScene& picture) {
+void add_deformation_labels(const ShownMesh& shown, render::DrawScene& picture) {
   const double scale = shown.view.deformation_scale;
   if (scale == 1) return;
   Eigen::AlignedBox3d box;
@@ -273,7 +273,7 @@ void add_dust(const Frame& frame, const Scene& scene, const HiddenBodies& hidden
 }
 
 /// Parts of a frame to draw.
-struct Wanted {
+struct DrawRequest {
   const Scene& scene;
   const ViewSettings& view;
   const ui::Selection& selection;
@@ -287,7 +287,7 @@ std::optional<QuantityValues> values_of(const Frame& frame, const ViewSettings& 
 
 /// Draws a frame. `values`: values_of() the frame.
 render::DrawScene drawn(const Frame& frame, const EmbeddedPieces& pieces, std::span<const std::array<int, 4>> orders,
-                        const Wanted& wanted, std::optional<QuantityValues> values) {
+                        const DrawRequest& wanted, std::optional<QuantityValues> values) {
   const auto& [scene, view, selection, hidden, range] = wanted;
   render::DrawScene result;
   const ShownMesh shown = shown_mesh(frame, view, selection, hidden);
@@ -306,13 +306,13 @@ render::DrawScene drawn(const Frame& frame, const EmbeddedPieces& pieces, std::s
   }
   add_layers(shown, result);
   if (selection.valid() && !shown.is_hidden(shown.body_of(selection.node))) mark_node(shown, selection.node, result);
-  tell_deformation(shown, result);
+  add_deformation_labels(shown, result);
   add_surroundings(frame, scene, result);
   if (shows_dust(view)) add_dust(frame, scene, hidden, result);
   return result;
 }
 
-render::DrawScene drawn(const Frame& frame, const EmbeddedDisplay& display, const Wanted& wanted,
+render::DrawScene drawn(const Frame& frame, const EmbeddedDisplay& display, const DrawRequest& wanted,
                         std::optional<QuantityValues> values) {
   if (display.shards.empty() || !shows_shards(wanted.view))
     return drawn(frame, display.authored, display.orders, wanted, std::move(values));

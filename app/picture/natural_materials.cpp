@@ -103,7 +103,7 @@ const NaturalLook& look_of(const Material& material) {
 }
 
 /// Returns the fiber direction of wood without splinters, with about the length of its shards.
-Eigen::Vector3f fibre_of(const BodyDescription& body) {
+Eigen::Vector3f fiber_of(const BodyDescription& body) {
   constexpr double kStretch = 13;
   if (!body.weakness || body.weakness->kind != WeaknessKind::grain) return Eigen::Vector3f::Zero();
   const Vec3 along = pose_of(body).rotation * body.weakness->direction.normalized();
@@ -115,7 +115,7 @@ void fit_to_splinters(render::EmbeddedMaterial& material, const SplinterPattern&
   if (const auto* shards = std::get_if<VoronoiSplinters>(&pattern)) {
     const double stretch = 4 * shards->elongation - 3;
     material.noise_size = static_cast<float>(0.2 * shards->size);
-    material.fibre = (std::sqrt(1 - 1 / stretch) * shards->grain.normalized()).cast<float>();
+    material.fiber = (std::sqrt(1 - 1 / stretch) * shards->grain.normalized()).cast<float>();
   } else if (const auto* bricks = std::get_if<BrickSplinters>(&pattern)) {
     material.noise_size = static_cast<float>(0.15 * bricks->size.minCoeff());
   } else if (const auto* rings = std::get_if<RadialSplinters>(&pattern)) {
@@ -143,7 +143,7 @@ render::EmbeddedMaterial material_of(const BodyDescription& body, const NaturalL
   material.grain_size = natural.grain_size;
   material.mottle = natural.mottle;
   material.roughness = look == Look::outside ? natural.roughness / 4 : natural.roughness;
-  material.fibre = fibre_of(body);
+  material.fiber = fiber_of(body);
   if (body.splinters) fit_to_splinters(material, *body.splinters);
   return material;
 }

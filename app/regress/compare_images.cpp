@@ -70,15 +70,15 @@ std::vector<ToleranceRule> image_rules(const ImageComparison& comparison, const 
 }
 
 std::string image_reason(const ImageComparison& comparison) {
-  if (comparison.equal) return "equal to the byte";
+  if (comparison.equal) return "identical";
   if (comparison.passed) return "within the tolerance, pixels off: " + std::to_string(comparison.off.count);
   return broken_rules(comparison.rules);
 }
 
 /// Returns the pixel's brightness, moved toward white.
-std::uint8_t faint_grey(const render::Image& image, std::size_t at) {
-  const double grey = 0.30 * image.rgba[at] + 0.59 * image.rgba[at + 1] + 0.11 * image.rgba[at + 2];
-  return static_cast<std::uint8_t>(170 + grey / 3.2);
+std::uint8_t faint_gray(const render::Image& image, std::size_t at) {
+  const double gray = 0.30 * image.rgba[at] + 0.59 * image.rgba[at + 1] + 0.11 * image.rgba[at + 2];
+  return static_cast<std::uint8_t>(170 + gray / 3.2);
 }
 
 /// Returns the color that marks a difference too small to be off.
@@ -134,7 +134,7 @@ render::Image difference_image(const render::Image& golden, const render::Image&
                                const ImageTolerance& tolerance) {
   render::Image image = actual;
   for (std::size_t at = 0; at < actual.rgba.size(); at += kColorChannels)
-    std::fill_n(image.rgba.begin() + static_cast<std::ptrdiff_t>(at), 3, faint_grey(actual, at));
+    std::fill_n(image.rgba.begin() + static_cast<std::ptrdiff_t>(at), 3, faint_gray(actual, at));
   const PixelMask mask = image_mask(golden, actual, tolerance.channel);
   paint_rings(image, mask);
   for (int y = 0; y < image.height; ++y)

@@ -26,7 +26,7 @@ struct ImageComparison {
   std::vector<ToleranceRule> rules;  ///< measured and allowed values; none if the sizes differ
   // Zero if the sizes differ.
   OffPixels off;
-  int largest_difference = 0;        ///< of any channel of any pixel [1/255]: information, not a rule
+  int largest_difference = 0;        ///< maximum over channels and pixels [1/255]: information, not a rule
   double drift = 0, tile_drift = 0;  ///< signed, of the channel where it is largest [1/255]
   PixelRect drift_tile;              ///< tile with tile_drift
 };

@@ -115,7 +115,7 @@ std::optional<std::vector<Row>> scene_rows(const RegressionPicture& golden, cons
 /// Describes the differences: "1 field of the scene changed, projectiles/0/speed: 10, now 12"; if there are many, the
 /// first.
 std::string scene_sentence(const std::vector<Row>& scene) {
-  if (scene.empty()) return "No field of the scene changed: the program did, or a file that the scene names";
+  if (scene.empty()) return "No field of the scene changed; the program or a file of the scene did";
   const Row& first = scene.front();
   const auto text = [](const std::optional<std::string>& value) { return value.value_or("none"); };
   return std::to_string(scene.size()) + (scene.size() == 1 ? " field" : " fields") + " of the scene changed, " +
@@ -125,9 +125,9 @@ std::string scene_sentence(const std::vector<Row>& scene) {
 std::string reason_of(const PictureResult& result) {
   std::string reason;
   const auto add = [&](const std::string& sentence) { reason += (reason.empty() ? "" : " ") + sentence + "."; };
-  if (result.simulation_changed.value_or(false)) add("The simulation changed: its state has another hash");
+  if (result.simulation_changed.value_or(false)) add("The simulation changed: the hash of its state differs");
   if (!result.image.passed && result.simulation_changed == std::optional(false))
-    add("The simulation is the same to the bit, the drawing changed");
+    add("The simulation is identical; the drawing changed");
   if (result.scene && (!result.scene->empty() || result.simulation_changed.value_or(false)))
     add(scene_sentence(*result.scene));
   add("Picture: " + result.image.reason);
@@ -170,7 +170,7 @@ PictureResult compare_pictures(const std::string& name, const RegressionPicture&
 PictureResult without_golden(const std::string& name, const RegressionPicture& actual) {
   PictureResult result = described(name, {}, actual);
   result.status = PictureStatus::missing_golden;
-  result.reason = "There is no golden picture. Look at this one, and accept it if it is right.";
+  result.reason = "There is no golden picture. Look at this one and accept it if it is correct.";
   result.actual = render::encode_png(actual.image);
   return result;
 }

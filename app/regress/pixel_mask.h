@@ -30,7 +30,7 @@ struct PixelMask {
 struct OffPixels {
   int count = 0;
   double fraction = 0;             ///< fraction of the picture, 0 to 1
-  PixelRect worst_tile;            ///< of size 16×16, 8 apart
+  PixelRect worst_tile;            ///< 16×16 pixels, tiles 8 apart
   double worst_tile_fraction = 0;  ///< fraction of that tile, 0 to 1
 };
 

@@ -43,7 +43,7 @@ std::string filter_html(std::span<const PictureResult> results) {
     html += std::string("<button data-shows=\"") + status_name(status) + "\" aria-pressed=\"false\">" +
             kLabels[static_cast<std::size_t>(status)] + "</button>\n";
   }
-  return html + "<input type=\"search\" placeholder=\"Words of a name\" aria-label=\"Words of a name\"></div>\n";
+  return html + "<input type=\"search\" placeholder=\"Search names\" aria-label=\"Search names\"></div>\n";
 }
 
 /// Describes the remaining difference of a picture that passed.

@@ -84,7 +84,7 @@ std::string worst_tile(const PictureResult& result) {
 std::string closer_look(const PictureResult& result) {
   if (result.difference_tile.empty()) return "";
   constexpr char kStage[] =
-      "<div class=\"over\" hidden><h3>One over the other</h3>\n"
+      "<div class=\"over\" hidden><h3>Overlay</h3>\n"
       "<div class=\"stage\"><img class=\"golden\" alt=\"golden\"><img class=\"new\" alt=\"new\"><div "
       "class=\"line\"></div>"
       "<span class=\"side left\">golden</span><span class=\"side right\">new</span></div>\n"
@@ -122,7 +122,7 @@ std::string value_table(const std::string& title, const std::vector<PictureResul
 std::string value_tables(const PictureResult& result) {
   const bool has_golden = result.status == PictureStatus::failed;
   const std::string scene = result.scene ? value_table("Scene", *result.scene, has_golden, false) : std::string();
-  const std::string tables = scene + value_table("Made of", result.metadata, has_golden, false) +
+  const std::string tables = scene + value_table("Metadata", result.metadata, has_golden, false) +
                              value_table("Statistics", result.statistics, has_golden, true);
   return tables.empty() ? "" : "<div class=\"tables\">\n" + tables + "</div>\n";
 }
@@ -143,14 +143,14 @@ std::string diff_line(const DiffLine& line) {
 
 std::string text_changes(const PictureResult& result) {
   if (result.text.empty()) return "";
-  std::string lines = "<h3>What is written in it</h3>\n<pre class=\"diff\">";
+  std::string lines = "<h3>Text</h3>\n<pre class=\"diff\">";
   for (const DiffLine& line : result.text) lines += diff_line(line);
   return lines + "</pre>\n";
 }
 
 std::string id_pictures(const PictureResult& result) {
   if (result.golden_ids.empty()) return "";
-  return "<details><summary>What is drawn where, by ids: " + escape_markup(result.ids.reason) +
+  return "<details><summary>Ids of drawn objects: " + escape_markup(result.ids.reason) +
          "</summary>\n<div class=\"ids\">" + figure(result.golden_ids, "ids", "golden") +
          figure(result.actual_ids, "ids", "new") + "</div></details>\n";
 }

@@ -51,7 +51,7 @@ void read_record(const fs::path& path, RegressionPicture& picture) {
   std::vector<InputError> problems;
   const Json json = parse_json(read_file(path, kMaxBytes), path.string(), problems);
   if (!problems.empty() || !json.is_object())
-    throw InputError(path.string(), "is no record of a picture", "--accept makes it anew");
+    throw InputError(path.string(), "is not the record of a picture", "--accept writes a new one");
   for (const auto& [name, value] : json.items()) {
     if (name == "state_hash" && value.is_string()) {
       picture.state_hash = hash_from_text(value.get<std::string>());

@@ -67,8 +67,8 @@ render::Image ContactSheet::image(const std::string& where) const {
   grid.columns = std::clamp(grid.columns, 1, std::max(count, 1));
   grid.rows = (count + grid.columns - 1) / grid.columns;
   if (std::max(grid.width(), grid.height()) > kMaxSheet)
-    throw InputError(where, "has no room for " + std::to_string(count) + " pictures",
-                     "take fewer frames, or smaller pictures");
+    throw InputError(where, "is too small for " + std::to_string(count) + " pictures",
+                     "use fewer frames, or smaller pictures");
   ImGuiContextOwner imgui(1);
   const render::Target target(grid.width(), grid.height());
   imgui.begin_frame(grid.width(), grid.height());

@@ -170,7 +170,7 @@ ui::Selection selected_node(const RenderJob& job, const Frame& frame) {
   const auto nodes = static_cast<int>(frame.nodes.positions.size());
   if (*job.node >= nodes && frame.step >= job.frames.back())
     throw InputError("--node", "there is no node " + std::to_string(*job.node),
-                     "take one below " + std::to_string(nodes) + "; cracks make more");
+                     "use one below " + std::to_string(nodes) + "; cracks make more");
   if (*job.node >= nodes) return {};
   const NodeId node(*job.node);
   return ui::select(frame, frame.nodes.stars[node].front(), node);

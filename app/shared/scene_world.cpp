@@ -20,8 +20,8 @@ std::string size_note(double tets, double splinters) {
   const double seconds = tets * kSecondsPerTet + splinters * kSecondsPerSplinter;
   char text[240];
   std::snprintf(text, sizeof text,
-                "about %.0f thousand tetrahedra and %.0f thousand splinters: building them takes some %.1f GB and %.0f "
-                "s (Ctrl+C ends it; larger elements take less)",
+                "about %.0f thousand tetrahedra and %.0f thousand splinters: building them takes about %.1f GB and "
+                "%.0f s (Ctrl+C cancels; larger elements need less)",
                 tets / 1e3, splinters / 1e3, bytes / 1e9, std::ceil(seconds));
   return text;
 }

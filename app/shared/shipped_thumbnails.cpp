@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr char kFolder[] = "thumbnails", kSuffix[] = ".jpg";
 constexpr int kQuality = 85;
-constexpr std::int64_t kMostBytes = 1 << 20;
+constexpr std::int64_t kMaxBytes = 1 << 20;
 
 /// True if a file is named as the thumbnail of any version of that scene.
 bool is_thumbnail_of(const fs::path& scene, const fs::path& file) {
@@ -36,7 +36,7 @@ fs::path shipped_thumbnail_file(const fs::path& scene) {
 std::optional<render::Image> shipped_thumbnail(const fs::path& scene) try {
   const fs::path file = shipped_thumbnail_file(scene);
   if (!is_taken(file)) return std::nullopt;
-  return render::decode_image(read_file(file, kMostBytes), kThumbnailWidth, kThumbnailHeight);
+  return render::decode_image(read_file(file, kMaxBytes), kThumbnailWidth, kThumbnailHeight);
 } catch (const InputError&) {
   return std::nullopt;
 } catch (const render::RenderError&) {

@@ -81,7 +81,7 @@ void expect_same_state(const BenchResult& result, const std::vector<BenchResult>
     if (other.scene == result.scene && other.state_hash != result.state_hash)
       throw std::runtime_error(result.scene.string() + ": ends in state " + other.state_hash + " with " +
                                std::to_string(other.threads) + " threads, but in " + result.state_hash + " with " +
-                               std::to_string(result.threads) + ". The same bits are promised: please report this");
+                               std::to_string(result.threads) + ". Results must not depend on it: please report this");
 }
 
 /// Returns the runs of each scene. An unreadable file is reported before any run.

@@ -31,7 +31,7 @@ struct BenchResult {
   std::int64_t tets = 0, pieces = 0;  ///< at the end
   double loading_seconds = 0;         ///< time of the process without its steps
   std::int64_t memory_bytes = 0;      ///< peak, minus that of the program with an empty scene
-  int iterations = 0;                 ///< of the implicit solver, maximum of all steps
+  int iterations = 0;                 ///< maximum of the implicit solver over all steps
   double residual = 0;                ///< relative, maximum of all steps [-]
   std::string state_hash;
   std::vector<std::pair<std::string, StepTimes>> times;  ///< by phase as in `simulate --stats`, the whole step first

@@ -51,7 +51,7 @@ class ExpressionReader {
     if (!take(":")) refuse("a colon");
     comparison.high = number();
     if (comparison.high < comparison.low)
-      throw InputError(where_, "\"" + std::string(text_) + "\" has a range that goes down",
+      throw InputError(where_, "\"" + std::string(text_) + "\" has a descending range",
                        "write the smaller number first");
     return comparison;
   }

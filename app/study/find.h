@@ -45,7 +45,7 @@ struct Find {
 };
 
 /// Makes a search. Throws InputError for input that cannot be read.
-Find make_find(const FindDefinition& definition, const Effort& effort);
+Find make_find(const FindDefinition& definition, const JobLimits& job_limits);
 
 /// Results at a value of the parameter.
 struct Trial {
@@ -61,6 +61,6 @@ struct Trial {
 using Trials = std::map<double, Trial>;
 
 /// Tries values in separate processes and bisects flips. Throws std::runtime_error if a run fails.
-Trials find(const Find& find, const Effort& effort);
+Trials find(const Find& find, const JobLimits& job_limits);
 
 }  // namespace griffith::app

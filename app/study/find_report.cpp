@@ -74,7 +74,7 @@ std::string flip_text(const Find& find, const Trials& trials, const Bracket& fli
 
 std::string intervals_text(const Trials& trials) {
   const std::vector<HoldingInterval> intervals = holding_intervals(trials);
-  if (intervals.empty()) return "no value that was tried holds\n";
+  if (intervals.empty()) return "the conditions hold at no tried value\n";
   std::string text = "holds";
   for (std::size_t i = 0; i < intervals.size(); ++i) {
     const auto [low, high] = intervals[i];
@@ -133,10 +133,12 @@ std::string find_text(const Find& find, const Trials& trials) {
   std::string text = trial_table(find, trials);
   if (find.repeats.runs.size() > 1)
     text += "of " + std::to_string(find.repeats.runs.size()) +
-            " runs each, with Wilson's interval of 95 %, medians; a value holds where at least half of its runs do\n";
+            " runs each, with Wilson's 95 % interval and medians; a condition holds if it does in at least half of the "
+            "runs\n";
   text += "\n" + intervals_text(trials);
   const std::vector<Bracket> flips = flips_among(verdicts(trials));
-  if (flips.size() > 1) text += "it changes " + std::to_string(flips.size()) + " times: there is no single threshold\n";
+  if (flips.size() > 1)
+    text += "there are " + std::to_string(flips.size()) + " changes: there is no single threshold\n";
   for (const Bracket& flip : flips) text += flip_text(find, trials, flip);
   if (flips.empty() && !trials.begin()->second.holds()) text += obstacles_text(find, trials);
   return text;

@@ -20,7 +20,7 @@ class FolderLock {
 
 /// Makes the folder, or continues the sweep in it. Throws InputError if it holds another sweep, naming the difference,
 /// or if it cannot be written.
-void take_up(const Sweep& sweep);
+void prepare_folder(const Sweep& sweep);
 
 /// Returns the runs without a record.
 std::vector<std::size_t> missing_runs(const Sweep& sweep);
@@ -29,6 +29,6 @@ std::vector<std::size_t> missing_runs(const Sweep& sweep);
 std::vector<std::optional<RunRecord>> read_records(const Sweep& sweep);
 
 /// Removes the records of failed runs.
-void forget_failed_runs(const Sweep& sweep);
+void remove_failed_records(const Sweep& sweep);
 
 }  // namespace griffith::app

@@ -33,7 +33,7 @@ T& object_of(T* pointer, const char* argument) {
 
 /// Returns the text behind a pointer. Throws ArgumentError if it is null.
 inline std::string text_of(const char* text, const char* argument) {
-  require(text != nullptr, argument, "is null", "pass UTF-8 text that ends with a zero");
+  require(text != nullptr, argument, "is null", "pass zero-terminated UTF-8 text");
   return text;
 }
 

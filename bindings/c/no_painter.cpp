@@ -7,7 +7,7 @@ using namespace griffith::c;
 griffith_status griffith_painter_create(const griffith_world*, std::int32_t, std::int32_t, const char*, const char*,
                                         griffith_painter**, griffith_error* error) {
   return guarded(error, [] {
-    throw griffith::InputError("griffith_painter_create", "the library was built without pictures",
+    throw griffith::InputError("griffith_painter_create", "the library was built without the renderer",
                                "build it with GRIFFITH_BUILD_EDITOR");
   });
 }

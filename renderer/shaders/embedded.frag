@@ -39,7 +39,7 @@ Matter matter_here(int octaves) { return Matter(vec3(1.0), vec3(0.0)); }
 #ifdef GRAIN
 // Grain is visible if pixels resolve it in their narrow direction. Along the long direction of faces seen at a grazing
 // angle, several points are averaged (anisotropic filtering: Heckbert 1989).
-Matter with_grain(Matter matter, vec3 fibre, vec4 n) {
+Matter with_grain(Matter matter, vec3 fiber, vec4 n) {
   const float kMost = 6.0;
   vec3 x = dFdx(rest), y = dFdy(rest);
   vec3 along = dot(x, x) > dot(y, y) ? x : y;
@@ -49,7 +49,7 @@ Matter with_grain(Matter matter, vec3 fibre, vec4 n) {
   for (float i = 0.0; i < places; ++i) {
     Matter one = matter;
     vec3 place = rest + ((i + 0.5) / places - 0.5) * along;
-    add_grain(one, int(material(11)), place, material(12), fibre, max(across, length_along / places), n);
+    add_grain(one, int(material(11)), place, material(12), fiber, max(across, length_along / places), n);
     sum.tint += one.tint;
     sum.slope += one.slope;
   }
@@ -59,8 +59,8 @@ Matter with_grain(Matter matter, vec3 fibre, vec4 n) {
 
 // `octaves` of noise: 2, or 0 if a value is shown.
 Matter matter_here(int octaves) {
-  vec3 fibre = vec3(material(7), material(8), material(9));
-  vec3 place = (rest - fibre * dot(fibre, rest)) / material(6);
+  vec3 fiber = vec3(material(7), material(8), material(9));
+  vec3 place = (rest - fiber * dot(fiber, rest)) / material(6);
   float width = 0.7 * length(fwidth(place));
   vec4 n = vec4(0.0);
   for (int i = 0; i < octaves; ++i) {
@@ -69,7 +69,7 @@ Matter matter_here(int octaves) {
   }
   Matter matter = Matter(vec3(1.0 + material(4) * n.w), 2.0 * material(5) * n.xyz);
 #ifdef GRAIN
-  matter = with_grain(matter, fibre, n);
+  matter = with_grain(matter, fiber, n);
   matter.slope = carried_slope(matter.slope);
 #endif
   return matter;

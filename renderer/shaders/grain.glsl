@@ -96,19 +96,19 @@ void draw_veins(inout Matter matter, vec3 place, float pixel) {
   matter.tint *= (1.0 + seen(pixel) * (0.03 + 0.10 * large.z)) * (1.0 - vein * vec3(0.42, 0.40, 0.36));
 }
 
-// Growth rings around a distant pith, darker toward their ends, with fibers. `fibre`: along the grain, unit length.
-void grow_rings(inout Matter matter, vec3 place, vec3 fibre, float pixel) {
-  vec3 across = place - 0.96 * fibre * dot(fibre, place);
-  vec4 fibres = noise(4.0 * across);
-  float rings = length(place - fibre * dot(fibre, place) + vec3(5.3, 3.1, 6.7)) + 0.5 * noise(0.35 * across).x;
+// Growth rings around a distant pith, darker toward their ends, with fibers. `fiber`: along the grain, unit length.
+void grow_rings(inout Matter matter, vec3 place, vec3 fiber, float pixel) {
+  vec3 across = place - 0.96 * fiber * dot(fiber, place);
+  vec4 fibers = noise(4.0 * across);
+  float rings = length(place - fiber * dot(fiber, place) + vec3(5.3, 3.1, 6.7)) + 0.5 * noise(0.35 * across).x;
   float t = fract(rings);
   float late = smoothstep(0.25, 0.9, t) * (1.0 - smoothstep(0.94, 1.0, t)) - 0.37;
-  matter.tint *= 1.0 - late * seen(pixel) * vec3(0.30, 0.40, 0.50) + 0.45 * seen(2.0 * pixel) * fibres.w;
-  matter.slope += 1.2 * seen(2.0 * pixel) * (fibres.xyz - fibre * dot(fibre, fibres.xyz));
+  matter.tint *= 1.0 - late * seen(pixel) * vec3(0.30, 0.40, 0.50) + 0.45 * seen(2.0 * pixel) * fibers.w;
+  matter.slope += 1.2 * seen(2.0 * pixel) * (fibers.xyz - fiber * dot(fiber, fibers.xyz));
 }
 
 // `rest`: the point [m]; `size`: of the grain [m]; `pixel`: width of a pixel [m].
-void add_grain(inout Matter matter, int kind, vec3 rest, float size, vec3 fibre, float pixel, vec4 warp) {
+void add_grain(inout Matter matter, int kind, vec3 rest, float size, vec3 fiber, float pixel, vec4 warp) {
   vec3 place = kTurn * rest / size;
   pixel /= size;
   if (kind == kStones) lay_stones(matter, place, pixel, warp, 0.47, vec3(0.62, 0.56, 0.48), -0.5);
@@ -120,6 +120,6 @@ void add_grain(inout Matter matter, int kind, vec3 rest, float size, vec3 fibre,
     grow_crystals(matter, 5.0 * place, 5.0 * pixel, 0.12, 0.5);
     draw_veins(matter, 0.35 * place, 0.35 * pixel);
   }
-  if (kind == kRings) grow_rings(matter, rest / size, normalize(fibre + vec3(1e-6, 0.0, 0.0)), pixel);
+  if (kind == kRings) grow_rings(matter, rest / size, normalize(fiber + vec3(1e-6, 0.0, 0.0)), pixel);
 }
 #endif

@@ -71,7 +71,7 @@ TEST(CommandLine, ASlipInTheNameOfACommandIsToldFromAMissingScene) {
   const Outcome missing = run_program("my/wall.json");
   EXPECT_EQ(missing.code, 2);
   EXPECT_THAT(missing.output, HasSubstr("my/wall.json: there is no such scene file"));
-  EXPECT_THAT(missing.output, HasSubstr("scenes to begin with are in"));
+  EXPECT_THAT(missing.output, HasSubstr("sample scenes are in"));
 }
 
 TEST(CommandLine, CheckWarnsOfBodiesThatStartInsideOneAnother) {

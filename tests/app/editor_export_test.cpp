@@ -32,7 +32,7 @@ class ExportTest : public EditorTest {
 };
 
 TEST_F(ExportTest, TheDialogProposesAFileForOtherPrograms) {
-  EXPECT_FALSE(editor_.why_not(CommandId::export_dialog).empty()) << "there is no past yet";
+  EXPECT_FALSE(editor_.disabled_reason(CommandId::export_dialog).empty()) << "there is no past yet";
   run(5);
   const std::uint64_t hash = editor_.timeline().world().state_hash();
   press_key('E', true);

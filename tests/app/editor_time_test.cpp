@@ -132,7 +132,7 @@ TEST_F(TimeTest, WhatWouldHaveHeldItHoldsIt) {
   run_until_stopped();
   ASSERT_TRUE(editor_.state().stop && editor_.state().stop->node.valid());
   const NodeId node = editor_.state().selection.node;
-  const HoldingFactor factor = strength_that_holds(editor_.timeline().world(), 0, node);
+  const CriticalFactor factor = critical_strength_factor(editor_.timeline().world(), 0, node);
   ASSERT_TRUE(factor.found);
   EXPECT_GT(factor.holds, 1);
   EXPECT_LE(factor.holds, 1.011 * factor.breaks);

@@ -15,7 +15,7 @@ enum class Dialog {
   error,
   large_mesh,
   report,
-  left_edits,
+  recovery,
   replacement,
   save_as,
   unsaved,

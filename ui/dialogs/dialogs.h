@@ -16,7 +16,7 @@ void draw_replacement_dialog(Panel& panel);
 /// Asks whether unsaved edits are saved or discarded.
 void draw_unsaved_dialog(Panel& panel);
 /// Asks whether unsaved edits of a crashed run are recovered.
-void draw_left_edits_dialog(Panel& panel);
+void draw_recovery_dialog(Panel& panel);
 /// Asks for a surface file and how to fill it.
 void draw_surface_dialog(Panel& panel);
 /// Draws the preferences.

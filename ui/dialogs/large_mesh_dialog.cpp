@@ -18,10 +18,10 @@ long long rounded(double count) {
 
 void draw_large_mesh_dialog(Panel& panel) {
   EditorState& state = panel.state;
-  if (!begin_dialog(panel, "A large mesh", state.large_mesh.has_value(), 480)) return;
+  if (!begin_dialog(panel, "Large mesh", state.large_mesh.has_value(), 480)) return;
   if (state.large_mesh) {
     const std::string text = "The bodies would have about " + count_text(rounded(*state.large_mesh)) +
-                             " tetrahedra. To build them may take minutes and gigabytes, and each step seconds.";
+                             " tetrahedra. Building them may take minutes and gigabytes, and each step seconds.";
     ImGui::TextWrapped("%s", text.c_str());
     tag_last_item(panel.tags, "large_mesh/text", text);
   }

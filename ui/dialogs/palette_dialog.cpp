@@ -25,7 +25,7 @@ bool move_choice(int& chosen, int count) {
 struct PaletteItem {
   Command command;
   std::string name, title, place, shortcut, hint;
-  std::string why_not;  ///< reason why it cannot run now; empty if it can
+  std::string disabled_reason;  ///< reason why it cannot run now; empty if it can
 };
 
 PaletteItem item_of(const CommandInfo& info, const Panel& panel) {
@@ -35,7 +35,7 @@ PaletteItem item_of(const CommandInfo& info, const Panel& panel) {
           menu_label(info.menu),
           shortcut_text(info.shortcut),
           std::string(info.hint),
-          std::string(why_not(info, panel))};
+          std::string(disabled_reason(info, panel))};
 }
 
 /// Returns the commands that match, best first, then the macros that match.
@@ -58,7 +58,7 @@ std::vector<PaletteItem> matching_items(const Panel& panel, std::string_view wan
 
 /// Draws an entry: title, menu, shortcut. True if it was clicked.
 bool palette_row(Panel& panel, const PaletteItem& item, bool chosen) {
-  const bool enabled = item.why_not.empty();
+  const bool enabled = item.disabled_reason.empty();
   const float width = ImGui::GetContentRegionAvail().x;
   const bool clicked = ImGui::Selectable(("##" + item.name).c_str(), chosen);
   tag_last_item(panel.tags, "palette/" + item.name, item.title, enabled);
@@ -73,7 +73,7 @@ bool palette_row(Panel& panel, const PaletteItem& item, bool chosen) {
 
 /// Shows the help of the chosen entry, or the reason why it cannot run now.
 void describe(const Panel& panel, const PaletteItem* chosen) {
-  const std::string reason = chosen ? chosen->why_not : "No command has these letters.";
+  const std::string reason = chosen ? chosen->disabled_reason : "No command matches.";
   const std::string text = reason.empty() ? chosen->hint : reason;
   ImGui::PushTextWrapPos(0);
   ImGui::TextColored(as_vec4(reason.empty() ? palette::kTextDim : palette::kWarning), "%s", text.c_str());
@@ -85,7 +85,7 @@ bool text_field(Panel& panel) {
   Palette& palette = panel.state.palette;
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-FLT_MIN);
-  const bool entered = ImGui::InputTextWithHint("##wanted", "a few letters of a command", palette.text.data(),
+  const bool entered = ImGui::InputTextWithHint("##wanted", "letters of a command", palette.text.data(),
                                                 palette.text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   if (ImGui::IsItemEdited()) palette.chosen = 0;
   tag_last_item(panel.tags, "palette/text", palette.text.data());
@@ -120,7 +120,7 @@ void draw_palette_dialog(Panel& panel) {
     wanted = chosen;
     ImGui::SetKeyboardFocusHere(-1);
   }
-  const bool carried_out = wanted && wanted->why_not.empty();
+  const bool carried_out = wanted && wanted->disabled_reason.empty();
   if (carried_out) issue(panel, wanted->command);
   if (carried_out || ImGui::IsKeyPressed(key::kEscape, false)) {
     palette = {};

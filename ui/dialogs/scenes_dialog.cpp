@@ -13,7 +13,7 @@ namespace griffith::ui {
 namespace {
 
 // In design pixels, except the fraction of the window.
-constexpr float kLeastCardWidth = 250, kGap = 12, kInset = 8, kRounding = 5, kMaxWidth = 1720, kWindowPart = 0.9f;
+constexpr float kMinCardWidth = 250, kGap = 12, kInset = 8, kRounding = 5, kMaxWidth = 1720, kWindowPart = 0.9f;
 /// Lines that the dialog needs besides the list: heading, search, description, buttons.
 constexpr float kLinesAround = 10.5f;
 
@@ -30,7 +30,7 @@ void draw_thumbnail(const Panel& panel, const SceneCard& card, ImVec2 corner, Im
     return list->AddImageRounded(card.thumbnail, corner, end, {0, 0}, {1, 1}, IM_COL32_WHITE, rounding,
                                  ImDrawFlags_RoundCornersTop);
   list->AddRectFilled(corner, end, palette::kWindow, rounding, ImDrawFlags_RoundCornersTop);
-  const char* text = card.readable ? "no picture yet" : "no scene";
+  const char* text = card.readable ? "no picture yet" : "not a scene";
   const ImFont* font = panel.input.fonts.small;
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text);
   list->AddText(font, font->FontSize, {(corner.x + end.x - size.x) / 2, (corner.y + end.y - size.y) / 2},
@@ -80,7 +80,7 @@ bool move_card_choice(SceneBrowser& browser, std::span<const CardRow> rows) {
 bool search_field(Panel& panel, SceneBrowser& browser) {
   if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-FLT_MIN);
-  ImGui::InputTextWithHint("##words", "words of a name, topic or description", browser.text.data(),
+  ImGui::InputTextWithHint("##words", "search names, topics and descriptions", browser.text.data(),
                            browser.text.size());
   const bool edited = ImGui::IsItemEdited();
   if (edited) browser.chosen = 0;
@@ -119,7 +119,7 @@ const SceneCard* card_list(Panel& panel, std::span<const SceneCard* const> cards
   SceneBrowser& browser = panel.state.browser;
   const float gap = kGap * ui_scale(panel), room = ImGui::GetContentRegionAvail().x;
   const auto columns =
-      std::max<std::size_t>(1, static_cast<std::size_t>((room + gap) / (kLeastCardWidth * ui_scale(panel) + gap)));
+      std::max<std::size_t>(1, static_cast<std::size_t>((room + gap) / (kMinCardWidth * ui_scale(panel) + gap)));
   const float width = std::floor((room + gap) / static_cast<float>(columns) - gap);
   const std::vector<CardRow> rows = card_rows(cards.size(), columns);
   const std::vector<std::string> names = names_of(cards);
@@ -140,7 +140,7 @@ const SceneCard* card_list(Panel& panel, std::span<const SceneCard* const> cards
 
 /// Describes the chosen scene in two lines.
 void about(Panel& panel, const SceneCard* card) {
-  const std::string text = card ? card->description : "No scene has these words.";
+  const std::string text = card ? card->description : "No scene matches.";
   ImGui::BeginChild("##about", {0, 2.2f * ImGui::GetTextLineHeightWithSpacing()});
   ImGui::PushTextWrapPos(0);
   ImGui::TextColored(as_vec4(card && card->readable ? palette::kText : palette::kWarning), "%s", text.c_str());

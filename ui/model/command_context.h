@@ -33,11 +33,11 @@ std::string_view no_region_chosen(const CommandContext& context);
 std::string_view nothing_with_a_name(const CommandContext& context);
 std::string_view no_body_chosen(const CommandContext& context);
 std::string_view no_camera_chosen(const CommandContext& context);
-std::string_view no_left_edits(const CommandContext& context);
+std::string_view no_recoverable_edits(const CommandContext& context);
 std::string_view no_surface_named(const CommandContext& context);
 std::string_view nothing_recorded(const CommandContext& context);
 std::string_view nothing_plotted(const CommandContext& context);
-std::string_view no_colour_range(const CommandContext& context);
+std::string_view no_color_range(const CommandContext& context);
 
 // Each is true if the state that a command toggles is on.
 bool is_running(const CommandContext& context);

@@ -124,7 +124,7 @@ struct CommandInfo {
   int group = 0;  ///< group within the menu; a separator precedes each new group
   Shortcut shortcut = {};
   /// Returns the reason why the command is disabled; empty if it is enabled. Null: always enabled.
-  std::string_view (*why_not)(const CommandContext& context) = nullptr;
+  std::string_view (*disabled_reason)(const CommandContext& context) = nullptr;
   /// True if the toggled state is on. Null: not a toggle.
   bool (*is_on)(const CommandContext& context) = nullptr;
   CommandArgument argument = CommandArgument::none;

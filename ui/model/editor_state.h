@@ -67,7 +67,7 @@ struct SaveTarget {
   SavedKind kind = SavedKind::scene;
   std::filesystem::path folder;  ///< base of relative names, absolute
   std::array<char, 512> name = {};
-  std::vector<std::string> there;  ///< names of the scenes in the folder
+  std::vector<std::string> existing;  ///< names of the scenes in the folder
 };
 /// Proposes the file's folder and name.
 SaveTarget save_target(const std::filesystem::path& file, SavedKind kind = SavedKind::scene);
@@ -175,7 +175,8 @@ struct EditorState {
   std::optional<SaveTarget> save_as;       ///< input of the save dialog while it is open
   std::optional<Replacement> replacement;  ///< waits for an answer
   std::optional<Command> after_save;       ///< command that follows the save
-  std::string left_edits;  ///< description of edits that can be recovered, while they wait for an answer; empty: none
+  std::string
+      recoverable_edits;  ///< description of edits that can be recovered, while they wait for an answer; empty: none
   Preferences preferences;
   bool show_preferences = false;
   double wanted_scale = 0;  ///< while it is dragged in the preferences; 0: not shown yet

@@ -68,7 +68,7 @@ bool InputQueue::waits_for_focus(const Event& event) const {
   return frames_to_focus_ > 0 && (event.kind == Kind::text || (event.kind == Kind::key && event.down));
 }
 
-void InputQueue::tell(const Event& event, ImGuiIO& io, Seen& seen) {
+void InputQueue::pass_event(const Event& event, ImGuiIO& io, Seen& seen) {
   switch (event.kind) {
     case Kind::key:
       io.KeysDown[event.code] = event.down;
@@ -108,7 +108,7 @@ void InputQueue::play(ImGuiIO& io) {
     }
     if (changes(event, io)) {
       if (waits_for_focus(event) || !fits(event, seen)) break;
-      tell(event, io, seen);
+      pass_event(event, io, seen);
       io.KeyShift = either(io, key::kLeftShift, key::kRightShift);
       io.KeyCtrl = either(io, key::kLeftControl, key::kRightControl);
       io.KeyAlt = either(io, key::kLeftAlt, key::kRightAlt);

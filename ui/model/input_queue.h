@@ -46,7 +46,7 @@ class InputQueue {
   static bool changes(const Event& event, const ImGuiIO& io);
   static bool fits(const Event& event, const Seen& seen);
   bool waits_for_focus(const Event& event) const;
-  void tell(const Event& event, ImGuiIO& io, Seen& seen);
+  void pass_event(const Event& event, ImGuiIO& io, Seen& seen);
 
   std::deque<Event> events_;
   ImVec2 place_ = {-FLT_MAX, -FLT_MAX};

@@ -26,7 +26,7 @@ double usual_magnitude(std::string_view unit) {
 /// Returns the change per pixel for linear drags.
 double linear_step(const DragStart& start) {
   constexpr double kLeastCount = 0.1, kDegrees = 0.5;
-  const double magnitude = std::max(std::abs(start.value), start.beside);
+  const double magnitude = std::max(std::abs(start.value), start.vector_magnitude);
   if (start.whole) return std::max(kLeastCount, kSharePerPixel * magnitude);
   if (start.numbers.unit == "degrees") return kDegrees;
   if (is_ratio(start.numbers) && start.usual == 0)

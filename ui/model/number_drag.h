@@ -6,11 +6,11 @@ namespace griffith::ui {
 
 /// Number at the start of a drag.
 struct DragStart {
-  double value = 0;    ///< value within `numbers`
-  Numbers numbers;     ///< numbers that the field accepts
-  bool whole = false;  ///< accepts only integers
-  double beside = 0;   ///< magnitude of the largest component of its vector
-  double usual = 0;    ///< magnitude that a drag from 0 reaches in 200 pixels; 0: that of the unit
+  double value = 0;             ///< value within `numbers`
+  Numbers numbers;              ///< numbers that the field accepts
+  bool whole = false;           ///< accepts only integers
+  double vector_magnitude = 0;  ///< magnitude of the largest component of its vector
+  double usual = 0;             ///< magnitude that a drag from 0 reaches in 200 pixels; 0: that of the unit
 };
 
 /// Modifiers of a drag.

@@ -36,9 +36,9 @@ std::optional<DeepOverlap> deep_overlap(const Frame& frame) {
 }
 
 std::string text_of(const DeepOverlap& overlap) {
-  return "Things pass " + format_quantity(overlap.depth, "m", 3) + " into one another, and the thinnest that touches " +
-         "something is " + format_quantity(overlap.width, "m", 3) +
-         " thick. Take a shorter time step, and move apart what starts in one place (View > Problems).";
+  return "Bodies overlap by " + format_quantity(overlap.depth, "m", 3) + ", and the thinnest touching body is " +
+         format_quantity(overlap.width, "m", 3) +
+         " thick. Use a shorter time step, and separate bodies that overlap at the start (View > Problems).";
 }
 
 }  // namespace griffith::ui

@@ -79,12 +79,12 @@ std::optional<int> body_of(const Scene& scene, const SceneEntry& entry) {
 }
 
 std::string rename_entry(Scene& scene, const SceneEntry& entry, const std::string& name) {
-  if (name.empty()) return "A name cannot be empty: it stays as it was.";
+  if (name.empty()) return "A name cannot be empty; it was not changed.";
   return visit_list(scene, entry, [&](auto& list) -> std::string {
     auto& item = list[static_cast<std::size_t>(entry.index)];
     if constexpr (requires { item.name; }) {
       for (const auto& other : list)
-        if (&other != &item && other.name == name) return "Another one has the name \"" + name + "\".";
+        if (&other != &item && other.name == name) return "There is already one with the name \"" + name + "\".";
       if (entry.kind == EntryKind::body) rename_in_probes(scene, item.name, name);
       item.name = name;
     }

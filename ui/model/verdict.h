@@ -10,7 +10,7 @@ namespace griffith::ui {
 
 /// Text if no node can be the most loaded one.
 inline constexpr char kNothingStrained[] =
-    "all pieces move as rigid bodies. What little stress they were left with stays as it is until something strikes "
+    "all pieces move as rigid bodies. Their small residual stress stays the same until something hits "
     "them.";
 
 /// Returns the step that opened a crack as the timeline counts it: the number of the resulting state.

@@ -18,7 +18,7 @@ struct BodyRow {
   int elastic = 0, rigid = 0, asleep = 0;  ///< number of pieces in each state
   int tets = 0;
   double mass = 0;                           ///< [kg]
-  std::optional<ScaledImpact> broke_scaled;  ///< of the piece that broke with the smallest stiffness factor
+  std::optional<ScaledImpact> broke_scaled;  ///< scaling of the piece that broke with the smallest stiffness factor
 
   int pieces() const { return elastic + rigid + asleep; }
   /// Returns "E/256, σ/16" if material broke while it was scaled, else an empty text.

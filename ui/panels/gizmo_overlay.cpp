@@ -93,7 +93,7 @@ void let_go(Panel& panel, const GizmoDrag& drag) {
   const std::vector<SceneEntry> others = turns ? std::vector<SceneEntry>() : moved_with(panel, drag.entry);
   const std::string name = full_name(panel.history.scene(), drag.entry);
   const std::string more = others.empty() ? "" : " and " + std::to_string(others.size()) + " more";
-  panel.history.change((turns ? "Turn " : "Move ") + name + more, [&](Scene& scene) {
+  panel.history.change((turns ? "Rotate " : "Move ") + name + more, [&](Scene& scene) {
     for (const SceneEntry& other : others) {
       Placement from = *placement_of(scene, other), to = from;
       to.position += drag.placement.position - drag.start.position;
@@ -105,7 +105,7 @@ void let_go(Panel& panel, const GizmoDrag& drag) {
   panel.history.finish();
 }
 
-void go_on(Panel& panel, GizmoDrag& drag) {
+void continue_drag(Panel& panel, GizmoDrag& drag) {
   if (gesture_lost(panel, target_of(panel), drag.entry, drag.revision)) drag.cancelled = true;
   if (!drag.cancelled) {
     follow_ray(drag, view_camera(panel).ray(pixel_of(panel, ImGui::GetIO().MousePos)),
@@ -192,7 +192,7 @@ bool drag_gizmo(Panel& panel) {
       grab(panel, *entry, shape->handle, view_camera(panel).ray(pixel_of(panel, mouse)));
   }
   if (!drag) return false;
-  go_on(panel, *drag);
+  continue_drag(panel, *drag);
   return true;
 }
 

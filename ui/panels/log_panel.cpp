@@ -42,7 +42,7 @@ void log_bar(Panel& panel, std::span<const LogLine* const> lines) {
   if (text_button(panel, "log/close", "Close")) view.shown = false;
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-FLT_MIN);
-  ImGui::InputTextWithHint("##filter", "lines with this text", view.filter.data(), view.filter.size());
+  ImGui::InputTextWithHint("##filter", "text of lines", view.filter.data(), view.filter.size());
   tag_last_item(panel.tags, "log/filter", view.filter.data());
 }
 

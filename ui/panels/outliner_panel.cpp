@@ -36,8 +36,8 @@ struct NumberColumn {
 
 constexpr std::array<NumberColumn, 4> kNumberColumns = {{
     {"State", 40, [](const BodyRow& row) { return std::string(row.state()); }},
-    {"Pcs", 26, [](const BodyRow& row) { return std::to_string(row.pieces()); }},
-    {"Tets", 34, [](const BodyRow& row) { return std::to_string(row.tets); }},
+    {"Pieces", 26, [](const BodyRow& row) { return std::to_string(row.pieces()); }},
+    {"Elements", 34, [](const BodyRow& row) { return std::to_string(row.tets); }},
     {"Mass", 46, [](const BodyRow& row) { return mass_text(row.mass); }},
 }};
 
@@ -134,7 +134,7 @@ void draw_table(Panel& panel, std::vector<BodyRow> bodies, std::size_t lines) {
 
 void add_button(Panel& panel, float width) {
   if (text_button(panel, "outliner/add", "Add", width)) ImGui::OpenPopup("##add");
-  tooltip("Adds a body, or a support, load or probe of the selected one, a projectile or a camera.");
+  tooltip("Add a body, a support, load or probe of the selected body, a projectile or a camera.");
   if (!ImGui::BeginPopup("##add")) return;
   close_on_escape();
   for (const CommandInfo& info : command_registry())
@@ -145,7 +145,7 @@ void add_button(Panel& panel, float width) {
 /// Draws the choice between bodies and pieces, and the filter.
 void filter_row(Panel& panel) {
   checkbox(panel, "bodies/pieces", "Pieces", panel.state.list_pieces);
-  tooltip("Lists each piece by itself. A click on one selects it in the view.");
+  tooltip("List each piece separately. Click one to select it in the view.");
   ImGui::SameLine();
   const float button = 48 * ui_scale(panel);
   ImGui::SetNextItemWidth(-button - ImGui::GetStyle().ItemSpacing.x);
@@ -153,8 +153,8 @@ void filter_row(Panel& panel) {
   ImGui::InputTextWithHint("##filter", "name or state", text.data(), text.size());
   tag_last_item(panel.tags, "bodies/filter", text.data());
   tooltip(
-      "Lists what has this in its name or is so: elastic, rigid or asleep; E/ where it broke scaled; fixed, pressure, "
-      "...");
+      "Filter by name, state (elastic, rigid, asleep) or kind (fixed, pressure, ...); E/ finds bodies that broke "
+      "scaled");
   ImGui::SameLine();
   add_button(panel, button);
 }
@@ -169,7 +169,7 @@ void draw_outliner_panel(Panel& panel) {
   const std::size_t entries = scene_entries(scene).size();
   if (entries == 0)
     return hint(panel,
-                "The scene is empty. Add makes a body; File > Open opens a scene, and so does dropping its file here.");
+                "The scene is empty. Add a body, or open a scene with File > Open or by dropping its file here.");
   const bool pieces = panel.state.list_pieces;
   ImGui::PushFont(panel.input.fonts.small);
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {3 * ui_scale(panel), 2 * ui_scale(panel)});

@@ -65,7 +65,7 @@ void row_tooltip(const OutlinerRow& row) {
       row.name + ": " + std::to_string(row.body.tets) + " tetrahedra, " + mass_text(row.body.mass) + "; " +
       std::to_string(row.body.elastic) + " elastic, " + std::to_string(row.body.rigid) + " rigid, " +
       std::to_string(row.body.asleep) +
-      " asleep.\nRigid: moves as a whole until something strikes it; asleep: lies still and costs nothing." +
+      " asleep.\nRigid: moves as a whole until an impact; asleep: at rest and not computed." +
       (row.body.broke_scaled ? "\nBroke at " + row.body.mark() + ". " + stand_in_text(*row.body.broke_scaled) : ""));
 }
 
@@ -107,7 +107,7 @@ void name_box(Panel& panel, const OutlinerRow& row) {
   const bool left = ImGui::IsItemDeactivated();
   ImGui::PopStyleVar();
   tag_last_item(panel.tags, tag, state.new_name);
-  field_tooltip(panel, tag, "Enter takes the name, Escape leaves it as it was.");
+  field_tooltip(panel, tag, "Enter: rename, Escape: cancel.");
   if (!entered && !left) return;
   state.renamed.reset();
   if (ImGui::IsKeyPressed(key::kEscape, false)) return;
@@ -171,12 +171,12 @@ void eye_cell(Panel& panel, const OutlinerRow& row, bool hidden) {
   const Icon icon = hidden ? Icon::closed_eye : Icon::eye;
   if (icon_cell(panel, row, icon, row.tag + "/eye", hidden ? "hidden" : "shown"))
     issue(panel, {.id = CommandId::toggle_hidden});
-  tooltip(hidden ? "Hidden: a click draws it again." : "Drawn: a click hides it; it is simulated all the same.");
+  tooltip(hidden ? "Hidden. Click to show it." : "Shown. Click to hide it; it is still simulated.");
 }
 
 void camera_cell(Panel& panel, const OutlinerRow& row) {
   if (icon_cell(panel, row, Icon::frame, row.tag + "/look", "")) issue(panel, {.id = CommandId::look_through});
-  tooltip("A click looks through this camera.");
+  tooltip("Look through this camera.");
 }
 
 void body_cells(Panel& panel, const OutlinerRow& row, bool hidden) {

@@ -50,13 +50,13 @@ void series_list(Panel& panel) {
 /// Draws the settings of the axes.
 void scale_widgets(Panel& panel) {
   checkbox(panel, "plots/logarithmic", "log", panel.state.preferences.logarithmic_plots);
-  tooltip("Draws values by their logarithm: equal distances are equal ratios. Of what is not positive nothing shows.");
+  tooltip("Logarithmic scale: equal distances are equal ratios. Only positive values are shown.");
   ImGui::SameLine();
   std::optional<StepSpan>& zoom = panel.state.plots.zoom;
   ImGui::BeginDisabled(!zoom);
   if (text_button(panel, "plots/whole", "All")) zoom.reset();
   ImGui::EndDisabled();
-  tooltip("Shows all steps again. The wheel over the curves shows fewer or more, with Shift earlier or later ones.");
+  tooltip("Show all steps. Over the curves, the wheel zooms and Shift+wheel scrolls.");
 }
 
 /// Draws the plotted series and the buttons.
@@ -153,7 +153,7 @@ void draw_plot_panel(Panel& panel) {
   plots_bar(panel);
   const RunCurves curves = shown_part(panel, panel.input.curves);
   const std::vector<PlotStrip> strips = plot_strips(curves);
-  if (strips.empty()) return hint(panel, "Choose in the list what is to be plotted.");
+  if (strips.empty()) return hint(panel, "Select series in the list.");
   ImGui::BeginChild("##strips", {0, 0}, false, ImGuiWindowFlags_NoScrollWithMouse);
   const float height = strip_height(panel, strips.size());
   const RunCurves compared_curves =

@@ -48,7 +48,7 @@ void draw_problem_panel(Panel& panel) {
   if (text_button(panel, "problems/close", "Close")) panel.state.problem_view.shown = false;
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
-  ImGui::TextColored(as_vec4(palette::kTextDim), "%s: a click goes to the field", problem_count_text(problems).c_str());
+  ImGui::TextColored(as_vec4(palette::kTextDim), "%s: click to go to the field", problem_count_text(problems).c_str());
   tag_last_item(panel.tags, "problems/count", problem_count_text(problems));
   ImGui::Separator();
   ImGui::BeginChild("##list");

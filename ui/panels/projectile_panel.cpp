@@ -17,7 +17,7 @@ struct Choice {
   std::optional<ProjectileShape> shape;
 };
 
-constexpr char kSurface[] = "Surface of a file";
+constexpr char kSurface[] = "Surface file";
 
 /// Returns spheres, boxes, surface files, and the hulls of the scene's own bursts.
 std::vector<Choice> choices(const Scene& scene) {
@@ -58,9 +58,9 @@ void size_rows(Panel& panel, Vec3& size) {
 void surface_rows(Panel& panel, SurfaceProjectile& surface) {
   draw_field(panel,
              {"projectile/path", "Surface",
-              ".obj, .stl, .ply, .off, .gltf or .glb: the convex hull flies. Enter takes the path."},
+              ".obj, .stl, .ply, .off, .gltf or .glb: the convex hull is fired. Enter accepts the path."},
              panel.history.scene().folder, surface.path);
-  number_row<SurfaceProjectile>(panel, "projectile/scale", "Metres a unit", "scale", surface.scale);
+  number_row<SurfaceProjectile>(panel, "projectile/scale", "Meters per unit", "scale", surface.scale);
 }
 
 void shape_rows(Panel& panel, ProjectileBurst& shot) {
@@ -73,7 +73,7 @@ void shape_rows(Panel& panel, ProjectileBurst& shot) {
   if (auto* box = std::get_if<BoxProjectile>(&*shot.shape)) size_rows(panel, box->size);
   if (auto* surface = std::get_if<SurfaceProjectile>(&*shot.shape)) surface_rows(panel, *surface);
   constexpr std::array kTurns = {"projectile/turn_x", "projectile/turn_y", "projectile/turn_z"};
-  constexpr std::array kLabels = {"Turn about x", "Turn about y", "Turn about z"};
+  constexpr std::array kLabels = {"Rotation x", "Rotation y", "Rotation z"};
   for (std::size_t i = 0; i < 3; ++i)
     number_field_row(panel,
                      {.tag = kTurns[i], .label = kLabels[i], .numbers = range_of<ProjectileBurst>("rotation_degrees")},
@@ -137,7 +137,7 @@ void draw_projectile_panel(Panel& panel) {
                    {.tag = "projectile/count",
                     .label = "Burst",
                     .numbers = range_of<ProjectileBurst>("count"),
-                    .tooltip = "Projectiles in a row."},
+                    .tooltip = "Number of projectiles, fired one after the other."},
                    shot.count);
   if (shot.count > 1) {
     number_row<ProjectileBurst>(panel, "projectile/interval", "Interval", "interval", shot.interval);

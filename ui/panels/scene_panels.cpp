@@ -8,7 +8,7 @@ namespace griffith::ui {
 namespace {
 
 bool header(const Panel& panel, const char* tag, const std::string& text) {
-  open_if_wanted(panel, tag);
+  open_if_sought(panel, tag);
   const bool open = ImGui::CollapsingHeader((text + "###" + tag).c_str());
   tag_last_item(panel.tags, tag, open ? "open" : "closed");
   return open;

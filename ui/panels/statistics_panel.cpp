@@ -58,7 +58,7 @@ void scaled_row(const Panel& panel) {
   const auto slowest = std::ranges::min_element(bodies, {}, factor);
   trouble_row(panel, "Scaled bodies", static_cast<int>(count), palette::kWarning,
               count > 0 ? stand_in_text(*slowest->scaled).c_str()
-                        : "Their waves would have taken more microsteps than step_budget leaves.");
+                        : "Bodies whose waves would need more microsteps than step_budget allows.");
 }
 
 void counter_row(const Panel& panel, const StepCounter& counter, int value) {
@@ -130,7 +130,7 @@ void energy_rows(const Panel& panel) {
   for (const EnergyEntry& entry : energy_entries())
     energy_row(panel, entry.label.data(), energy_share(energy.*entry.value, whole, noise), entry.meaning.data());
   energy_row(panel, "Unaccounted", energy_share(energy.unaccounted(), whole, noise),
-             "What the entries above do not explain.");
+             "Remainder that the entries above do not explain.");
 }
 
 void timing_rows(const Panel& panel) {
@@ -138,7 +138,7 @@ void timing_rows(const Panel& panel) {
   heading(panel, "Time of the last step");
   time_bar(panel, "Contact", t.contact, t.step);
   time_bar(panel, "Elasticity", t.elasticity, t.step);
-  time_bar(panel, "Shock", t.shock, t.step);
+  time_bar(panel, "Explicit dynamics", t.shock, t.step);
   time_bar(panel, "Separation", t.separation, t.step);
   time_bar(panel, "Fracture", t.fracture, t.step);
   time_bar(panel, "Step", t.step, t.step);

@@ -36,7 +36,7 @@ void recording_mark(Panel& panel, float place) {
   ImGui::TextColored(as_vec4(palette::kError), "%s", kRecording);
   tag_last_item(panel.tags, "status/recording", kRecording);
   if (ImGui::IsItemClicked()) issue(panel, {.id = CommandId::record_macro});
-  tooltip("A click stops the recording and asks for a name.");
+  tooltip("Click to stop recording and enter a name.");
 }
 
 }  // namespace

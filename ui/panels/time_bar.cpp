@@ -22,9 +22,9 @@ std::string ticks_text(const TimeView& time, std::int64_t first, std::int64_t la
     if (tick.step >= first && tick.step <= last) cracks += tick.cracks, impacts += tick.impacts, alarm |= tick.alarm;
   std::string text;
   const auto add = [&text](const std::string& part) { text += (text.empty() ? ": " : ", ") + part; };
-  if (impacts > 0) add(impacts == 1 ? "something was struck" : std::to_string(impacts) + " bodies were struck");
+  if (impacts > 0) add(impacts == 1 ? "1 body hit" : std::to_string(impacts) + " bodies hit");
   if (cracks > 0) add(std::to_string(cracks) + (cracks == 1 ? " crack" : " cracks"));
-  if (alarm) add("trouble in the numbers");
+  if (alarm) add("numerical problems");
   return text;
 }
 
@@ -115,7 +115,7 @@ void branch_list(Panel& panel) {
     ImGui::EndCombo();
   }
   tag_last_item(panel.tags, "time/branch", shown);
-  if (!open) tooltip("What was done otherwise in the past goes on beside what was.");
+  if (!open) tooltip("Changes in the past start a new branch.");
 }
 
 /// Draws the choice of the compared branch and the style of the comparison.
@@ -125,12 +125,12 @@ void comparison_fields(Panel& panel) {
     if (ImGui::RadioButton(text.c_str(), comparison.branch == branch)) comparison.branch = branch;
     tag_last_item(panel.tags, std::string("compare/") + name, comparison.branch == branch ? "on" : "off");
   };
-  choice("no other branch", "none", std::nullopt);
+  choice("no comparison", "none", std::nullopt);
   for (int i = 0; i < static_cast<int>(panel.input.time.branches.size()); ++i)
     if (i != panel.input.time.branch) choice(branch_text(panel.input.time, i), std::to_string(i).c_str(), i);
   ImGui::Separator();
-  checkbox(panel, "compare/ghost", "as a ghost", comparison.as_ghost);
-  tooltip("One picture through the other, in place of both side by side with a border to drag.");
+  checkbox(panel, "compare/ghost", "overlay", comparison.as_ghost);
+  tooltip("Overlay the pictures instead of showing them side by side.");
 }
 
 /// True if the popup of the last button is open; begins it above the button, up to ImGui::EndPopup().
@@ -177,16 +177,16 @@ void breakpoint_fields(Panel& panel) {
   }
   ImGui::Separator();
   ImGui::TextUnformatted("Stop before a step in which");
-  checkbox(panel, "time/break/on_utilization", "a utilization passes", points.on_utilization);
-  limit_field(panel, "time/break/utilization", between(0, 100), "Load over resistance: 1 is where a node cracks.",
+  checkbox(panel, "time/break/on_utilization", "the utilization exceeds", points.on_utilization);
+  limit_field(panel, "time/break/utilization", between(0, 100), "Load over resistance; a node cracks at 1.",
               points.utilization);
-  checkbox(panel, "time/break/on_pieces", "the pieces come to be", points.on_pieces);
+  checkbox(panel, "time/break/on_pieces", "the number of pieces reaches", points.on_pieces);
   double pieces = points.pieces;
-  limit_field(panel, "time/break/pieces", between(1, 1e6), "A whole number.", pieces, true);
+  limit_field(panel, "time/break/pieces", between(1, 1e6), "An integer.", pieces, true);
   points.pieces = static_cast<int>(std::lround(pieces));
-  checkbox(panel, "time/break/on_energy", "more energy is unaccounted for than", points.on_energy);
-  limit_field(panel, "time/break/energy", between(0, 1), "Of the energy that the step turns over.", points.energy);
-  checkbox(panel, "time/break/on_failure", "a solve fails, or values break down", points.on_failure);
+  checkbox(panel, "time/break/on_energy", "the unaccounted energy exceeds", points.on_energy);
+  limit_field(panel, "time/break/energy", between(0, 1), "Fraction of the energy turnover of the step.", points.energy);
+  checkbox(panel, "time/break/on_failure", "a solve fails or values are not finite", points.on_failure);
 }
 
 void breakpoint_button(Panel& panel) {
@@ -195,7 +195,7 @@ void breakpoint_button(Panel& panel) {
   if (ImGui::Button("Stop before…")) ImGui::OpenPopup("##breakpoints");
   if (armed) ImGui::PopStyleColor();
   tag_last_item(panel.tags, "time/breakpoints", armed ? "armed" : "none");
-  tooltip("Where the simulation is to stop by itself: before a crack, not after it.");
+  tooltip("Conditions that stop the simulation: before a crack, not after it.");
   if (!begin_popup_above(panel, "##breakpoints")) return;
   breakpoint_fields(panel);
   ImGui::EndPopup();

@@ -34,7 +34,8 @@ void speed_field(Panel& panel) {
       .tag = "toolbar/speed",
       .label = {},
       .numbers = between(0.1, 100, "%"),
-      .tooltip = "Slow motion: simulated time against real time. The time step stays; fewer steps are made a second."};
+      .tooltip =
+          "Slow motion: simulated time over real time. The time step stays the same; fewer steps are made per second."};
   if (number_field(panel, field, percent).changed) panel.state.speed = percent / 100;
 }
 
@@ -90,7 +91,7 @@ void times(const Panel& panel, float end) {
   const auto show = [&](const char* tag) {
     if (text_before(panel, end, palette::kTextDim, text)) tag_last_item(panel.tags, tag, text);
   };
-  std::snprintf(text, sizeof text, "%.1f ms a step", panel.input.step_milliseconds);
+  std::snprintf(text, sizeof text, "%.1f ms/step", panel.input.step_milliseconds);
   show("toolbar/step_time");
   if (!panel.state.running) return;  // the window draws only when something changes, so no time passes
   const double pictures = panel.input.frames_per_second;

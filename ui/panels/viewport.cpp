@@ -64,12 +64,11 @@ void draw_hints(const Panel& panel, ImVec2 corner, ImVec2 end) {
   const Fonts& fonts = panel.input.fonts;
   const float scale = ui_scale(panel), size = fonts.small->FontSize, margin = 14 * scale;
   std::string text =
-      "drag: orbit      shift+drag: pan      wheel: zoom      click: inspect      right click: fire, hold it: aim";
-  if (panel.state.gizmo_drag || panel.state.region_drag) text = "ctrl: round steps      esc: leave it as it was";
-  if (panel.state.paint_regions)
-    text = "drag over the body: paint      ctrl: take off      beside it: turn      T: done";
-  if (panel.state.aimed_at) text = "let go: fire      esc: leave it";
-  if (panel.state.show_gizmo && panel.input.frame.step > 0) text += "      R: back to the start, to move the body";
+      "drag: orbit      shift+drag: pan      wheel: zoom      click: inspect      right click: fire (hold: aim)";
+  if (panel.state.gizmo_drag || panel.state.region_drag) text = "ctrl: snap      esc: cancel";
+  if (panel.state.paint_regions) text = "drag on the body: paint      ctrl: erase      elsewhere: orbit      T: done";
+  if (panel.state.aimed_at) text = "release: fire      esc: cancel";
+  if (panel.state.show_gizmo && panel.input.frame.step > 0) text += "      R: reset, to move bodies";
   if (panel.state.view.slice) text += "      ctrl+drag: move the slice";
   const float width = fonts.small->CalcTextSizeA(size, FLT_MAX, 0, text.c_str()).x + 24 * scale;
   if (end.x - corner.x < width + 2 * margin) return;

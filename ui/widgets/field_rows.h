@@ -153,7 +153,7 @@ class FieldRows {
     const SiPrefix prefix = shared_prefix(panel_.state, row.tag + "/", largest, unit_symbol(numbers));
     for (std::size_t i = 0; i < points.size(); ++i)
       draw({row.tag + "/" + std::to_string(i), "Number " + std::to_string(i + 1), ""}, points[i], numbers, prefix);
-    const bool removed = text_button(panel_, (row.tag + "/remove").c_str(), ("Remove the last##" + row.tag).c_str());
+    const bool removed = text_button(panel_, (row.tag + "/remove").c_str(), ("Remove last##" + row.tag).c_str());
     const bool added = text_button(panel_, (row.tag + "/add").c_str(), ("Add##" + row.tag).c_str());
     if (removed && !points.empty()) points.pop_back();
     if (added) points.push_back(points.empty() ? Vec3(Vec3::Zero()) : Vec3(points.back()));
@@ -171,7 +171,7 @@ class FieldRows {
     Edit edit = draw_field(panel_, row, numbers, std::span<double>(wanted.data(), N), prefix);
     const FieldRow first{row.tag + "/0", row.label, row.description};
     if (edit.changed && numbers.nonzero && wanted.isZero(0)) {
-      panel_.state.field_note = {first.tag, "Not all components can be 0: it stays as it was."};
+      panel_.state.field_note = {first.tag, "Not all components can be 0; it was not changed."};
       edit.changed = false;
     }
     if (edit.changed) vector = wanted;

@@ -82,7 +82,8 @@ Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, std::
   NumberField field = number_field_of(row, numbers);
   field.prefix = prefix;
   field.names_unit = false;
-  for (const double component : components) field.beside = std::max(field.beside, std::abs(component));
+  for (const double component : components)
+    field.vector_magnitude = std::max(field.vector_magnitude, std::abs(component));
   Edit edit;
   for (std::size_t i = 0; i < components.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, gap);
@@ -102,8 +103,8 @@ Edit draw_field(Panel& panel, const FieldRow& row, const Numbers& numbers, std::
   if (!typed.changed) return {};
   std::optional<std::vector<int>> parsed = parse_list(text, numbers);
   if (!parsed) {
-    panel.state.field_note = {row.tag, "\"" + text + "\" is not a list of whole numbers, each " + range_text(numbers) +
-                                           ", with commas between them."};
+    panel.state.field_note = {
+        row.tag, "\"" + text + "\" is not a list of integers, each " + range_text(numbers) + ", separated by commas."};
     return {};
   }
   const bool changed = *parsed != values;
@@ -183,7 +184,7 @@ Edit draw_presence(Panel& panel, const FieldRow& row, bool& present) {
 }
 
 bool begin_part(Panel& panel, const FieldRow& row, const std::string& summary) {
-  open_if_wanted(panel, row.tag);
+  open_if_sought(panel, row.tag);
   const bool open = ImGui::TreeNodeEx(row.tag.c_str(), ImGuiTreeNodeFlags_SpanAvailWidth, "%s", row.label.c_str());
   tag_last_item(panel.tags, row.tag, open ? "open" : "closed");
   field_tooltip(panel, row.tag, row.description);

@@ -69,7 +69,7 @@ void draw_nan_sample(ImDrawList* list, const Legend& legend, const Fonts& fonts,
   const auto& color = *legend.nan_color;
   const float size = kSmallText * scale;
   list->AddRectFilled(corner, {corner.x + 18 * scale, corner.y + size}, IM_COL32(color[0], color[1], color[2], 255));
-  list->AddText(fonts.small, size, {corner.x + 28 * scale, corner.y}, palette::kText, "no number");
+  list->AddText(fonts.small, size, {corner.x + 28 * scale, corner.y}, palette::kText, "not a number");
 }
 
 void draw_ticks(ImDrawList* list, const Legend& legend, const Fonts& fonts, ImVec2 minimum, ImVec2 maximum,

@@ -69,8 +69,8 @@ std::optional<double> read_typed(const NumberEdit& edit, const NumberField& fiel
   const std::string text = edit.text.data(), unit = shown_unit(field, edit.prefix);
   const std::optional<double> parsed = parse_quantity(text, unit_of(field), edit.prefix);
   if (parsed && (!field.whole || *parsed == std::round(*parsed))) return parsed;
-  problem = "\"" + text + "\" is not a " + (field.whole ? "whole number" : "number") +
-            (unit.empty() ? "" : " of " + unit) + ". " + range_text_with_prefix(field.numbers) + " is possible.";
+  problem = "\"" + text + "\" is not a " + (field.whole ? "integer" : "number") + (unit.empty() ? "" : " of " + unit) +
+            ". " + range_text_with_prefix(field.numbers) + " is possible.";
   return std::nullopt;
 }
 
@@ -92,7 +92,7 @@ Edit take_typed(Panel& panel, const NumberField& field, double& value) {
   std::string problem;
   const std::optional<double> parsed = read_typed(edit, field, problem);
   if (!parsed) {
-    panel.state.field_note = {field.tag, problem + " The value stays."};
+    panel.state.field_note = {field.tag, problem + " The value was not changed."};
     return {};
   }
   const double wanted = std::clamp(*parsed, field.numbers.minimum, field.numbers.maximum);
@@ -162,7 +162,7 @@ Edit drag_on(Panel& panel, const NumberField& field, double& value) {
   const double wanted = dragged_number({.value = edit.start,
                                         .numbers = field.numbers,
                                         .whole = field.whole,
-                                        .beside = field.beside,
+                                        .vector_magnitude = field.vector_magnitude,
                                         .usual = field.usual},
                                        edit.moved, pace);
   const bool changed = wanted != value;
@@ -203,7 +203,7 @@ void forget_undrawn(NumberEdit& edit) {
 bool offers_original(const NumberField& field) {
   if (!ImGui::IsItemHovered()) return false;
   const std::string original = format_quantity(*field.original, unit_of(field));
-  ImGui::SetTooltip("Was %s. Click to undo the change.", original.c_str());
+  ImGui::SetTooltip("Original: %s. Click to restore it.", original.c_str());
   return ImGui::IsMouseClicked(ImGuiMouseButton_Left);
 }
 

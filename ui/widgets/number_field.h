@@ -19,7 +19,7 @@ struct NumberField {
   std::optional<SiPrefix> prefix = {};  ///< prefix shared with other numbers; none: that of its value
   bool names_unit = true;               ///< false if its row names the unit
   bool whole = false;                   ///< accepts only integers
-  double beside = 0;                    ///< magnitude of the largest component of its vector
+  double vector_magnitude = 0;          ///< magnitude of the largest component of its vector
   double usual = 0;                     ///< magnitude that a drag from 0 reaches in 200 pixels; 0: by the unit
 };
 

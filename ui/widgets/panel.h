@@ -59,13 +59,13 @@ struct Panel {
 
 /// Opens the next section if all sections are open or the sought field is in it. Call it before the section. `tag`: of
 /// the section.
-inline void open_if_wanted(const Panel& panel, std::string_view tag) {
+inline void open_if_sought(const Panel& panel, std::string_view tag) {
   const bool sought = panel.state.sought.frames > 0 && is_within(panel.state.sought.tag, tag);
   if (panel.state.open_sections || sought) ImGui::SetNextItemOpen(true);
 }
 
 /// Returns the reason why the command is disabled; empty if it is enabled.
-std::string_view why_not(const CommandInfo& info, const Panel& panel);
+std::string_view disabled_reason(const CommandInfo& info, const Panel& panel);
 /// True if the state that the command toggles is on.
 bool is_on(const CommandInfo& info, const Panel& panel);
 /// True if the command is enabled.

@@ -1,4 +1,4 @@
-#include "app/bake/thing_names.h"
+#include "app/bake/object_names.h"
 
 #include <cstdio>
 #include <set>

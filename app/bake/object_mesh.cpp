@@ -1,4 +1,4 @@
-#include "app/bake/thing_mesh.h"
+#include "app/bake/object_mesh.h"
 
 #include <map>
 
