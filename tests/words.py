@@ -33,9 +33,12 @@ def covered_files():
 
 
 def texts_of_page(text):
-    """Yields line numbers and texts of a page, without names in `code`."""
+    """Yields line numbers and texts of a page, without names in `code` and tables that a program writes."""
+    is_written = False
     for number, line in enumerate(text.splitlines(), 1):
-        yield number, re.sub(r"`[^`]*`|\]\([^)]*\)|<!--.*?-->", " ", line)
+        is_written = line.startswith("<!-- table") or (is_written and line != "<!-- end -->")
+        if not is_written:
+            yield number, re.sub(r"`[^`]*`|\]\([^)]*\)|<!--.*?-->", " ", line)
 
 
 def texts_of_code(text, suffix):
