@@ -100,9 +100,9 @@ std::string range_text_with_prefix(const Numbers& numbers) {
 std::string clamped_note(double typed, const Numbers& numbers) {
   const std::string_view unit = unit_symbol(numbers);
   const bool high = typed > numbers.maximum;
-  return format_quantity(typed, unit, 6) + (high ? " is more than " : " is less than ") +
+  return format_quantity(typed, unit, 6) + (high ? " is above the maximum " : " is below the minimum ") +
          format_quantity(high ? numbers.maximum : numbers.minimum, unit) +
-         " and was set to it: " + range_text_with_prefix(numbers) + " is possible.";
+         " and was set to it. Allowed: " + range_text_with_prefix(numbers) + ".";
 }
 
 UnitSpelling unit_at(std::string_view text, std::string_view unit) {

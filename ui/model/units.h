@@ -40,7 +40,7 @@ std::string_view unit_symbol(const Numbers& numbers);
 /// Returns the limits of a field with prefixes: "1 Pa to 10 TPa".
 std::string range_text_with_prefix(const Numbers& numbers);
 
-/// Explains that a typed value was clamped: "5 is more than 1 and was set to it. From 0 to 1 is possible."
+/// Explains that a typed value was clamped: "5 is above the maximum 1 and was set to it. Allowed: 0 to 1."
 std::string clamped_note(double typed, const Numbers& numbers);
 
 /// Formats the components of a unit vector: "0.71, 0.00, -0.71".

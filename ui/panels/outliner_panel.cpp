@@ -37,7 +37,7 @@ struct NumberColumn {
 constexpr std::array<NumberColumn, 4> kNumberColumns = {{
     {"State", 40, [](const BodyRow& row) { return std::string(row.state()); }},
     {"Pieces", 26, [](const BodyRow& row) { return std::to_string(row.pieces()); }},
-    {"Elements", 34, [](const BodyRow& row) { return std::to_string(row.tets); }},
+    {"Tets", 34, [](const BodyRow& row) { return std::to_string(row.tets); }},
     {"Mass", 46, [](const BodyRow& row) { return mass_text(row.mass); }},
 }};
 

@@ -70,7 +70,7 @@ std::optional<double> read_typed(const NumberEdit& edit, const NumberField& fiel
   const std::optional<double> parsed = parse_quantity(text, unit_of(field), edit.prefix);
   if (parsed && (!field.whole || *parsed == std::round(*parsed))) return parsed;
   problem = "\"" + text + "\" is not a " + (field.whole ? "integer" : "number") + (unit.empty() ? "" : " of " + unit) +
-            ". " + range_text_with_prefix(field.numbers) + " is possible.";
+            ". Allowed: " + range_text_with_prefix(field.numbers) + ".";
   return std::nullopt;
 }
 
@@ -81,7 +81,7 @@ std::string meaning(const NumberEdit& edit, const NumberField& field) {
   if (!parsed) return problem;
   const double taken = std::clamp(*parsed, field.numbers.minimum, field.numbers.maximum);
   const std::string shown = "= " + with_unit(exact_number(taken, edit.prefix), unit_of(field), edit.prefix);
-  return taken == *parsed ? shown : shown + ": " + range_text_with_prefix(field.numbers) + " is possible.";
+  return taken == *parsed ? shown : shown + ". Allowed: " + range_text_with_prefix(field.numbers) + ".";
 }
 
 /// Applies the typed text; a note reports a value that was rejected or clamped.
