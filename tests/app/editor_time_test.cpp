@@ -264,9 +264,9 @@ TEST_F(FarTravelTest, GoingBackFarShowsProgressAndCanBeCancelled) {
   }
   ASSERT_GE(editor_.timeline().interval(), 256) << "no copy but the first";
   editor_.execute({.id = CommandId::step_back});
-  ASSERT_THAT(editor_.state().work, HasSubstr("on the way to step 249"));
+  ASSERT_THAT(editor_.state().work, HasSubstr("going to step 249"));
   draw(3);
-  EXPECT_THAT(value("work/stage"), HasSubstr("again"));
+  EXPECT_THAT(value("work/stage"), HasSubstr("Repeating"));
   wait_for_work();
   EXPECT_EQ(editor_.frame().step, kSteps - 1);
   EXPECT_EQ(editor_.timeline().world().state_hash(), hash);

@@ -137,7 +137,7 @@ TEST_F(ScriptPlayerTest, OpensAndWaitsForTheWorld) {
 
 TEST_F(ScriptPlayerTest, WhatIsNotAsExpectedNamesItsLine) {
   EXPECT_THAT(failure_of("wait\nexpect toolbar/step \"step 7\""),
-              HasSubstr("a.script:2: toolbar/step shows \"step 0\" and not \"step 7\""));
+              HasSubstr("a.script:2: toolbar/step shows \"step 0\" instead of \"step 7\""));
   EXPECT_THAT(failure_of("command edit.redo"),
               HasSubstr("a.script:1: edit.redo is disabled (There is no edit to redo.)"));
   EXPECT_THAT(failure_of("command file.fill_surface"), HasSubstr("No surface file"));
