@@ -95,7 +95,7 @@ TEST(CommandLine, BadSceneIsExitCode2WithThePlaceOfEachProblem) {
   EXPECT_EQ(checked.code, 2);
   EXPECT_THAT(checked.output, HasSubstr("#/gravity"));
   EXPECT_THAT(checked.output, HasSubstr("#/bodies/0/shape/box/size"));
-  EXPECT_THAT(checked.output, HasSubstr("small_wall.json: good"));
+  EXPECT_THAT(checked.output, HasSubstr("small_wall.json: valid"));
 }
 
 TEST(CommandLine, ABadMeshIsToldWithSceneBodyFileAndLine) {
