@@ -70,7 +70,7 @@ TEST_F(ExportTest, PicturesOfOthersAreNotReplacedUnasked) {
   write(test_folder() / "wall.png");
   draw(2);
   ASSERT_TRUE(editor_.state().replacement);
-  EXPECT_THAT(editor_.state().replacement->problem, HasSubstr("wall_0001.png is there already"));
+  EXPECT_THAT(editor_.state().replacement->problem, HasSubstr("wall_0001.png already exists"));
   EXPECT_EQ(beginning(test_folder() / "wall_0001.png", 8), "not mine");
   EXPECT_TRUE(editor_.state().work.empty());
 }

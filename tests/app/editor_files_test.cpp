@@ -87,7 +87,7 @@ TEST_F(EditorFiles, AnotherFileIsReplacedOnlyWhenToldSo) {
   type("other.json");
   click("save/save");
   draw(4);
-  EXPECT_THAT(value("replace/problem"), HasSubstr("other.json is there already"));
+  EXPECT_THAT(value("replace/problem"), HasSubstr("other.json already exists"));
   click("replace/cancel");
   draw(4);
   EXPECT_EQ(text_of(other), "not to be lost");
